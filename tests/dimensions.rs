@@ -141,7 +141,12 @@ fn returns(changed: &Changed, of: Dimension, [was, value]: [f64; 2], before: &[P
             back.motion.mechanism(),
             &back.motion.pose(back.input).unwrap(),
         );
-        assert!(off(before, &again) < 1e-7 * size, "{at}");
+        // A side opposite to a straight corner tells that to half of the digits.
+        let allowed = match of {
+            Dimension::Side(_, [1, _]) => 1e-6,
+            _ => 1e-7,
+        };
+        assert!(off(before, &again) < allowed * size, "{at}");
     }
 }
 

@@ -370,7 +370,10 @@ fn change_points_are_those_of_the_whole_set() {
             let [plain, doubled] = moved.each_ref().map(Motion::change_points);
             assert_eq!((plain.len(), doubled.len()), (2, 2), "{joints:?} {seed}");
             for (one, other) in plain.iter().zip(doubled) {
-                assert!((one - other).abs() < 1e-9, "{joints:?} {seed}: {one} {other}");
+                assert!(
+                    (one - other).abs() < 1e-9,
+                    "{joints:?} {seed}: {one} {other}"
+                );
             }
         }
     }

@@ -11,7 +11,7 @@ use crate::index::LinkId;
 /// What mobility is counted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Counts {
-    /// n: moving links; links fixed to each other are one.
+    /// n: moving links; links fixed to each other are one, doubled links are not.
     pub links: usize,
     /// P₁: hinges and slides, a hinge of k links as k − 1.
     pub lower_pairs: usize,
@@ -74,12 +74,15 @@ pub(super) fn counts(draft: &Resolved<'_>, bodies: &Bodies) -> Counts {
     let gears = draft.gears.iter();
     let idlers = gears.filter(|gear| gear.mesh == Mesh::AsPrinted).count();
     let passive = bodies.passive.iter().filter(|passive| **passive).count();
+    // A doubled link has three freedoms and a hinge at each point that it shares.
+    let doubled = draft.doubled.iter().map(|(_, shared)| shared.len());
+    let (doubled, hinges) = (draft.doubled.len(), doubled.sum::<usize>());
     Counts {
-        links: graph.links - 1 + idlers,
-        lower_pairs: graph.lower_pairs() + idlers,
+        links: graph.links - 1 + idlers + doubled,
+        lower_pairs: graph.lower_pairs() + idlers + hinges,
         higher_pairs: graph.higher_pairs() + passive + idlers,
         // Three freedoms, less a hinge and one mesh more.
-        mobility: graph.mobility() - passive as isize,
+        mobility: graph.mobility() - passive as isize + 3 * doubled as isize - 2 * hinges as isize,
         passive,
     }
 }

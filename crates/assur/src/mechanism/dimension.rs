@@ -177,7 +177,7 @@ impl Draft {
     }
 
     /// Where a point of a link is on it, by its place among the link's points.
-    fn on_link(&self, link: &DraftLink, point: usize) -> Point {
+    pub(super) fn on_link(&self, link: &DraftLink, point: usize) -> Point {
         let shape = link.shape.as_ref().and_then(|shape| shape.get(point));
         let drawn = || self.place(link.points.get(point)?);
         shape.copied().or_else(drawn).unwrap_or_default()

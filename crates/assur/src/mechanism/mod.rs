@@ -13,6 +13,7 @@ mod closed;
 mod constraint;
 mod counts;
 mod dimension;
+mod doubled;
 mod draft;
 mod driver;
 mod dyads;
@@ -67,7 +68,7 @@ use crate::index::{Id, List};
 use crate::position::{
     Anchor, Enclosure, Given, Nearby, Orientation, Predictor, Sign, State, Step,
 };
-use crate::structure::Structure;
+use crate::structure::{Structure, subscript};
 use crate::{Jet, Vector};
 use body::{Bodies, Placement};
 use plan::Drawn;
@@ -95,6 +96,8 @@ pub struct Mechanism {
     placed_by: List<BodyId, Option<StepId>>,
     constraints: Vec<Constraint>,
     counts: Counts,
+    /// The doubled links with the points that they share with their bodies.
+    doubled: Vec<(LinkId, Vec<PointId>)>,
     /// Of each gear coupling whether it is passive.
     passive: Vec<bool>,
     size: f64,
@@ -165,7 +168,9 @@ impl Mechanism {
             if !mechanism.moves() {
                 return Err(redundancy.defects);
             }
-            mechanism.structure = redundancy.shown;
+            if mechanism.moves_without_passive(&redundancy.shown) {
+                mechanism.structure = redundancy.shown;
+            }
         }
         Ok(mechanism)
     }
@@ -235,6 +240,7 @@ impl Mechanism {
             placed_by,
             constraints: Vec::new(),
             counts: counts::counts(resolved, bodies),
+            doubled: resolved.doubled.clone(),
             passive: bodies.passive.clone(),
             size,
             range: plan.range,
@@ -350,10 +356,14 @@ impl Mechanism {
         self.bodies().map(|body| self.body_name(body))
     }
 
-    /// The structural formula with the names of links.
+    /// The structural formula with the names of links; doubled links, each with its redundant constraints, come last.
     pub fn formula(&self) -> String {
-        self.structure
-            .formula(|link| self.body_name(BodyId::at(link)))
+        let doubled = self.doubled.iter().map(|(link, shared)| {
+            let surplus = subscript(2 * shared.len() - 3);
+            format!("q{surplus}({})", self.link_name(*link))
+        });
+        let terms: Vec<String> = self.terms().into_iter().chain(doubled).collect();
+        terms.join(" → ")
     }
 
     /// The terms of the structural formula with the names of links.

@@ -13,6 +13,7 @@ use super::{ConstraintKind, FRAME, LinkOrFrame, Mechanism};
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::{Anchor, Cause, Nearby, Predictor, Step};
+use crate::structure::{Group, Structure};
 
 /// Inputs on either side of the drawn one at which the constraints are checked, radians of a crank.
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
@@ -41,16 +42,41 @@ impl Mobility {
     }
 }
 
+/// Independent rows, orthogonal to each other and of length 1.
+#[derive(Default)]
+struct Basis(Vec<DVector<f64>>);
+
+impl Basis {
+    /// Takes a row if it is independent of those taken.
+    fn takes(&mut self, row: DVector<f64>) -> bool {
+        let length = row.norm();
+        let mut rest = row;
+        // Twice is enough (Kahan, in Parlett, The Symmetric Eigenvalue Problem, 6.9).
+        for _ in 0..2 {
+            for one in &self.0 {
+                rest -= one * one.dot(&rest);
+            }
+        }
+        let left = rest.norm();
+        let is_independent = left > DEPENDENT * length;
+        if is_independent {
+            self.0.push(rest / left);
+        }
+        is_independent
+    }
+}
+
 impl Mechanism {
     /// Mobility by count and by rank, with the redundant constraints.
     pub fn mobility(&self) -> Mobility {
         let count = self.counts.mobility;
         let has_surplus = self.solved_by.groups().any(|group| group.surplus > 0);
         if !has_surplus && self.counts.passive == 0 {
+            let redundant = self.doubled();
             return Mobility {
                 count,
-                rank: count,
-                redundant: Vec::new(),
+                rank: count + redundant.len() as isize,
+                redundant,
             };
         }
         self.mobility_in(&self.beside())
@@ -61,7 +87,8 @@ impl Mechanism {
         let count = self.counts.mobility;
         let general = poses.iter().map(|pose| self.dependent(pose));
         // In a singular pose more constraints depend on each other.
-        let redundant = general.min_by_key(Vec::len).unwrap_or_default();
+        let mut redundant = general.min_by_key(Vec::len).unwrap_or_default();
+        redundant.extend(self.doubled());
         Mobility {
             count,
             rank: count + redundant.len() as isize,
@@ -69,27 +96,41 @@ impl Mechanism {
         }
     }
 
+    /// The hinges of doubled links with their redundant constraints: of the first hinge none, of the second one, of others
+    /// two.
+    fn doubled(&self) -> Vec<String> {
+        let doubled = self.doubled.iter().flat_map(|(_, shared)| {
+            let further = shared.iter().enumerate().skip(1);
+            further.flat_map(|(k, point)| std::iter::repeat_n(*point, k.min(2)))
+        });
+        let names = doubled.map(|point| self.point_name(point).to_owned());
+        names.collect()
+    }
+
     /// The pairs with a constraint that depends on those before it in a pose.
     fn dependent(&self, pose: &Predictor) -> Vec<String> {
-        let mut basis: Vec<DVector<f64>> = Vec::new();
-        let mut dependent = Vec::new();
-        for (name, row) in self.rows(pose) {
-            let length = row.norm();
-            let mut rest = row;
-            // Twice is enough (Kahan, in Parlett, The Symmetric Eigenvalue Problem, 6.9).
-            for _ in 0..2 {
-                for one in &basis {
-                    rest -= one * one.dot(&rest);
-                }
-            }
-            let left = rest.norm();
-            if left > DEPENDENT * length {
-                basis.push(rest / left);
-            } else {
-                dependent.push(name);
-            }
-        }
-        dependent
+        let mut basis = Basis::default();
+        let rows = self.rows(pose).into_iter();
+        let dependent = rows.filter_map(|(name, row)| (!basis.takes(row)).then_some(name));
+        dependent.collect()
+    }
+
+    /// True if the other links move by themselves, with as many drivers, where those that a structure shows as passive are
+    /// left out: a link that drives others is not passive, although it counts as such.
+    pub(super) fn moves_without_passive(&self, shown: &Structure) -> bool {
+        let passive = shown.groups().filter(|group| group.class == 1);
+        let passive: Vec<usize> = passive.flat_map(Group::links).collect();
+        let rank = |pose: &Predictor| {
+            let mut basis = Basis::default();
+            let rows = self.rows(pose).into_iter().map(|(_, row)| row);
+            let rows = rows.filter(|row| {
+                let mut parts = passive.iter().map(|body| row.rows(3 * body, 3));
+                parts.all(|part| part.norm() == 0.0)
+            });
+            rows.filter(|row| basis.takes(row.clone())).count()
+        };
+        let rank = self.beside().iter().map(rank).max().unwrap_or(0);
+        3 * (self.bodies.len() - 1 - passive.len()) == rank + self.draft.drivers.len()
     }
 
     /// The constraints of the pairs on the twists of the bodies, with the names of the pairs. A twist is the velocity at

@@ -1,6 +1,7 @@
 //! A draft with names replaced by numbers: every thing that is named is there.
 
 use super::constraint::LinkOrFrame;
+use super::doubled::doubled;
 use super::draft::{Defect, Draft, DraftDriver, FRAME};
 use super::tracer::DraftTracer;
 use crate::gears::Mesh;
@@ -26,6 +27,8 @@ pub(super) struct Resolved<'a> {
     pub(super) tracers: Vec<(LinkOrFrame, &'a DraftTracer)>,
     /// Of each body the link that it is made for; none for the frame.
     pub(super) bodies: List<BodyId, LinkOrFrame>,
+    /// The points that doubled links share with their bodies, of each link in the order of the draft.
+    pub(super) doubled: Vec<(LinkId, Vec<PointId>)>,
 }
 
 #[derive(Debug)]
@@ -33,7 +36,7 @@ pub(super) struct Link {
     pub(super) body: BodyId,
     pub(super) first: PointId,
     pub(super) points: Vec<PointId>,
-    /// Whether it is fixed to another link, or to the frame.
+    /// True if it is one body with another link, or with the frame.
     pub(super) is_fixed: bool,
 }
 
@@ -79,15 +82,16 @@ impl<'a> Resolved<'a> {
     /// # Errors
     /// The first name that nothing has, and the like.
     pub(super) fn new(draft: &'a Draft) -> Result<Self, Defect> {
-        let names = Names(draft);
+        let doubled = doubled(draft);
+        let names = Names(draft, &doubled);
         let mut bodies: List<BodyId, LinkOrFrame> = vec![None].into();
         let ids = (0..draft.links.len()).map(LinkId::at);
         let own = ids.zip(&draft.links).map(|(id, link)| {
-            let own = link.fixed_to.is_none();
+            let own = link.fixed_to.is_none() && doubled[id].is_none();
             own.then(|| bodies.push(Some(id)))
         });
         let own: List<LinkId, Option<BodyId>> = own.collect();
-        let links = draft.links.iter().map(|link| {
+        let links = own.ids().zip(&draft.links).map(|(id, link)| {
             let points = names.points(&link.points)?;
             let first = *points
                 .first()
@@ -96,9 +100,25 @@ impl<'a> Resolved<'a> {
                 body: names.body(&link.name, &own)?,
                 first,
                 points,
-                is_fixed: link.fixed_to.is_some(),
+                is_fixed: own[id].is_none(),
             })
         });
+        let links: List<LinkId, Link> = links.collect::<Result<_, Defect>>()?;
+        let frame = names.points(&draft.frame)?;
+        let shared = links.enumerate().filter(|(id, _)| doubled[*id].is_some());
+        let shared = shared.map(|(id, link)| {
+            let before = links.enumerate().filter(|(other, _)| *other < id);
+            let before = before.filter(|(_, other)| other.body == link.body);
+            let mut before: Vec<PointId> = before.flat_map(|(_, one)| one.points.clone()).collect();
+            if link.body == BodyId::FRAME {
+                before.extend(&frame);
+            }
+            let mut shared = link.points.clone();
+            shared.retain(|point| before.contains(point));
+            shared.sort_unstable();
+            (id, shared)
+        });
+        let shared = shared.collect();
         let slides = draft.slides.iter().map(|slide| {
             let [from, to] = &slide.line;
             Ok(Slide {
@@ -129,8 +149,9 @@ impl<'a> Resolved<'a> {
             draft,
             origin,
             places: places.collect(),
-            frame: names.points(&draft.frame)?,
-            links: links.collect::<Result<_, Defect>>()?,
+            frame,
+            links,
+            doubled: shared,
             slides: slides.collect::<Result<_, Defect>>()?,
             gears: gears.collect::<Result<_, Defect>>()?,
             drivers: drivers.collect::<Result<_, Defect>>()?,
@@ -179,7 +200,7 @@ impl<'a> Resolved<'a> {
 }
 
 /// What the names of a draft stand for.
-struct Names<'a>(&'a Draft);
+struct Names<'a>(&'a Draft, &'a List<LinkId, Option<LinkOrFrame>>);
 
 impl Names<'_> {
     fn point(&self, name: &String) -> Result<PointId, Defect> {
@@ -202,18 +223,20 @@ impl Names<'_> {
         Ok(Some(LinkId::at(found)))
     }
 
-    /// The body of a link: its own, or that of what it is fixed to in the end.
+    /// The body of a link: its own, or that of what it is one body with in the end.
     fn body(&self, name: &String, own: &List<LinkId, Option<BodyId>>) -> Result<BodyId, Defect> {
-        let mut root = name;
+        let mut root = self.link(name)?;
         for _ in 0..=self.0.links.len() {
-            let Some(link) = self.link(root)? else {
+            let Some(link) = root else {
                 return Ok(BodyId::FRAME);
             };
-            match (own[link], &self.0.links[link.index()].fixed_to) {
-                (Some(body), _) => return Ok(body),
-                (None, Some(base)) => root = base,
-                (None, None) => break,
-            }
+            let base = self.0.links[link.index()].fixed_to.as_ref();
+            root = match (own[link], base, self.1[link]) {
+                (Some(body), ..) => return Ok(body),
+                (None, Some(base), _) => self.link(base)?,
+                (None, None, Some(other)) => other,
+                (None, None, None) => break,
+            };
         }
         Err(Defect::WithItself(name.clone()))
     }

@@ -38,13 +38,18 @@ impl Group {
         } else {
             (roman(self.class), self.order())
         };
-        let number = number.to_string();
-        let subscript = number.chars().filter_map(|digit| {
-            let value = digit.to_digit(10)?;
-            char::from_u32(u32::from('₀') + value)
-        });
-        letters + &subscript.collect::<String>()
+        letters + &subscript(number)
     }
+}
+
+/// A number in digits below the line.
+pub(crate) fn subscript(number: usize) -> String {
+    let number = number.to_string();
+    let digits = number.chars().filter_map(|digit| {
+        let value = digit.to_digit(10)?;
+        char::from_u32(u32::from('₀') + value)
+    });
+    digits.collect()
 }
 
 /// A class as textbooks write it: IV.

@@ -79,6 +79,7 @@ mod pebbles;
 
 pub use fault::Fault;
 pub use formula::roman;
+pub(crate) use formula::subscript;
 pub use group::{Dyad, Group, Outer};
 pub use passive::with_passive_links;
 

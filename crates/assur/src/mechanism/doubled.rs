@@ -1,0 +1,62 @@
+//! Doubled links: a link that shares two points with another one, as far apart on both, is one body with it.
+
+use super::check::CLOSEST;
+use super::constraint::LinkOrFrame;
+use super::draft::{Draft, DraftLink};
+use crate::Point;
+use crate::index::{Id, LinkId, List};
+
+/// Of each link the link before it, or the frame, with which it is one body. None of links that are fixed to others, and of
+/// those that share no two points.
+pub(super) fn doubled(draft: &Draft) -> List<LinkId, Option<LinkOrFrame>> {
+    let size = draft.size();
+    let links = draft.links.iter().enumerate();
+    let doubled = links.map(|(index, link)| {
+        let before = draft.links[..index].iter().enumerate();
+        let before = before.filter(|(_, other)| other.fixed_to.is_none());
+        let before = before.map(|(other, own)| (Some(LinkId::at(other)), Carrier::Link(own)));
+        let mut before = [(None, Carrier::Frame)].into_iter().chain(before);
+        let is_free = link.fixed_to.is_none();
+        let other = before.find(|(_, other)| is_free && are_one(draft, link, other, size));
+        other.map(|(other, _)| other)
+    });
+    doubled.collect()
+}
+
+/// What has points.
+enum Carrier<'a> {
+    Frame,
+    Link(&'a DraftLink),
+}
+
+impl Carrier<'_> {
+    /// The place of a point on it.
+    fn place(&self, draft: &Draft, name: &String) -> Option<Point> {
+        match self {
+            Self::Frame => draft.frame.contains(name).then(|| draft.place(name))?,
+            Self::Link(link) => {
+                let point = link.points.iter().position(|point| point == name)?;
+                Some(draft.on_link(link, point))
+            }
+        }
+    }
+}
+
+/// True if two links share two points or more, of which each has the same distance from the first on both.
+fn are_one(draft: &Draft, link: &DraftLink, other: &Carrier<'_>, size: f64) -> bool {
+    let own = Carrier::Link(link);
+    let shared = link.points.iter().filter_map(|name| {
+        let [own, other] = [&own, other].map(|carrier| carrier.place(draft, name));
+        Some([own?, other?])
+    });
+    let shared: Vec<[Point; 2]> = shared.collect();
+    let Some((first, rest)) = shared.split_first() else {
+        return false;
+    };
+    let sides = rest
+        .iter()
+        .map(|at| [0, 1].map(|k| (at[k] - first[k]).norm()));
+    let mut alike =
+        sides.map(|[own, other]| own > CLOSEST * size && (own - other).abs() <= CLOSEST * size);
+    !rest.is_empty() && alike.all(|alike| alike)
+}
