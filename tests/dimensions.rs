@@ -146,7 +146,11 @@ fn returns(changed: &Changed, of: Dimension, [was, value]: [f64; 2], before: &[P
             Dimension::Side(_, [1, _]) => 1e-6,
             _ => 1e-7,
         };
-        assert!(off(before, &again) < allowed * size, "{at}");
+        assert!(
+            off(before, &again) < allowed * size,
+            "{at}: {:e}",
+            off(before, &again) / size
+        );
     }
 }
 

@@ -8,6 +8,8 @@ use crate::parts;
 
 /// Half the width of a link's bar, half the sides of a block, in units, as of a linkage that moves.
 const BAR: f64 = 1.15;
+/// Half the width of a ring's rim where it is pressed, relative to its radius.
+const RIM: f64 = 0.05;
 const BLOCK: [f64; 2] = [2.6, 1.7];
 /// The sheet of an empty drawing: left, bottom, right, top, in the unit of lengths.
 const SHEET: [f64; 4] = [-6.0, -4.0, 6.0, 4.0];
@@ -158,7 +160,7 @@ impl Sketch {
     fn off_wheel(&self, wheel: &Wheel, place: Point) -> f64 {
         let beyond = (place - wheel.at).norm() - wheel.radius;
         let off = if wheel.ring {
-            beyond.abs() - BAR * self.unit
+            beyond.abs() - (BAR * self.unit).max(RIM * wheel.radius)
         } else {
             beyond
         };

@@ -291,8 +291,13 @@ fn every_number_of_a_rail_can_vary() {
     for (name, count, some) in [
         (
             "jansen",
-            9,
-            &["links[0].length", "points[0].x", "points[0].y"][..],
+            17,
+            &[
+                "links[0].length",
+                "links[2].side[1][2]",
+                "links[2].corner_deg[2]",
+                "points[0].y",
+            ][..],
         ),
         ("geared-five-bar", 8, &["links[0].length"]),
         (
