@@ -165,12 +165,9 @@ impl Mechanism {
         };
         mechanism.constraints = parts.constraints();
         if let Some(redundancy) = redundancy {
-            if !mechanism.moves() {
-                return Err(redundancy.defects);
-            }
-            if mechanism.moves_without_passive(&redundancy.shown) {
-                mechanism.structure = redundancy.shown;
-            }
+            mechanism.structure = mechanism
+                .shown(&redundancy)
+                .ok_or_else(|| redundancy.defects.clone())?;
         }
         Ok(mechanism)
     }

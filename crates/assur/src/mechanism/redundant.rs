@@ -5,15 +5,17 @@
 //! equal cranks, add equations of their own: where all cranks are in line the Jacobian of the constraints alone is
 //! singular, although all constraints together allow only one motion.
 
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 use nalgebra::DVector;
 
+use super::structured::Redundancy;
 use super::{ConstraintKind, FRAME, LinkOrFrame, Mechanism};
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::{Anchor, Cause, Nearby, Predictor, Step};
-use crate::structure::{Group, Structure};
+use crate::structure::{Structure, with_passive_links};
 
 /// Inputs on either side of the drawn one at which the constraints are checked, radians of a crank.
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
@@ -115,24 +117,6 @@ impl Mechanism {
         dependent.collect()
     }
 
-    /// True if the other links move by themselves, with as many drivers, where those that a structure shows as passive are
-    /// left out: a link that drives others is not passive, although it counts as such.
-    pub(super) fn moves_without_passive(&self, shown: &Structure) -> bool {
-        let passive = shown.groups().filter(|group| group.class == 1);
-        let passive: Vec<usize> = passive.flat_map(Group::links).collect();
-        let rank = |pose: &Predictor| {
-            let mut basis = Basis::default();
-            let rows = self.rows(pose).into_iter().map(|(_, row)| row);
-            let rows = rows.filter(|row| {
-                let mut parts = passive.iter().map(|body| row.rows(3 * body, 3));
-                parts.all(|part| part.norm() == 0.0)
-            });
-            rows.filter(|row| basis.takes(row.clone())).count()
-        };
-        let rank = self.beside().iter().map(rank).max().unwrap_or(0);
-        3 * (self.bodies.len() - 1 - passive.len()) == rank + self.draft.drivers.len()
-    }
-
     /// The constraints of the pairs on the twists of the bodies, with the names of the pairs. A twist is the velocity at
     /// the origin, per size, and the angular velocity.
     fn rows(&self, pose: &Predictor) -> Vec<(String, DVector<f64>)> {
@@ -213,11 +197,31 @@ impl Mechanism {
         matches!(&self.steps[step], Step::Group(group) if group.is_redundant())
     }
 
-    /// True if all constraints hold around the drawn pose and the mobility by rank is the number of drivers. Drivers that
-    /// agree only at their rates are too many.
-    pub(super) fn moves(&self) -> bool {
+    /// The structure with passive links by themselves. None if a redundant constraint does not hold around the drawn pose,
+    /// or the mobility by rank is not the number of drivers: drivers that agree only at their rates are too many.
+    pub(super) fn shown(&self, redundancy: &Redundancy) -> Option<Structure> {
         let poses = self.beside();
-        !poses.is_empty() && self.mobility_in(&poses).rank == self.draft.drivers.len() as isize
+        let drivers = self.draft.drivers.len();
+        if poses.is_empty() || self.mobility_in(&poses).rank != drivers as isize {
+            return None;
+        }
+        // Counting would leave out a link that drives others.
+        let moves = |passive: &BTreeSet<usize>| {
+            let rank = |pose: &Predictor| {
+                let mut basis = Basis::default();
+                let rows = self.rows(pose).into_iter().map(|(_, row)| row);
+                let rows = rows.filter(|row| {
+                    let mut parts = passive.iter().map(|body| row.rows(3 * body, 3));
+                    parts.all(|part| part.norm() == 0.0)
+                });
+                rows.filter(|row| basis.takes(row.clone())).count()
+            };
+            let rank = poses.iter().map(rank).max().unwrap_or(0);
+            3 * (self.bodies.len() - 1 - passive.len()) == rank + drivers
+        };
+        let Redundancy { graph, drivers, .. } = redundancy;
+        let shown = with_passive_links(graph, drivers, moves);
+        Some(shown.unwrap_or_else(|| self.solved_by.clone()))
     }
 
     /// Poses on both sides of the drawn one, as far as there are poses. Empty if a redundant constraint fails in one of

@@ -4,14 +4,12 @@ use super::body::{Bodies, Gear};
 use super::draft::Defect;
 use super::resolved::Resolved;
 use crate::index::{BodyId, Id};
-use crate::structure::{
-    self, Fault, Graph, Pair, Structure, decompose, decompose_redundant, with_passive_links,
-};
+use crate::structure::{self, Fault, Graph, Pair, Structure, decompose, decompose_redundant};
 
 /// A structure with surplus constraints: whether they are redundant the geometry decides.
 pub(super) struct Redundancy {
-    /// The structure as it is shown: passive links after all others.
-    pub(super) shown: Structure,
+    pub(super) graph: Graph,
+    pub(super) drivers: Vec<structure::Driver>,
     /// The defects if the constraints are not redundant.
     pub(super) defects: Vec<Defect>,
 }
@@ -71,9 +69,11 @@ pub(super) fn structured(
     let Ok(structure) = redundant else {
         return Err(defects());
     };
+    let defects = defects();
     let redundancy = Redundancy {
-        shown: with_passive_links(&graph, &drivers).unwrap_or_else(|| structure.clone()),
-        defects: defects(),
+        graph,
+        drivers,
+        defects,
     };
     Ok((structure, Some(redundancy)))
 }

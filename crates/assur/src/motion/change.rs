@@ -55,6 +55,8 @@ const FIRST_STEP: f64 = 0.25;
 const LEAST_STEP: f64 = 1.0 / 1024.0;
 /// … and the last value that works is found to this part, and told as exactly.
 const RESOLUTION: f64 = 2e-4;
+/// Sides of a straight triangle add up to this part.
+const ROUNDED: f64 = 1e-14;
 /// No more steps are tried; of which the input gives way in few.
 const MOST_TRIES: usize = 200;
 /// So often a last value is tried.
@@ -162,7 +164,7 @@ impl Motion {
             changed => changed?,
         };
         let last = value.clamp(least, most);
-        if last == value {
+        if by(last) <= ROUNDED * most {
             return Ok(changed);
         }
         // The sides beside it are too short for it, or differ by more.

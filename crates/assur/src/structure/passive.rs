@@ -6,8 +6,13 @@ use super::check::check;
 use super::{Driver, Graph, Group, Outer, Pair, Step, Structure, decompose};
 
 /// The structure of a linkage without its passive links, followed by one step for each of these. A passive link has two
-/// pairs, and without it the linkage has one surplus constraint less. None if surplus constraints remain.
-pub fn with_passive_links(graph: &Graph, drivers: &[Driver]) -> Option<Structure> {
+/// pairs, and without it the linkage has one surplus constraint less; `moves` says whether the linkage moves the same
+/// without some links, which counting cannot see. None if surplus constraints remain.
+pub fn with_passive_links(
+    graph: &Graph,
+    drivers: &[Driver],
+    moves: impl Fn(&BTreeSet<usize>) -> bool,
+) -> Option<Structure> {
     let mut passive = BTreeSet::new();
     let mut surplus = surplus(graph, drivers, &passive)?;
     // Of several the last ones.
@@ -22,7 +27,7 @@ pub fn with_passive_links(graph: &Graph, drivers: &[Driver]) -> Option<Structure
         }
         passive.insert(link);
         match self::surplus(graph, drivers, &passive) {
-            Some(less) if less + 1 == surplus => surplus = less,
+            Some(less) if less + 1 == surplus && moves(&passive) => surplus = less,
             _ => drop(passive.remove(&link)),
         }
     }
