@@ -150,7 +150,7 @@ impl Mechanism {
                 mechanism = of(&parallel).ok()?;
                 mechanism.settle().ok()
             });
-            settled.ok_or_else(|| redundancy.defects.clone())?;
+            settled.ok_or_else(|| mechanism.locked(redundancy))?;
         } else {
             mechanism.settle().map_err(|defects| {
                 let beyond = driver::drawn_beyond_range(&resolved, &bodies);
@@ -167,7 +167,7 @@ impl Mechanism {
         if let Some(redundancy) = redundancy {
             mechanism.structure = mechanism
                 .shown(&redundancy)
-                .ok_or_else(|| redundancy.defects.clone())?;
+                .ok_or_else(|| mechanism.locked(&redundancy))?;
         }
         Ok(mechanism)
     }
