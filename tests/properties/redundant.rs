@@ -452,13 +452,21 @@ fn unequal_cranks_are_mobile_for_an_instant() {
             draft = draft.point(&format!("A{k}"), x, y);
             draft = draft.point(&format!("B{k}"), end[0], end[1]);
         }
-        let draft = draft.fixed(&["A0", "A1", "A2"]).bar("rod", &["B0", "B1", "B2"]);
-        let draft = draft.bar("crank", &["A0", "B0"]).bar("second", &["A1", "B1"]);
+        let draft = draft
+            .fixed(&["A0", "A1", "A2"])
+            .bar("rod", &["B0", "B1", "B2"]);
+        let draft = draft
+            .bar("crank", &["A0", "B0"])
+            .bar("second", &["A1", "B1"]);
         draft.bar("third", &["A2", "B2"]).crank("crank")
     };
     let defects = |turns| Mechanism::new(&cranks(turns)).unwrap_err();
     let instant = |defect: &Defect| matches!(defect, Defect::Instant { links } if links.len() == 5);
-    assert!(defects([1.0; 3]).iter().all(instant), "{:?}", defects([1.0; 3]));
+    assert!(
+        defects([1.0; 3]).iter().all(instant),
+        "{:?}",
+        defects([1.0; 3])
+    );
     let locked = |defect: &Defect| matches!(defect, Defect::Locked { .. });
     assert!(defects([1.0, 1.4, 0.9]).iter().all(locked));
 }

@@ -61,7 +61,10 @@ impl<'a> DimensionSummary<'a> {
         };
         let summed = |dimension: Dimension| {
             let (kind, index, name, points, role) = match dimension {
-                Dimension::Length(link) => of_link("length", link, &[0, 1]),
+                Dimension::Length(link) => {
+                    let is_plate = links[link.index()].points.len() > 2;
+                    of_link(if is_plate { "side" } else { "length" }, link, &[0, 1])
+                }
                 Dimension::Side(link, ends) => of_link("side", link, &ends),
                 Dimension::Corner(link, point) => of_link("corner", link, &[1, 0, point]),
                 Dimension::X(point) => of_point("x", point),
