@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use super::draft::{Draft, DraftLink, DraftSlide, FRAME};
+use super::draft::{Draft, DraftDriver, DraftLink};
 use super::{Mechanism, Setting};
 use crate::index::{LinkId, PointId};
 use crate::{Point, Vector};
@@ -22,7 +22,8 @@ pub enum Dimension {
     /// The angle at the first point of a link from the second to a later one, by its place from 2, radians in (−π, π].
     /// The sides beside it stay.
     Corner(LinkId, usize),
-    /// The abscissa of a hinge of the frame; links that are hinged there keep theirs.
+    /// The abscissa of a hinge of the frame, or of a point of a guide of the frame; links that are hinged or slide there keep
+    /// their dimensions.
     X(PointId),
     /// The ordinate of one.
     Y(PointId),
@@ -37,8 +38,8 @@ const ASIDE: f64 = 0.1;
 
 impl Mechanism {
     /// All dimensions, in the order of the draft: the lengths of links with two points and the sides and corners of those
-    /// with more, then the coordinates of the hinges of the frame that stand alone: no guide of the frame goes through
-    /// them, and no link lies on another there.
+    /// with more, then the coordinates of the hinges of the frame and of points of its guides that stand alone: no driven
+    /// slide counts from them, and no link lies on another there.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let draft = self.draft();
         let bases = bases(draft);
@@ -60,7 +61,8 @@ impl Mechanism {
             let name = &point.name;
             draft.frame.contains(name)
                 && !bound.contains(name.as_str())
-                && draft.links.iter().any(|link| link.points.contains(name))
+                && (draft.links.iter().any(|link| link.points.contains(name))
+                    || draft.slides.iter().any(|slide| slide.line.contains(name)))
         });
         let hinges = hinges.flat_map(|(point, _)| [Dimension::X(point), Dimension::Y(point)]);
         shapes.chain(hinges).collect()
@@ -190,14 +192,17 @@ fn bases(draft: &Draft) -> BTreeSet<&str> {
     links.filter_map(|link| link.fixed_to.as_deref()).collect()
 }
 
-/// The points on which more rests than hinges: guides of the frame, and links that are fixed to others and lie on them as
-/// drawn.
+/// The points on which more rests than hinges: the line of a driven slide, from which the input counts, and links that are
+/// fixed to others and lie on them as drawn.
 fn bound<'a>(draft: &'a Draft, bases: &BTreeSet<&str>) -> BTreeSet<&'a str> {
-    let guides = draft.slides.iter().filter(|slide| slide.on == FRAME);
-    let guides = guides.flat_map(|DraftSlide { point, line, .. }| line.iter().chain([point]));
+    let driven = draft.drivers.iter().filter_map(|driver| match driver {
+        DraftDriver::Slide { slide, .. } => draft.slides.get(*slide),
+        DraftDriver::Crank { .. } => None,
+    });
     let lying = draft.links.iter();
     let lying = lying.filter(|link| link.fixed_to.is_some() || bases.contains(&*link.name));
-    guides
+    driven
+        .flat_map(|slide| &slide.line)
         .chain(lying.flat_map(|link| &link.points))
         .map(String::as_str)
         .collect()

@@ -37,8 +37,8 @@ impl Bodies {
                 point: draft.point_name(point).to_owned(),
             })
         };
-        let [from, to] = slide.line;
-        let [start, to] = [on_link(slide.on, from)?, on_link(slide.on, to)?];
+        let [from, end] = slide.line;
+        let [start, to] = [on_link(slide.on, from)?, on_link(slide.on, end)?];
         let point = on_link(slide.link, slide.point)?;
         let places = self.of(draft.body(slide.on)).iter();
         if (to - start).norm() <= CLOSEST * extent(places.map(|(_, local)| *local)) {
@@ -47,7 +47,11 @@ impl Bodies {
         let heading = (to - start).normalize();
         let bodies = [slide.on, slide.link].map(|link| draft.body(link));
         let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
-        let along = product(heading, on_turn);
+        // A line of the frame may be elsewhere than it is drawn: the link slides on it as drawn.
+        let along = match slide.on {
+            None => (draft.places[end] - draft.places[from]).normalize(),
+            Some(_) => product(heading, on_turn),
+        };
         let off = draft.places[slide.point] - draft.places[from];
         let [way, off] = product(off, conjugate(along)).into();
         Ok(Slide {
