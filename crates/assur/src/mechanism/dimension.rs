@@ -16,8 +16,8 @@ pub enum Dimension {
     /// The distance of the first two points of a link: of one with two points its length. Its other points stay where they
     /// are on it.
     Length(LinkId),
-    /// The distance of a point of a link, by its place from 2, to the first (0) or the second (1). The other distance and
-    /// the line of the first two stay.
+    /// The distance of a point of a link, by its place from 2, to the first (0) or the second (1). The first two stay; with
+    /// them, in the first case, the angle at the first, in the second the distance to it.
     Side(LinkId, [usize; 2]),
     /// The angle at the first point of a link from the second to a later one, by its place from 2, radians in (−π, π].
     /// The sides beside it stay.
