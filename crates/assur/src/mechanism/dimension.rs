@@ -2,6 +2,7 @@
 //! notion for sliders, hands on the drawing and searches.
 
 use std::collections::BTreeSet;
+use std::f64::consts::{PI, TAU};
 
 use super::draft::{Draft, DraftLink, DraftSlide, FRAME};
 use super::{Mechanism, Setting};
@@ -79,6 +80,14 @@ impl Mechanism {
                 Dimension::Y(point) => at(point).y,
             }
         })
+    }
+
+    /// The value that a dimension is set to where this one is wanted: an angle is set the shorter way round.
+    pub fn nearest(&self, dimension: Dimension, value: f64) -> f64 {
+        match (dimension, self.value(dimension)) {
+            (Dimension::Corner(..), Some(from)) => from + (value - from + PI).rem_euclid(TAU) - PI,
+            _ => value,
+        }
     }
 
     /// From where to where it makes sense to set a dimension; not every value between
