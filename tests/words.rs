@@ -604,6 +604,7 @@ fn every_problem_has_words() {
         "loose",
         "underdriven",
         "locked",
+        "instant",
         "rate",
         "parallel_guides",
         "unsupported",

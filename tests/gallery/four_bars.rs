@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use assur::Grashof;
 use assur::motion::DeadPointKind;
 use assur_tests::{angle_between, assert_near};
 
@@ -120,6 +121,20 @@ fn coupled_cranks() {
     assert!(motion.change_points().is_empty() && motion.dead_points().is_empty());
     let mobility = motion.mechanism().mobility();
     assert_eq!((mobility.count, mobility.rank, mobility.q()), (0, 1, 1));
+    // Without its passive link it is a parallelogram, whose rod and cranks are in line twice a turn.
+    let [four_bar] = &motion.mechanism().four_bars()[..] else {
+        panic!("{:?}", motion.mechanism().four_bars());
+    };
+    assert_eq!(four_bar.grashof(), Grashof::ChangePoint);
+    let [dyad] = motion.mechanism().rrr_dyads()[..] else {
+        panic!("one dyad");
+    };
+    let transmission = |degrees: f64| {
+        let pose = motion.pose::<1>(degrees.to_radians()).unwrap();
+        motion.mechanism().transmission_angle(&pose, &dyad)
+    };
+    assert_near(transmission(0.0), 0.0, 1e-9, "in line");
+    assert_near(transmission(90.0), PI / 2.0, 1e-9, "square");
     for degrees in (0..=360).map(f64::from) {
         for name in ["second crank.angle", "third crank.angle"] {
             let [angle, first, second, _] = at(&motion, name, degrees);

@@ -12,8 +12,8 @@ use crate::host::home;
 /// The numbers of a row: value and two derivatives of the rocker, of what stands in it.
 async fn row(page: &Page, of: &str) -> [f64; 3] {
     let mut row = [0.0; 3];
-    for (number, order) in row.iter_mut().zip(["", "d", "dd"]) {
-        *number = page.value(&format!("{of}-{order}rocker")).await;
+    for (number, order) in row.iter_mut().zip(["", "′", "″"]) {
+        *number = page.value(&format!("{of}-rocker.angle{order}")).await;
     }
     row
 }

@@ -393,7 +393,8 @@ fn spoiled_ones_are_refused() {
             spoiled.unwrap().at += way;
             let name = family.name;
             let defects = Mechanism::new(&draft).err().unwrap_or_default();
-            let locked = |defect: &Defect| matches!(defect, Defect::Locked { .. });
+            let locked =
+                |defect: &Defect| matches!(defect, Defect::Locked { .. } | Defect::Instant { .. });
             assert!(defects.iter().any(locked), "{name} {seed}: {defects:?}");
         }
     }
@@ -438,4 +439,34 @@ fn nearly_exact_ones_are_made_exact() {
             assert_eq!(motion.cycle().is_full(), family.turns, "{name} {seed}");
         }
     }
+}
+
+/// Parallel cranks of other lengths let their rod move in the drawn pose only; cranks that are not parallel not even there.
+#[test]
+fn unequal_cranks_are_mobile_for_an_instant() {
+    let cranks = |turns: [f64; 3]| {
+        let mut draft = Draft::default();
+        for (k, (length, turn)) in [1.0, 1.2, 0.8].into_iter().zip(turns).enumerate() {
+            let (x, y) = (2.0 * k as f64, 0.3 * k as f64);
+            let end = [x + length * f64::cos(turn), y + length * f64::sin(turn)];
+            draft = draft.point(&format!("A{k}"), x, y);
+            draft = draft.point(&format!("B{k}"), end[0], end[1]);
+        }
+        let draft = draft
+            .fixed(&["A0", "A1", "A2"])
+            .bar("rod", &["B0", "B1", "B2"]);
+        let draft = draft
+            .bar("crank", &["A0", "B0"])
+            .bar("second", &["A1", "B1"]);
+        draft.bar("third", &["A2", "B2"]).crank("crank")
+    };
+    let defects = |turns| Mechanism::new(&cranks(turns)).unwrap_err();
+    let instant = |defect: &Defect| matches!(defect, Defect::Instant { links } if links.len() == 5);
+    assert!(
+        defects([1.0; 3]).iter().all(instant),
+        "{:?}",
+        defects([1.0; 3])
+    );
+    let locked = |defect: &Defect| matches!(defect, Defect::Locked { .. });
+    assert!(defects([1.0, 1.4, 0.9]).iter().all(locked));
 }

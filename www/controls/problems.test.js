@@ -127,7 +127,7 @@ test("numbers of a sentence have the sign of the language", () => {
 
 test("what keeps a linkage from moving is said with what can be done about it", () => {
   for (const words of LANGUAGES.map((lang) => wordsOf(lang))) {
-    for (const code of ["unsupported", "open", "underdriven", "locked", "no_driver", "loose", "misdrawn"]) {
+    for (const code of ["unsupported", "open", "underdriven", "locked", "instant", "no_driver", "loose", "misdrawn"]) {
       const text = sentence({ code, links: ["crank", "rocker"], point: "A", mobility: 0, by: 0.5 }, words);
       const [what, ...remedy] = text.split(/(?<=[.])\s+(?=\p{Lu})/u);
       assert.ok(what.length > 20 && remedy.join(" ").length > 20, `${words.lang} ${code}: ${text}`);

@@ -375,7 +375,7 @@ function same(one, other) {
 
 /** @param {string} code of a reason */
 function tone(code) {
-  if (code === "locked") return "draw-locked";
+  if (code === "locked" || code === "instant") return "draw-locked";
   return code === "loose" || code === "underdriven" ? "draw-loose" : "";
 }
 

@@ -84,7 +84,9 @@ impl Advice {
                 Defect::Loose(links) | Defect::Underdriven { links, .. } => {
                     loose.extend(links.iter().cloned());
                 }
-                Defect::Locked { links, .. } => locked.extend(links.iter().cloned()),
+                Defect::Locked { links, .. } | Defect::Instant { links } => {
+                    locked.extend(links.iter().cloned())
+                }
                 _ => {}
             }
         }

@@ -7,9 +7,8 @@ use serde::Serialize;
 
 use crate::moving::Moving;
 
-/// A dimension: its field in the document, the points that it is between or of, its value and those it may have. Only a link
-/// with two points has a length, others have sides. `index` counts the links or points from 0, `name` is the link's or the
-/// point's; a corner is in degrees.
+/// A dimension: its field in the document, the points that it is between or of, its value and those it may have. `index`
+/// counts the links or points from 0, `name` is the link's or the point's; a corner is in degrees.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DimensionSummary<'a> {
@@ -63,8 +62,8 @@ impl<'a> DimensionSummary<'a> {
         let summed = |dimension: Dimension| {
             let (kind, index, name, points, role) = match dimension {
                 Dimension::Length(link) => {
-                    let is_side = links[link.index()].points.len() > 2;
-                    of_link(if is_side { "side" } else { "length" }, link, &[0, 1])
+                    let is_plate = links[link.index()].points.len() > 2;
+                    of_link(if is_plate { "side" } else { "length" }, link, &[0, 1])
                 }
                 Dimension::Side(link, ends) => of_link("side", link, &ends),
                 Dimension::Corner(link, point) => of_link("corner", link, &[1, 0, point]),

@@ -213,6 +213,11 @@ pub enum Defect {
         /// What is locked.
         links: Vec<String>,
     },
+    /// Links whose constraints allow a motion in the drawn pose by their rank, but hold in no pose beside it.
+    Instant {
+        /// What is locked.
+        links: Vec<String>,
+    },
     /// A driver whose rate is not finite, of the first not 1; or with which the motion would not repeat within
     /// 24 turns of the first crank.
     Rate {

@@ -57,8 +57,14 @@ impl FourBarLoop {
 impl Mechanism {
     /// The RRR dyads, in the order in which they are solved.
     pub fn rrr_dyads(&self) -> Vec<RrrDyad> {
-        let arms = self.steps.iter().filter_map(arms_of);
+        let arms = self.arms();
         arms.filter_map(|arms| self.dyad_of(arms)).collect()
+    }
+
+    /// The arms of all RRR dyads; those within groups with redundant constraints come last.
+    pub(super) fn arms(&self) -> impl Iterator<Item = &[Arm; 2]> {
+        let solved = self.steps.iter().filter_map(arms_of);
+        solved.chain(&self.within)
     }
 
     /// The transmission angle of a dyad in a pose: between the lines of its two links,
@@ -104,7 +110,7 @@ impl Mechanism {
 
     /// The four-bars, in the order in which their dyads are solved.
     pub fn four_bars(&self) -> Vec<FourBarLoop> {
-        let arms = self.steps.iter().filter_map(arms_of);
+        let arms = self.arms();
         arms.filter_map(|arms| self.four_bar_of(arms)).collect()
     }
 

@@ -66,7 +66,7 @@ pub use crate::position::{Cause, Method, Singularity};
 
 use crate::index::{Id, List};
 use crate::position::{
-    Anchor, Enclosure, Given, Nearby, Orientation, Predictor, Sign, State, Step,
+    Anchor, Arm, Enclosure, Given, Nearby, Orientation, Predictor, Sign, State, Step,
 };
 use crate::structure::{Structure, subscript};
 use crate::{Jet, Vector};
@@ -92,6 +92,8 @@ pub struct Mechanism {
     /// Bodies of groups with redundant constraints that stay parallel to another body.
     parallel: Vec<[BodyId; 2]>,
     steps: List<StepId, Step>,
+    /// RRR dyads that groups with redundant constraints have without their passive links.
+    within: Vec<[Arm; 2]>,
     /// Of each body the step that places it; none of the frame.
     placed_by: List<BodyId, Option<StepId>>,
     constraints: Vec<Constraint>,
@@ -150,7 +152,7 @@ impl Mechanism {
                 mechanism = of(&parallel).ok()?;
                 mechanism.settle().ok()
             });
-            settled.ok_or_else(|| redundancy.defects.clone())?;
+            settled.ok_or_else(|| mechanism.locked(redundancy))?;
         } else {
             mechanism.settle().map_err(|defects| {
                 let beyond = driver::drawn_beyond_range(&resolved, &bodies);
@@ -167,7 +169,13 @@ impl Mechanism {
         if let Some(redundancy) = redundancy {
             mechanism.structure = mechanism
                 .shown(&redundancy)
-                .ok_or_else(|| redundancy.defects.clone())?;
+                .ok_or_else(|| mechanism.locked(&redundancy))?;
+            let without = mechanism.structure.without_passive_links();
+            let plan = plan::plan(&resolved, &bodies, &placements, &without, &[], None);
+            let plan = plan.map(|plan| plan.steps).unwrap_or_default();
+            let known = |arms: &&[Arm; 2]| mechanism.arms().any(|own| own == *arms);
+            let arms = plan.iter().filter_map(arms_of);
+            mechanism.within = arms.filter(|arms| !known(arms)).cloned().collect();
         }
         Ok(mechanism)
     }
@@ -234,6 +242,7 @@ impl Mechanism {
             parallel: parallel.to_vec(),
             signs: plan.steps.alike(Sign::Plus),
             steps: plan.steps,
+            within: Vec::new(),
             placed_by,
             constraints: Vec::new(),
             counts: counts::counts(resolved, bodies),

@@ -10,6 +10,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::DVector;
 
+use super::draft::Defect;
 use super::structured::Redundancy;
 use super::{ConstraintKind, FRAME, LinkOrFrame, Mechanism};
 use crate::Vector;
@@ -222,6 +223,25 @@ impl Mechanism {
         let Redundancy { graph, drivers, .. } = redundancy;
         let shown = with_passive_links(graph, drivers, moves);
         Some(shown.unwrap_or_else(|| self.solved_by.clone()))
+    }
+
+    /// What is wrong with a drawing whose constraints do not hold around it; of links that could move by the rank of their
+    /// constraints in the drawn pose, that they are mobile for an instant only.
+    pub(super) fn locked(&self, redundancy: &Redundancy) -> Vec<Defect> {
+        let mut state: Predictor = self.blank_state();
+        let near = Nearby {
+            orientations: &self.orientations,
+            natural: &self.natural,
+            smooth_roots: &[],
+        };
+        let solved = self.solve(self.home, &self.signs, near, &mut state);
+        let drivers = self.draft.drivers.len() as isize;
+        let is_mobile = solved.is_ok() && self.mobility_in(&[state]).rank == drivers;
+        let told = |defect: Defect| match defect {
+            Defect::Locked { links, .. } if is_mobile => Defect::Instant { links },
+            other => other,
+        };
+        redundancy.defects.iter().cloned().map(told).collect()
     }
 
     /// Poses on both sides of the drawn one, as far as there are poses. Empty if a redundant constraint fails in one of

@@ -40,7 +40,8 @@ impl Mechanism {
                 dyad.map(Quantity::Transmission)
             }
         });
-        found.collect()
+        let within = self.within.iter().filter_map(|arms| self.dyad_of(arms));
+        found.chain(within.map(Quantity::Transmission)).collect()
     }
 
     fn rrp_dyad(&self, step: StepId, Rrp { arm, track }: &Rrp) -> Option<RrpDyad> {

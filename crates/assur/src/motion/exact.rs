@@ -46,7 +46,8 @@ impl Draft {
     /// with a crank on the frame and too many constraints, or if it would move by more than [`NEARLY`] of its size.
     pub fn made_exact(&self) -> Option<MadeExact> {
         let refused = Mechanism::new(self).err()?;
-        let locked = |defect: &Defect| matches!(defect, Defect::Locked { .. });
+        let locked =
+            |defect: &Defect| matches!(defect, Defect::Locked { .. } | Defect::Instant { .. });
         if !refused.iter().all(locked) {
             return None;
         }

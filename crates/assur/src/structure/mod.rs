@@ -197,6 +197,16 @@ impl Structure {
         })
     }
 
+    /// The same without its passive links.
+    pub(crate) fn without_passive_links(&self) -> Self {
+        let mut steps = self.steps.clone();
+        // They come last: the others keep their numbers.
+        steps.retain(|step| !matches!(step, Step::Group(group) if group.class == 1));
+        let of = |step: &Option<usize>| step.filter(|step| *step < steps.len());
+        let step_of = self.step_of.iter().map(of).collect();
+        Self { steps, step_of }
+    }
+
     /// The steps on which a step rests directly, in turn.
     pub fn needs(&self, step: usize) -> Vec<usize> {
         let of = |link: usize| self.step_of.get(link).copied().flatten();

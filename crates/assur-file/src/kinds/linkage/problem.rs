@@ -81,6 +81,8 @@ pub enum LinkageProblem {
     Underdriven { mobility: isize, links: Vec<String> },
     /// Too many pairs or drivers.
     Locked { mobility: isize, links: Vec<String> },
+    /// Constraints that hold in the drawn pose alone, although their rank allows a motion there.
+    Instant { links: Vec<String> },
     /// A driver's rate that will not do: of the first one, or with which the motion does not repeat.
     Rate { link: String, rate: f64 },
     /// Guides that are parallel where they must cross.
@@ -361,6 +363,7 @@ impl From<Defect> for LinkageProblem {
             Defect::Loose(links) => Self::Loose { links },
             Defect::Underdriven { mobility, links } => Self::Underdriven { mobility, links },
             Defect::Locked { mobility, links } => Self::Locked { mobility, links },
+            Defect::Instant { links } => Self::Instant { links },
             Defect::Rate { link, rate } => Self::Rate { link, rate },
             Defect::ParallelGuides { links } => Self::ParallelGuides { links },
             Defect::Undetermined { links } => Self::TrainUndetermined { links },
