@@ -85,3 +85,24 @@ test("W of a locked drawing counts doubled links", () => {
   const document = { ...rest, links: links.map((link) => (link.name === "other" ? { ...link, length: 2.1 } : link)) };
   assert.throws(() => newEngine().set(initialState("linkage", document, {})), ({ problems: [{ mobility }] }) => mobility === -1);
 });
+
+test("a link between points of one body that a weld has made is one with it where it fits, and locked where it does not", () => {
+  const engine = newEngine();
+  for (const [base, from, at] of [["frame", "A", [2, 3]], ["crank", "A", [0.3, 1.7]], ["crank", "A", [0.1234, 1.777]], ["coupler", "B", [2, 3]]]) {
+    const to = { frame: "D", crank: "B", coupler: "C" }[base];
+    const { points, links, ...rest } = four(PLACES["crank-rocker"], { ...LINKS, welded: `${from}E`, strut: `E${to}` });
+    const document = (length) => ({
+      ...rest,
+      points: [...points, { name: "E", at }],
+      links: links.map((link) => ({ ...link, ...(link.name === "welded" && { fixed_to: base }), ...(link.name === "strut" && length) })),
+    });
+    const { formula } = engine.set(initialState("linkage", document({}), {}));
+    assert.match(formula, /q₁\(strut\)$/, base);
+    assert.throws(() => engine.set(initialState("linkage", document({ length: 9 }), {})), ({ problems: [{ code }] }) => code === "locked", base);
+  }
+  for (const length of [2.9, 3.1, 9]) {
+    const { links, ...rest } = four(PLACES["crank-rocker"], { ...LINKS, strut: "AD" });
+    const long = links.map((link) => (link.name === "strut" ? { ...link, length } : link));
+    assert.throws(() => engine.set(initialState("linkage", { ...rest, links: long }, {})), ({ problems: [{ code }] }) => code === "locked", String(length));
+  }
+});
