@@ -12,26 +12,28 @@ import { called, entryNumber } from "assur/core/names.js";
 
 /** A part of an entry of a list, such as `wheels[2].z`. */
 const ENTRY = /^(\w+)\[(\d+)\]\.(\w+)$/;
-/** A dimension of a linkage: `links[5].length`, `points[8].x`. */
-const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+)$/;
+/** A dimension of a linkage: `links[5].length`, `links[2].side[1][2]`, `links[2].corner_deg[2]`, `points[8].x`. */
+const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+?)(?:_deg)?((?:\[\d+\])*)$/;
 /** A number of a list, such as `bodies.inertia[2]`, or of a list of pairs. */
 const NUMBER = /^([\w.]+)\[(\d+)\](?:\[\d\])?$/;
 
 /** What stands for a link in a problem. */
 const LINKS = Object.freeze(["link", "shaft", "to", "mesh"]);
 
-/** What stands for a length in a problem, unless it is of a rate. */
+/** What stands for a length in a problem, unless it is of a rate or an angle. */
 const LENGTHS = Object.freeze(["by", "last"]);
 const RATE = /\.rate$/;
+const ANGLE = /\.corner_deg\[/;
 
 /**
  * @param {Problem} problem
  * @param {number} value
  * @param {Words} words
  */
-function length({ field }, value, words) {
+function length({ field = "" }, value, words) {
   const said = words.numbers.short(value);
-  return field && RATE.test(field) ? said : words.length(said);
+  if (ANGLE.test(field)) return `${said}°`;
+  return RATE.test(field) ? said : words.length(said);
 }
 
 /**
@@ -41,8 +43,10 @@ function length({ field }, value, words) {
  * @returns {string} its name, with the number of the entry of a list, the name of the link or point
  */
 export function fieldName(field, words, document) {
-  const [, of, at, dimension] = DIMENSION.exec(field) ?? [];
-  if (of) return words.text(`field.${of}.${dimension}`, { n: nameIn(document, of, Number(at), words) ?? at });
+  const [, of, at, dimension, places] = DIMENSION.exec(field) ?? [];
+  const linkage = document && "links" in document ? document : null;
+  if (of === "points") return words.text(`field.points.${dimension}`, { n: linkage?.points[Number(at)]?.name ?? at });
+  if (of) return ofLink(linkage?.links[Number(at)] ?? { name: at, points: [] }, dimension, places.match(/\d+/g) ?? [], words);
   const [, numbers, place] = NUMBER.exec(field) ?? [];
   if (numbers) return words.text(`field.${numbers}`, { n: entryNumber(numbers, Number(place)) });
   const [, list, index, part] = ENTRY.exec(field) ?? [];
@@ -51,17 +55,17 @@ export function fieldName(field, words, document) {
 }
 
 /**
- * @param {Document | undefined} document
- * @param {string} list `links` or `points`
- * @param {number} at
+ * @param {{ readonly name: string, readonly points: readonly string[] }} link
+ * @param {string} dimension
+ * @param {readonly string[]} places of the points that it is of, as the field has them
  * @param {Words} words
- * @returns {string | undefined} the name of a link or point
+ * @returns {string} what a dimension of a link is called: by the link, with three points or more by those that it is of, too
  */
-function nameIn(document, list, at, words) {
-  if (!document || !("links" in document)) return undefined;
-  if (list === "points") return document.points[at]?.name;
-  const link = document.links[at];
-  return link && called(link.name, words);
+function ofLink({ name, points }, dimension, places, words) {
+  const isSide = dimension === "length" && points.length > 2;
+  const before = dimension === "corner" ? [1, 0] : isSide ? [0, 1] : [];
+  const of = [...before, ...places].map((place) => points[Number(place)] ?? place).join("–");
+  return words.text(`field.links.${isSide ? "side" : dimension}`, { n: [called(name, words), of].filter(Boolean).join(", ") });
 }
 
 /**

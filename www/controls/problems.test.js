@@ -134,3 +134,22 @@ test("what keeps a linkage from moving is said with what can be done about it", 
     }
   }
 });
+
+test("sides and angles of links are called by their points, in degrees what is an angle", () => {
+  const links = [{ name: "crank", points: ["A", "B"] }, { name: "plate", points: ["B", "C", "E"] }];
+  const document = { links, points: [] };
+  for (const words of LANGUAGES.map((lang) => wordsOf(lang).measured("mm"))) {
+    for (const [field, kind, n] of [
+      ["links[0].length", "length", called("crank", words)],
+      ["links[1].length", "side", "plate, B–C"],
+      ["links[1].side[0][2]", "side", "plate, B–E"],
+      ["links[1].side[1][2]", "side", "plate, C–E"],
+      ["links[1].corner_deg[2]", "corner", "plate, C–B–E"],
+    ]) {
+      assert.equal(fieldName(field, words, document), words.text(`field.links.${kind}`, { n }));
+      const text = sentence({ code: "too_large", field, links: [], by: 1.5, last: 20 }, words, document);
+      assert.equal(text.includes("20°"), kind === "corner", text);
+      assert.equal(text.includes(words.unit), kind !== "corner", text);
+    }
+  }
+});

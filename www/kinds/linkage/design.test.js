@@ -30,6 +30,12 @@ function begin({ signal }) {
   return { page, find, press, until };
 }
 
+test("lengths may change of links with two points only", PATIENCE, (t) => {
+  const { page, find } = begin(t);
+  const { links } = page.store.get().document;
+  for (const [index, { name, points }] of links.entries()) assert.equal(find(`design-move-${index}`) !== undefined, points.length === 2, name);
+});
+
 test("a search whose stack overflows says that it broke, ten in a row, and the next one searches", PATIENCE, async (t) => {
   const { page, find, press, until } = begin(t);
   const broken = new WebAssembly.Module(withoutStack(readFileSync(WASM)));

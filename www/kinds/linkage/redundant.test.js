@@ -53,3 +53,56 @@ test("without its passive links a linkage moves, in whatever order its links are
     assert.deepEqual(without.cycle, cycle, formula);
   }
 });
+
+/** A four-bar whose coupler, a plate, is doubled by another one. */
+function plates(shape) {
+  const { links, ...rest } = four({ A: [0, 0], B: [0, 0.5], C: [1, 0.6], D: [1.2, 0], E: [-0.1, 1.5] }, { ...LINKS, coupler: "BCE", double: "BCE" });
+  const shapes = { coupler: [[0, 0], [1, 0], [0, 1]], double: shape };
+  return { ...rest, links: links.map((link) => (link.name in shapes ? { ...link, shape: shapes[link.name] } : link)) };
+}
+
+test("links that share three points are one body where these are in the same places on both", () => {
+  const engine = newEngine();
+  const { formula } = engine.set(initialState("linkage", plates([[2, 1], [2, 2], [1, 1]]), {}));
+  assert.match(formula, /q₃\(double\)$/);
+  // Turned and mirrored: as far from the first, and elsewhere.
+  for (const third of [[0.6, 0.8], [0, -1]]) {
+    assert.throws(() => engine.set(initialState("linkage", plates([[0, 0], [1, 0], third]), {})), ({ problems: [{ code }] }) => code === "locked", String(third));
+  }
+});
+
+test("a dimension of one of two doubled links is refused", () => {
+  const engine = newEngine();
+  for (const field of ["links[1].length", "links[3].length"]) {
+    const { home } = engine.set(initialState("linkage", four(PLACES["crank-rocker"], { ...LINKS, double: "BC" }), {}));
+    assert.throws(() => engine.setDimension(field, 3, home), ({ problems: [{ code }] }) => code === "locked", field);
+    assert.equal(engine.trapped, false);
+  }
+});
+
+test("W of a locked drawing counts doubled links", () => {
+  const { links, ...rest } = four(PLACES["crank-rocker"], { ...LINKS, double: "BC", other: "CD" });
+  const document = { ...rest, links: links.map((link) => (link.name === "other" ? { ...link, length: 2.1 } : link)) };
+  assert.throws(() => newEngine().set(initialState("linkage", document, {})), ({ problems: [{ mobility }] }) => mobility === -1);
+});
+
+test("a link between points of one body that a weld has made is one with it where it fits, and locked where it does not", () => {
+  const engine = newEngine();
+  for (const [base, from, at] of [["frame", "A", [2, 3]], ["crank", "A", [0.3, 1.7]], ["crank", "A", [0.1234, 1.777]], ["coupler", "B", [2, 3]]]) {
+    const to = { frame: "D", crank: "B", coupler: "C" }[base];
+    const { points, links, ...rest } = four(PLACES["crank-rocker"], { ...LINKS, welded: `${from}E`, strut: `E${to}` });
+    const document = (length) => ({
+      ...rest,
+      points: [...points, { name: "E", at }],
+      links: links.map((link) => ({ ...link, ...(link.name === "welded" && { fixed_to: base }), ...(link.name === "strut" && length) })),
+    });
+    const { formula } = engine.set(initialState("linkage", document({}), {}));
+    assert.match(formula, /q₁\(strut\)$/, base);
+    assert.throws(() => engine.set(initialState("linkage", document({ length: 9 }), {})), ({ problems: [{ code }] }) => code === "locked", base);
+  }
+  for (const length of [2.9, 3.1, 9]) {
+    const { links, ...rest } = four(PLACES["crank-rocker"], { ...LINKS, strut: "AD" });
+    const long = links.map((link) => (link.name === "strut" ? { ...link, length } : link));
+    assert.throws(() => engine.set(initialState("linkage", { ...rest, links: long }, {})), ({ problems: [{ code }] }) => code === "locked", String(length));
+  }
+});

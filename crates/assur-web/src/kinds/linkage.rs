@@ -178,7 +178,8 @@ impl Edited for Linkage {
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
         let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
-        let value = of_field(dimension, value);
+        // What is refused is said of the same value.
+        let value = mechanism.nearest(dimension, of_field(dimension, value));
         let changed = self.0.motion().changed(dimension, value, input);
         let changed = changed
             .map_err(|refusal| LinkageProblem::unset(refusal, mechanism, dimension, value))?;

@@ -2,6 +2,7 @@
 //! notion for sliders, hands on the drawing and searches.
 
 use std::collections::BTreeSet;
+use std::f64::consts::{PI, TAU};
 
 use super::draft::{Draft, DraftDriver, DraftLink};
 use super::{Mechanism, Setting};
@@ -16,8 +17,8 @@ pub enum Dimension {
     /// The distance of the first two points of a link: of one with two points its length. Its other points stay where they
     /// are on it.
     Length(LinkId),
-    /// The distance of a point of a link, by its place from 2, to the first (0) or the second (1). The other distance and
-    /// the line of the first two stay.
+    /// The distance of a point of a link, by its place from 2, to the first (0) or the second (1). The first two stay; with
+    /// them, in the first case, the angle at the first, in the second the distance to it.
     Side(LinkId, [usize; 2]),
     /// The angle at the first point of a link from the second to a later one, by its place from 2, radians in (−π, π].
     /// The sides beside it stay.
@@ -81,6 +82,14 @@ impl Mechanism {
                 Dimension::Y(point) => at(point).y,
             }
         })
+    }
+
+    /// The value that a dimension is set to where this one is wanted: an angle is set the shorter way round.
+    pub fn nearest(&self, dimension: Dimension, value: f64) -> f64 {
+        match (dimension, self.value(dimension)) {
+            (Dimension::Corner(..), Some(from)) => from + (value - from + PI).rem_euclid(TAU) - PI,
+            _ => value,
+        }
     }
 
     /// From where to where it makes sense to set a dimension; not every value between

@@ -1,10 +1,10 @@
-//! Doubled links: a link that shares two points with another one, as far apart on both, is one body with it.
+//! Doubled links: a link that shares two points or more with another one, in the same places on both, is one body with it.
 
 use super::check::CLOSEST;
 use super::constraint::LinkOrFrame;
 use super::draft::{Draft, DraftLink};
-use crate::Point;
 use crate::index::{Id, LinkId, List};
+use crate::{Point, Vector};
 
 /// Of each link the link before it, or the frame, with which it is one body. None of links that are fixed to others, and of
 /// those that share no two points.
@@ -42,7 +42,7 @@ impl Carrier<'_> {
     }
 }
 
-/// True if two links share two points or more, of which each has the same distance from the first on both.
+/// True if two links share two points or more, which lie on both in the same way: seen from the first towards the second.
 fn are_one(draft: &Draft, link: &DraftLink, other: &Carrier<'_>, size: f64) -> bool {
     let own = Carrier::Link(link);
     let shared = link.points.iter().filter_map(|name| {
@@ -50,13 +50,15 @@ fn are_one(draft: &Draft, link: &DraftLink, other: &Carrier<'_>, size: f64) -> b
         Some([own?, other?])
     });
     let shared: Vec<[Point; 2]> = shared.collect();
-    let Some((first, rest)) = shared.split_first() else {
+    let [first, second, ..] = shared[..] else {
         return false;
     };
-    let sides = rest
-        .iter()
-        .map(|at| [0, 1].map(|k| (at[k] - first[k]).norm()));
-    let mut alike =
-        sides.map(|[own, other]| own > CLOSEST * size && (own - other).abs() <= CLOSEST * size);
-    !rest.is_empty() && alike.all(|alike| alike)
+    let ways = [0, 1].map(|k| second[k] - first[k]);
+    let is_apart = ways.iter().all(|way| way.norm() > CLOSEST * size);
+    let seen = |k: usize, at: &[Point; 2]| {
+        let (way, off) = (ways[k].normalize(), at[k] - first[k]);
+        Vector::new(way.dot(&off), way.perp(&off))
+    };
+    let alike = |at: &[Point; 2]| (seen(0, at) - seen(1, at)).norm() <= CLOSEST * size;
+    is_apart && shared[1..].iter().all(alike)
 }

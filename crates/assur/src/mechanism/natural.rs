@@ -273,12 +273,9 @@ impl Plan<'_> {
                 if (b - a).norm() < CLOSE * self.size {
                     self.close.insert(body, a);
                 }
-                // Of two points on solved bodies the distance is redundant.
-                if !turn.unknowns.is_empty() || !turn.inputs.is_empty() {
-                    let length = (b - a).norm();
-                    let unit = Condition::Unit(turn.clone(), length);
-                    self.conditions.push((body, unit));
-                }
+                // Of two points on solved bodies, or on the frame, the distance is redundant.
+                let unit = Condition::Unit(turn.clone(), (b - a).norm());
+                self.conditions.push((body, unit));
                 let origin = p.minus(&turn.by(a));
                 self.settle(body, [origin, turn], &[first, second]);
             }

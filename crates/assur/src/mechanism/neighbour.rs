@@ -149,6 +149,14 @@ impl Mechanism {
     ) -> Result<Self, NoNeighbour> {
         let laid_out = || {
             let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
+            // Links of which only one is set are no longer one body.
+            if resolved.doubled != self.doubled {
+                let links = self.doubled.iter().map(|(link, _)| self.link_name(*link));
+                return Err(vec![Defect::Locked {
+                    mobility: self.counts.mobility,
+                    links: links.map(str::to_owned).collect(),
+                }]);
+            }
             let hinge = hinge.map(|(point, at)| (point, at - resolved.origin));
             let bodies = Bodies::new(&resolved, hinge);
             let (bodies, placements) = bodies.map_err(|defect| vec![defect])?;

@@ -1,6 +1,7 @@
 //! The structure of a draft's bodies, and what is wrong with it by their names.
 
 use super::body::{Bodies, Gear};
+use super::counts::counts;
 use super::draft::Defect;
 use super::resolved::Resolved;
 use crate::index::{BodyId, Id};
@@ -27,7 +28,9 @@ pub(super) fn structured(
     let drivers = drivers.map(|driver| bodies.driver(draft, driver, &graph));
     let drivers: Option<Vec<_>> = drivers.collect();
     let drivers = drivers.ok_or_else(|| vec![Defect::NoDriver])?;
-    let mobility = graph.mobility();
+    // Passive meshes take no freedom.
+    let counts = counts(draft, bodies);
+    let mobility = counts.mobility + counts.passive as isize;
     let name = |link: &usize| draft.body_name(BodyId::at(*link)).to_owned();
     let named = |links: Vec<usize>| links.iter().map(name).collect();
     let faults = match decompose(&graph, &drivers) {

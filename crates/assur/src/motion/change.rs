@@ -1,8 +1,6 @@
 //! Changing a linkage: its assembly is kept by following it from the pose at hand to
 //! the new value, step by step; the input gives way where it must.
 
-use std::f64::consts::{PI, TAU};
-
 use super::features::turning_points;
 use super::{Motion, TooManyTurns};
 use crate::Point;
@@ -93,11 +91,7 @@ impl Motion {
         }
         let start = self.at_hand(input)?;
         let frame = start.draft().clone();
-        // An angle is set the shorter way round.
-        let value = match dimension {
-            Dimension::Corner(..) => from + (value - from + PI).rem_euclid(TAU) - PI,
-            _ => value,
-        };
+        let value = self.mechanism.nearest(dimension, value);
         let width = range[1] - range[0];
         let sense = (value - from).signum();
         let at = |way: f64| from + way * width * sense;

@@ -155,22 +155,26 @@ impl Group {
         if !self.is_redundant() {
             return None;
         }
-        let size = self
-            .units
-            .iter()
-            .fold(0.0, |most: f64, unit| most.max(*unit));
+        let size = self.size();
         let residuals = self.residuals(work).zip(&self.constrained);
         let (by, body) = residuals.max_by(|(a, _), (b, _)| a.total_cmp(b))?;
         let body = *body;
         (by > REDUNDANT * size).then_some(Cause::Locked { body, by })
     }
 
+    /// What its residuals are relative to: its largest unit or, without unknowns, the longest of its links.
+    fn size(&self) -> f64 {
+        let sizes = if self.has_unknowns() {
+            &self.units
+        } else {
+            &self.lengths
+        };
+        sizes.iter().fold(0.0, |most, size| f64::max(most, *size))
+    }
+
     /// The residuals of the equations as lengths; that of an angle as its part of a radian of the group.
     fn residuals<const N: usize>(&self, work: &Work<N>) -> impl Iterator<Item = f64> {
-        let size = self
-            .units
-            .iter()
-            .fold(0.0, |most: f64, unit| most.max(*unit));
+        let size = self.size();
         let equations = self.equations.iter().zip(&self.lengths);
         equations.map(move |(equation, length)| {
             let left = equation.left(&work.values, &work.given);
