@@ -49,6 +49,7 @@ const BUILT: [(&str, &[&str]); 61] = [
             "www/kinds/linkage/design.js",
         ],
     ),
+    ("field.links.", &["www/controls/problems.js"]),
     ("field.tracers.", &["www/kinds/mixer/lists.js"]),
     ("dead.", &["crates/assur/src/motion/dead_point.rs"]),
     (

@@ -106,11 +106,11 @@ async fn plates_and_pivots_of_guides_have_fields() {
     open(&page, "whitworth").await;
     page.stop_at("40").await;
     let pivot = |mechanism: &Mechanism| Dimension::Y(mechanism.point("D").unwrap());
-    let y = page.written("field-point-1-y").await;
-    page.write("field-point-1-y", "-0.55").await;
+    let y = page.written("field-point-2-y").await;
+    page.write("field-point-2-y", "-0.55").await;
     page.settle().await;
     assert_eq!(page.text("problem").await, "");
-    assert_ne!(y, page.written("field-point-1-y").await);
+    assert_ne!(y, page.written("field-point-2-y").await);
     agrees(&page, &drawn(&set("whitworth", pivot, -0.55, 40.0)), "D.y").await;
     page.close().await;
 }
