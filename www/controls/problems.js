@@ -65,7 +65,7 @@ function ofLink({ name, points }, dimension, places, words) {
   const isSide = dimension === "length" && points.length > 2;
   const before = dimension === "corner" ? [1, 0] : isSide ? [0, 1] : [];
   const of = [...before, ...places].map((place) => points[Number(place)] ?? place).join("–");
-  return words.text(`field.links.${isSide ? "side" : dimension}`, { n: [called(name, words), of].filter(Boolean).join(", ") });
+  return words.text(dimension === "corner" ? "field.links.corner" : isSide || dimension === "side" ? "field.links.side" : "field.links.length", { n: [called(name, words), of].filter(Boolean).join(", ") });
 }
 
 /**
