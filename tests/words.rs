@@ -23,7 +23,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 61] = [
+const BUILT: [(&str, &[&str]); 62] = [
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
@@ -49,6 +49,7 @@ const BUILT: [(&str, &[&str]); 61] = [
             "www/kinds/linkage/design.js",
         ],
     ),
+    ("field.points.", &["www/kinds/linkage/rail.js"]),
     ("field.tracers.", &["www/kinds/mixer/lists.js"]),
     ("dead.", &["crates/assur/src/motion/dead_point.rs"]),
     (
