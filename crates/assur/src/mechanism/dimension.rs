@@ -99,8 +99,8 @@ impl Mechanism {
         let around = |aside: f64| [value - aside, value + aside];
         Some(match dimension {
             Dimension::Side(link, [1, point]) => {
-                let (_, [least, most]) = self.corner_opposite((link, point), value);
-                LENGTHS.map(|times| (times * value).clamp(least, most))
+                let [a, b] = self.beside_corner(link, point);
+                LENGTHS.map(|times| (times * value).clamp((a - b).abs(), a + b))
             }
             Dimension::Length(_) | Dimension::Side(..) => LENGTHS.map(|times| times * value),
             Dimension::Corner(..) => around(OPENED),
@@ -108,24 +108,9 @@ impl Mechanism {
         })
     }
 
-    /// The side opposite to a corner of a link that is so wide.
-    pub(crate) fn side_opposite(&self, (link, point): (LinkId, usize), corner: f64) -> f64 {
-        let [base, side] = [1, point].map(|end| self.draft().side(link, [0, end]));
-        (base * base + side * side - 2.0 * base * side * corner.cos()).sqrt()
-    }
-
-    /// The corner that makes a side of a link what is wanted, with the sides that it can be; the other two sides stay.
-    pub(crate) fn corner_opposite(
-        &self,
-        (link, point): (LinkId, usize),
-        wanted: f64,
-    ) -> (f64, [f64; 2]) {
-        let draft = self.draft();
-        let [base, side] = [1, point].map(|end| draft.side(link, [0, end]));
-        let reach = [(base - side).abs(), base + side];
-        let cosine = (base * base + side * side - wanted * wanted) / (2.0 * base * side);
-        let corner = cosine.clamp(-1.0, 1.0).acos();
-        (corner.copysign(draft.corner(link, point)), reach)
+    /// The sides beside a corner at the first point of a link.
+    pub(crate) fn beside_corner(&self, link: LinkId, point: usize) -> [f64; 2] {
+        [1, point].map(|end| self.draft().side(link, [0, end]))
     }
 }
 

@@ -133,40 +133,38 @@ impl Motion {
         })
     }
 
-    /// The linkage with a side of a link set to a value by the corner that it is opposite to.
+    /// The linkage with a side of a link set to a value by the corner that it is opposite to: the law of cosines.
     fn side_changed(
         &self,
         (link, point): (LinkId, usize),
         value: f64,
         input: f64,
     ) -> Result<Changed, Refusal> {
-        let (corner, [least, most]) = self.mechanism.corner_opposite((link, point), value);
-        let by = |last: f64| (value - last).abs();
-        let changed = match self.changed(Dimension::Corner(link, point), corner, input) {
+        let dimension = Dimension::Corner(link, point);
+        let drawn = self.mechanism.value(dimension).ok_or(Refusal::Absent)?;
+        let [a, b] = self.mechanism.beside_corner(link, point);
+        let cosine = (a * a + b * b - value * value) / (2.0 * a * b);
+        let corner = cosine.clamp(-1.0, 1.0).acos().copysign(drawn);
+        let (last, links, cause) = match self.changed(dimension, corner, input) {
             Err(Refusal::Apart {
                 last, links, cause, ..
             }) => {
-                let last = self.mechanism.side_opposite((link, point), last);
-                let by = by(last);
-                return Err(Refusal::Apart {
-                    last,
-                    by,
-                    links,
-                    cause,
-                });
+                let side = (a * a + b * b - 2.0 * a * b * last.cos()).sqrt();
+                (side, links, cause)
             }
-            changed => changed?,
+            changed => {
+                let last = value.clamp((a - b).abs(), a + b);
+                let by = (value - last).abs();
+                if changed.is_err() || by <= ROUNDED * (a + b) {
+                    return changed;
+                }
+                // The sides beside it are too short for it, or differ by more.
+                (last, vec![link], Cause::OutOfReach { by })
+            }
         };
-        let last = value.clamp(least, most);
-        if by(last) <= ROUNDED * most {
-            return Ok(changed);
-        }
-        // The sides beside it are too short for it, or differ by more.
-        let (by, links) = (by(last), vec![link]);
-        let cause = Cause::OutOfReach { by };
         Err(Refusal::Apart {
             last,
-            by,
+            by: (value - last).abs(),
             links,
             cause,
         })
