@@ -45,15 +45,17 @@ impl Mobility {
     }
 }
 
+/// The constraints of the pairs in a pose, each with the name of its pair.
+type Rows = Vec<(String, DVector<f64>)>;
+
 /// Independent rows, orthogonal to each other and of length 1.
 #[derive(Default)]
 struct Basis(Vec<DVector<f64>>);
 
 impl Basis {
     /// Takes a row if it is independent of those taken.
-    fn takes(&mut self, row: DVector<f64>) -> bool {
-        let length = row.norm();
-        let mut rest = row;
+    fn takes(&mut self, row: &DVector<f64>) -> bool {
+        let mut rest = row.clone();
         // Twice is enough (Kahan, in Parlett, The Symmetric Eigenvalue Problem, 6.9).
         for _ in 0..2 {
             for one in &self.0 {
@@ -61,7 +63,7 @@ impl Basis {
             }
         }
         let left = rest.norm();
-        let is_independent = left > DEPENDENT * length;
+        let is_independent = left > DEPENDENT * row.norm();
         if is_independent {
             self.0.push(rest / left);
         }
@@ -75,23 +77,23 @@ impl Mechanism {
         let count = self.counts.mobility;
         let has_surplus = self.solved_by.groups().any(|group| group.surplus > 0);
         if !has_surplus && self.counts.passive == 0 {
-            let redundant = self.doubled();
+            let redundant = self.hinges_of_doubled();
             return Mobility {
                 count,
                 rank: count + redundant.len() as isize,
                 redundant,
             };
         }
-        self.mobility_in(&self.beside())
+        self.mobility_by(&self.rows_in(&self.beside()))
     }
 
-    /// Mobility by count and by rank in the most general one of some poses.
-    fn mobility_in(&self, poses: &[Predictor]) -> Mobility {
+    /// Mobility by count and by the rank of the constraints in the most general one of some poses.
+    fn mobility_by(&self, rows: &[Rows]) -> Mobility {
         let count = self.counts.mobility;
-        let general = poses.iter().map(|pose| self.dependent(pose));
+        let general = rows.iter().map(dependent);
         // In a singular pose more constraints depend on each other.
         let mut redundant = general.min_by_key(Vec::len).unwrap_or_default();
-        redundant.extend(self.doubled());
+        redundant.extend(self.hinges_of_doubled());
         Mobility {
             count,
             rank: count + redundant.len() as isize,
@@ -101,7 +103,7 @@ impl Mechanism {
 
     /// The hinges of doubled links with their redundant constraints: of the first hinge none, of the second one, of others
     /// two.
-    fn doubled(&self) -> Vec<String> {
+    fn hinges_of_doubled(&self) -> Vec<String> {
         let doubled = self.doubled.iter().flat_map(|(_, shared)| {
             let further = shared.iter().enumerate().skip(1);
             further.flat_map(|(k, point)| std::iter::repeat_n(*point, k.min(2)))
@@ -110,17 +112,13 @@ impl Mechanism {
         names.collect()
     }
 
-    /// The pairs with a constraint that depends on those before it in a pose.
-    fn dependent(&self, pose: &Predictor) -> Vec<String> {
-        let mut basis = Basis::default();
-        let rows = self.rows(pose).into_iter();
-        let dependent = rows.filter_map(|(name, row)| (!basis.takes(row)).then_some(name));
-        dependent.collect()
+    fn rows_in(&self, poses: &[Predictor]) -> Vec<Rows> {
+        poses.iter().map(|pose| self.rows(pose)).collect()
     }
 
     /// The constraints of the pairs on the twists of the bodies, with the names of the pairs. A twist is the velocity at
     /// the origin, per size, and the angular velocity.
-    fn rows(&self, pose: &Predictor) -> Vec<(String, DVector<f64>)> {
+    fn rows(&self, pose: &Predictor) -> Rows {
         let place = |anchor: Anchor| pose.place(anchor).value() / self.size;
         let blank = || DVector::zeros(3 * self.bodies.len());
         // A part of a velocity at a place, of a body against another one.
@@ -201,23 +199,22 @@ impl Mechanism {
     /// The structure with passive links by themselves. None if a redundant constraint does not hold around the drawn pose,
     /// or the mobility by rank is not the number of drivers: drivers that agree only at their rates are too many.
     pub(super) fn shown(&self, redundancy: &Redundancy) -> Option<Structure> {
-        let poses = self.beside();
+        let rows = self.rows_in(&self.beside());
         let drivers = self.draft.drivers.len();
-        if poses.is_empty() || self.mobility_in(&poses).rank != drivers as isize {
+        if rows.is_empty() || self.mobility_by(&rows).rank != drivers as isize {
             return None;
         }
         // Counting would leave out a link that drives others.
         let moves = |passive: &BTreeSet<usize>| {
-            let rank = |pose: &Predictor| {
+            let rank = |rows: &Rows| {
                 let mut basis = Basis::default();
-                let rows = self.rows(pose).into_iter().map(|(_, row)| row);
-                let rows = rows.filter(|row| {
+                let others = rows.iter().filter(|(_, row)| {
                     let mut parts = passive.iter().map(|body| row.rows(3 * body, 3));
                     parts.all(|part| part.norm() == 0.0)
                 });
-                rows.filter(|row| basis.takes(row.clone())).count()
+                others.filter(|(_, row)| basis.takes(row)).count()
             };
-            let rank = poses.iter().map(rank).max().unwrap_or(0);
+            let rank = rows.iter().map(rank).max().unwrap_or(0);
             3 * (self.bodies.len() - 1 - passive.len()) == rank + drivers
         };
         let Redundancy { graph, drivers, .. } = redundancy;
@@ -229,14 +226,9 @@ impl Mechanism {
     /// constraints in the drawn pose, that they are mobile for an instant only.
     pub(super) fn locked(&self, redundancy: &Redundancy) -> Vec<Defect> {
         let mut state: Predictor = self.blank_state();
-        let near = Nearby {
-            orientations: &self.orientations,
-            natural: &self.natural,
-            smooth_roots: &[],
-        };
-        let solved = self.solve(self.home, &self.signs, near, &mut state);
+        let solved = self.solve(self.home, &self.signs, self.drawn(), &mut state);
         let drivers = self.draft.drivers.len() as isize;
-        let is_mobile = solved.is_ok() && self.mobility_in(&[state]).rank == drivers;
+        let is_mobile = solved.is_ok() && self.mobility_by(&[self.rows(&state)]).rank == drivers;
         let told = |defect: Defect| match defect {
             Defect::Locked { links, .. } if is_mobile => Defect::Instant { links },
             other => other,
@@ -319,4 +311,11 @@ impl Mechanism {
         }
         Some(parallel)
     }
+}
+
+/// The pairs with a constraint that depends on those before it.
+fn dependent(rows: &Rows) -> Vec<String> {
+    let mut basis = Basis::default();
+    let dependent = rows.iter().filter(|(_, row)| !basis.takes(row));
+    dependent.map(|(name, _)| name.clone()).collect()
 }

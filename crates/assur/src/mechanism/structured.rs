@@ -28,9 +28,6 @@ pub(super) fn structured(
     let drivers = drivers.map(|driver| bodies.driver(draft, driver, &graph));
     let drivers: Option<Vec<_>> = drivers.collect();
     let drivers = drivers.ok_or_else(|| vec![Defect::NoDriver])?;
-    // Passive meshes take no freedom.
-    let counts = counts(draft, bodies);
-    let mobility = counts.mobility + counts.passive as isize;
     let name = |link: &usize| draft.body_name(BodyId::at(*link)).to_owned();
     let named = |links: Vec<usize>| links.iter().map(name).collect();
     let faults = match decompose(&graph, &drivers) {
@@ -39,6 +36,9 @@ pub(super) fn structured(
     };
     let redundant = decompose_redundant(&graph, &drivers);
     let defects = || {
+        // Passive meshes take no freedom.
+        let counts = counts(draft, bodies);
+        let mobility = counts.mobility + counts.passive as isize;
         let contradicting = contradicting(bodies, &graph, &drivers);
         let active = draft.gears.iter().zip(&bodies.passive);
         let mut active = active.filter(|(_, passive)| !**passive);
