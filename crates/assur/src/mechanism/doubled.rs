@@ -2,57 +2,41 @@
 
 use super::check::CLOSEST;
 use super::constraint::LinkOrFrame;
-use super::draft::{Draft, DraftLink};
-use crate::index::{Id, LinkId, List};
+use super::draft::Draft;
+use crate::index::{Id, LinkId};
 use crate::{Point, Vector};
 
-/// Of each link the link before it, or the frame, with which it is one body. None of links that are fixed to others, and of
-/// those that share no two points.
-pub(super) fn doubled(draft: &Draft) -> List<LinkId, Option<LinkOrFrame>> {
-    let size = draft.size();
-    let links = draft.links.iter().enumerate();
-    let doubled = links.map(|(index, link)| {
-        let before = draft.links[..index].iter().enumerate();
-        let before = before.filter(|(_, other)| other.fixed_to.is_none());
-        let before = before.map(|(other, own)| (Some(LinkId::at(other)), Carrier::Link(own)));
-        let mut before = [(None, Carrier::Frame)].into_iter().chain(before);
-        let is_free = link.fixed_to.is_none();
-        let other = before.find(|(_, other)| is_free && are_one(draft, link, other, size));
-        other.map(|(other, _)| other)
-    });
-    doubled.collect()
+/// The link before a link that is fixed to no other, or the frame, with which it is one body. None if it shares no two
+/// points.
+pub(super) fn doubled(draft: &Draft, link: LinkId) -> Option<LinkOrFrame> {
+    let before = (0..link.index()).map(LinkId::at);
+    let before = before.filter(|other| draft.links[other.index()].fixed_to.is_none());
+    let mut before = [None].into_iter().chain(before.map(Some));
+    before.find(|other| are_one(draft, link, *other))
 }
 
-/// What has points.
-enum Carrier<'a> {
-    Frame,
-    Link(&'a DraftLink),
-}
-
-impl Carrier<'_> {
-    /// The place of a point on it.
-    fn place(&self, draft: &Draft, name: &String) -> Option<Point> {
-        match self {
-            Self::Frame => draft.frame.contains(name).then(|| draft.place(name))?,
-            Self::Link(link) => {
-                let point = link.points.iter().position(|point| point == name)?;
-                Some(draft.on_link(link, point))
-            }
-        }
-    }
+/// The place of a point on a link, or on the frame, that has it.
+fn place(draft: &Draft, link: LinkOrFrame, name: &String) -> Option<Point> {
+    let Some(link) = link else {
+        return draft.frame.contains(name).then(|| draft.place(name))?;
+    };
+    let link = &draft.links[link.index()];
+    let point = link.points.iter().position(|point| point == name)?;
+    Some(draft.on_link(link, point))
 }
 
 /// True if two links share two points or more, which lie on both in the same way: seen from the first towards the second.
-fn are_one(draft: &Draft, link: &DraftLink, other: &Carrier<'_>, size: f64) -> bool {
-    let own = Carrier::Link(link);
-    let shared = link.points.iter().filter_map(|name| {
-        let [own, other] = [&own, other].map(|carrier| carrier.place(draft, name));
+fn are_one(draft: &Draft, link: LinkId, other: LinkOrFrame) -> bool {
+    let points = draft.links[link.index()].points.iter();
+    let shared = points.filter_map(|name| {
+        let [own, other] = [Some(link), other].map(|link| place(draft, link, name));
         Some([own?, other?])
     });
     let shared: Vec<[Point; 2]> = shared.collect();
     let [first, second, ..] = shared[..] else {
         return false;
     };
+    let size = draft.size();
     let ways = [0, 1].map(|k| second[k] - first[k]);
     let is_apart = ways.iter().all(|way| way.norm() > CLOSEST * size);
     let seen = |k: usize, at: &[Point; 2]| {

@@ -82,13 +82,19 @@ impl<'a> Resolved<'a> {
     /// # Errors
     /// The first name that nothing has, and the like.
     pub(super) fn new(draft: &'a Draft) -> Result<Self, Defect> {
-        let doubled = doubled(draft);
-        let names = Names(draft, &doubled);
+        let names = Names(draft);
         let mut bodies: List<BodyId, LinkOrFrame> = vec![None].into();
         let ids = (0..draft.links.len()).map(LinkId::at);
-        let own = ids.zip(&draft.links).map(|(id, link)| {
-            let own = link.fixed_to.is_none() && doubled[id].is_none();
-            own.then(|| bodies.push(Some(id)))
+        let bases = ids
+            .zip(&draft.links)
+            .map(|(id, link)| match &link.fixed_to {
+                Some(base) => names.link(base).map(Some),
+                None => Ok(doubled(draft, id)),
+            });
+        let bases: List<LinkId, Option<LinkOrFrame>> = bases.collect::<Result<_, Defect>>()?;
+        let own = bases.enumerate().map(|(id, base)| match base {
+            Some(_) => None,
+            None => Some(bodies.push(Some(id))),
         });
         let own: List<LinkId, Option<BodyId>> = own.collect();
         let links = own.ids().zip(&draft.links).map(|(id, link)| {
@@ -97,7 +103,8 @@ impl<'a> Resolved<'a> {
                 .first()
                 .ok_or_else(|| Defect::Bare(link.name.clone()))?;
             Ok(Link {
-                body: names.body(&link.name, &own)?,
+                body: body(id, &bases, &own)
+                    .ok_or_else(|| Defect::WithItself(link.name.clone()))?,
                 first,
                 points,
                 is_fixed: own[id].is_none(),
@@ -105,7 +112,9 @@ impl<'a> Resolved<'a> {
         });
         let links: List<LinkId, Link> = links.collect::<Result<_, Defect>>()?;
         let frame = names.points(&draft.frame)?;
-        let shared = links.enumerate().filter(|(id, _)| doubled[*id].is_some());
+        let is_doubled =
+            |id: LinkId| own[id].is_none() && draft.links[id.index()].fixed_to.is_none();
+        let shared = links.enumerate().filter(|(id, _)| is_doubled(*id));
         let shared = shared.map(|(id, link)| {
             let before = links.enumerate().filter(|(other, _)| *other < id);
             let before = before.filter(|(_, other)| other.body == link.body);
@@ -199,8 +208,25 @@ impl<'a> Resolved<'a> {
     }
 }
 
+/// The body of a link: its own, or that of what it is one body with in the end. None if that is the link itself.
+fn body(
+    link: LinkId,
+    bases: &List<LinkId, Option<LinkOrFrame>>,
+    own: &List<LinkId, Option<BodyId>>,
+) -> Option<BodyId> {
+    let mut root = link;
+    for _ in 0..=bases.len() {
+        match bases[root] {
+            None => return own[root],
+            Some(None) => return Some(BodyId::FRAME),
+            Some(Some(base)) => root = base,
+        }
+    }
+    None
+}
+
 /// What the names of a draft stand for.
-struct Names<'a>(&'a Draft, &'a List<LinkId, Option<LinkOrFrame>>);
+struct Names<'a>(&'a Draft);
 
 impl Names<'_> {
     fn point(&self, name: &String) -> Result<PointId, Defect> {
@@ -221,24 +247,6 @@ impl Names<'_> {
         let found = self.0.links.iter().position(|link| link.name == *name);
         let found = found.ok_or_else(|| Defect::Unknown(name.clone()))?;
         Ok(Some(LinkId::at(found)))
-    }
-
-    /// The body of a link: its own, or that of what it is one body with in the end.
-    fn body(&self, name: &String, own: &List<LinkId, Option<BodyId>>) -> Result<BodyId, Defect> {
-        let mut root = self.link(name)?;
-        for _ in 0..=self.0.links.len() {
-            let Some(link) = root else {
-                return Ok(BodyId::FRAME);
-            };
-            let base = self.0.links[link.index()].fixed_to.as_ref();
-            root = match (own[link], base, self.1[link]) {
-                (Some(body), ..) => return Ok(body),
-                (None, Some(base), _) => self.link(base)?,
-                (None, None, Some(other)) => other,
-                (None, None, None) => break,
-            };
-        }
-        Err(Defect::WithItself(name.clone()))
     }
 
     fn driver(&self, driver: &DraftDriver) -> Result<Driver, Defect> {
