@@ -1,7 +1,7 @@
 // Problems of the engine as sentences.
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
-import { called, entryNumber } from "assur/core/names.js";
+import { called, calledBy, entryNumber } from "assur/core/names.js";
 
 /**
  * @typedef {import("assur/core/problem.js").Problem} Problem
@@ -14,6 +14,8 @@ import { called, entryNumber } from "assur/core/names.js";
 const ENTRY = /^(\w+)\[(\d+)\]\.(\w+)$/;
 /** A dimension of a linkage: `links[5].length`, `links[2].side[1][2]`, `links[2].corner_deg[2]`, `points[8].x`. */
 const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+?)(?:_deg)?((?:\[\d+\])*)$/;
+/** The words for the dimensions of links. */
+const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: "field.links.length", side: "field.links.side", corner: "field.links.corner" }));
 /** A number of a list, such as `bodies.inertia[2]`, or of a list of pairs. */
 const NUMBER = /^([\w.]+)\[(\d+)\](?:\[\d\])?$/;
 
@@ -64,8 +66,8 @@ export function fieldName(field, words, document) {
 function ofLink({ name, points }, dimension, places, words) {
   const isSide = dimension === "length" && points.length > 2;
   const before = dimension === "corner" ? [1, 0] : isSide ? [0, 1] : [];
-  const of = [...before, ...places].map((place) => points[Number(place)] ?? place).join("–");
-  return words.text(dimension === "corner" ? "field.links.corner" : isSide || dimension === "side" ? "field.links.side" : "field.links.length", { n: [called(name, words), of].filter(Boolean).join(", ") });
+  const of = [...before, ...places].map((place) => points[Number(place)] ?? place);
+  return words.text(OF_LINKS[isSide ? "side" : dimension], { n: calledBy(name, of, words) });
 }
 
 /**

@@ -25,6 +25,16 @@ export function calledIn(formula, words) {
 }
 
 /**
+ * @param {string} link
+ * @param {readonly string[]} points of it
+ * @param {import("assur/core/words.js").Words} words
+ * @returns {string} what a side or an angle of a link with three points or more is called: by the link and the points
+ */
+export function calledBy(link, points, words) {
+  return [called(link, words), points.join("–")].filter(Boolean).join(", ");
+}
+
+/**
  * Which of the assemblies at the drawn input moves, and of how many: of those that are known there may be more.
  * @param {Pick<import("assur/engine.js").MotionSummary, "assembled" | "home">} summary
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate

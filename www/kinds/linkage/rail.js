@@ -1,7 +1,7 @@
 // The rail of a linkage: its driver, its dimensions, its assembly. What a change makes of it the engine says.
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make, write } from "assur/core/dom.js";
-import { called } from "assur/core/names.js";
+import { called, calledBy } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { sourceOf } from "assur/core/titles.js";
 import { change, inputNow } from "assur/state/change.js";
@@ -115,7 +115,7 @@ export class LinkageRail {
     const isPoint = kind === "x" || kind === "y";
     const id = isPoint ? `point-${index}-${kind}` : `${kind}-${field.match(/\d+/g)?.join("-")}`;
     const { key, symbol } = KINDS[kind];
-    const n = isPoint ? name : kind === "length" ? called(name, words) : `${called(name, words)}, ${points.join("–")}`;
+    const n = isPoint ? name : calledBy(name, kind === "length" ? [] : points, words);
     const row = { field, id, key, symbol: lettered(symbol, points), n, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°" } : {}) };
     return new NumberRow(row, drafts, (value) => this.#change((input) => engine.setDimension(field, value, input), field));
   }
