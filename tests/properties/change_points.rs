@@ -58,6 +58,14 @@ fn drawn(linkage: &FourBar, assembly: Assembly, crank: f64) -> Draft {
     draft.bar("coupler", &["B", "C"]).bar("rocker", &["D", "C"])
 }
 
+/// Lengths in another order.
+fn shuffled(random: &mut Random, mut lengths: [f64; 4]) -> [f64; 4] {
+    for k in (1..4).rev() {
+        lengths.swap(k, random.below(k + 1));
+    }
+    lengths
+}
+
 /// Four-bars that stretch out or fold: the closed form of the four-bar, which passes by itself, tells the same.
 #[test]
 fn four_bars_behind_a_wheel() {
@@ -69,10 +77,7 @@ fn four_bars_behind_a_wheel() {
             random.within(0.2, a.min(b) * 0.9) * f64::from(u8::from(seed % 3 > 0)) + a.min(b) * 0.1;
         // The shortest and the longest together are as long as the other two.
         let longest = a + b - c;
-        let mut lengths = [c, a, b, longest];
-        for k in (1..4).rev() {
-            lengths.swap(k, random.below(k + 1));
-        }
+        let lengths = shuffled(&mut random, [c, a, b, longest]);
         // What is short, a link or the diagonal, is turned by what rounding leaves of the long ones.
         let [l1, .., l4] = lengths;
         let diagonal = (l1 - l4).abs();
@@ -290,10 +295,7 @@ fn drawings_next_to_a_change_point() {
     for seed in 0..200 {
         let [a, b] = [0, 1].map(|_| random.within(0.4, 3.0));
         let c = random.within(0.2, 0.8) * a.min(b);
-        let mut lengths = [c, a, b, a + b - c];
-        for k in (1..4).rev() {
-            lengths.swap(k, random.below(k + 1));
-        }
+        let lengths = shuffled(&mut random, [c, a, b, a + b - c]);
         let linkage = FourBar::new(lengths).unwrap();
         let assembly = Assembly::ALL[random.below(2)];
         let rod = lengths[0] * random.within(0.5, 2.0);
