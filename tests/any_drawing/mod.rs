@@ -19,7 +19,7 @@ use linkage::Linkage;
 /// How many drawings are compared in a quick run.
 const DRAWINGS: u64 = 1_000;
 
-/// A linkage in which a group folds just before the one that it hangs on.
+/// A linkage with a group that folds just before the group it depends on.
 const TWO_FOLDS: u64 = 116_566;
 
 #[test]

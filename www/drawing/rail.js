@@ -1,4 +1,4 @@
-// What is told of a drawing beside it: why it does not move and what would let it, what is selected, its points in numbers.
+// The panel beside a drawing: why the drawing does not move and what would let it, the selection, points in numbers.
 import { NumberBox } from "assur/controls/number-box.js";
 import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";

@@ -1,4 +1,4 @@
-// What is told of a drawing beside it, typed into.
+// Numbers typed into the panel beside a drawing.
 import "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";

@@ -35,8 +35,8 @@ import { withView } from "assur/state/state.js";
  *   readonly id: string, readonly name: string, tell(words: Words): readonly Told[], openErrata?(words: Words): Promise<void>,
  *   frame?(step: HTMLElement[], progress: Progress, renew: () => Progress): HTMLElement[], answered?(): void,
  * }} Source
- * Where a lesson comes from: what it is called in links, by what name its progress is kept, its steps, and what stands around them and
- * is told when an answer is another; `renew`: called when the progress is kept by another name, gives that one.
+ * The source of a lesson: its name in links, the name by which its progress is kept, its steps, the frame around them. `answered` hears of
+ * every new answer; `renew` gives the progress that is kept by another name.
  */
 
 /** The id of what closes a lesson and is no step of it. */

@@ -178,7 +178,7 @@ impl Edited for Linkage {
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
         let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
-        // What is refused is said of the same value.
+        // A refusal compares with the same value.
         let value = mechanism.nearest(dimension, of_field(dimension, value));
         let changed = self.0.motion().changed(dimension, value, input);
         let changed = changed
