@@ -15,6 +15,7 @@ export class Context {
   texts = [];
   /** Colours in which something was filled or stroked. */
   painted = new Set();
+  canvas = { width: 1, height: 1 };
   font = "10px sans-serif";
   fillStyle = "#000000";
   strokeStyle = "#000000";
@@ -33,6 +34,7 @@ export class Context {
   lineTo() {}
   arc() {}
   clearRect() {}
+  drawImage() {}
   strokeText() {}
 
   fill() {

@@ -22,6 +22,9 @@ const SMALL_MARGIN = 36;
 /** A drawing whose shorter side has less is a small one. */
 const SMALL = 320;
 
+/** Width and height of a picture of a stage that is not on the screen, in pixels. */
+const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
+
 /** The least and the greatest share of the canvas for what is worked with. */
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
@@ -151,8 +154,9 @@ export class MechanismView {
    * @returns {import("assur/export/pictures.js").Sheet}
    */
   sheet(least = 0) {
-    const screen = this.view;
-    const [left, bottom, right, top] = this.zoomed ? this.#onScreen() : this.#boundsOnScreen(screen);
+    const { visible } = this.#surface;
+    const screen = visible ? this.view : Transform.fit(this.#whole, ...UNSEEN, this.#margin);
+    const [left, bottom, right, top] = visible && this.zoomed ? this.#onScreen() : this.#boundsOnScreen(screen);
     const aside = Math.ceil(Math.max(0, least - (right - left)) / 2);
     const size = { width: right - left + 2 * aside, height: bottom - top };
     const view = screen.moved(aside - left, -top);
