@@ -14,9 +14,11 @@ import { withSubscripts } from "assur/core/subscripts.js";
  *   role: string,
  *   slider?: SliderRange,
  *   unit?: string,
+ *   decimals?: number,
  *   counted?: string,
  * }>} RowKind
  * What follows a _ in the symbol stands below the line. `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words.
+ * `decimals`: the most of them that are shown until somebody is about to change the number; six digits where it is not given.
  * `counted`: the key of the words for a number of what the slider counts.
  */
 
@@ -91,9 +93,9 @@ export class NumberRow {
    */
   show(value, words, invalid) {
     const { numbers } = words;
-    const { unit = "", counted } = this.#kind;
+    const { unit = "", decimals, counted } = this.#kind;
     const range = this.#range;
-    this.#brief = (value) => numbers.brief(value) + unit;
+    this.#brief = (value) => (decimals === undefined ? numbers.brief(value) : numbers.upTo(value, decimals)) + unit;
     this.#box.show(value, { brief: this.#brief(value), full: numbers.exact(value) + unit }, invalid);
     if (!range || !this.#slider) return;
     // A value beyond the slider's range widens it, so that the slider tells the truth.

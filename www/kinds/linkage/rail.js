@@ -116,7 +116,7 @@ export class LinkageRail {
     const id = isPoint ? `point-${index}-${kind}` : `${kind}-${field.match(/\d+/g)?.join("-")}`;
     const { key, symbol } = KINDS[kind];
     const n = isPoint ? name : calledBy(name, kind === "length" ? [] : points, words);
-    const row = { field, id, key, symbol: lettered(symbol, points), n, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°" } : {}) };
+    const row = { field, id, key, symbol: lettered(symbol, points), n, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
     return new NumberRow(row, drafts, (value) => this.#change((input) => engine.setDimension(field, value, input), field));
   }
 }
