@@ -470,3 +470,52 @@ fn unequal_cranks_are_mobile_for_an_instant() {
     let locked = |defect: &Defect| matches!(defect, Defect::Locked { .. });
     assert!(defects([1.0, 1.4, 0.9]).iter().all(locked));
 }
+
+/// A pose that is looked at beside the drawn one may be in line: the cranks turn fully all the same.
+#[test]
+fn a_pose_beside_the_drawn_one_may_be_in_line() {
+    let mut random = Random::new(38);
+    for cranks in 3..=6 {
+        for aside in [-0.02, -7e-3, -1e-3, 1e-3, 7e-3, 0.05] {
+            for aside in [aside, aside + 1e-7] {
+                let along = random.within(0.0, TAU);
+                let draft = drawn_rods(&mut random, true, cranks, [along, along + aside]);
+                let motion = Motion::new(Mechanism::new(&draft).unwrap());
+                assert!(motion.cycle().is_full(), "{cranks} cranks {aside}");
+            }
+        }
+    }
+}
+
+/// Six cranks drawn with four decimals, three degrees from in line.
+#[test]
+fn a_drawing_near_in_line_is_made_exact() {
+    let pivots = [
+        [0.7285, -0.1718],
+        [1.6824, -0.3968],
+        [3.8784, -0.9147],
+        [5.5156, -1.3008],
+        [7.4113, -1.7478],
+        [8.6789, -2.0468],
+    ];
+    let ends = [
+        [-0.1645, 0.0893],
+        [0.7893, -0.1357],
+        [2.9853, -0.6536],
+        [4.6226, -1.0397],
+        [6.5182, -1.4868],
+        [7.7858, -1.7857],
+    ];
+    let mut draft = drawn_rods(&mut Random::new(0), true, 6, [0.0, 1.0]);
+    for (name, at) in ["A", "B"].into_iter().zip([pivots, ends]) {
+        for (k, at) in at.into_iter().enumerate() {
+            let name = format!("{name}{k}");
+            let drawn = draft.points.iter_mut().find(|point| point.name == name);
+            drawn.unwrap().at = Point::new(at[0], at[1]);
+        }
+    }
+    let exact = draft.made_exact().unwrap();
+    assert!(exact.by <= 1e-3, "{}", exact.by);
+    let motion = Motion::new(Mechanism::new(&exact.draft).unwrap());
+    assert!(motion.cycle().is_full());
+}

@@ -22,6 +22,8 @@ use crate::structure::{Structure, with_passive_links};
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
 /// Tolerance of equal angular velocities, per radian of a crank.
 const ALIKE: f64 = 1e-8;
+/// Number of the poses beside the drawn one that may be in line, where rates have no digits.
+const IN_LINE: usize = 1;
 
 /// Tolerance of linear dependence: the remainder of a row orthogonal to the rows before it, relative to its length.
 const DEPENDENT: f64 = 1e-7;
@@ -291,10 +293,12 @@ impl Mechanism {
         }
         let unit = self.span() / TAU;
         let turns_alike = |one: BodyId, other: BodyId| {
-            poses.iter().all(|pose| {
+            let alike = poses.iter().filter(|pose| {
                 let [a, b] = [one, other].map(|body| pose.angle(body).derivative(1) * unit);
                 (a - b).abs() <= ALIKE
-            })
+            });
+            let alike = alike.count();
+            2 * alike > poses.len() && alike + IN_LINE >= poses.len()
         };
         let mut parallel = Vec::new();
         for step in self.steps.ids().filter(|step| self.is_redundant(*step)) {
