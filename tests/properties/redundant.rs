@@ -379,6 +379,117 @@ fn change_points_are_those_of_the_whole_set() {
     }
 }
 
+/// A link between points of different links of one body, however that body is made, changes nothing but the count.
+#[test]
+fn a_body_is_doubled_by_a_link_on_two_of_its_links() {
+    let mut random = Random::new(39);
+    // The link that has the points B and E, on a coupler B C with a bar C E: welded to the coupler, or doubled itself.
+    for is_welded in [true, false] {
+        for order in 0..3 {
+            for seed in 0..scaled(EACH) {
+                let base = turned(random.within(0.0, TAU), random.within(1.5, 3.0));
+                let arm = turned(random.within(0.0, TAU), random.within(0.4, 1.2));
+                let aside = turned(random.within(0.0, TAU), random.within(0.5, 1.5));
+                let draft = Draft::default().point("A", 0.0, 0.0);
+                let draft = with(draft, "D", base);
+                let draft = with(draft, "B", arm);
+                let draft = with(draft, "C", base + arm);
+                let draft = with(draft, "F", 0.5 * base + arm);
+                let draft = with(draft, "E", base + arm + aside);
+                let parts = [
+                    ("coupler", vec!["B", "C", "F"]),
+                    ("bar", vec!["C", "E"]),
+                    ("double", vec!["E", "B"]),
+                ];
+                let plain = draft
+                    .fixed(&["A", "D"])
+                    .bar("crank", &["A", "B"])
+                    .bar("rocker", &["D", "C"])
+                    .crank("crank");
+                let mut doubled = plain.clone();
+                for k in 0..parts.len() {
+                    let (name, points) = &parts[(k + order) % parts.len()];
+                    doubled = doubled.bar(name, points);
+                }
+                let bar = doubled.links.iter_mut().find(|link| link.name == "bar");
+                let bar = bar.unwrap();
+                if is_welded {
+                    bar.fixed_to = Some("coupler".to_owned());
+                } else {
+                    bar.points.push("F".to_owned());
+                }
+                let plain = plain.bar("coupler", &["B", "C"]);
+                let at = format!("{is_welded} {order} {seed}");
+                let [plain, doubled] = [plain, doubled].map(|draft| {
+                    let mechanism = Mechanism::new(&draft);
+                    Motion::new(mechanism.unwrap_or_else(|defects| panic!("{at}: {defects:?}")))
+                });
+                let mobility = doubled.mechanism().mobility();
+                let q = if is_welded { 1 } else { 2 };
+                assert_eq!((mobility.rank, mobility.q()), (1, q), "{at}");
+                assert_eq!(mobility.redundant.len() as isize, q, "{at}");
+                let formula = doubled.mechanism().formula();
+                assert_eq!(
+                    formula.matches("q₁(").count() as isize,
+                    q,
+                    "{at}: {formula}"
+                );
+                let [plain, doubled] = [&plain, &doubled].map(Motion::change_points);
+                assert_eq!((plain.len(), doubled.len()), (2, 2), "{at}");
+                for (one, other) in plain.iter().zip(doubled) {
+                    assert!((one - other).abs() < 1e-9, "{at}: {one} {other}");
+                }
+            }
+        }
+    }
+}
+
+/// A point that only a doubled link has is where the shape of that link has it, not where it is drawn.
+#[test]
+fn points_of_a_doubled_link_are_those_of_its_shape() {
+    let mut random = Random::new(40);
+    for seed in 0..scaled(EACH) {
+        let mut draft = doubled(&mut random, ["C", "B"]).point("E", 1.5, 3.0);
+        let length = (draft.points[2].at - draft.points[1].at).norm();
+        let third = Point::new(length / 2.0, -2.0);
+        for link in &mut draft.links[1..3] {
+            link.shape = Some(vec![Point::origin(), Point::new(length, 0.0)]);
+        }
+        let double = &mut draft.links[2];
+        double.points.push("E".to_owned());
+        double.shape.iter_mut().for_each(|shape| shape.push(third));
+        // Halfway between the ends of the coupler and 2 aside, drawn a little farther.
+        let [b, c] = [1, 2].map(|k| draft.points[k].at);
+        let across = Vector::new(b.y - c.y, c.x - b.x) / length;
+        draft.points[4].at = b + (c - b) / 2.0 + across * random.within(2.001, 2.02);
+        let motion = Motion::new(Mechanism::new(&draft).unwrap());
+        let mechanism = motion.mechanism();
+        for input in [motion.home(), random.within(0.0, TAU)] {
+            let pose = motion.pose::<1>(input).unwrap();
+            let place = |name| {
+                mechanism
+                    .place(&pose, mechanism.point(name).unwrap())
+                    .place()
+            };
+            for end in ["B", "C"] {
+                let off = (place("E") - place(end)).norm() - third.coords.norm();
+                assert!(off.abs() < 1e-12, "{seed} {end} at {input}: {off}");
+            }
+        }
+    }
+}
+
+/// A link that is one body with the frame cannot be driven, whatever makes it so.
+#[test]
+fn a_driver_of_the_frame_is_named() {
+    let mut random = Random::new(41);
+    let mut draft = doubled(&mut random, ["A", "D"]);
+    draft.drivers.clear();
+    let draft = draft.crank("double");
+    let said = [Defect::WithItself("double".to_owned())];
+    assert_eq!(Mechanism::new(&draft).unwrap_err(), said);
+}
+
 /// Spoiled by more than rounding they are refused.
 #[test]
 fn spoiled_ones_are_refused() {

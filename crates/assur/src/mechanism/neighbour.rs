@@ -151,7 +151,7 @@ impl Mechanism {
             let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
             // Links of which only one is set are no longer one body.
             if resolved.doubled != self.doubled {
-                let links = self.doubled.iter().map(|(link, _)| self.link_name(*link));
+                let links = self.doubled.iter().map(|one| self.link_name(one.link));
                 return Err(vec![Defect::Locked {
                     mobility: self.counts.mobility,
                     links: links.map(str::to_owned).collect(),
