@@ -27,7 +27,8 @@ for (const [type, places] of Object.entries(PLACES)) {
       const plain = engine.set(initialState("linkage", four(places, LINKS), {}));
       const alone = { ...plain, assembled: plain.assembled };
       const doubled = engine.set(initialState("linkage", four(places, { ...LINKS, double: ends }), {}));
-      const { counts: { by_count: count, mobility }, redundant } = doubled;
+      const { counts: { by_count: count, mobility }, redundant, formula, groups } = doubled;
+      assert.equal(groups.map(({ term }) => term).join(" → "), formula);
       assert.deepEqual([count, mobility, redundant.length], [0, 1, 1]);
       assert.ok(ends.includes(redundant[0]), redundant[0]);
       assert.deepEqual(doubled.assembled, alone.assembled);
