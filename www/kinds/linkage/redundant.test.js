@@ -72,12 +72,14 @@ test("links that share three points are one body where these are in the same pla
   }
 });
 
-test("a dimension of one of two doubled links is refused", () => {
+test("a length of a doubled link is set on both links", () => {
   const engine = newEngine();
   for (const field of ["links[1].length", "links[3].length"]) {
-    const { home } = engine.set(initialState("linkage", four(PLACES["crank-rocker"], { ...LINKS, double: "BC" }), {}));
-    assert.throws(() => engine.setDimension(field, 3, home), ({ problems: [{ code }] }) => code === "locked", field);
-    assert.equal(engine.trapped, false);
+    for (const ends of ["BC", "CB"]) {
+      const { home } = engine.set(initialState("linkage", four(PLACES["crank-rocker"], { ...LINKS, double: ends }), {}));
+      const { document } = engine.setDimension(field, 3, home);
+      assert.deepEqual([1, 3].map((link) => document.links[link].length), [3, 3], `${field} ${ends}`);
+    }
   }
 });
 

@@ -2,12 +2,14 @@
 
 use super::body::Bodies;
 use super::check::CLOSEST;
-use super::draft::Defect;
+use super::dimension::along_axis;
+use super::draft::{Defect, Draft};
 use super::resolved::Resolved;
-use crate::Vector;
+use super::{Mechanism, Part};
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::position::{conjugate, product};
 use crate::structure::subscript;
+use crate::{Point, Vector};
 
 /// A link that is one body with another, or with the frame, by the points that it shares with it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -22,6 +24,53 @@ impl DoubledLink {
     /// q with the number of its redundant constraints: q₁ of two shared points, q₃ of three.
     pub fn symbol(&self) -> String {
         format!("q{}", subscript(2 * self.shared.len() - 3))
+    }
+}
+
+impl Mechanism {
+    /// The draft with a point of a link elsewhere on it, and on the links that are one body with it by their points.
+    pub(super) fn placed(&self, link: LinkId, point: usize, at: Point) -> Draft {
+        let mut draft = self.draft.clone();
+        let Part { body, points, .. } = &self.links[link];
+        let moved = points.get(point);
+        let links = self.links.enumerate();
+        for (other, part) in links.filter(|(_, part)| part.body == *body) {
+            let own = &mut draft.links[other.index()];
+            let place = part.points.iter().position(|point| Some(point) == moved);
+            let at = if other == link {
+                Some(at)
+            } else {
+                self.on_other(at, [link, other])
+            };
+            if own.fixed_to.is_none()
+                && let (Some(place), Some(at), Some(shape)) = (place, at, &mut own.shape)
+            {
+                shape[place] = at;
+                *shape = along_axis(std::mem::take(shape));
+            }
+        }
+        draft
+    }
+
+    /// A place on a link as it is on another link of its body.
+    fn on_other(&self, at: Point, links: [LinkId; 2]) -> Option<Point> {
+        let [from, to] = links.map(|link| self.axes(link));
+        let ([own, on_body, turn], [other, there, turned]) = (from?, to?);
+        let at = on_body + product(at.coords - own, turn);
+        Some((other + product(at - there, conjugate(turned))).into())
+    }
+
+    /// The first place of a link with a shape, on it and on its body, and how its axes are turned there.
+    fn axes(&self, link: LinkId) -> Option<[Vector; 3]> {
+        let Part { body, points, .. } = &self.links[link];
+        let shape = self.draft.links[link.index()].shape.as_ref()?;
+        let end = |k: usize| Some([shape.get(k)?.coords, self.local(*body, *points.get(k)?)?]);
+        let [[own, on_body], [to, end]] = [end(0)?, end(1)?];
+        let turn = product(
+            (end - on_body).normalize(),
+            conjugate((to - own).normalize()),
+        );
+        Some([own, on_body, turn])
     }
 }
 
