@@ -537,7 +537,7 @@ fn points_of_a_doubled_link_are_those_of_its_shape() {
     }
 }
 
-/// A link that is one body with the frame cannot be driven, whatever makes it so.
+/// The driver of a link that doubles the frame is named.
 #[test]
 fn a_driver_of_the_frame_is_named() {
     let mut random = Random::new(41);
