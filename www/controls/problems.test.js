@@ -127,8 +127,8 @@ test("numbers of a sentence have the sign of the language", () => {
 
 test("what keeps a linkage from moving is said with what can be done about it", () => {
   for (const words of LANGUAGES.map((lang) => wordsOf(lang))) {
-    for (const code of ["unsupported", "open", "underdriven", "locked", "instant", "no_driver", "loose", "misdrawn"]) {
-      const text = sentence({ code, links: ["crank", "rocker"], point: "A", mobility: 0, by: 0.5 }, words);
+    for (const code of ["unsupported", "open", "underdriven", "locked", "instant", "no_driver", "loose", "misdrawn", "train_undetermined", "constraint_broken", "coincident", "with_itself"]) {
+      const text = sentence({ code, links: ["crank", "rocker"], link: "crank", point: "A", points: ["A", "B"], mobility: 0, by: 0.5 }, words);
       const [what, ...remedy] = text.split(/(?<=[.])\s+(?=\p{Lu})/u);
       assert.ok(what.length > 20 && remedy.join(" ").length > 20, `${words.lang} ${code}: ${text}`);
     }

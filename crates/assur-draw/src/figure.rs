@@ -231,9 +231,9 @@ impl Figure {
         self.layout.drawn_role(link)
     }
 
-    /// The roles of drivers and Assur groups, in the order of the structure.
-    pub fn step_roles(&self) -> impl Iterator<Item = Role> {
-        roles::of_steps(self.motion.mechanism().structure())
+    /// The roles of drivers, Assur groups and doubled links, in the order of [`Mechanism::terms`].
+    pub fn term_roles(&self) -> impl Iterator<Item = Role> {
+        roles::of_terms(self.motion.mechanism())
     }
 
     /// What moves, in a pose of the motion: `n, x₀, y₀, θ₀, …` of the n bodies, then

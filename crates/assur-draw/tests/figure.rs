@@ -245,7 +245,7 @@ fn groups_have_their_colours() {
         let overlays = Overlays { groups, ..TRACES };
         figure(&motion, overlays)
     });
-    let roles: Vec<Role> = grouped.step_roles().collect();
+    let roles: Vec<Role> = grouped.term_roles().collect();
     assert_eq!(roles, [Role::Crank, Role::Coupler, Role::Rocker]);
     let of_links = [0, 1, 1, 2, 2].map(|step| roles[step]);
     let mut body = 0;

@@ -208,7 +208,7 @@ impl<'a> StructureSummary<'a> {
     pub(crate) fn new(mechanism: &'a Mechanism, figure: &Figure) -> Self {
         let structure = mechanism.structure();
         let highest = structure.groups().max_by_key(|group| group.class);
-        let groups = mechanism.terms().into_iter().zip(figure.step_roles());
+        let groups = mechanism.terms().into_iter().zip(figure.term_roles());
         let (counts, mobility) = (mechanism.counts(), mechanism.mobility());
         Self {
             bounds: figure.bounds(),

@@ -104,6 +104,10 @@ impl<I: Id, T> List<I, T> {
         I::at(self.items.len() - 1)
     }
 
+    pub(crate) fn remove(&mut self, id: I) -> T {
+        self.items.remove(id.number())
+    }
+
     /// A list as long as another that has the same numbers.
     pub(crate) fn alike<U: Clone>(&self, item: U) -> List<I, U> {
         vec![item; self.len()].into()

@@ -27,7 +27,8 @@ for (const [type, places] of Object.entries(PLACES)) {
       const plain = engine.set(initialState("linkage", four(places, LINKS), {}));
       const alone = { ...plain, assembled: plain.assembled };
       const doubled = engine.set(initialState("linkage", four(places, { ...LINKS, double: ends }), {}));
-      const { counts: { by_count: count, mobility }, redundant } = doubled;
+      const { counts: { by_count: count, mobility }, redundant, formula, groups } = doubled;
+      assert.equal(groups.map(({ term }) => term).join(" → "), formula);
       assert.deepEqual([count, mobility, redundant.length], [0, 1, 1]);
       assert.ok(ends.includes(redundant[0]), redundant[0]);
       assert.deepEqual(doubled.assembled, alone.assembled);
@@ -71,12 +72,14 @@ test("links that share three points are one body where these are in the same pla
   }
 });
 
-test("a dimension of one of two doubled links is refused", () => {
+test("a length of a doubled link is set on both links", () => {
   const engine = newEngine();
   for (const field of ["links[1].length", "links[3].length"]) {
-    const { home } = engine.set(initialState("linkage", four(PLACES["crank-rocker"], { ...LINKS, double: "BC" }), {}));
-    assert.throws(() => engine.setDimension(field, 3, home), ({ problems: [{ code }] }) => code === "locked", field);
-    assert.equal(engine.trapped, false);
+    for (const ends of ["BC", "CB"]) {
+      const { home } = engine.set(initialState("linkage", four(PLACES["crank-rocker"], { ...LINKS, double: ends }), {}));
+      const { document } = engine.setDimension(field, 3, home);
+      for (const link of [1, 3]) assert.ok(Math.abs(document.links[link].length - 3) < 1e-12, `${field} ${ends}: ${document.links[link].length}`);
+    }
   }
 });
 

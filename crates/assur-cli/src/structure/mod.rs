@@ -153,6 +153,15 @@ fn described(moved: &Moved, output: LinkId) -> Value {
             "links": names(&group.links()),
         }),
     });
+    let doubled = mechanism.doubled().iter().map(|doubled| {
+        json!({
+            "symbol": doubled.symbol(),
+            "class": 1,
+            "order": doubled.shared.len(),
+            "dyad": null,
+            "links": [mechanism.link_name(doubled.link)],
+        })
+    });
     let at = |input: f64| {
         let (key, at) = placed(mechanism, input);
         json!({key: at})
@@ -195,7 +204,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "assemblies_at": at(motion.home()),
         "assemblies_whole": assemblies.whole,
         "drawn_assembly": drawn.map(|number| number + 1),
-        "steps": steps.collect::<Vec<_>>(),
+        "steps": steps.chain(doubled).collect::<Vec<_>>(),
         "turns_fully": cycle.is_full() && mechanism.turns(),
         "range": range.collect::<Vec<_>>(),
         // After so many the motion repeats, where it does not turn back.

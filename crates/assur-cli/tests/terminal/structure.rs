@@ -44,6 +44,36 @@ fn passive_satellites() {
     assert!(error.contains("planet 3, ring"), "{error}");
 }
 
+/// A doubled link is the last step, with as many redundant constraints as the formula says.
+#[test]
+fn doubled_links() {
+    let doubled = json!({
+        "points": [
+            {"name": "A", "at": [0, 0]},
+            {"name": "B", "at": [0.6, 1]},
+            {"name": "C", "at": [3.6, 2.4]},
+            {"name": "D", "at": [4, 0]},
+        ],
+        "frame": ["A", "D"],
+        "links": [
+            {"name": "crank", "points": ["A", "B"]},
+            {"name": "coupler", "points": ["B", "C"]},
+            {"name": "double", "points": ["B", "C"]},
+            {"name": "rocker", "points": ["D", "C"]},
+        ],
+        "drivers": [{"crank": "crank"}],
+    });
+    let file = Scratch::with("doubled.json", &doubled.to_string());
+    let text = said(&["structure", file.path()]);
+    assert!(text.contains("3            q₁       double\n"), "{text}");
+    let described = said(&["structure", file.path(), "--json"]);
+    let described: Value = serde_json::from_str(&described).unwrap();
+    let formula = "I(frame,crank) → II₂(coupler,rocker) → q₁(double)";
+    assert_eq!(described["formula"], formula);
+    let double = json!({"symbol": "q₁", "class": 1, "order": 2, "dyad": null, "links": ["double"]});
+    assert_eq!(described["steps"][2], double);
+}
+
 /// Over which inputs it moves, after how many turns it repeats, where it passes through another motion.
 #[test]
 fn ranges() {

@@ -49,8 +49,16 @@ pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role>
     links.map(role).collect()
 }
 
+/// The colours of the terms of the structural formula; a doubled link has that of its body.
+pub(super) fn of_terms(mechanism: &Mechanism) -> impl Iterator<Item = Role> {
+    let of_links = of_groups(mechanism);
+    let doubled = mechanism.doubled().iter();
+    let doubled = doubled.map(move |one| of_links[one.link.index()]);
+    of_steps(mechanism.structure()).chain(doubled)
+}
+
 /// The colours of drivers and Assur groups, in the order of the structure.
-pub(super) fn of_steps(structure: &Structure) -> impl Iterator<Item = Role> {
+fn of_steps(structure: &Structure) -> impl Iterator<Item = Role> {
     let mut turn = ROLES.into_iter().cycle();
     structure.steps.iter().map(move |step| match step {
         Step::Driver { .. } => Role::Crank,

@@ -53,30 +53,7 @@ impl Bodies {
         draft: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
     ) -> Result<(Self, List<LinkId, Placement>), Defect> {
-        let place = |point: &PointId| match hinge {
-            Some((moved, at)) if moved == *point => (*point, at),
-            _ => (*point, draft.places[*point]),
-        };
-        let frame = draft.frame.iter().map(place).collect();
-        let mut bodies = Self {
-            points: vec![frame].into(),
-            drawn: vec![(Vector::zeros(), Vector::x())].into(),
-            slides: List::default(),
-            gears: Vec::new(),
-            passive: Vec::new(),
-        };
-        for link in draft.bodies.iter().flatten() {
-            bodies.make(draft, *link)?;
-        }
-        let placements = draft.links.iter().map(|link| Placement {
-            body: link.body,
-            lead: if link.is_fixed {
-                bodies.fix(draft, link.body, &link.points)
-            } else {
-                0.0
-            },
-        });
-        let placements = placements.collect();
+        let (mut bodies, placements) = Self::rigid(draft, hinge)?;
         for slide in draft.slides.ids() {
             let slide = bodies.slide(draft, slide)?;
             bodies.slides.push(slide);
@@ -93,6 +70,44 @@ impl Bodies {
         bodies.gears = active
             .filter_map(|(gear, passive)| (!passive).then_some(gear))
             .collect();
+        Ok((bodies, placements))
+    }
+
+    /// The same without slides and gear couplings.
+    ///
+    /// # Errors
+    /// A link that nothing tells the turn of.
+    pub(super) fn rigid(
+        draft: &Resolved<'_>,
+        hinge: Option<(PointId, Vector)>,
+    ) -> Result<(Self, List<LinkId, Placement>), Defect> {
+        let place = |point: &PointId| match hinge {
+            Some((moved, at)) if moved == *point => (*point, at),
+            _ => (*point, draft.places[*point]),
+        };
+        let frame = draft.frame.iter().map(place).collect();
+        let mut bodies = Self {
+            points: vec![frame].into(),
+            drawn: vec![(Vector::zeros(), Vector::x())].into(),
+            slides: List::default(),
+            gears: Vec::new(),
+            passive: Vec::new(),
+        };
+        for link in draft.bodies.iter().flatten() {
+            bodies.make(draft, *link)?;
+        }
+        for (body, brought) in draft.brought.enumerate() {
+            bodies.points[body].extend(brought);
+        }
+        let placements = draft.links.iter().map(|link| Placement {
+            body: link.body,
+            lead: if link.is_fixed {
+                bodies.fix(draft, link.body, &link.points)
+            } else {
+                0.0
+            },
+        });
+        let placements = placements.collect();
         Ok((bodies, placements))
     }
 
@@ -218,16 +233,23 @@ impl Bodies {
     }
 
     /// A driver as the structure knows it: its pair and bodies.
+    ///
+    /// # Errors
+    /// A driver between links that are one body, or that nothing joins.
     pub(super) fn driver(
         &self,
         draft: &Resolved<'_>,
         driver: &Driver,
         graph: &Graph,
-    ) -> Option<structure::Driver> {
+    ) -> Result<structure::Driver, Defect> {
         let links = match driver {
             Driver::Crank { link, base, .. } => [*base, *link].map(|link| draft.body(link)),
             Driver::Slide { slide, .. } => self.slides[*slide].bodies,
         };
+        if links[0] == links[1] {
+            let driven = draft.link_name(draft.driven(driver));
+            return Err(Defect::WithItself(driven.to_owned()));
+        }
         let links = links.map(BodyId::index);
         let pair = graph.pairs.iter().position(|pair| match (pair, driver) {
             (Pair::Revolute(joined), Driver::Crank { .. }) => {
@@ -235,8 +257,9 @@ impl Bodies {
             }
             (Pair::Prismatic(joined), Driver::Slide { .. }) => *joined == links,
             _ => false,
-        })?;
-        Some(structure::Driver { pair, links })
+        });
+        let pair = pair.ok_or(Defect::NoDriver)?;
+        Ok(structure::Driver { pair, links })
     }
 
     /// Whether the drawing shows how a body is turned: a wheel with nothing but its hinge looks the same all round.

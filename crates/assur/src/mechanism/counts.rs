@@ -75,7 +75,7 @@ pub(super) fn counts(draft: &Resolved<'_>, bodies: &Bodies) -> Counts {
     let idlers = gears.filter(|gear| gear.mesh == Mesh::AsPrinted).count();
     let passive = bodies.passive.iter().filter(|passive| **passive).count();
     // A doubled link has three freedoms and a hinge at each point that it shares.
-    let doubled = draft.doubled.iter().map(|(_, shared)| shared.len());
+    let doubled = draft.doubled.iter().map(|one| one.shared.len());
     let (doubled, hinges) = (draft.doubled.len(), doubled.sum::<usize>());
     Counts {
         links: graph.links - 1 + idlers + doubled,

@@ -146,11 +146,7 @@ impl Draft {
                 continue;
             }
             let places = (0..own.points.len()).map(|point| self.on_link(own, point));
-            let places: Vec<Point> = places.collect();
-            link.shape = Some(match places[..] {
-                [from, to] => vec![Point::origin(), Point::new((to - from).norm(), 0.0)],
-                _ => places,
-            });
+            link.shape = Some(along_axis(places.collect()));
         }
         shaped
     }
@@ -177,6 +173,14 @@ impl Draft {
         let shape = link.shape.as_ref().and_then(|shape| shape.get(point));
         let drawn = || self.place(link.points.get(point)?);
         shape.copied().or_else(drawn).unwrap_or_default()
+    }
+}
+
+/// The shape of a link: of one with two points only their distance counts.
+pub(super) fn along_axis(shape: Vec<Point>) -> Vec<Point> {
+    match shape[..] {
+        [from, to] => vec![Point::origin(), Point::new((to - from).norm(), 0.0)],
+        _ => shape,
     }
 }
 

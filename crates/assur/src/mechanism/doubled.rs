@@ -1,48 +1,154 @@
-//! Doubled links: a link that shares two points or more with another one, in the same places on both, is one body with it.
+//! Doubled links: a link that shares two points or more with another body, in the same places on both, is one body with it.
 
+use super::body::Bodies;
 use super::check::CLOSEST;
-use super::constraint::LinkOrFrame;
-use super::draft::Draft;
-use crate::index::{Id, LinkId};
+use super::dimension::along_axis;
+use super::draft::{Defect, Draft};
+use super::resolved::Resolved;
+use super::{Mechanism, Part};
+use crate::index::{BodyId, Id, LinkId, PointId};
+use crate::position::{conjugate, product};
+use crate::structure::subscript;
 use crate::{Point, Vector};
 
-/// The link before a link that is fixed to no other, or the frame, with which it is one body. None if it shares no two
-/// points.
-pub(super) fn doubled(draft: &Draft, link: LinkId) -> Option<LinkOrFrame> {
-    let before = (0..link.index()).map(LinkId::at);
-    let before = before.filter(|other| draft.links[other.index()].fixed_to.is_none());
-    let mut before = [None].into_iter().chain(before.map(Some));
-    before.find(|other| are_one(draft, link, *other))
+/// A link that is one body with another, or with the frame, by the points that it shares with it.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct DoubledLink {
+    /// The link.
+    pub link: LinkId,
+    /// The points that it shares with its body, two or more.
+    pub shared: Vec<PointId>,
 }
 
-/// The place of a point on a link, or on the frame, that has it.
-fn place(draft: &Draft, link: LinkOrFrame, name: &String) -> Option<Point> {
-    let Some(link) = link else {
-        return draft.frame.contains(name).then(|| draft.place(name))?;
-    };
-    let link = &draft.links[link.index()];
-    let point = link.points.iter().position(|point| point == name)?;
-    Some(draft.on_link(link, point))
+impl DoubledLink {
+    /// q with the number of its redundant constraints: q₁ of two shared points, q₃ of three.
+    pub fn symbol(&self) -> String {
+        format!("q{}", subscript(2 * self.shared.len() - 3))
+    }
 }
 
-/// True if two links share two points or more, which lie on both in the same way: seen from the first towards the second.
-fn are_one(draft: &Draft, link: LinkId, other: LinkOrFrame) -> bool {
-    let points = draft.links[link.index()].points.iter();
-    let shared = points.filter_map(|name| {
-        let [own, other] = [Some(link), other].map(|link| place(draft, link, name));
-        Some([own?, other?])
-    });
-    let shared: Vec<[Point; 2]> = shared.collect();
-    let [first, second, ..] = shared[..] else {
-        return false;
-    };
-    let size = draft.size();
-    let ways = [0, 1].map(|k| second[k] - first[k]);
-    let is_apart = ways.iter().all(|way| way.norm() > CLOSEST * size);
-    let seen = |k: usize, at: &[Point; 2]| {
-        let (way, off) = (ways[k].normalize(), at[k] - first[k]);
-        Vector::new(way.dot(&off), way.perp(&off))
-    };
-    let alike = |at: &[Point; 2]| (seen(0, at) - seen(1, at)).norm() <= CLOSEST * size;
-    is_apart && shared[1..].iter().all(alike)
+impl Mechanism {
+    /// The draft with a point of a link elsewhere on it, and on the links that are one body with it by their points.
+    pub(super) fn placed(&self, link: LinkId, point: usize, at: Point) -> Draft {
+        let mut draft = self.draft.clone();
+        let Part { body, points, .. } = &self.links[link];
+        let moved = points.get(point);
+        let links = self.links.enumerate();
+        for (other, part) in links.filter(|(_, part)| part.body == *body) {
+            let own = &mut draft.links[other.index()];
+            let place = part.points.iter().position(|point| Some(point) == moved);
+            let at = if other == link {
+                Some(at)
+            } else {
+                self.on_other(at, [link, other])
+            };
+            if own.fixed_to.is_none()
+                && let (Some(place), Some(at), Some(shape)) = (place, at, &mut own.shape)
+            {
+                shape[place] = at;
+                *shape = along_axis(std::mem::take(shape));
+            }
+        }
+        draft
+    }
+
+    /// A place on a link as it is on another link of its body.
+    fn on_other(&self, at: Point, links: [LinkId; 2]) -> Option<Point> {
+        let [from, to] = links.map(|link| self.axes(link));
+        let ([own, on_body, turn], [other, there, turned]) = (from?, to?);
+        let at = on_body + product(at.coords - own, turn);
+        Some((other + product(at - there, conjugate(turned))).into())
+    }
+
+    /// The first place of a link with a shape, on it and on its body, and how its axes are turned there.
+    fn axes(&self, link: LinkId) -> Option<[Vector; 3]> {
+        let Part { body, points, .. } = &self.links[link];
+        let shape = self.draft.links[link.index()].shape.as_ref()?;
+        let end = |k: usize| Some([shape.get(k)?.coords, self.local(*body, *points.get(k)?)?]);
+        let [[own, on_body], [to, end]] = [end(0)?, end(1)?];
+        let turn = product(
+            (end - on_body).normalize(),
+            conjugate((to - own).normalize()),
+        );
+        Some([own, on_body, turn])
+    }
+}
+
+/// A body that is one with a body before it.
+struct Doubling {
+    body: BodyId,
+    base: BodyId,
+    shared: Vec<PointId>,
+    /// Its other points with their places on the base.
+    others: Vec<(PointId, Vector)>,
+}
+
+impl Resolved<'_> {
+    /// Makes doubled links one body with those that they double. Each brings its points along, by which others may double
+    /// the whole.
+    ///
+    /// # Errors
+    /// A link that nothing tells the turn of.
+    pub(super) fn join_doubled(&mut self) -> Result<(), Defect> {
+        loop {
+            let (bodies, _) = Bodies::rigid(self, None)?;
+            let size = self.draft.size();
+            let before = |body: BodyId| (0..body.index()).map(BodyId::at);
+            let mut pairs = bodies
+                .ids()
+                .flat_map(|body| before(body).map(move |base| [body, base]));
+            let found = pairs.find_map(|pair| Doubling::of(&bodies, pair, CLOSEST * size));
+            let Some(doubling) = found else { break };
+            self.join(doubling);
+        }
+        self.doubled.sort_unstable();
+        Ok(())
+    }
+
+    fn join(&mut self, doubling: Doubling) {
+        let Doubling { body, base, .. } = doubling;
+        let link = self.bodies.remove(body);
+        self.brought.remove(body);
+        self.brought[base].extend(doubling.others);
+        let shared = doubling.shared;
+        self.doubled
+            .extend(link.map(|link| DoubledLink { link, shared }));
+        for link in self.links.iter_mut() {
+            if link.body == body {
+                (link.body, link.is_fixed) = (base, true);
+            } else if link.body > body {
+                link.body = BodyId::at(link.body.index() - 1);
+            }
+        }
+    }
+}
+
+impl Doubling {
+    /// None if the bodies share no two points that are apart, or one in different places.
+    fn of(bodies: &Bodies, [body, base]: [BodyId; 2], closest: f64) -> Option<Self> {
+        let on_both =
+            |(point, own): &(PointId, Vector)| Some((*point, [*own, bodies.local(base, *point)?]));
+        let shared: Vec<_> = bodies.of(body).iter().filter_map(on_both).collect();
+        let (_, [own, on_base]) = shared.first()?;
+        let way = |[a, b]: [Vector; 2]| [a - own, b - on_base];
+        let ways = shared.iter().map(|(_, at)| way(*at));
+        let [a, b] = ways.max_by(|[_, a], [_, b]| a.norm().total_cmp(&b.norm()))?;
+        if a.norm() <= closest || b.norm() <= closest {
+            return None;
+        }
+        let turn = product(b.normalize(), conjugate(a.normalize()));
+        let placed = |at: Vector| on_base + product(at - own, turn);
+        let alike = |(_, [a, b]): &(PointId, [Vector; 2])| (placed(*a) - b).norm() <= closest;
+        let others = bodies.of(body).iter();
+        let others = others.filter(|(point, _)| bodies.local(base, *point).is_none());
+        let others = others.map(|(point, at)| (*point, placed(*at)));
+        let mut points: Vec<PointId> = shared.iter().map(|(point, _)| *point).collect();
+        points.sort_unstable();
+        shared.iter().all(alike).then(|| Self {
+            body,
+            base,
+            shared: points,
+            others: others.collect(),
+        })
+    }
 }

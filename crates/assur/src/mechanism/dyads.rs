@@ -102,7 +102,7 @@ impl Mechanism {
     }
 
     /// The place of a point on a body that has it.
-    fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
+    pub(super) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
         let mut points = self.bodies[body].iter();
         let found = points.find(|(own, _)| *own == point);
         found.map(|(_, at)| *at)

@@ -47,6 +47,7 @@ pub(crate) use closed::ClosedStep;
 pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};
 pub use counts::Counts;
 pub use dimension::Dimension;
+pub use doubled::DoubledLink;
 pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
 pub(crate) use dyads::arms_of;
 pub use dyads::{FourBarLoop, OuterJoint, RrrDyad};
@@ -68,7 +69,7 @@ use crate::index::{Id, List};
 use crate::position::{
     Anchor, Arm, Enclosure, Given, Nearby, Orientation, Predictor, Sign, State, Step,
 };
-use crate::structure::{Structure, subscript};
+use crate::structure::Structure;
 use crate::{Jet, Vector};
 use body::{Bodies, Placement};
 use plan::Drawn;
@@ -98,8 +99,7 @@ pub struct Mechanism {
     placed_by: List<BodyId, Option<StepId>>,
     constraints: Vec<Constraint>,
     counts: Counts,
-    /// The doubled links with the points that they share with their bodies.
-    doubled: Vec<(LinkId, Vec<PointId>)>,
+    doubled: Vec<DoubledLink>,
     /// Of each gear coupling whether it is passive.
     passive: Vec<bool>,
     size: f64,
@@ -362,20 +362,26 @@ impl Mechanism {
         self.bodies().map(|body| self.body_name(body))
     }
 
-    /// The structural formula with the names of links; doubled links, each with its redundant constraints, come last.
-    pub fn formula(&self) -> String {
-        let doubled = self.doubled.iter().map(|(link, shared)| {
-            let surplus = subscript(2 * shared.len() - 3);
-            format!("q{surplus}({})", self.link_name(*link))
-        });
-        let terms: Vec<String> = self.terms().into_iter().chain(doubled).collect();
-        terms.join(" → ")
+    /// The doubled links, in the order of the draft.
+    pub fn doubled(&self) -> &[DoubledLink] {
+        &self.doubled
     }
 
-    /// The terms of the structural formula with the names of links.
+    /// The structural formula: [its terms](Self::terms) in turn.
+    pub fn formula(&self) -> String {
+        self.terms().join(" → ")
+    }
+
+    /// The terms of the structural formula with the names of links: of the structure, then of the doubled links.
     pub fn terms(&self) -> Vec<String> {
+        let body_name = |link| self.body_name(BodyId::at(link));
+        let doubled = self.doubled.iter();
+        let doubled = doubled.map(|one| format!("{}({})", one.symbol(), self.link_name(one.link)));
         self.structure
-            .terms(|link| self.body_name(BodyId::at(link)))
+            .terms(body_name)
+            .into_iter()
+            .chain(doubled)
+            .collect()
     }
 
     /// The links that a step of the plan places, by name.

@@ -106,16 +106,10 @@ impl Joined {
     /// # Errors
     /// Which links come apart, or would have to go farther than a neighbour's; why it would be no mechanism.
     pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, NoNeighbour> {
-        let mut draft = self.mechanism.draft.clone();
-        let hinge = match setting {
-            Setting::Place(link, point, at) => {
-                let shape = draft.links[link.index()].shape.as_mut();
-                if let Some(place) = shape.and_then(|shape| shape.get_mut(point)) {
-                    *place = at;
-                }
-                None
-            }
-            Setting::Hinge(point, at) => Some((point, at.coords)),
+        let mechanism = &self.mechanism;
+        let (draft, hinge) = match setting {
+            Setting::Place(link, point, at) => (mechanism.placed(link, point, at), None),
+            Setting::Hinge(point, at) => (mechanism.draft.clone(), Some((point, at.coords))),
         };
         let drawn = Drawn {
             input: self.mechanism.home,
@@ -149,9 +143,9 @@ impl Mechanism {
     ) -> Result<Self, NoNeighbour> {
         let laid_out = || {
             let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
-            // Links of which only one is set are no longer one body.
+            // A body of which something is set that others of its links, or the frame, keep is no longer one.
             if resolved.doubled != self.doubled {
-                let links = self.doubled.iter().map(|(link, _)| self.link_name(*link));
+                let links = self.doubled.iter().map(|one| self.link_name(one.link));
                 return Err(vec![Defect::Locked {
                     mobility: self.counts.mobility,
                     links: links.map(str::to_owned).collect(),

@@ -106,8 +106,8 @@ impl Mechanism {
     /// The hinges of doubled links with their redundant constraints: of the first hinge none, of the second one, of others
     /// two.
     fn hinges_of_doubled(&self) -> Vec<String> {
-        let doubled = self.doubled.iter().flat_map(|(_, shared)| {
-            let further = shared.iter().enumerate().skip(1);
+        let doubled = self.doubled.iter().flat_map(|one| {
+            let further = one.shared.iter().enumerate().skip(1);
             further.flat_map(|(k, point)| std::iter::repeat_n(*point, k.min(2)))
         });
         let names = doubled.map(|point| self.point_name(point).to_owned());

@@ -1,7 +1,7 @@
 //! A draft with names replaced by numbers: every thing that is named is there.
 
 use super::constraint::LinkOrFrame;
-use super::doubled::doubled;
+use super::doubled::DoubledLink;
 use super::draft::{Defect, Draft, DraftDriver, FRAME};
 use super::tracer::DraftTracer;
 use crate::gears::Mesh;
@@ -27,8 +27,10 @@ pub(super) struct Resolved<'a> {
     pub(super) tracers: Vec<(LinkOrFrame, &'a DraftTracer)>,
     /// Of each body the link that it is made for; none for the frame.
     pub(super) bodies: List<BodyId, LinkOrFrame>,
-    /// The points that doubled links share with their bodies, of each link in the order of the draft.
-    pub(super) doubled: Vec<(LinkId, Vec<PointId>)>,
+    /// Of each body the points that doubled links bring along, with their places on it.
+    pub(super) brought: List<BodyId, Vec<(PointId, Vector)>>,
+    /// The doubled links, in the order of the draft.
+    pub(super) doubled: Vec<DoubledLink>,
 }
 
 #[derive(Debug)]
@@ -84,13 +86,10 @@ impl<'a> Resolved<'a> {
     pub(super) fn new(draft: &'a Draft) -> Result<Self, Defect> {
         let names = Names(draft);
         let mut bodies: List<BodyId, LinkOrFrame> = vec![None].into();
-        let ids = (0..draft.links.len()).map(LinkId::at);
-        let bases = ids
-            .zip(&draft.links)
-            .map(|(id, link)| match &link.fixed_to {
-                Some(base) => names.link(base).map(Some),
-                None => Ok(doubled(draft, id)),
-            });
+        let bases = draft.links.iter().map(|link| {
+            let base = link.fixed_to.as_ref();
+            base.map(|base| names.link(base)).transpose()
+        });
         let bases: List<LinkId, Option<LinkOrFrame>> = bases.collect::<Result<_, Defect>>()?;
         let own = bases.enumerate().map(|(id, base)| match base {
             Some(_) => None,
@@ -112,22 +111,6 @@ impl<'a> Resolved<'a> {
         });
         let links: List<LinkId, Link> = links.collect::<Result<_, Defect>>()?;
         let frame = names.points(&draft.frame)?;
-        let is_doubled =
-            |id: LinkId| own[id].is_none() && draft.links[id.index()].fixed_to.is_none();
-        let shared = links.enumerate().filter(|(id, _)| is_doubled(*id));
-        let shared = shared.map(|(id, link)| {
-            let before = links.enumerate().filter(|(other, _)| *other < id);
-            let before = before.filter(|(_, other)| other.body == link.body);
-            let mut before: Vec<PointId> = before.flat_map(|(_, one)| one.points.clone()).collect();
-            if link.body == BodyId::FRAME {
-                before.extend(&frame);
-            }
-            let mut shared = link.points.clone();
-            shared.retain(|point| before.contains(point));
-            shared.sort_unstable();
-            (id, shared)
-        });
-        let shared = shared.collect();
         let slides = draft.slides.iter().map(|slide| {
             let [from, to] = &slide.line;
             Ok(Slide {
@@ -154,19 +137,22 @@ impl<'a> Resolved<'a> {
         let far = |x: f64| if x.abs() > 2.0 * size { x } else { 0.0 };
         let origin = hinge.map_or(Vector::zeros(), |hinge| hinge.coords.map(far));
         let places = draft.points.iter().map(|point| point.at.coords - origin);
-        Ok(Self {
+        let mut resolved = Self {
             draft,
             origin,
             places: places.collect(),
             frame,
             links,
-            doubled: shared,
+            doubled: Vec::new(),
             slides: slides.collect::<Result<_, Defect>>()?,
             gears: gears.collect::<Result<_, Defect>>()?,
             drivers: drivers.collect::<Result<_, Defect>>()?,
             tracers: tracers.collect::<Result<_, Defect>>()?,
+            brought: bodies.alike(Vec::new()),
             bodies,
-        })
+        };
+        resolved.join_doubled()?;
+        Ok(resolved)
     }
 
     /// The link that a driver turns or moves.

@@ -26,8 +26,8 @@ pub(super) fn structured(
     let graph = bodies.graph(draft.places.ids());
     let drivers = draft.drivers.iter();
     let drivers = drivers.map(|driver| bodies.driver(draft, driver, &graph));
-    let drivers: Option<Vec<_>> = drivers.collect();
-    let drivers = drivers.ok_or_else(|| vec![Defect::NoDriver])?;
+    let drivers: Result<Vec<_>, Defect> = drivers.collect();
+    let drivers = drivers.map_err(|defect| vec![defect])?;
     let name = |link: &usize| draft.body_name(BodyId::at(*link)).to_owned();
     let named = |links: Vec<usize>| links.iter().map(name).collect();
     let faults = match decompose(&graph, &drivers) {
