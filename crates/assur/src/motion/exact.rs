@@ -25,7 +25,7 @@ const FREE: f64 = 1e2;
 const PARALLEL: f64 = 2e-3;
 /// Relative sizes, tried in turn, of the singular values that are taken for zero where poses are first looked for: near a
 /// singular pose the error of the drawing is not to grow.
-const NEAR_SINGULAR: [f64; 2] = [1e-3, 1e-2];
+const NEAR_SINGULAR: [f64; 3] = [1e-3, 1e-2, 3e-4];
 /// Relative tolerances of the rank, tried in turn: the size of the singular values that vanish at the solution depends
 /// on the mechanism.
 const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
