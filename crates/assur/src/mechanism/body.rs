@@ -47,7 +47,7 @@ impl Bodies {
     /// elsewhere than it is drawn: the links, their guides and wheels stay as drawn.
     ///
     /// # Errors
-    /// A link that nothing tells the turn of; a slide by a point that its link has not, or along two points that
+    /// A link whose orientation nothing determines; a slide by a point that its link has not, or along two points that
     /// are one on theirs.
     pub(super) fn new(
         draft: &Resolved<'_>,
@@ -76,7 +76,7 @@ impl Bodies {
     /// The same without slides and gear couplings.
     ///
     /// # Errors
-    /// A link that nothing tells the turn of.
+    /// A link whose orientation nothing determines.
     pub(super) fn rigid(
         draft: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
@@ -115,7 +115,7 @@ impl Bodies {
     /// its axis goes to the second one or, without a second, along its guide.
     ///
     /// # Errors
-    /// A link with a shape of which no two points are drawn apart: nothing tells how it is turned.
+    /// A link with a shape of which no two points are drawn apart: its orientation is not determined.
     fn make(&mut self, draft: &Resolved<'_>, id: LinkId) -> Result<(), Defect> {
         let link = &draft.links[id];
         let origin = draft.places[link.first];

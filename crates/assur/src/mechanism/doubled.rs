@@ -88,7 +88,7 @@ impl Resolved<'_> {
     /// the whole.
     ///
     /// # Errors
-    /// A link that nothing tells the turn of.
+    /// A link whose orientation nothing determines.
     pub(super) fn join_doubled(&mut self) -> Result<(), Defect> {
         loop {
             let (bodies, _) = Bodies::rigid(self, None)?;
