@@ -212,6 +212,41 @@ fn a_slider_crank_far_from_its_drawing() {
     assert!(short.input.sin() > 0.5 - 0.01, "{}", short.input);
 }
 
+/// The slide of an offset slider-crank by hand: x = r cos φ + √(l² − (r sin φ − e)²), where e is the height of the guide and the
+/// slide's offset from it.
+#[test]
+fn a_slider_keeps_off_its_guide() {
+    let motion = motion("slider-crank-offset");
+    let mechanism = motion.mechanism();
+    let slides = |one: &Dimension| matches!(one, Dimension::Offset(_));
+    let offset = mechanism.dimensions().into_iter().find(slides).unwrap();
+    assert_eq!(mechanism.value(offset), Some(0.0));
+    for (value, phi) in [(0.4, 1.0), (-0.7, 1.0), (1.0, 3.5)] {
+        let changed = motion.changed(offset, value, phi).unwrap();
+        assert_eq!((changed.input, changed.gave_way), (phi, false));
+        let after = changed.motion.mechanism();
+        let pose = changed.motion.pose::<1>(phi).unwrap();
+        let c = after.place(&pose, after.point("C").unwrap()).place();
+        let e = -1.0 + value;
+        let x = phi.cos() + (9.0 - (phi.sin() - e).powi(2)).sqrt();
+        assert!((c - Point::new(x, e)).norm() < 1e-12, "{c} {x}");
+        for other in mechanism.dimensions() {
+            if other != offset {
+                let [was, is] = [mechanism, after].map(|one| one.value(other).unwrap());
+                assert!((is - was).abs() < 1e-12, "{other:?}: {was} {is}");
+            }
+        }
+    }
+    // The guide as high as crank and rod are long together, and 1 below A.
+    match motion.changed(offset, 6.0, 1.0).unwrap_err() {
+        Refusal::Apart { last, by, .. } => {
+            assert!(last <= 5.0 && last > 5.0 - 0.01, "{last}");
+            assert!((by - (6.0 - last)).abs() < 1e-12);
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
 /// What cannot be says how far it is from what can.
 #[test]
 fn refusals() {

@@ -10,13 +10,15 @@ import { withSubscripts } from "assur/core/subscripts.js";
  *   id?: string,
  *   key?: string,
  *   n?: string,
+ *   name?: string,
  *   symbol: string,
  *   role: string,
  *   slider?: SliderRange,
  *   unit?: string,
  *   counted?: string,
  * }>} RowKind
- * What follows a _ in the symbol stands below the line. `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words.
+ * What follows a _ in the symbol stands below the line. `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words,
+ * `name` that of those beside the symbol, where this says a part of it.
  * `counted`: the key of the words for a number of what the slider counts.
  */
 
@@ -37,7 +39,7 @@ export class NumberRow {
    * @param {(value: number) => void} set
    */
   constructor(kind, drafts, set) {
-    const { field, id = field, key = field, n = "", symbol, role, slider } = kind;
+    const { field, id = field, key = field, n = "", name: beside = n, symbol, role, slider } = kind;
     this.#kind = kind;
     this.#drafts = drafts;
     this.field = field;
@@ -58,7 +60,7 @@ export class NumberRow {
     const name = make("label", { class: "name", for: input.id }, [
       make("b", {}, withSubscripts(symbol)),
       // What the symbol says itself needs no words.
-      ...(symbol.endsWith(`_${n}`) ? [] : [" ", make("span", { "data-t": `name.${key}`, "data-n": n })]),
+      ...(symbol.endsWith(`_${beside}`) ? [] : [" ", make("span", { "data-t": `name.${key}`, "data-n": beside })]),
     ]);
     this.element = make("div", { class: "row", "data-field": field, style: `--accent: var(--role-${role})` }, [name, input]);
     this.#range = slider;

@@ -59,6 +59,10 @@ export function fieldName(field, words, document) {
   const [, of, at, dimension, places] = DIMENSION.exec(field) ?? [];
   const linkage = document && "links" in document ? document : null;
   if (of === "points") return words.text(`field.points.${dimension}`, { n: linkage?.points[Number(at)]?.name ?? at });
+  if (of === "slides") {
+    const { link, line } = linkage?.slides?.[Number(at)] ?? { link: at, line: [] };
+    return words.text("field.slides.offset", { n: calledBy(link, line, words) });
+  }
   if (of) return ofLink(linkage?.links[Number(at)] ?? { name: at, points: [] }, dimension, places.match(/\d+/g) ?? [], words);
   const [, numbers, place] = NUMBER.exec(field) ?? [];
   if (numbers) return words.text(`field.${numbers}`, { n: entryNumber(numbers, Number(place)) });

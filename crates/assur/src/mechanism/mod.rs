@@ -61,7 +61,7 @@ pub use signed::SignedAssemblies;
 pub use tracer::DraftTracer;
 pub use transmitting::RrpDyad;
 
-pub use crate::index::{BodyId, LinkId, PointId, StepId};
+pub use crate::index::{BodyId, LinkId, PointId, SlideId, StepId};
 pub use crate::position::{Cause, Method, Singularity};
 
 use crate::index::{Id, List};
@@ -73,6 +73,7 @@ use crate::{Jet, Vector};
 use body::{Bodies, Placement};
 use plan::Drawn;
 use resolved::Resolved;
+use slide::Slide;
 
 /// A linkage that can be assembled as it is drawn.
 #[derive(Clone, Debug)]
@@ -98,6 +99,8 @@ pub struct Mechanism {
     placed_by: List<BodyId, Option<StepId>>,
     constraints: Vec<Constraint>,
     counts: Counts,
+    /// How far the point of each slide stays to the left of its line.
+    offsets: List<SlideId, f64>,
     /// The doubled links with the points that they share with their bodies.
     doubled: Vec<(LinkId, Vec<PointId>)>,
     /// Of each gear coupling whether it is passive.
@@ -246,6 +249,7 @@ impl Mechanism {
             placed_by,
             constraints: Vec::new(),
             counts: counts::counts(resolved, bodies),
+            offsets: bodies.slides.iter().map(Slide::offset).collect(),
             doubled: resolved.doubled.clone(),
             passive: bodies.passive.clone(),
             size,
