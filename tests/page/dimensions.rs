@@ -66,23 +66,41 @@ async fn a_slider_goes_all_its_way() {
     page.close().await;
 }
 
+type Of = fn(&Mechanism) -> Dimension;
+
+/// The distance of the coupler's third point from its first.
+fn side(mechanism: &Mechanism) -> Dimension {
+    Dimension::Side(mechanism.link("coupler").unwrap(), [0, 2])
+}
+
+/// The coupler's angle at its first point.
+fn corner(mechanism: &Mechanism) -> Dimension {
+    Dimension::Corner(mechanism.link("coupler").unwrap(), 2)
+}
+
+/// The offset of the first slide.
+fn offset(mechanism: &Mechanism) -> Dimension {
+    let mut dimensions = mechanism.dimensions().into_iter();
+    let offset = dimensions.find(|one| matches!(one, Dimension::Offset(_)));
+    offset.unwrap()
+}
+
 /// A side and an angle of a link with three points, and the offset of a slide, typed: what is read is what the engine makes of it.
 #[tokio::test]
 async fn sides_angles_and_offsets_are_typed() {
     let page = Page::open().await;
     page.stop_at("40").await;
-    let coupler = |mechanism: &Mechanism| mechanism.link("coupler").unwrap();
-    let side = |mechanism: &Mechanism| Dimension::Side(coupler(mechanism), [0, 2]);
-    let corner = |mechanism: &Mechanism| Dimension::Corner(coupler(mechanism), 2);
-    let offset = |mechanism: &Mechanism| {
-        let dimensions = mechanism.dimensions().into_iter();
-        let mut offsets = dimensions.filter(|one| matches!(one, Dimension::Offset(_)));
-        offsets.next().unwrap()
-    };
-    let all: [(_, _, _, _, f64, &dyn Fn(&Mechanism) -> Dimension); 3] = [
-        ("crank-rocker", "M", "side-1-0-2", "3", 3.0, &side),
-        ("crank-rocker", "M", "corner-1-2", "50", 50_f64.to_radians(), &corner),
-        ("slider-crank-offset", "C", "offset-0", "0.4", 0.4, &offset),
+    let all: [(_, _, _, _, f64, Of); 3] = [
+        ("crank-rocker", "M", "side-1-0-2", "3", 3.0, side),
+        (
+            "crank-rocker",
+            "M",
+            "corner-1-2",
+            "50",
+            50_f64.to_radians(),
+            corner,
+        ),
+        ("slider-crank-offset", "C", "offset-0", "0.4", 0.4, offset),
     ];
     for (name, point, field, typed, value, of) in all {
         open(&page, name).await;

@@ -15,7 +15,10 @@ use crate::moving::Moving;
 pub(crate) struct DimensionSummary<'a> {
     #[cfg_attr(test, ts(type = "string"))]
     field: Field,
-    #[cfg_attr(test, ts(type = "\"length\" | \"side\" | \"corner\" | \"offset\" | \"x\" | \"y\""))]
+    #[cfg_attr(
+        test,
+        ts(type = "\"length\" | \"side\" | \"corner\" | \"offset\" | \"x\" | \"y\"")
+    )]
     kind: &'static str,
     index: usize,
     name: &'a str,

@@ -96,9 +96,7 @@ impl Mechanism {
             }
             Dimension::Length(_) | Dimension::Side(..) => LENGTHS.map(|times| times * value),
             Dimension::Corner(..) => around(OPENED),
-            Dimension::Offset(_) | Dimension::X(_) | Dimension::Y(_) => {
-                around(ASIDE * self.size())
-            }
+            Dimension::Offset(_) | Dimension::X(_) | Dimension::Y(_) => around(ASIDE * self.size()),
         })
     }
 

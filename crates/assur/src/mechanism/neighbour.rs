@@ -6,9 +6,9 @@ use super::draft::{Defect, Draft};
 use super::plan::Drawn;
 use super::resolved::Resolved;
 use super::{Mechanism, Pose};
+use crate::Point;
 use crate::index::{LinkId, List, PointId, SlideId, StepId};
 use crate::position::{Cause, Sign, State, Step};
-use crate::Point;
 
 /// What is set of a linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -119,7 +119,9 @@ impl Joined {
             input: self.mechanism.home,
             orientations: &self.state.orientations(),
         };
-        let mut next = self.mechanism.laid_out(&draft, Some(setting), drawn, input)?;
+        let mut next = self
+            .mechanism
+            .laid_out(&draft, Some(setting), drawn, input)?;
         let state = next.join(Some(&self.sides));
         let state = state.map_err(NoNeighbour::Apart)?;
         if let Some(step) = next.lost(&self.state, &state) {
