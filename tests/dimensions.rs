@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{ConstraintKind, Dimension, DraftDriver, Mechanism, Pose, Quantity};
+use assur::mechanism::{ConstraintKind, Dimension, Draft, DraftDriver, Mechanism, Pose, Quantity};
 use assur::motion::{Changed, Motion, OutputProfile, Refusal};
 use assur::{Assembly, FourBar, Point, Swing, Vector};
 use assur_file::{from_catalogue, gallery};
@@ -210,6 +210,119 @@ fn a_slider_crank_far_from_its_drawing() {
     let short = motion.changed(Dimension::Length(rod), 0.5, phi).unwrap();
     assert!(short.gave_way && short.input.sin() < 0.5, "{}", short.input);
     assert!(short.input.sin() > 0.5 - 0.01, "{}", short.input);
+}
+
+/// The slide of an offset slider-crank by hand: x = r cos φ + √(l² − (r sin φ − e)²), where e is the height of the guide and the
+/// slide's offset from it.
+#[test]
+fn a_slider_keeps_off_its_guide() {
+    let motion = motion("slider-crank-offset");
+    let mechanism = motion.mechanism();
+    let slides = |one: &Dimension| matches!(one, Dimension::Offset(_));
+    let offset = mechanism.dimensions().into_iter().find(slides).unwrap();
+    assert_eq!(mechanism.value(offset), Some(0.0));
+    for (value, phi) in [(0.4, 1.0), (-0.7, 1.0), (1.0, 3.5)] {
+        let changed = motion.changed(offset, value, phi).unwrap();
+        assert_eq!((changed.input, changed.gave_way), (phi, false));
+        let after = changed.motion.mechanism();
+        let pose = changed.motion.pose::<1>(phi).unwrap();
+        let c = after.place(&pose, after.point("C").unwrap()).place();
+        let e = -1.0 + value;
+        let x = phi.cos() + (9.0 - (phi.sin() - e).powi(2)).sqrt();
+        assert!((c - Point::new(x, e)).norm() < 1e-12, "{c} {x}");
+        for other in mechanism.dimensions() {
+            if other != offset {
+                let [was, is] = [mechanism, after].map(|one| one.value(other).unwrap());
+                assert!((is - was).abs() < 1e-12, "{other:?}: {was} {is}");
+            }
+        }
+    }
+    // The guide as high as crank and rod are long together, and 1 below A.
+    match motion.changed(offset, 6.0, 1.0).unwrap_err() {
+        Refusal::Apart { last, by, .. } => {
+            assert!(last <= 5.0 && last > 5.0 - 0.01, "{last}");
+            assert!((by - (6.0 - last)).abs() < 1e-12);
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Of driven slides, on the frame and on a cylinder that turns; the input counts along the line as before.
+#[test]
+fn offsets_of_driven_slides() {
+    let ladder = Draft::default()
+        .point("O", 0.0, 0.0)
+        .point("X", 1.0, 0.0)
+        .point("Y", 0.0, 1.0)
+        .point("F", 1.5, 0.0)
+        .point("H", 0.0, 2.0)
+        .fixed(&["O", "X", "Y"])
+        .bar("foot", &["F"])
+        .bar("ladder", &["F", "H"])
+        .bar("head", &["H"])
+        .slide("foot", "F", "frame", ["O", "X"])
+        .slide("head", "H", "frame", ["O", "Y"]);
+    let boom = Draft::default()
+        .point("O", 0.0, 0.0)
+        .point("A", 1.0, -0.5)
+        .point("U", 1.2, 0.3)
+        .point("B", 1.5, 1.5)
+        .point("T", 4.0, 3.0)
+        .fixed(&["O", "A"])
+        .bar("boom", &["O", "B", "T"])
+        .bar("cylinder", &["A", "U"])
+        .bar("rod", &["B"])
+        .slide("rod", "B", "cylinder", ["A", "U"]);
+    for (mut draft, range) in [(ladder, [0.5, 2.0]), (boom, [1.4, 2.6])] {
+        let (slide, rate) = (0, 1.0);
+        draft
+            .drivers
+            .push(DraftDriver::Slide { slide, range, rate });
+        let motion = Motion::new(Mechanism::new(&draft).unwrap());
+        let mechanism = motion.mechanism();
+        let dimensions = mechanism.dimensions().into_iter();
+        let offsets = dimensions.filter(|one| matches!(one, Dimension::Offset(_)));
+        for offset in offsets {
+            for input in inputs(&motion) {
+                let before = places(mechanism, &motion.pose(input).unwrap());
+                for value in [0.2, -0.1] {
+                    let at = format!("{offset:?} → {value} at {input}");
+                    let changed = motion.changed(offset, value, input);
+                    let changed = changed.unwrap_or_else(|refused| panic!("{at}: {refused:?}"));
+                    assert!((changed.input - input).abs() < 1e-12, "{at}");
+                    returns(&changed, offset, [0.0, value], &before, &at);
+                }
+            }
+        }
+    }
+}
+
+/// A block that two points guide along one line has no offset that could change alone.
+#[test]
+fn offset_of_one_of_two_points_of_a_block() {
+    let draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.6, 0.8)
+        .point("C", 3.0, 0.0)
+        .point("E", 4.0, 0.0)
+        .point("G", 1.0, 0.0)
+        .fixed(&["A", "G"])
+        .bar("crank", &["A", "B"])
+        .bar("rod", &["B", "C"])
+        .bar("block", &["C", "E"])
+        .slide("block", "C", "frame", ["A", "G"])
+        .slide("block", "E", "frame", ["A", "G"])
+        .crank("crank");
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let mechanism = motion.mechanism();
+    let dimensions = mechanism.dimensions().into_iter();
+    let offsets = dimensions.filter(|one| matches!(one, Dimension::Offset(_)));
+    for offset in offsets {
+        match motion.changed(offset, 0.1, motion.home()).unwrap_err() {
+            Refusal::Apart { last, .. } => assert!(last.abs() < 1e-3, "{last}"),
+            other => panic!("{other:?}"),
+        }
+    }
 }
 
 /// What cannot be says how far it is from what can.

@@ -250,7 +250,7 @@ passive: Array<string>,
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type RateSummary = { field: string, link: string, rate: number, role: string, };
-export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
+export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
 export type MixerSummary = { 
 /**
  * The ratios of the peripheral wheels to the rocker.

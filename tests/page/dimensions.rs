@@ -1,7 +1,7 @@
 //! Dimensions of a linkage on the page: what a change keeps is followed from the pose at
 //! hand, what cannot be is refused at its row with the last value that works.
 
-use assur::mechanism::Dimension;
+use assur::mechanism::{Dimension, Mechanism};
 use assur::motion::Changed;
 use assur_file::LinkageDocument;
 use thirtyfour::prelude::*;
@@ -10,12 +10,16 @@ use crate::assemblies::{follow, followed};
 use crate::browser::Page;
 use crate::gallery::{agrees, document, open};
 
-/// The linkage after a change from an input, in degrees.
-fn changed(name: &str, link: &str, length: f64, degrees: f64) -> Changed {
+/// The linkage after a change of a dimension from an input, in degrees; an angle in radians.
+fn changed(name: &str, of: impl Fn(&Mechanism) -> Dimension, value: f64, degrees: f64) -> Changed {
     let motion = document(name).motion().unwrap();
-    let dimension = Dimension::Length(motion.mechanism().link(link).unwrap());
-    let changed = motion.changed(dimension, length, degrees.to_radians());
+    let changed = motion.changed(of(motion.mechanism()), value, degrees.to_radians());
     changed.unwrap()
+}
+
+/// The length of a link.
+fn length(link: &str) -> impl Fn(&Mechanism) -> Dimension {
+    move |mechanism| Dimension::Length(mechanism.link(link).unwrap())
 }
 
 fn drawn(changed: &Changed) -> LinkageDocument {
@@ -29,15 +33,15 @@ async fn a_slider_goes_all_its_way() {
     page.stop_at("40").await;
     open(&page, "slider-crank").await;
     page.stop_at("40").await;
-    for (field, link, length) in [(1, "rod", "4.5"), (1, "rod", "6"), (0, "crank", "3")] {
-        page.write(&format!("field-length-{field}"), length).await;
+    for (field, link, typed) in [(1, "rod", "4.5"), (1, "rod", "6"), (0, "crank", "3")] {
+        page.write(&format!("field-length-{field}"), typed).await;
         page.settle().await;
         assert_eq!(page.text("problem").await, "");
         assert_eq!(page.value("out-input").await, 40.0);
-        let length: f64 = length.parse().unwrap();
+        let value: f64 = typed.parse().unwrap();
         agrees(
             &page,
-            &drawn(&changed("slider-crank", link, length, 40.0)),
+            &drawn(&changed("slider-crank", length(link), value, 40.0)),
             "C.x",
         )
         .await;
@@ -50,7 +54,7 @@ async fn a_slider_goes_all_its_way() {
     page.settle().await;
     agrees(
         &page,
-        &drawn(&changed("slider-crank", "rod", 6.0, 40.0)),
+        &drawn(&changed("slider-crank", length("rod"), 6.0, 40.0)),
         "C.x",
     )
     .await;
@@ -59,6 +63,67 @@ async fn a_slider_goes_all_its_way() {
     assert_eq!(page.text("problem").await, "");
     let given = page.value("out-input").await.to_radians().sin();
     assert!(given < 0.15 && given > 0.12, "{given}");
+    page.close().await;
+}
+
+type Of = fn(&Mechanism) -> Dimension;
+
+/// The distance of the coupler's third point from its first.
+fn side(mechanism: &Mechanism) -> Dimension {
+    Dimension::Side(mechanism.link("coupler").unwrap(), [0, 2])
+}
+
+/// The coupler's angle at its first point.
+fn corner(mechanism: &Mechanism) -> Dimension {
+    Dimension::Corner(mechanism.link("coupler").unwrap(), 2)
+}
+
+/// The offset of the first slide.
+fn offset(mechanism: &Mechanism) -> Dimension {
+    let mut dimensions = mechanism.dimensions().into_iter();
+    let offset = dimensions.find(|one| matches!(one, Dimension::Offset(_)));
+    offset.unwrap()
+}
+
+/// A side and an angle of a link with three points, and the offset of a slide, typed: what is read is what the engine makes of it.
+#[tokio::test]
+async fn sides_angles_and_offsets_are_typed() {
+    let page = Page::open().await;
+    page.stop_at("40").await;
+    let all: [(_, _, _, _, f64, Of); 3] = [
+        ("crank-rocker", "M", "side-1-0-2", "3", 3.0, side),
+        (
+            "crank-rocker",
+            "M",
+            "corner-1-2",
+            "50",
+            50_f64.to_radians(),
+            corner,
+        ),
+        ("slider-crank-offset", "C", "offset-0", "0.4", 0.4, offset),
+    ];
+    for (name, point, field, typed, value, of) in all {
+        open(&page, name).await;
+        page.choose("plot", point).await;
+        page.stop_at("40").await;
+        page.write(&format!("field-{field}"), typed).await;
+        page.settle().await;
+        assert_eq!(page.text("problem").await, "", "{field}");
+        assert_eq!(page.value("out-input").await, 40.0, "{field}");
+        let drawn = drawn(&changed(name, of, value, 40.0));
+        for axis in ["x", "y"] {
+            agrees(&page, &drawn, &format!("{point}.{axis}")).await;
+        }
+    }
+    // Crank and rod are not long enough for this one.
+    page.write("field-offset-0", "9").await;
+    page.settle().await;
+    let said = page.text("problem").await;
+    for part in ["Offset of link slider", "is too large by"] {
+        assert!(said.contains(part), "{said}");
+    }
+    let invalid = page.attribute("field-offset-0", "aria-invalid").await;
+    assert_eq!(invalid.as_deref(), Some("true"));
     page.close().await;
 }
 

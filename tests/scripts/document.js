@@ -7,7 +7,8 @@ globalThis.HTMLElement = class HTMLElement extends Node {
   children = [];
   attributes = {};
   dataset = {};
-  style = {};
+  style = { setProperty() {} };
+  classList = new Set();
   hidden = false;
   title = "";
 

@@ -10,6 +10,7 @@ import { withSubscripts } from "assur/core/subscripts.js";
  *   id?: string,
  *   key?: string,
  *   n?: string,
+ *   name?: string,
  *   symbol: string,
  *   role: string,
  *   slider?: SliderRange,
@@ -17,7 +18,8 @@ import { withSubscripts } from "assur/core/subscripts.js";
  *   decimals?: number,
  *   counted?: string,
  * }>} RowKind
- * What follows a _ in the symbol stands below the line. `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words.
+ * What follows a _ in the symbol stands below the line. `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words,
+ * `name` that of those beside the symbol, where this says a part of it.
  * `decimals`: the most of them that are shown until somebody is about to change the number; six digits where it is not given.
  * `counted`: the key of the words for a number of what the slider counts.
  */
@@ -39,7 +41,7 @@ export class NumberRow {
    * @param {(value: number) => void} set
    */
   constructor(kind, drafts, set) {
-    const { field, id = field, key = field, n = "", symbol, role, slider } = kind;
+    const { field, id = field, key = field, n = "", name: beside = n, symbol, role, slider } = kind;
     this.#kind = kind;
     this.#drafts = drafts;
     this.field = field;
@@ -60,7 +62,7 @@ export class NumberRow {
     const name = make("label", { class: "name", for: input.id }, [
       make("b", {}, withSubscripts(symbol)),
       // What the symbol says itself needs no words.
-      ...(symbol.endsWith(`_${n}`) ? [] : [" ", make("span", { "data-t": `name.${key}`, "data-n": n })]),
+      ...(symbol.endsWith(`_${beside}`) ? [] : [" ", make("span", { "data-t": `name.${key}`, "data-n": beside })]),
     ]);
     this.element = make("div", { class: "row", "data-field": field, style: `--accent: var(--role-${role})` }, [name, input]);
     this.#range = slider;

@@ -12,8 +12,8 @@ import { called, calledBy, entryNumber } from "assur/core/names.js";
 
 /** A part of an entry of a list, such as `wheels[2].z`. */
 const ENTRY = /^(\w+)\[(\d+)\]\.(\w+)$/;
-/** A dimension of a linkage: `links[5].length`, `links[2].side[1][2]`, `links[2].corner_deg[2]`, `points[8].x`. */
-const DIMENSION = /^(links|points)\[(\d+)\]\.(\w+?)(?:_deg)?((?:\[\d+\])*)$/;
+/** A dimension of a linkage: `links[5].length`, `links[2].side[1][2]`, `links[2].corner_deg[2]`, `slides[0].offset`, `points[8].x`. */
+const DIMENSION = /^(links|slides|points)\[(\d+)\]\.(\w+?)(?:_deg)?((?:\[\d+\])*)$/;
 /** The words for the dimensions of links. */
 const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: "field.links.length", side: "field.links.side", corner: "field.links.corner" }));
 /** A number of a list, such as `bodies.inertia[2]`, or of a list of pairs. */
@@ -25,7 +25,19 @@ const LINKS = Object.freeze(["link", "shaft", "to", "mesh"]);
 /** What stands for a length in a problem, unless it is of a rate or an angle. */
 const LENGTHS = Object.freeze(["by", "last"]);
 const RATE = /\.rate$/;
-const ANGLE = /\.corner_deg\[/;
+/** An angle: `links[2].corner_deg[2]`, `wheels[0].centre_line_deg`. */
+const ANGLE = /_deg(?:\[|$)/;
+
+/**
+ * @param {string} field
+ * @param {string} number
+ * @param {Words} words
+ * @returns {string} the number of a field with its unit, if it is an angle or a dimension of a linkage
+ */
+export function measuredAs(field, number, words) {
+  if (ANGLE.test(field)) return `${number}°`;
+  return DIMENSION.test(field) ? words.length(number) : number;
+}
 
 /**
  * @param {Problem} problem
@@ -34,8 +46,7 @@ const ANGLE = /\.corner_deg\[/;
  */
 function length({ field = "" }, value, words) {
   const said = words.numbers.short(value);
-  if (ANGLE.test(field)) return `${said}°`;
-  return RATE.test(field) ? said : words.length(said);
+  return RATE.test(field) || ANGLE.test(field) ? measuredAs(field, said, words) : words.length(said);
 }
 
 /**
@@ -48,6 +59,10 @@ export function fieldName(field, words, document) {
   const [, of, at, dimension, places] = DIMENSION.exec(field) ?? [];
   const linkage = document && "links" in document ? document : null;
   if (of === "points") return words.text(`field.points.${dimension}`, { n: linkage?.points[Number(at)]?.name ?? at });
+  if (of === "slides") {
+    const { link, line } = linkage?.slides?.[Number(at)] ?? { link: at, line: [] };
+    return words.text("field.slides.offset", { n: calledBy(link, line, words) });
+  }
   if (of) return ofLink(linkage?.links[Number(at)] ?? { name: at, points: [] }, dimension, places.match(/\d+/g) ?? [], words);
   const [, numbers, place] = NUMBER.exec(field) ?? [];
   if (numbers) return words.text(`field.${numbers}`, { n: entryNumber(numbers, Number(place)) });

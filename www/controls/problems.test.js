@@ -135,21 +135,22 @@ test("what keeps a linkage from moving is said with what can be done about it", 
   }
 });
 
-test("sides and angles of links are called by their points, in degrees what is an angle", () => {
+test("sides and angles of links are called by their points, offsets of slides by their lines, in degrees what is an angle", () => {
   const links = [{ name: "crank", points: ["A", "B"] }, { name: "plate", points: ["B", "C", "E"] }];
-  const document = { links, points: [] };
+  const document = { links, slides: [{ link: "slider", point: "E", on: "frame", line: ["F", "G"] }], points: [] };
   for (const words of LANGUAGES.map((lang) => wordsOf(lang).measured("mm"))) {
     for (const [field, kind, n] of [
-      ["links[0].length", "length", called("crank", words)],
-      ["links[1].length", "side", "plate, B–C"],
-      ["links[1].side[0][2]", "side", "plate, B–E"],
-      ["links[1].side[1][2]", "side", "plate, C–E"],
-      ["links[1].corner_deg[2]", "corner", "plate, C–B–E"],
+      ["slides[0].offset", "slides.offset", `${called("slider", words)}, F\u2060–\u2060G`],
+      ["links[0].length", "links.length", called("crank", words)],
+      ["links[1].length", "links.side", "plate, B\u2060–\u2060C"],
+      ["links[1].side[0][2]", "links.side", "plate, B\u2060–\u2060E"],
+      ["links[1].side[1][2]", "links.side", "plate, C\u2060–\u2060E"],
+      ["links[1].corner_deg[2]", "links.corner", "plate, C\u2060–\u2060B\u2060–\u2060E"],
     ]) {
-      assert.equal(fieldName(field, words, document), words.text(`field.links.${kind}`, { n }));
+      assert.equal(fieldName(field, words, document), words.text(`field.${kind}`, { n }));
       const text = sentence({ code: "too_large", field, links: [], by: 1.5, last: 20 }, words, document);
-      assert.equal(text.includes("20°"), kind === "corner", text);
-      assert.equal(text.includes(words.unit), kind !== "corner", text);
+      assert.equal(text.includes("20°"), kind === "links.corner", text);
+      assert.equal(text.includes(words.unit), kind !== "links.corner", text);
     }
   }
 });

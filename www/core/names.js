@@ -24,14 +24,17 @@ export function calledIn(formula, words) {
   return formula.replace(/(?<=[(,+])[^(),+]+(?=[,)+])/g, (link) => called(link, words));
 }
 
+/** A dash at which no line breaks. */
+const DASH = "\u2060–\u2060";
+
 /**
  * @param {string} link
- * @param {readonly string[]} points of it
+ * @param {readonly string[]} points
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} what a side or an angle of a link with three points or more is called: by the link and the points
+ * @returns {string} what a dimension of a link is called: by the link and points of it, or of a line that it slides on
  */
 export function calledBy(link, points, words) {
-  return [called(link, words), points.join("–")].filter(Boolean).join(", ");
+  return [called(link, words), points.join(DASH)].filter(Boolean).join(", ");
 }
 
 /**

@@ -1,5 +1,5 @@
 // What a mechanism is made of, in numbers, as it is printed beside its drawing: with these alone it can be solved on paper.
-import { fieldName } from "assur/controls/problems.js";
+import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { called } from "assur/core/names.js";
 
 /**
@@ -27,7 +27,7 @@ export function given({ kind, document, ...rest }, engine, words) {
   const idle = "loaded" in document && !document.loaded;
   const plain = engine.numbers(/** @type {State} */ ({ kind, document, ...rest }))
     .filter(({ field }) => !BY_POINTS.test(field) && !(idle && LOADED.test(field)))
-    .map(({ field, value }) => `${fieldName(field, words, document)} = ${numbers.upTo(value, DECIMALS)}`);
+    .map(({ field, value }) => `${fieldName(field, words, document)} = ${measuredAs(field, numbers.upTo(value, DECIMALS), words)}`);
   return "links" in document ? [...ofPoints(document, words), ...plain] : plain;
 }
 

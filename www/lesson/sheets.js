@@ -1,6 +1,6 @@
 // Worksheets and answer sheets of a lecturer's lesson, one for each name with its own numbers, from the same source.
 import { Transform } from "assur/canvas/transform.js";
-import { fieldName } from "assur/controls/problems.js";
+import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { marked } from "assur/core/subscripts.js";
@@ -154,7 +154,9 @@ function drawing(state, { title, question }, { engine, model }, words) {
  * @returns {HTMLElement[]} the reader's own numbers
  */
 function own({ own: numbers, state }, words) {
-  return numbers.map(({ field, value }) => make("p", { class: "own" }, [`${fieldName(field, words, state.document)} = ${words.numbers.exact(value)}`]));
+  const inUnits = measuredIn(state, words);
+  const valued = (/** @type {Task["own"][number]} */ { field, value }) => measuredAs(field, words.numbers.exact(value), inUnits);
+  return numbers.map((one) => make("p", { class: "own" }, [`${fieldName(one.field, words, state.document)} = ${valued(one)}`]));
 }
 
 /**
@@ -164,6 +166,14 @@ function own({ own: numbers, state }, words) {
  * @returns {HTMLElement} every number that is given of the mechanism
  */
 function numbers({ state }, { engine }, words) {
-  const unit = "unit" in state.document ? state.document.unit : null;
-  return make("p", { class: "given" }, [given(state, engine, words.measured(unit ?? "none")).join("; ")]);
+  return make("p", { class: "given" }, [given(state, engine, measuredIn(state, words)).join("; ")]);
+}
+
+/**
+ * @param {State} state
+ * @param {Words} words
+ * @returns {Words} with the unit of its lengths
+ */
+function measuredIn({ document }, words) {
+  return words.measured(("unit" in document && document.unit) || "none");
 }

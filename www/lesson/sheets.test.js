@@ -52,6 +52,23 @@ test("lengths are those of the reader, and the answer is none of them", () => {
   }
 });
 
+for (const [id, field, [from, to], wanted, unit = "none"] of [
+  ["jansen", "links[2].corner_deg[2]", [89, 91], /Angle of link .+ = \d\d(\.\d+)?°$/m],
+  ["mixer-a", "wheels[0].centre_line_deg", [-50, -30], /centre-line angle = −\d\d(\.5)?°$/m],
+  ["crank-rocker", "links[0].length", [1.5, 2], /Length of link crank = [\d.]+\u00a0mm$/m, "mm"],
+  ["crank-rocker", "links[0].length", [1.5, 2], /Length of link crank = [\d.]+$/m],
+]) {
+  test(`a reader's own number has its unit: ${field} in ${unit}`, () => {
+    const { kind, document } = page.engine.preset(id);
+    const shows = { kind, document: kind === "linkage" ? { ...document, unit } : document, view: { phi_deg: 30 }, vary: [{ field, from, to, step: 0.5 }] };
+    const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows, question: { text: "How much?", number: { quantity: "input", within: 0.001 } } }] };
+    for (const answers of [false, true]) {
+      const [{ textContent }] = sheets(lesson, ["Ann"], answers, page, page.words).all.filter((one) => one.getAttribute("class") === "own");
+      assert.match(textContent, wanted);
+    }
+  });
+}
+
 test("the tolerance of an answer stands before the question mark", () => {
   assert.match(printed("crank-rocker").said, /^How much \(to within 0\.001°\)\?$/m);
 });

@@ -1,6 +1,6 @@
 //! The dimensions of a linkage, as the page lists them.
 
-use assur::mechanism::{Dimension, LinkId, PointId};
+use assur::mechanism::{Dimension, LinkId, PointId, SlideId};
 use assur_draw::Role;
 use assur_file::{Field, dimension_field, in_field};
 use serde::Serialize;
@@ -8,13 +8,17 @@ use serde::Serialize;
 use crate::moving::Moving;
 
 /// A dimension: its field in the document, the points that it is between or of, its value and those it may have. `index`
-/// counts the links or points from 0, `name` is the link's or the point's; a corner is in degrees.
+/// counts the links, slides or points from 0, `name` is the link's or the point's. A corner is in degrees; an offset is of a
+/// point from the line of two.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DimensionSummary<'a> {
     #[cfg_attr(test, ts(type = "string"))]
     field: Field,
-    #[cfg_attr(test, ts(type = "\"length\" | \"side\" | \"corner\" | \"x\" | \"y\""))]
+    #[cfg_attr(
+        test,
+        ts(type = "\"length\" | \"side\" | \"corner\" | \"offset\" | \"x\" | \"y\"")
+    )]
     kind: &'static str,
     index: usize,
     name: &'a str,
@@ -59,6 +63,16 @@ impl<'a> DimensionSummary<'a> {
                 Role::Secondary.name(),
             )
         };
+        let of_slide = |slide: SlideId| {
+            let index = slide.index();
+            let slide = &mechanism.draft().slides[index];
+            let role = mechanism
+                .link(&slide.link)
+                .map_or(Role::Secondary, |link| moving.figure().role(link));
+            let points = [&slide.point].into_iter().chain(&slide.line);
+            let points = points.map(String::as_str).collect();
+            ("offset", index, &*slide.link, points, role.name())
+        };
         let summed = |dimension: Dimension| {
             let (kind, index, name, points, role) = match dimension {
                 Dimension::Length(link) => {
@@ -67,6 +81,7 @@ impl<'a> DimensionSummary<'a> {
                 }
                 Dimension::Side(link, ends) => of_link("side", link, &ends),
                 Dimension::Corner(link, point) => of_link("corner", link, &[1, 0, point]),
+                Dimension::Offset(slide) => of_slide(slide),
                 Dimension::X(point) => of_point("x", point),
                 Dimension::Y(point) => of_point("y", point),
             };

@@ -42,7 +42,7 @@ ids! {
     /// A step of the plan by which a mechanism is solved: the driver or a group.
     pub StepId
     /// A prismatic pair, in the order of the draft.
-    pub(crate) SlideId
+    pub SlideId
 }
 
 macro_rules! places {
@@ -57,7 +57,7 @@ macro_rules! places {
     )*};
 }
 
-places! { LinkId PointId BodyId StepId }
+places! { LinkId PointId BodyId StepId SlideId }
 
 impl BodyId {
     /// The body that does not move.

@@ -18,6 +18,7 @@ const KINDS = Object.freeze({
   length: Object.freeze({ key: "links.length", symbol: "l" }),
   side: Object.freeze({ key: "links.side", symbol: "l" }),
   corner: Object.freeze({ key: "links.corner", symbol: "∠" }),
+  offset: Object.freeze({ key: "slides.offset", symbol: "e" }),
   x: Object.freeze({ key: "points.x", symbol: "x" }),
   y: Object.freeze({ key: "points.y", symbol: "y" }),
 });
@@ -99,8 +100,8 @@ export class LinkageRail {
     });
     for (const { element } of [...this.#rows, ...this.#further]) words.fill(element);
     this.#rates.replaceChildren(...this.#further.map(({ element }) => element));
-    for (const [place, of] of /** @type {const} */ ([[this.#lengths, "links"], [this.#coordinates, "points"]])) {
-      const rows = this.#rows.filter(({ field }) => field.startsWith(of));
+    for (const [place, isOfPoints] of /** @type {const} */ ([[this.#lengths, false], [this.#coordinates, true]])) {
+      const rows = this.#rows.filter(({ field }) => field.startsWith("points") === isOfPoints);
       place.replaceChildren(...rows.map(({ element }) => element));
       if (place.parentElement) place.parentElement.hidden = rows.length === 0;
     }
@@ -114,9 +115,13 @@ export class LinkageRail {
     const { engine, drafts } = this.#page;
     const isPoint = kind === "x" || kind === "y";
     const id = isPoint ? `point-${index}-${kind}` : `${kind}-${field.match(/\d+/g)?.join("-")}`;
-    const { key, symbol } = KINDS[kind];
-    const n = isPoint ? name : calledBy(name, kind === "length" ? [] : points, words);
-    const row = { field, id, key, symbol: lettered(symbol, points), n, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
+    const { key, symbol: plain } = KINDS[kind];
+    // An offset is of its point, whose symbol has it, from the line of the others.
+    const [own, line] = kind === "offset" ? [points.slice(0, 1), points.slice(1)] : [points, []];
+    const symbol = lettered(plain, own);
+    const of = (/** @type {readonly string[]} */ ends) => (isPoint ? name : calledBy(name, ends, words));
+    const n = of(kind === "offset" ? line : kind === "length" ? [] : points);
+    const row = { field, id, key, symbol, n, name: symbol === plain ? n : of(line), role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
     return new NumberRow(row, drafts, (value) => this.#change((input) => engine.setDimension(field, value, input), field));
   }
 }

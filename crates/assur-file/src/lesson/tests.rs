@@ -301,6 +301,11 @@ fn every_number_of_a_rail_can_vary() {
         ),
         ("geared-five-bar", 8, &["links[0].length"]),
         (
+            "slider-crank-offset",
+            9,
+            &["links[1].length", "slides[0].offset", "points[3].y"],
+        ),
+        (
             "mixer-a",
             8,
             &[

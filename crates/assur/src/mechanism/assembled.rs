@@ -63,7 +63,7 @@ impl Draft {
     }
 
     /// Whether another link is fixed to a link, where it is drawn on it.
-    fn is_base(&self, link: &str) -> bool {
+    pub(super) fn is_base(&self, link: &str) -> bool {
         let mut fixed = self
             .links
             .iter()

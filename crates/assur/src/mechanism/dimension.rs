@@ -1,12 +1,11 @@
 //! The dimensions of a linkage: single numbers of it that can be read and set. One
 //! notion for sliders, hands on the drawing and searches.
 
-use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
-use super::draft::{Draft, DraftDriver, DraftLink};
+use super::draft::{Draft, DraftDriver, DraftLink, DraftSlide};
 use super::{Mechanism, Setting};
-use crate::index::{LinkId, PointId};
+use crate::index::{LinkId, PointId, SlideId};
 use crate::{Point, Vector};
 use nalgebra::Rotation2;
 
@@ -23,6 +22,9 @@ pub enum Dimension {
     /// The angle at the first point of a link from the second to a later one, by its place from 2, radians in (−π, π].
     /// The sides beside it stay.
     Corner(LinkId, usize),
+    /// How far the point of a slide stays to the left of its line, seen from the first towards the second of the points that
+    /// give it.
+    Offset(SlideId),
     /// The abscissa of a hinge of the frame, or of a point of a guide of the frame; links that are hinged or slide there keep
     /// their dimensions.
     X(PointId),
@@ -34,50 +36,40 @@ pub enum Dimension {
 const LENGTHS: [f64; 2] = [0.05, 2.0];
 /// … a corner opened by so much, radians …
 const OPENED: f64 = 0.5;
-/// … and a hinge moved by this part of the size.
+/// … and a hinge moved, or an offset changed, by this part of the size.
 const ASIDE: f64 = 0.1;
 
 impl Mechanism {
     /// All dimensions, in the order of the draft: the lengths of links with two points and the sides and corners of those
-    /// with more, then the coordinates of the hinges of the frame and of points of its guides that stand alone: no driven
-    /// slide counts from them, and no link lies on another there.
+    /// with more, the offsets of slides, then the coordinates of the hinges of the frame and of points of its guides that
+    /// stand alone: no driven slide counts from them, and no link lies on another there.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let draft = self.draft();
-        let bases = bases(draft);
         let links = self.link_ids().zip(&draft.links);
         let shapes = links.flat_map(|(link, own)| {
-            let is_plate = own.points.len() > 2 && !bases.contains(&*own.name);
-            let is_free = own.fixed_to.is_none() && (own.points.len() == 2 || is_plate);
-            let length = is_free.then_some(Dimension::Length(link));
-            let others = if is_free { 2..own.points.len() } else { 0..0 };
-            let others = others.flat_map(move |point| {
+            let others = (2..own.points.len()).flat_map(move |point| {
                 let [first, second] = [0, 1].map(|end| Dimension::Side(link, [end, point]));
                 [first, second, Dimension::Corner(link, point)]
             });
-            length.into_iter().chain(others)
+            [Dimension::Length(link)].into_iter().chain(others)
         });
-        let bound = bound(draft, &bases);
-        let points = self.point_ids().zip(&draft.points);
-        let hinges = points.filter(|(_, point)| {
-            let name = &point.name;
-            draft.frame.contains(name)
-                && !bound.contains(name.as_str())
-                && (draft.links.iter().any(|link| link.points.contains(name))
-                    || draft.slides.iter().any(|slide| slide.line.contains(name)))
-        });
-        let hinges = hinges.flat_map(|(point, _)| [Dimension::X(point), Dimension::Y(point)]);
-        shapes.chain(hinges).collect()
+        let offsets = self.offsets.ids().map(Dimension::Offset);
+        let points = self.point_ids().take(draft.points.len());
+        let hinges = points.flat_map(|point| [Dimension::X(point), Dimension::Y(point)]);
+        let all = shapes.chain(offsets).chain(hinges);
+        all.filter(|dimension| draft.has(*dimension)).collect()
     }
 
     /// The value of a dimension; none of what is none of [`Self::dimensions`].
     pub fn value(&self, dimension: Dimension) -> Option<f64> {
         let draft = self.draft();
-        self.dimensions().contains(&dimension).then(|| {
+        draft.has(dimension).then(|| {
             let at = |point: PointId| draft.points[point.index()].at;
             match dimension {
                 Dimension::Length(link) => draft.side(link, [0, 1]),
                 Dimension::Side(link, ends) => draft.side(link, ends),
                 Dimension::Corner(link, point) => draft.corner(link, point),
+                Dimension::Offset(slide) => self.offsets[slide],
                 Dimension::X(point) => at(point).x,
                 Dimension::Y(point) => at(point).y,
             }
@@ -104,7 +96,7 @@ impl Mechanism {
             }
             Dimension::Length(_) | Dimension::Side(..) => LENGTHS.map(|times| times * value),
             Dimension::Corner(..) => around(OPENED),
-            Dimension::X(_) | Dimension::Y(_) => around(ASIDE * self.size()),
+            Dimension::Offset(_) | Dimension::X(_) | Dimension::Y(_) => around(ASIDE * self.size()),
         })
     }
 
@@ -130,6 +122,7 @@ impl Dimension {
                 let turned = value - draft.corner(link, point);
                 placed(link, point, turned, draft.side(link, [0, point]))
             }
+            Self::Offset(slide) => Setting::Offset(slide, value),
             Self::X(point) => Setting::Hinge(point, Point::new(value, at(point).y)),
             Self::Y(point) => Setting::Hinge(point, Point::new(at(point).x, value)),
         }
@@ -149,6 +142,46 @@ impl Draft {
             link.shape = Some(along_axis(places.collect()));
         }
         shaped
+    }
+
+    /// Whether a linkage that is drawn so has a dimension.
+    fn has(&self, dimension: Dimension) -> bool {
+        let shaped = |link: LinkId| self.links.get(link.index()).filter(|own| self.is_free(own));
+        let has_corner = |link: LinkId, point: usize| {
+            shaped(link).is_some_and(|own| (2..own.points.len()).contains(&point))
+        };
+        match dimension {
+            Dimension::Length(link) => shaped(link).is_some(),
+            Dimension::Side(link, [end, point]) => end < 2 && has_corner(link, point),
+            Dimension::Corner(link, point) => has_corner(link, point),
+            Dimension::Offset(slide) => slide.index() < self.slides.len(),
+            Dimension::X(point) | Dimension::Y(point) => {
+                let point = self.points.get(point.index());
+                point.is_some_and(|point| self.can_move(&point.name))
+            }
+        }
+    }
+
+    /// Whether the distances of a link's points may change: with more than two of them no link lies on another.
+    fn is_free(&self, link: &DraftLink) -> bool {
+        let points = link.points.len();
+        link.fixed_to.is_none() && (points == 2 || points > 2 && !self.is_base(&link.name))
+    }
+
+    /// Whether a point of the frame is a hinge or gives a line, and nothing more rests on it: no driven slide, from whose
+    /// line the input counts, and no link that lies on another as drawn.
+    fn can_move(&self, point: &String) -> bool {
+        let has = |link: &DraftLink| link.points.contains(point);
+        let guides = |slide: &DraftSlide| slide.line.contains(point);
+        let counted = |driver: &DraftDriver| match driver {
+            DraftDriver::Slide { slide, .. } => self.slides.get(*slide).is_some_and(guides),
+            DraftDriver::Crank { .. } => false,
+        };
+        let lies = |link: &DraftLink| link.fixed_to.is_some() || self.is_base(&link.name);
+        self.frame.contains(point)
+            && (self.links.iter().any(has) || self.slides.iter().any(guides))
+            && !self.drivers.iter().any(counted)
+            && !self.links.iter().any(|link| has(link) && lies(link))
     }
 
     /// From one point of a link to another, on the link.
@@ -182,26 +215,4 @@ pub(super) fn along_axis(shape: Vec<Point>) -> Vec<Point> {
         [from, to] => vec![Point::origin(), Point::new((to - from).norm(), 0.0)],
         _ => shape,
     }
-}
-
-/// The links on which others lie.
-fn bases(draft: &Draft) -> BTreeSet<&str> {
-    let links = draft.links.iter();
-    links.filter_map(|link| link.fixed_to.as_deref()).collect()
-}
-
-/// The points on which more rests than hinges: the line of a driven slide, from which the input counts, and links that are
-/// fixed to others and lie on them as drawn.
-fn bound<'a>(draft: &'a Draft, bases: &BTreeSet<&str>) -> BTreeSet<&'a str> {
-    let driven = draft.drivers.iter().filter_map(|driver| match driver {
-        DraftDriver::Slide { slide, .. } => draft.slides.get(*slide),
-        DraftDriver::Crank { .. } => None,
-    });
-    let lying = draft.links.iter();
-    let lying = lying.filter(|link| link.fixed_to.is_some() || bases.contains(&*link.name));
-    driven
-        .flat_map(|slide| &slide.line)
-        .chain(lying.flat_map(|link| &link.points))
-        .map(String::as_str)
-        .collect()
 }

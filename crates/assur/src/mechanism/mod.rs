@@ -62,7 +62,7 @@ pub use signed::SignedAssemblies;
 pub use tracer::DraftTracer;
 pub use transmitting::RrpDyad;
 
-pub use crate::index::{BodyId, LinkId, PointId, StepId};
+pub use crate::index::{BodyId, LinkId, PointId, SlideId, StepId};
 pub use crate::position::{Cause, Method, Singularity};
 
 use crate::index::{Id, List};
@@ -74,6 +74,7 @@ use crate::{Jet, Vector};
 use body::{Bodies, Placement};
 use plan::Drawn;
 use resolved::Resolved;
+use slide::Slide;
 
 /// A linkage that can be assembled as it is drawn.
 #[derive(Clone, Debug)]
@@ -100,6 +101,8 @@ pub struct Mechanism {
     constraints: Vec<Constraint>,
     counts: Counts,
     doubled: Vec<DoubledLink>,
+    /// How far the point of each slide stays to the left of its line.
+    offsets: List<SlideId, f64>,
     /// Of each gear coupling whether it is passive.
     passive: Vec<bool>,
     size: f64,
@@ -246,6 +249,7 @@ impl Mechanism {
             placed_by,
             constraints: Vec::new(),
             counts: counts::counts(resolved, bodies),
+            offsets: bodies.slides.iter().map(Slide::offset).collect(),
             doubled: resolved.doubled.clone(),
             passive: bodies.passive.clone(),
             size,

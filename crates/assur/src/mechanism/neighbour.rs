@@ -6,9 +6,9 @@ use super::draft::{Defect, Draft};
 use super::plan::Drawn;
 use super::resolved::Resolved;
 use super::{Mechanism, Pose};
-use crate::index::{LinkId, List, PointId, StepId};
+use crate::Point;
+use crate::index::{LinkId, List, PointId, SlideId, StepId};
 use crate::position::{Cause, Sign, State, Step};
-use crate::{Point, Vector};
 
 /// What is set of a linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +17,8 @@ pub(crate) enum Setting {
     Place(LinkId, usize, Point),
     /// Where a hinge of the frame is.
     Hinge(PointId, Point),
+    /// How far the point of a slide stays to the left of its line.
+    Offset(SlideId, f64),
 }
 
 /// A linkage joined at an input: its draft is drawn in that pose.
@@ -106,16 +108,17 @@ impl Joined {
     /// # Errors
     /// Which links come apart, or would have to go farther than a neighbour's; why it would be no mechanism.
     pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, NoNeighbour> {
-        let mechanism = &self.mechanism;
-        let (draft, hinge) = match setting {
-            Setting::Place(link, point, at) => (mechanism.placed(link, point, at), None),
-            Setting::Hinge(point, at) => (mechanism.draft.clone(), Some((point, at.coords))),
+        let draft = match setting {
+            Setting::Place(link, point, at) => self.mechanism.placed(link, point, at),
+            Setting::Hinge(..) | Setting::Offset(..) => self.mechanism.draft.clone(),
         };
         let drawn = Drawn {
             input: self.mechanism.home,
             orientations: &self.state.orientations(),
         };
-        let mut next = self.mechanism.laid_out(&draft, hinge, drawn, input)?;
+        let mut next = self
+            .mechanism
+            .laid_out(&draft, Some(setting), drawn, input)?;
         let state = next.join(Some(&self.sides));
         let state = state.map_err(NoNeighbour::Apart)?;
         if let Some(step) = next.lost(&self.state, &state) {
@@ -133,11 +136,12 @@ impl Mechanism {
         draft
     }
 
-    /// The mechanism of a draft that is drawn in a known pose, to be joined at an input.
+    /// The mechanism of a draft that is drawn in a known pose, with this set otherwise than it is drawn, to be joined at an
+    /// input.
     fn laid_out(
         &self,
         draft: &Draft,
-        hinge: Option<(PointId, Vector)>,
+        setting: Option<Setting>,
         drawn: Drawn<'_>,
         input: f64,
     ) -> Result<Self, NoNeighbour> {
@@ -151,9 +155,15 @@ impl Mechanism {
                     links: links.map(str::to_owned).collect(),
                 }]);
             }
-            let hinge = hinge.map(|(point, at)| (point, at - resolved.origin));
+            let hinge = match setting {
+                Some(Setting::Hinge(point, at)) => Some((point, at.coords - resolved.origin)),
+                _ => None,
+            };
             let bodies = Bodies::new(&resolved, hinge);
-            let (bodies, placements) = bodies.map_err(|defect| vec![defect])?;
+            let (mut bodies, placements) = bodies.map_err(|defect| vec![defect])?;
+            if let Some(Setting::Offset(slide, off)) = setting {
+                bodies.slides[slide].set_offset(off);
+            }
             let structure = self.solved_by.clone();
             let parallel = &self.parallel;
             Self::of(

@@ -92,6 +92,16 @@ impl Slide {
         self.way
     }
 
+    /// How far the point of the body that slides stays to the left of the line.
+    pub(super) fn offset(&self) -> f64 {
+        self.off
+    }
+
+    /// Sets that distance, whatever is drawn.
+    pub(super) fn set_offset(&mut self, off: f64) {
+        self.off = off;
+    }
+
     /// How far apart the two points are that give the line.
     pub(super) fn line_length(&self) -> f64 {
         self.length

@@ -217,6 +217,7 @@ impl LinkageProblem {
                 Dimension::Length(link) | Dimension::Side(link, _) | Dimension::Corner(link, _) => {
                     mechanism.link_name(link)
                 }
+                Dimension::Offset(slide) => &mechanism.draft().slides[slide.index()].link,
                 Dimension::X(point) | Dimension::Y(point) => mechanism.point_name(point),
             });
             name.unwrap_or_default().to_owned()
@@ -252,6 +253,7 @@ pub fn dimension_field(dimension: Dimension) -> Field {
             format!("links[{}].side[{from}][{to}]", link.index())
         }
         Dimension::Corner(link, point) => format!("links[{}].corner_deg[{point}]", link.index()),
+        Dimension::Offset(slide) => format!("slides[{}].offset", slide.index()),
         Dimension::X(point) => format!("points[{}].x", point.index()),
         Dimension::Y(point) => format!("points[{}].y", point.index()),
     }

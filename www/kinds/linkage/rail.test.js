@@ -1,0 +1,50 @@
+// Rows of the rail: of which link and points each dimension is stands there once.
+import assert from "node:assert/strict";
+import test from "node:test";
+import "assur/tests/document.js";
+import { LinkageRail } from "assur/kinds/linkage/rail.js";
+import { initialState } from "assur/state/state.js";
+import { newEngine, stateOf } from "assur/tests/engine.js";
+import { snapshotOf } from "assur/tests/shown.js";
+
+const engine = newEngine();
+const page = { engine, drafts: { has: () => false, drop() {}, text: () => null } };
+
+/** What stands beside the fields of a linkage and what they are called: of links and slides, of fixed pivots. */
+function rows(state, further = []) {
+  globalThis.document.sections.length = 0;
+  const snapshot = snapshotOf(engine, state);
+  const dimensions = [...snapshot.summary.dimensions.filter(({ kind }) => kind !== "offset"), ...further];
+  new LinkageRail(page).render({ ...snapshot, summary: { ...snapshot.summary, dimensions } });
+  const sections = globalThis.document.sections.slice(1);
+  return sections.map((section) => section.querySelectorAll("[data-field]").map((row) => {
+    const field = row.all.find(({ attributes }) => attributes.type === "text");
+    return [row.querySelector("label").textContent, field.getAttribute("aria-label")];
+  }));
+}
+
+test("points that the symbol says are not in the name beside it", () => {
+  const [links] = rows(stateOf(engine, "crank-rocker", { lang: "en" }));
+  assert.deepEqual(links.slice(0, 4), [
+    ["lAB crank", "Length of link crank"],
+    ["lBC coupler", "Side of link coupler, B\u2060–\u2060C"],
+    ["lBM coupler", "Side of link coupler, B\u2060–\u2060M"],
+    ["lCM coupler", "Side of link coupler, C\u2060–\u2060M"],
+  ]);
+  assert.deepEqual(links[4], ["∠CBM coupler", "Angle of link coupler, C\u2060–\u2060B\u2060–\u2060M"]);
+});
+
+test("points that no symbol can carry stand in the name, on one line", () => {
+  const state = structuredClone(stateOf(engine, "crank-rocker", { lang: "en" }));
+  const text = JSON.stringify(state.document).replaceAll('"M"', '"Middle"').replaceAll("M.", "Middle.");
+  const [links] = rows(initialState("linkage", JSON.parse(text), { lang: "en" }));
+  assert.equal(links[2][0], "l coupler, B\u2060–\u2060Middle");
+  assert.equal(links[4][0], "∠ coupler, C\u2060–\u2060B\u2060–\u2060Middle");
+});
+
+test("an offset is of a point, from the line that the name says", () => {
+  const offset = { field: "slides[0].offset", kind: "offset", index: 0, name: "slider", points: ["C", "F", "G"], role: "rocker", value: 0, min: -1, max: 1, step: 0.01 };
+  const [links, pivots] = rows(stateOf(engine, "slider-crank-offset", { lang: "en" }), [offset]);
+  assert.deepEqual(links.at(-1), ["eC slider, F\u2060–\u2060G", "Offset of link slider, F\u2060–\u2060G"]);
+  assert.deepEqual(pivots.map(([text]) => text), ["xA", "yA", "xF", "yF", "xG", "yG"]);
+});
