@@ -13,9 +13,8 @@ use assur_tests::files::root;
 use assur_tests::{scaled, seed};
 use serde_json::{Value, json};
 
-/// Bytes that are live at once while a text is read, moved and tabulated, at most.
+/// Maximum number of live bytes while a text is read and moved, and its table and summary are made.
 const ROOM: u64 = 64 << 20;
-
 /// Rows of a table.
 const ROWS: f64 = 72.0;
 
@@ -33,10 +32,8 @@ fn files(folder: &str) -> Vec<String> {
     let files = fs::read_dir(root().join(folder)).unwrap();
     let mut files: Vec<_> = files.map(|entry| entry.unwrap().path()).collect();
     files.sort();
-    files
-        .into_iter()
-        .filter_map(|path| fs::read_to_string(path).ok())
-        .collect()
+    let texts = files.into_iter().map(fs::read_to_string);
+    texts.map(Result::unwrap).collect()
 }
 
 /// Links and files of other programs.
@@ -129,21 +126,19 @@ fn moves(document: &LinkageDocument) -> bool {
         }
         let travels = profile.travels().into_iter();
         travels.for_each(|travel| finite(travel, "travel"));
-        profile
-            .time_ratio()
-            .into_iter()
-            .for_each(|ratio| finite(ratio, "time ratio"));
+        let ratio = profile.time_ratio().into_iter();
+        ratio.for_each(|ratio| finite(ratio, "time ratio"));
     }
     true
 }
 
-/// What became of damaged texts.
+/// Damaged texts, counted.
 #[derive(Default)]
 struct Seen {
     texts: usize,
     opened: usize,
     moved: usize,
-    /// Those at which something does not hold.
+    /// Texts with a panic, a number that is not finite, or too many bytes.
     failed: Vec<String>,
     longest: Duration,
     most_bytes: u64,
@@ -166,22 +161,14 @@ impl Seen {
                 Some(moves(&document))
             }));
         });
-        if began.elapsed() > Duration::from_millis(250) {
-            eprintln!("SLOW {:?} {text}", began.elapsed());
-        }
         self.longest = self.longest.max(began.elapsed());
         self.most_bytes = self.most_bytes.max(room.bytes_max);
         self.texts += 1;
-        match found {
-            Ok(moved) => {
-                self.opened += usize::from(moved.is_some());
-                self.moved += usize::from(moved == Some(true));
-            }
-            Err(_) => self.failed.push(text.to_owned()),
-        }
-        if room.bytes_max > ROOM {
-            self.failed
-                .push(format!("{} bytes: {text}", room.bytes_max));
+        self.opened += usize::from(matches!(found, Ok(Some(_))));
+        self.moved += usize::from(matches!(found, Ok(Some(true))));
+        if found.is_err() || room.bytes_max > ROOM {
+            let bytes = room.bytes_max;
+            self.failed.push(format!("{bytes} bytes: {text}"));
         }
     }
 }
@@ -287,15 +274,15 @@ fn thousands_of_damaged_texts_are_refused_or_sound() {
         opened,
         moved,
         failed,
-        longest,
-        most_bytes,
-    } = seen;
+        ..
+    } = &seen;
     println!(
-        "{texts} damaged texts, {opened} open, {moved} move; at most {longest:?} and {most_bytes} bytes for one"
+        "{texts} damaged texts, {opened} open, {moved} move; one takes at most {:?} and {} bytes",
+        seen.longest, seen.most_bytes
     );
     assert!(failed.is_empty(), "{failed:#?}");
     assert!(
-        texts > scaled(4000) && opened > scaled(800) && moved > scaled(300),
+        *texts > scaled(4000) && *opened > scaled(800) && *moved > scaled(300),
         "{moved} of {opened} of {texts}"
     );
 }
