@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::{env, fs};
 
-use assur::mechanism::Draft;
+use assur::mechanism::{Draft, FRAME};
 use assur_file::LinkageDocument;
 
 use super::subject::Subject;
@@ -49,6 +49,8 @@ struct Smallest {
 #[derive(Default)]
 pub(crate) struct Found {
     linkages: u64,
+    /// Those with wheels on links that move.
+    planetary: u64,
     none: u64,
     held: u64,
     open: BTreeMap<&'static str, u64>,
@@ -94,6 +96,8 @@ impl Found {
             return;
         };
         self.linkages += 1;
+        let mut gears = draft.gears.iter();
+        self.planetary += u64::from(gears.any(|gear| gear.carrier != FRAME));
         self.held += tally.held;
         for (what, count) in &tally.open {
             *self.open.entry(what).or_default() += count;
@@ -139,8 +143,8 @@ impl Found {
     /// Where anything does not hold, or hardly anything was looked at.
     pub(crate) fn tell(&self, what: &str) {
         println!(
-            "{what}: {} linkages ({} drawings are none), {} comparisons hold; not determined: {:?}",
-            self.linkages, self.none, self.held, self.open
+            "{what}: {} linkages, {} with wheels on carriers ({} drawings are none), {} comparisons hold; not determined: {:?}",
+            self.linkages, self.planetary, self.none, self.held, self.open
         );
         let folder = env::var("ASSUR_FOUND").map_or_else(
             |_| PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("any_drawing"),
@@ -188,5 +192,10 @@ impl Found {
             self.held
         );
         assert!(self.linkages > 2 * self.none, "{} are none", self.none);
+        assert!(
+            5 * self.planetary > self.linkages,
+            "{} with wheels on carriers",
+            self.planetary
+        );
     }
 }

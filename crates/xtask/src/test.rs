@@ -24,9 +24,10 @@ const WASM_TIME: &str = "300";
 const ALL_SCALE: &str = "10";
 
 /// The tests of `soak`: a name, words of the tests, and the factor on their counts.
-const SOAKED: [(&str, &str, &str); 2] = [
-    ("200,000 drawings", "any_drawing::", "200"),
-    ("100,000 damaged files", "damaged::", "20"),
+const SOAKED: [(&str, &str, &str); 3] = [
+    ("rows of 200,000 drawings", "any_drawing::rows_are", "1100"),
+    ("200,000 drawings redrawn", "any_drawing::a_motion", "200"),
+    ("100,000 damaged files", "damaged::", "25"),
 ];
 
 /// Runs all steps or, where a browser or words are given, only page tests, whose names hold one of the words. With

@@ -1,6 +1,6 @@
 //! The transmission angle.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::FourBar;
 use super::pose::half_angle;
@@ -30,7 +30,9 @@ impl FourBar {
         ends.chain([0.0, PI])
             .filter(|crank| cycle.contains(*crank))
             .filter_map(|crank| Some((self.transmission_angle(crank).ok()?, crank)))
-            .reduce(|worst, next| if next.0 < worst.0 { next } else { worst })
-            .unwrap_or((0.0, 0.0))
+            // None is greater than a right angle.
+            .fold((FRAC_PI_2, cycle.home()), |worst, next| {
+                if next.0 < worst.0 { next } else { worst }
+            })
     }
 }

@@ -393,17 +393,18 @@ fn from_the_start(
         let later = at(sample.crank + (end - start))?;
         Some(later.f[0] - sample.f[0])
     });
-    let turned = turned.next().unwrap_or(0.0);
+    let turned = turned.next();
     let later = |mut sample: Sample| {
         sample.crank += end - start;
-        sample.f[0] += turned;
-        sample
+        sample.f[0] += turned?;
+        Some(sample)
     };
     let middle = samples
         .iter()
         .position(|sample| sample.is_some_and(|sample| sample.crank >= start));
-    let (before, after) = samples.split_at(middle.unwrap_or(0));
-    let before = before.iter().map(|sample| sample.map(later));
+    // Without one all are before it.
+    let (before, after) = samples.split_at(middle.unwrap_or(samples.len()));
+    let before = before.iter().map(|sample| sample.and_then(later));
     after.iter().copied().chain(before).collect()
 }
 

@@ -84,9 +84,7 @@ impl Solution {
 
     /// A pose of a linkage that closes at no position: in the middle of its first arc.
     fn laid(&self, linkage: &FourBar) -> Result<Pose<1>, Unsolved> {
-        let cycle = linkage.cycle();
-        let [from, to] = cycle.arcs().first().copied().unwrap_or_default();
-        linkage.pose(Assembly::First, 0.5 * (from + to))
+        linkage.pose(Assembly::First, linkage.cycle().home())
     }
 
     /// The pose at the input of a position, in the assembly whose output is nearer to the wanted.
