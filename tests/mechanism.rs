@@ -642,3 +642,24 @@ fn assembled_by_dimensions_alone() {
     let without = Mechanism::assembled(&draft, None).unwrap_err();
     assert_eq!(without, [Defect::NoDriver]);
 }
+
+/// A crank that cannot turn fully, whose four-bar passes a change point, may be counted by another whole turn than it is
+/// drawn by, after which the closed form has the other assembly.
+#[test]
+fn counted_by_another_turn_the_assembly_is_the_drawn_one() {
+    for assembly in Assembly::ALL {
+        let mut draft = four_bar([3.0, 2.0, 3.0, 4.0], 10_f64.to_radians(), assembly);
+        for point in &mut draft.points {
+            point.at = Point::from(-point.at.coords);
+        }
+        let mechanism = Mechanism::new(&draft).unwrap();
+        let c = mechanism.point("C").unwrap();
+        let motion = Motion::new(mechanism);
+        let again = Motion::new(motion.mechanism().clone());
+        for motion in [motion, again] {
+            let pose = motion.pose::<1>(motion.home()).unwrap();
+            let off = motion.mechanism().place(&pose, c).place() - draft.points[2].at;
+            assert!(off.norm() < 1e-12, "{assembly:?}: {off:?}");
+        }
+    }
+}

@@ -95,8 +95,8 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Counts the drawn input by other whole turns, with the wheels mounted as they are drawn. False, and nothing is
-    /// changed, where the links do not close at an input given so.
+    /// Counts the drawn input by other whole turns, with the wheels mounted and four-bars joined as they are drawn. False,
+    /// and nothing is changed, where the links do not close at an input given so.
     pub(crate) fn rebase_turns(&mut self, home: f64) -> bool {
         // Drawn at a dead point an input is rounded anew, and may then lie just beyond it.
         let unit = f64::EPSILON * home.abs().max(self.span());
@@ -110,8 +110,15 @@ impl Mechanism {
 
     fn rebase_at(&mut self, home: f64) -> bool {
         let before = self.steps.clone();
+        let turned = TAU * ((self.home - home) / TAU).round();
         let mut state: State<1> = self.blank_state();
         for step in before.ids() {
+            // Where φ₁ passes a change point, a whole turn of it is the other assembly.
+            if let Step::Closed(closed) = &mut self.steps[step]
+                && closed.linkage.changes()
+            {
+                closed.lead += turned;
+            }
             self.mount(step, home, &mut state);
             let given = self.given(step, home, self.signs[step]);
             if self.steps[step].put(&mut state, &given).is_err() {
@@ -119,6 +126,8 @@ impl Mechanism {
                 return false;
             }
         }
+        self.home = home;
+        self.start.0 -= turned;
         true
     }
 

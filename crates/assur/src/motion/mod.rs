@@ -127,7 +127,7 @@ impl Motion {
                 (cycle, turned, counted.to_vec())
             }
         };
-        let home = cycle.wrap(mechanism.home() - turned);
+        let home = cycle.wrap(mechanism.home());
         let mut motion = Self::of(mechanism, cycle, knots, dead_points, home);
         let passed = passed.iter();
         motion.smooth(passed.map(|one| (one.step, one.input - turned)).collect());
