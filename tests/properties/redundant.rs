@@ -688,3 +688,74 @@ fn a_drawing_near_in_line_is_made_exact() {
     let motion = Motion::new(Mechanism::new(&exact.draft).unwrap());
     assert!(motion.cycle().is_full());
 }
+
+/// A point of the frame far off makes no two links one body.
+#[test]
+fn a_link_that_nearly_doubles_another_is_not_one_body_with_it() {
+    let draft = doubled(&mut Random::new(43), ["B", "C"]).point("Z", 1e6, 0.0);
+    let mut draft = draft.fixed(&["Z"]);
+    let mechanism = Mechanism::new(&draft).unwrap();
+    let coupler = Dimension::Length(mechanism.link("coupler").unwrap());
+    let length = mechanism.value(coupler).unwrap();
+    for (name, length) in [("coupler", length), ("double", length + 1e-3)] {
+        let link = draft.links.iter_mut().find(|link| link.name == name);
+        link.unwrap().shape = Some(vec![Point::origin(), Point::new(length, 0.0)]);
+    }
+    let defects = Mechanism::new(&draft).unwrap_err();
+    assert!(
+        matches!(defects[..], [Defect::Locked { .. }]),
+        "{defects:?}"
+    );
+}
+
+/// What the frame, or a plate on which another link lies, keeps is no dimension of a link that doubles it.
+#[test]
+fn dimensions_that_others_keep() {
+    let mut random = Random::new(44);
+    let mechanism = Mechanism::new(&doubled(&mut random, ["A", "D"])).unwrap();
+    let [crank, double] = ["crank", "double"].map(|name| mechanism.link(name).unwrap());
+    let [a, d] = ["A", "D"].map(|name| mechanism.point(name).unwrap());
+    assert!(mechanism.value(Dimension::Length(crank)).is_some());
+    for none in [Dimension::Length(double), Dimension::X(a), Dimension::Y(d)] {
+        assert_eq!(mechanism.value(none), None, "{none:?}");
+    }
+    let mut draft = doubled(&mut random, ["B", "C"]).point("E", 1.5, 2.5);
+    draft = draft.point("M", 1.0, 2.0).bar("arm", &["M", "E"]);
+    for link in &mut draft.links {
+        match &*link.name {
+            "coupler" | "double" => link.points.push("M".to_owned()),
+            "arm" => link.fixed_to = Some("double".to_owned()),
+            _ => {}
+        }
+    }
+    let mechanism = Mechanism::new(&draft).unwrap();
+    let coupler = mechanism.link("coupler").unwrap();
+    for none in [
+        Dimension::Length(coupler),
+        Dimension::Side(coupler, [0, 2]),
+        Dimension::Corner(coupler, 2),
+    ] {
+        assert_eq!(mechanism.value(none), None, "{none:?}");
+    }
+}
+
+/// The change points of parallelograms, whatever their size: one at each end of the turn.
+#[test]
+fn change_points_at_the_beginning_of_a_turn_are_found() {
+    let mut random = Random::new(46);
+    for scale in [1.0, 1e6, 1e-6] {
+        for _ in 0..scaled(100) {
+            let base = Vector::new(random.within(1.5, 3.5) * scale, 0.0);
+            let arm = turned(random.within(0.1, 3.0), random.within(0.4, 1.2) * scale);
+            let draft = with(Draft::default().point("A", 0.0, 0.0), "D", base);
+            let draft = with(with(draft, "B", arm), "C", base + arm)
+                .fixed(&["A", "D"])
+                .bar("crank", &["A", "B"])
+                .bar("coupler", &["B", "C"])
+                .bar("rocker", &["D", "C"])
+                .crank("crank");
+            let motion = Motion::new(Mechanism::new(&draft).unwrap());
+            assert_eq!(motion.change_points().len(), 2, "{draft:?}");
+        }
+    }
+}

@@ -19,7 +19,7 @@ import { withSubscripts } from "assur/core/subscripts.js";
  *   counted?: string,
  * }>} RowKind
  * What follows a _ in the symbol stands below the line. `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words,
- * `name` that of those beside the symbol, where this says a part of it.
+ * `name` that of those beside the symbol, without what the symbol says.
  * `decimals`: the most of them that are shown until somebody is about to change the number; six digits where it is not given.
  * `counted`: the key of the words for a number of what the slider counts.
  */

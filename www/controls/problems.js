@@ -1,7 +1,7 @@
 // Problems of the engine as sentences.
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
-import { called, calledBy, entryNumber } from "assur/core/names.js";
+import { called, calledBy, entryNumber, toLine } from "assur/core/names.js";
 
 /**
  * @typedef {import("assur/core/problem.js").Problem} Problem
@@ -60,8 +60,8 @@ export function fieldName(field, words, document) {
   const linkage = document && "links" in document ? document : null;
   if (of === "points") return words.text(`field.points.${dimension}`, { n: linkage?.points[Number(at)]?.name ?? at });
   if (of === "slides") {
-    const { link, line } = linkage?.slides?.[Number(at)] ?? { link: at, line: [] };
-    return words.text("field.slides.offset", { n: calledBy(link, line, words) });
+    const slide = linkage?.slides?.[Number(at)];
+    return words.text("field.slides.offset", { n: slide ? calledBy(slide.link, [toLine(slide.point, slide.line)], words) : at });
   }
   if (of) return ofLink(linkage?.links[Number(at)] ?? { name: at, points: [] }, dimension, places.match(/\d+/g) ?? [], words);
   const [, numbers, place] = NUMBER.exec(field) ?? [];

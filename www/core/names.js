@@ -28,13 +28,30 @@ export function calledIn(formula, words) {
 const DASH = "\u2060–\u2060";
 
 /**
+ * @param {readonly string[]} points
+ * @returns {string} the points with dashes between
+ */
+export function between(points) {
+  return points.join(DASH);
+}
+
+/**
  * @param {string} link
  * @param {readonly string[]} points
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} what a dimension of a link is called: by the link and points of it, or of a line that it slides on
+ * @returns {string} what a dimension of a link is called: by the link and points of it
  */
 export function calledBy(link, points, words) {
-  return [called(link, words), points.join(DASH)].filter(Boolean).join(", ");
+  return [called(link, words), between(points)].filter(Boolean).join(", ");
+}
+
+/**
+ * @param {string} point
+ * @param {readonly string[]} line two points of it
+ * @returns {string} from the point to the line
+ */
+export function toLine(point, line) {
+  return `${point} → ${between(line)}`;
 }
 
 /**

@@ -269,7 +269,7 @@ export class MechanismView {
   }
 
   get #small() {
-    return Math.min(this.#surface.width, this.#surface.height) < SMALL;
+    return this.#surface.visible && Math.min(this.#surface.width, this.#surface.height) < SMALL;
   }
 
   get #margin() {

@@ -1,7 +1,7 @@
 // The rail of a linkage: its driver, its dimensions, its assembly. What a change makes of it the engine says.
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make, write } from "assur/core/dom.js";
-import { called, calledBy } from "assur/core/names.js";
+import { between, called, calledBy, toLine } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { sourceOf } from "assur/core/titles.js";
 import { change, inputNow } from "assur/state/change.js";
@@ -116,12 +116,13 @@ export class LinkageRail {
     const isPoint = kind === "x" || kind === "y";
     const id = isPoint ? `point-${index}-${kind}` : `${kind}-${field.match(/\d+/g)?.join("-")}`;
     const { key, symbol: plain } = KINDS[kind];
-    // An offset is of its point, whose symbol has it, from the line of the others.
-    const [own, line] = kind === "offset" ? [points.slice(0, 1), points.slice(1)] : [points, []];
-    const symbol = lettered(plain, own);
-    const of = (/** @type {readonly string[]} */ ends) => (isPoint ? name : calledBy(name, ends, words));
-    const n = of(kind === "offset" ? line : kind === "length" ? [] : points);
-    const row = { field, id, key, symbol, n, name: symbol === plain ? n : of(line), role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
+    const isOffset = kind === "offset";
+    const [point, ...line] = points;
+    const symbol = lettered(plain, isOffset ? [point] : points);
+    const by = (/** @type {readonly string[]} */ ends) => (isPoint ? name : calledBy(name, ends, words));
+    const n = by(isOffset ? [toLine(point, line)] : kind === "length" ? [] : points);
+    const beside = symbol === plain ? n : isOffset ? between(line) : by([]);
+    const row = { field, id, key, symbol, n, name: beside, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
     return new NumberRow(row, drafts, (value) => this.#change((input) => engine.setDimension(field, value, input), field));
   }
 }

@@ -11,11 +11,10 @@ const engine = newEngine();
 const page = { engine, drafts: { has: () => false, drop() {}, text: () => null } };
 
 /** What stands beside the fields of a linkage and what they are called: of links and slides, of fixed pivots. */
-function rows(state, further = []) {
+function rows(state) {
   globalThis.document.sections.length = 0;
   const snapshot = snapshotOf(engine, state);
-  const dimensions = [...snapshot.summary.dimensions.filter(({ kind }) => kind !== "offset"), ...further];
-  new LinkageRail(page).render({ ...snapshot, summary: { ...snapshot.summary, dimensions } });
+  new LinkageRail(page).render(snapshot);
   const sections = globalThis.document.sections.slice(1);
   return sections.map((section) => section.querySelectorAll("[data-field]").map((row) => {
     const field = row.all.find(({ attributes }) => attributes.type === "text");
@@ -43,8 +42,7 @@ test("points that no symbol can carry stand in the name, on one line", () => {
 });
 
 test("an offset is of a point, from the line that the name says", () => {
-  const offset = { field: "slides[0].offset", kind: "offset", index: 0, name: "slider", points: ["C", "F", "G"], role: "rocker", value: 0, min: -1, max: 1, step: 0.01 };
-  const [links, pivots] = rows(stateOf(engine, "slider-crank-offset", { lang: "en" }), [offset]);
-  assert.deepEqual(links.at(-1), ["eC slider, F\u2060–\u2060G", "Offset of link slider, F\u2060–\u2060G"]);
+  const [links, pivots] = rows(stateOf(engine, "slider-crank-offset", { lang: "en" }));
+  assert.deepEqual(links.at(-1), ["eC F\u2060–\u2060G", "Offset of link slider, C → F\u2060–\u2060G"]);
   assert.deepEqual(pivots.map(([text]) => text), ["xA", "yA", "xF", "yF", "xG", "yG"]);
 });

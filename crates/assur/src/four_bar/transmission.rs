@@ -30,7 +30,7 @@ impl FourBar {
         ends.chain([0.0, PI])
             .filter(|crank| cycle.contains(*crank))
             .filter_map(|crank| Some((self.transmission_angle(crank).ok()?, crank)))
-            // None is greater than a right angle.
+            // No transmission angle exceeds 90°.
             .fold((FRAC_PI_2, cycle.home()), |worst, next| {
                 if next.0 < worst.0 { next } else { worst }
             })

@@ -9,6 +9,9 @@ use crate::position::{Solvable, Step};
 use crate::sorting::sort_by;
 use crate::{Assembly, FourBar, Grashof, Unsolved};
 
+/// A change point that is off by less of a period is where it would be without rounding.
+const ROUNDED: f64 = 1e-12;
+
 /// A step that is a four-bar on the driven crank and the frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ClosedStep<'a> {
@@ -68,7 +71,14 @@ impl ClosedStep<'_> {
         let swings = swing.flat_map(|input| (0..turns).map(move |turn| input + TAU * turn as f64));
         let mut found = Vec::new();
         for input in crossings.chain(swings) {
-            let mut at = from + (input - from).rem_euclid(period);
+            let ahead = (input - from).rem_euclid(period);
+            // One at the beginning may be rounded to lie before it.
+            let ahead = if ahead > period * (1.0 - ROUNDED) {
+                0.0
+            } else {
+                ahead
+            };
+            let mut at = from + ahead;
             while at < to {
                 found.push(at);
                 at += period;

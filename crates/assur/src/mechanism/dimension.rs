@@ -4,8 +4,8 @@
 use std::f64::consts::{PI, TAU};
 
 use super::draft::{Draft, DraftDriver, DraftLink, DraftSlide};
-use super::{Mechanism, Setting};
-use crate::index::{LinkId, PointId, SlideId};
+use super::{DoubledLink, Mechanism, Part, Setting};
+use crate::index::{BodyId, LinkId, PointId, SlideId};
 use crate::{Point, Vector};
 use nalgebra::Rotation2;
 
@@ -57,13 +57,47 @@ impl Mechanism {
         let points = self.point_ids().take(draft.points.len());
         let hinges = points.flat_map(|point| [Dimension::X(point), Dimension::Y(point)]);
         let all = shapes.chain(offsets).chain(hinges);
-        all.filter(|dimension| draft.has(*dimension)).collect()
+        all.filter(|dimension| self.has(*dimension)).collect()
+    }
+
+    /// Whether it has a dimension: none that a link on the frame, or a plate on which others lie, shares with a link that
+    /// is one body with it.
+    fn has(&self, dimension: Dimension) -> bool {
+        let draft = self.draft();
+        let can_place = |link: LinkId, point: usize| {
+            let Part { body, points, .. } = &self.links[link];
+            let moved = points.get(point);
+            let holds = |part: &Part| {
+                part.body == *body && part.points.iter().any(|own| Some(own) == moved)
+            };
+            let mut doubling = self.links.iter().zip(&draft.links);
+            let is_of_frame =
+                |point: &PointId| draft.frame.contains(&draft.points[point.index()].name);
+            !(*body == BodyId::FRAME && moved.is_some_and(is_of_frame))
+                && doubling
+                    .all(|(part, own)| own.fixed_to.is_some() || !holds(part) || draft.is_free(own))
+        };
+        draft.has(dimension)
+            && match dimension {
+                Dimension::Length(link) => can_place(link, 1),
+                Dimension::Side(link, [_, point]) | Dimension::Corner(link, point) => {
+                    can_place(link, point)
+                }
+                Dimension::Offset(_) => true,
+                Dimension::X(point) | Dimension::Y(point) => {
+                    let of_frame = |one: &DoubledLink| self.links[one.link].body == BodyId::FRAME;
+                    !self
+                        .doubled
+                        .iter()
+                        .any(|one| of_frame(one) && one.shared.contains(&point))
+                }
+            }
     }
 
     /// The value of a dimension; none of what is none of [`Self::dimensions`].
     pub fn value(&self, dimension: Dimension) -> Option<f64> {
         let draft = self.draft();
-        draft.has(dimension).then(|| {
+        self.has(dimension).then(|| {
             let at = |point: PointId| draft.points[point.index()].at;
             match dimension {
                 Dimension::Length(link) => draft.side(link, [0, 1]),
@@ -168,8 +202,8 @@ impl Draft {
         link.fixed_to.is_none() && (points == 2 || points > 2 && !self.is_base(&link.name))
     }
 
-    /// Whether a point of the frame is a hinge or gives a line, and nothing more rests on it: no driven slide, from whose
-    /// line the input counts, and no link that lies on another as drawn.
+    /// Whether a point of the frame is a hinge or gives a line, and nothing else depends on its place: no driven slide,
+    /// whose input counts from it, and no link that lies on another as drawn.
     fn can_move(&self, point: &String) -> bool {
         let has = |link: &DraftLink| link.points.contains(point);
         let guides = |slide: &DraftSlide| slide.line.contains(point);

@@ -3,7 +3,7 @@
 use super::body::Bodies;
 use super::check::CLOSEST;
 use super::dimension::along_axis;
-use super::draft::{Defect, Draft};
+use super::draft::{Defect, Draft, extent};
 use super::resolved::Resolved;
 use super::{Mechanism, Part};
 use crate::index::{BodyId, Id, LinkId, PointId};
@@ -92,12 +92,11 @@ impl Resolved<'_> {
     pub(super) fn join_doubled(&mut self) -> Result<(), Defect> {
         loop {
             let (bodies, _) = Bodies::rigid(self, None)?;
-            let size = self.draft.size();
             let before = |body: BodyId| (0..body.index()).map(BodyId::at);
             let mut pairs = bodies
                 .ids()
                 .flat_map(|body| before(body).map(move |base| [body, base]));
-            let found = pairs.find_map(|pair| Doubling::of(&bodies, pair, CLOSEST * size));
+            let found = pairs.find_map(|pair| Doubling::of(&bodies, pair));
             let Some(doubling) = found else { break };
             self.join(doubling);
         }
@@ -124,8 +123,9 @@ impl Resolved<'_> {
 }
 
 impl Doubling {
-    /// None if the bodies share no two points that are apart, or one in different places.
-    fn of(bodies: &Bodies, [body, base]: [BodyId; 2], closest: f64) -> Option<Self> {
+    /// None unless the bodies share two points that are apart, and every shared point has the same place on both.
+    fn of(bodies: &Bodies, [body, base]: [BodyId; 2]) -> Option<Self> {
+        let closest = CLOSEST * extent(bodies.of(body).iter().map(|(_, own)| *own));
         let on_both =
             |(point, own): &(PointId, Vector)| Some((*point, [*own, bodies.local(base, *point)?]));
         let shared: Vec<_> = bodies.of(body).iter().filter_map(on_both).collect();

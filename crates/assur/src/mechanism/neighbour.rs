@@ -1,6 +1,8 @@
 //! A linkage next to another one: with a dimension set a little differently, joined
 //! the same way at an input nearby. A change goes from neighbour to neighbour.
 
+use std::collections::BTreeSet;
+
 use super::body::Bodies;
 use super::draft::{Defect, Draft};
 use super::plan::Drawn;
@@ -147,12 +149,18 @@ impl Mechanism {
     ) -> Result<Self, NoNeighbour> {
         let laid_out = || {
             let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
-            // A body of which something is set that others of its links, or the frame, keep is no longer one.
-            if resolved.doubled != self.doubled {
-                let links = self.doubled.iter().map(|one| self.link_name(one.link));
+            // Links are one body no longer if a dimension is changed on one of them and kept by another, or by the frame.
+            let (before, after) = (&self.doubled, &resolved.doubled);
+            if before != after {
+                let parted = before.iter().filter(|one| !after.contains(one));
+                let joined = after.iter().filter(|one| !before.contains(one));
+                let links: BTreeSet<&str> = parted
+                    .chain(joined)
+                    .map(|one| self.link_name(one.link))
+                    .collect();
                 return Err(vec![Defect::Locked {
                     mobility: self.counts.mobility,
-                    links: links.map(str::to_owned).collect(),
+                    links: links.into_iter().map(str::to_owned).collect(),
                 }]);
             }
             let hinge = match setting {

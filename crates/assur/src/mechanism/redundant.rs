@@ -22,7 +22,7 @@ use crate::structure::{Structure, with_passive_links};
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
 /// Tolerance of equal angular velocities, per radian of a crank.
 const ALIKE: f64 = 1e-8;
-/// Number of the poses beside the drawn one that may be in line, where rates have no digits.
+/// Number of the poses beside the drawn one that may be in line, where angular velocities are lost to cancellation.
 const IN_LINE: usize = 1;
 
 /// Tolerance of linear dependence: the remainder of a row orthogonal to the rows before it, relative to its length.
