@@ -140,7 +140,7 @@ test("sides and angles of links are called by their points, offsets of slides by
   const document = { links, slides: [{ link: "slider", point: "E", on: "frame", line: ["F", "G"] }], points: [] };
   for (const words of LANGUAGES.map((lang) => wordsOf(lang).measured("mm"))) {
     for (const [field, kind, n] of [
-      ["slides[0].offset", "slides.offset", `${called("slider", words)}, C → F\u2060–\u2060G`],
+      ["slides[0].offset", "slides.offset", `${called("slider", words)}, E → F\u2060–\u2060G`],
       ["links[0].length", "links.length", called("crank", words)],
       ["links[1].length", "links.side", "plate, B\u2060–\u2060C"],
       ["links[1].side[0][2]", "links.side", "plate, B\u2060–\u2060E"],
