@@ -85,7 +85,7 @@ fn offset(mechanism: &Mechanism) -> Dimension {
     offset.unwrap()
 }
 
-/// A side and an angle of a link with three points, and the offset of a slide, typed: what is read is what the engine makes of it.
+/// Fields of a side and an angle of a link with three points, and of the offset of a slide: the page shows the values of the engine.
 #[tokio::test]
 async fn sides_angles_and_offsets_are_typed() {
     let page = Page::open().await;
