@@ -10,6 +10,8 @@ use assur::{Assembly, FourBar, Point, Swing, Vector};
 use assur_file::{from_catalogue, gallery};
 use assur_tests::scaled;
 
+use crate::mechanism::ladder;
+
 fn motion(name: &str) -> Motion {
     from_catalogue(name).unwrap().unwrap().motion().unwrap()
 }
@@ -212,14 +214,19 @@ fn a_slider_crank_far_from_its_drawing() {
     assert!(short.input.sin() > 0.5 - 0.01, "{}", short.input);
 }
 
+fn offsets(mechanism: &Mechanism) -> Vec<Dimension> {
+    let mut dimensions = mechanism.dimensions();
+    dimensions.retain(|one| matches!(one, Dimension::Offset(_)));
+    dimensions
+}
+
 /// The slide of an offset slider-crank by hand: x = r cos φ + √(l² − (r sin φ − e)²), where e is the height of the guide and the
 /// slide's offset from it.
 #[test]
 fn a_slider_keeps_off_its_guide() {
     let motion = motion("slider-crank-offset");
     let mechanism = motion.mechanism();
-    let slides = |one: &Dimension| matches!(one, Dimension::Offset(_));
-    let offset = mechanism.dimensions().into_iter().find(slides).unwrap();
+    let offset = offsets(mechanism)[0];
     assert_eq!(mechanism.value(offset), Some(0.0));
     for (value, phi) in [(0.4, 1.0), (-0.7, 1.0), (1.0, 3.5)] {
         let changed = motion.changed(offset, value, phi).unwrap();
@@ -250,19 +257,7 @@ fn a_slider_keeps_off_its_guide() {
 /// Of driven slides, on the frame and on a cylinder that turns; the input counts along the line as before.
 #[test]
 fn offsets_of_driven_slides() {
-    let ladder = Draft::default()
-        .point("O", 0.0, 0.0)
-        .point("X", 1.0, 0.0)
-        .point("Y", 0.0, 1.0)
-        .point("F", 1.5, 0.0)
-        .point("H", 0.0, 2.0)
-        .fixed(&["O", "X", "Y"])
-        .bar("foot", &["F"])
-        .bar("ladder", &["F", "H"])
-        .bar("head", &["H"])
-        .slide("foot", "F", "frame", ["O", "X"])
-        .slide("head", "H", "frame", ["O", "Y"]);
-    let boom = Draft::default()
+    let mut boom = Draft::default()
         .point("O", 0.0, 0.0)
         .point("A", 1.0, -0.5)
         .point("U", 1.2, 0.3)
@@ -273,16 +268,15 @@ fn offsets_of_driven_slides() {
         .bar("cylinder", &["A", "U"])
         .bar("rod", &["B"])
         .slide("rod", "B", "cylinder", ["A", "U"]);
-    for (mut draft, range) in [(ladder, [0.5, 2.0]), (boom, [1.4, 2.6])] {
-        let (slide, rate) = (0, 1.0);
-        draft
-            .drivers
-            .push(DraftDriver::Slide { slide, range, rate });
+    boom.drivers.push(DraftDriver::Slide {
+        slide: 0,
+        range: [1.4, 2.6],
+        rate: 1.0,
+    });
+    for draft in [ladder([0.5, 2.0]), boom] {
         let motion = Motion::new(Mechanism::new(&draft).unwrap());
         let mechanism = motion.mechanism();
-        let dimensions = mechanism.dimensions().into_iter();
-        let offsets = dimensions.filter(|one| matches!(one, Dimension::Offset(_)));
-        for offset in offsets {
+        for offset in offsets(mechanism) {
             for input in inputs(&motion) {
                 let before = places(mechanism, &motion.pose(input).unwrap());
                 for value in [0.2, -0.1] {
@@ -315,9 +309,7 @@ fn offset_of_one_of_two_points_of_a_block() {
         .crank("crank");
     let motion = Motion::new(Mechanism::new(&draft).unwrap());
     let mechanism = motion.mechanism();
-    let dimensions = mechanism.dimensions().into_iter();
-    let offsets = dimensions.filter(|one| matches!(one, Dimension::Offset(_)));
-    for offset in offsets {
+    for offset in offsets(mechanism) {
         match motion.changed(offset, 0.1, motion.home()).unwrap_err() {
             Refusal::Apart { last, .. } => assert!(last.abs() < 1e-3, "{last}"),
             other => panic!("{other:?}"),

@@ -7,6 +7,28 @@ use assur::mechanism::{Defect, Draft, DraftDriver, DraftGear, Mechanism, Quantit
 use assur::motion::{Column, DeadPointKind, Motion, OutputProfile};
 use assur::{Assembly, FourBar, Point, Vector};
 
+/// A ladder between floor and wall, with its foot driven over a range.
+pub(crate) fn ladder(range: [f64; 2]) -> Draft {
+    let mut draft = Draft::default()
+        .point("O", 0.0, 0.0)
+        .point("X", 1.0, 0.0)
+        .point("Y", 0.0, 1.0)
+        .point("F", 1.5, 0.0)
+        .point("H", 0.0, 2.0)
+        .fixed(&["O", "X", "Y"])
+        .bar("foot", &["F"])
+        .bar("ladder", &["F", "H"])
+        .bar("head", &["H"])
+        .slide("foot", "F", "frame", ["O", "X"])
+        .slide("head", "H", "frame", ["O", "Y"]);
+    draft.drivers.push(DraftDriver::Slide {
+        slide: 0,
+        range,
+        rate: 1.0,
+    });
+    draft
+}
+
 fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> Draft {
     let linkage = FourBar::new([l1, l2, l3, l4]).unwrap();
     let pose = linkage.pose::<1>(assembly, at).unwrap();
@@ -507,41 +529,21 @@ fn drawings_that_do_not_begin_are_named() {
         links: links(&["block", "lever"]),
     };
     assert_eq!(refused(&on_the_hinge), [coincident]);
-    let slide = |range: [f64; 2]| {
-        let mut draft = Draft::default()
-            .point("O", 0.0, 0.0)
-            .point("X", 1.0, 0.0)
-            .point("Y", 0.0, 1.0)
-            .point("F", 1.5, 0.0)
-            .point("H", 0.0, 2.0)
-            .fixed(&["O", "X", "Y"])
-            .bar("foot", &["F"])
-            .bar("ladder", &["F", "H"])
-            .bar("head", &["H"])
-            .slide("foot", "F", "frame", ["O", "X"])
-            .slide("head", "H", "frame", ["O", "Y"]);
-        draft.drivers.push(DraftDriver::Slide {
-            slide: 0,
-            range,
-            rate: 1.0,
-        });
-        draft
-    };
     let foot = "foot".to_owned();
     let reversed = Defect::Range {
         link: foot.clone(),
         range: [2.0, 1.0],
     };
-    assert_eq!(refused(&slide([2.0, 1.0])), [reversed]);
+    assert_eq!(refused(&ladder([2.0, 1.0])), [reversed]);
     let empty = Defect::Range {
         link: foot.clone(),
         range: [2.0, 2.0],
     };
-    assert_eq!(refused(&slide([2.0, 2.0])), [empty]);
+    assert_eq!(refused(&ladder([2.0, 2.0])), [empty]);
     let endless = [Defect::NotFinite(foot.clone())];
-    assert_eq!(refused(&slide([1.0, f64::INFINITY])), endless);
-    let Defect::BeyondRange { link, at, range } = &refused(&slide([0.1, 0.3]))[0] else {
-        panic!("{:?}", refused(&slide([0.1, 0.3])));
+    assert_eq!(refused(&ladder([1.0, f64::INFINITY])), endless);
+    let Defect::BeyondRange { link, at, range } = &refused(&ladder([0.1, 0.3]))[0] else {
+        panic!("{:?}", refused(&ladder([0.1, 0.3])));
     };
     assert_eq!((link, *range), (&foot, [0.1, 0.3]));
     assert!((at - 1.5).abs() < 1e-15, "{at}");

@@ -126,9 +126,13 @@ impl Doubling {
     /// None unless the bodies share two points that are apart, and every shared point has the same place on both.
     fn of(bodies: &Bodies, [body, base]: [BodyId; 2]) -> Option<Self> {
         let closest = CLOSEST * extent(bodies.of(body).iter().map(|(_, own)| *own));
-        let on_both =
-            |(point, own): &(PointId, Vector)| Some((*point, [*own, bodies.local(base, *point)?]));
-        let shared: Vec<_> = bodies.of(body).iter().filter_map(on_both).collect();
+        let (mut shared, mut others) = (Vec::new(), Vec::new());
+        for (point, own) in bodies.of(body) {
+            match bodies.local(base, *point) {
+                Some(there) => shared.push((*point, [*own, there])),
+                None => others.push((*point, *own)),
+            }
+        }
         let (_, [own, on_base]) = shared.first()?;
         let way = |[a, b]: [Vector; 2]| [a - own, b - on_base];
         let ways = shared.iter().map(|(_, at)| way(*at));
@@ -139,9 +143,7 @@ impl Doubling {
         let turn = product(b.normalize(), conjugate(a.normalize()));
         let placed = |at: Vector| on_base + product(at - own, turn);
         let alike = |(_, [a, b]): &(PointId, [Vector; 2])| (placed(*a) - b).norm() <= closest;
-        let others = bodies.of(body).iter();
-        let others = others.filter(|(point, _)| bodies.local(base, *point).is_none());
-        let others = others.map(|(point, at)| (*point, placed(*at)));
+        let others = others.into_iter().map(|(point, at)| (point, placed(at)));
         let mut points: Vec<PointId> = shared.iter().map(|(point, _)| *point).collect();
         points.sort_unstable();
         shared.iter().all(alike).then(|| Self {
