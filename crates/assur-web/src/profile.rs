@@ -60,15 +60,15 @@ impl ProfileSummary {
         width: Option<f64>,
     ) -> Self {
         let (width, band) = band(mechanism, quantity, width);
-        let phases = profile.cyclogram(band).into_iter();
+        let (dwell, phases) = profile.dwell_and_cyclogram(band);
         Self {
             width,
             stroke: profile.stroke(),
-            dwell: profile.dwell(band).map(|dwell| DwellSummary {
+            dwell: dwell.map(|dwell| DwellSummary {
                 arc: dwell.arc,
                 band: dwell.band,
             }),
-            phases: phases
+            phases: (phases.into_iter())
                 .map(|phase| PhaseSummary {
                     kind: match phase.kind {
                         PhaseKind::Rise => "rise",

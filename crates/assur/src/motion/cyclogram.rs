@@ -1,5 +1,6 @@
 //! The cyclogram: what a quantity does over a turn, bar by bar.
 
+use super::profile::is_width;
 use super::{Dwell, OutputProfile};
 use crate::sorting::sort_by;
 
@@ -30,17 +31,19 @@ impl OutputProfile<'_> {
     /// `tolerance`, the longest first where they would overlap, and what is between
     /// them. Empty where the tolerance is not greater than zero.
     pub fn cyclogram(&self, tolerance: f64) -> Vec<Phase> {
-        let sound = tolerance > 0.0 && tolerance.is_finite();
-        let (Some(first), true) = (self.stations.first(), sound) else {
+        self.phases(self.touching(tolerance), tolerance)
+    }
+
+    /// The same from the arcs that touch the band.
+    pub(super) fn phases(&self, mut arcs: Vec<Dwell>, tolerance: f64) -> Vec<Phase> {
+        let (Some(first), true) = (self.stations.first(), is_width(tolerance)) else {
             return Vec::new();
         };
         let cycle = self.motion.cycle();
         let period = cycle.period().filter(|_| cycle.is_full());
-        let mut arcs = if self.monotone {
-            Vec::new()
-        } else {
-            self.touching(tolerance)
-        };
+        if self.monotone {
+            arcs.clear();
+        }
         sort_by(&mut arcs, |a, b| b.length().total_cmp(&a.length()));
         let mut dwells: Vec<Dwell> = Vec::new();
         let clash = |a: &Dwell, b: &Dwell| {

@@ -10,7 +10,7 @@ use std::cell::RefCell;
 
 use super::features::turning_points;
 use super::root::root;
-use super::{Motion, TooManyTurns};
+use super::{Motion, Phase, TooManyTurns};
 use crate::mechanism::{Pose, Quantity};
 
 /// An arc of the input over which a quantity stays within a band.
@@ -58,6 +58,11 @@ pub struct OutputProfile<'a> {
 const LEVELS: usize = 64;
 /// Values that differ by less relative to the band are one.
 const TOUCHING: f64 = 1e-9;
+
+/// Whether a band can be so wide.
+pub(super) fn is_width(tolerance: f64) -> bool {
+    tolerance > 0.0 && tolerance.is_finite()
+}
 
 impl<'a> OutputProfile<'a> {
     /// The profile of a quantity.
@@ -190,8 +195,12 @@ impl<'a> OutputProfile<'a> {
         Dwell { arc, band }
     }
 
-    /// The arcs that touch an edge of the band with an extremum, and hold it.
+    /// The arcs that touch an edge of a band with an extremum, and hold it; none where the width of the band is not
+    /// greater than zero.
     pub(super) fn touching(&self, tolerance: f64) -> Vec<Dwell> {
+        if !is_width(tolerance) {
+            return Vec::new();
+        }
         let bands = self.stations.iter().enumerate();
         let bands = bands.flat_map(|(station, [_, value])| {
             let bands = [[*value, value + tolerance], [value - tolerance, *value]];
@@ -257,7 +266,20 @@ impl<'a> OutputProfile<'a> {
     /// `tolerance`; none where that is not greater than zero, or the motion has no
     /// poses. The whole cycle, where it does not move by more.
     pub fn dwell(&self, tolerance: f64) -> Option<Dwell> {
-        if !(tolerance > 0.0 && tolerance.is_finite()) {
+        self.longest(&self.touching(tolerance), tolerance)
+    }
+
+    /// The longest arc and the phases of a cycle within one band: as of [`Self::dwell`] and [`Self::cyclogram`], from
+    /// arcs that are found once.
+    pub fn dwell_and_cyclogram(&self, tolerance: f64) -> (Option<Dwell>, Vec<Phase>) {
+        let touching = self.touching(tolerance);
+        let longest = self.longest(&touching, tolerance);
+        (longest, self.phases(touching, tolerance))
+    }
+
+    /// The longest arc, one of those that touch the band or on a flank.
+    fn longest(&self, touching: &[Dwell], tolerance: f64) -> Option<Dwell> {
+        if !is_width(tolerance) {
             return None;
         }
         let (first, last) = (self.stations.first()?, self.stations.last()?);
@@ -275,7 +297,7 @@ impl<'a> OutputProfile<'a> {
                 best
             }
         };
-        let mut best = self.touching(tolerance).into_iter().reduce(longer);
+        let mut best = touching.iter().copied().reduce(longer);
         let pieces = self.stations.len() - 1;
         // What begins in the second cycle has begun in the first as well.
         for piece in 0..pieces.min(self.once) {
