@@ -20,18 +20,20 @@ pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
 /// # Errors
 /// The fields of numbers that are none; the part that has not the form.
 pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
-    let mut problems = Vec::new();
-    for (_, part) in entries(state) {
-        name_not_numbers(&part, "", &mut problems);
-    }
-    if !problems.is_empty() {
-        return Err(thrown(problems));
-    }
     let value: Result<Value, _> = serde_wasm_bindgen::from_value(state.clone());
     let value = value.map_err(|error| Problem::BadState {
         path: ".".to_owned(),
         detail: error.to_string(),
     });
+    if value.as_ref().is_ok_and(holds_nothing) {
+        let mut problems = Vec::new();
+        for (_, part) in entries(state) {
+            name_not_numbers(&part, "", &mut problems);
+        }
+        if !problems.is_empty() {
+            return Err(thrown(problems));
+        }
+    }
     let state = value.and_then(|value| State::read(&value));
     state.map_err(|problem| thrown([problem]))
 }
@@ -48,6 +50,16 @@ pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsVa
     let value: Result<Value, _> = serde_wasm_bindgen::from_value(given.clone());
     let value = value.map_err(|error| bad(error.to_string()))?;
     serde_json::from_value(value).map_err(|error| bad(error.to_string()))
+}
+
+/// Whether a value has a `null` anywhere: NaN and infinities have become that.
+fn holds_nothing(value: &Value) -> bool {
+    match value {
+        Value::Null => true,
+        Value::Array(values) => values.iter().any(holds_nothing),
+        Value::Object(fields) => fields.values().any(holds_nothing),
+        Value::Bool(_) | Value::Number(_) | Value::String(_) => false,
+    }
 }
 
 /// Names the fields that hold NaN or an infinity.

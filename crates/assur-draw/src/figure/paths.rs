@@ -9,8 +9,9 @@ use assur::{Point, Vector};
 use super::layout::Layout;
 use crate::list::{List, Look, Role};
 
-/// Places on a path for a turn of what carries the point.
-const TURN: usize = 720;
+/// Places on a path for a turn of what carries the point, or for an arc shorter than one. Between two of them a path bends
+/// by less than a twentieth of a pixel where its second derivative is as long as a thousand.
+const TURN: usize = 360;
 /// Fewest places on an arc.
 const LEAST: f64 = 90.0;
 /// No more bodies are placed in all poses together, a pose by itself counted as some. Over so many turns paths cover
@@ -18,8 +19,6 @@ const LEAST: f64 = 90.0;
 const MOST_PLACED: usize = 150_000;
 const OF_A_POSE: usize = 8;
 const COARSEST_TURN: usize = 60;
-/// Poses of a turn, or of an arc shorter than one, of a motion that goes to and fro.
-const SWING: usize = 360;
 /// A link that turns through so much turns all round: at its ends the motion may
 /// lack a pose.
 const ALL_ROUND: f64 = TAU * (1.0 - 3.0 / TURN as f64);
@@ -66,7 +65,7 @@ impl Path {
 pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
     let cycle = motion.cycle();
     let sampling = Sampling {
-        turn: if cycle.is_full() { TURN } else { SWING },
+        turn: TURN,
         coarsest: COARSEST_TURN,
         most: MOST_PLACED / (motion.mechanism().links().len() + OF_A_POSE),
         spacing: Spacing::Crowded,

@@ -22,6 +22,14 @@ pub(crate) struct ClosedStep<'a> {
     pub(crate) lead: f64,
 }
 
+/// The inputs within an arc at which φ₁, which leads the input, is a whole multiple of π: there the diagonal is longest or
+/// shortest.
+pub(crate) fn half_turns(lead: f64, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+    let first = ((from + lead) / PI).ceil() as i32;
+    let last = ((to + lead) / PI).floor() as i32;
+    (first..=last).map(move |half| f64::from(half) * PI - lead)
+}
+
 impl ClosedStep<'_> {
     /// The arc of inputs on which `input` lies, or the nearest; none where the crank
     /// turns fully.
@@ -43,15 +51,6 @@ impl ClosedStep<'_> {
     pub(crate) fn turns(&self) -> usize {
         let period = self.linkage.cycle().period().unwrap_or(TAU);
         (period / TAU).round() as usize
-    }
-
-    /// The inputs within an arc at which φ₁ is a whole multiple of π: there the
-    /// diagonal is longest or shortest.
-    pub(crate) fn half_turns(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
-        let first = ((from + self.lead) / PI).ceil() as i32;
-        let last = ((to + self.lead) / PI).floor() as i32;
-        let lead = self.lead;
-        (first..=last).map(move |half| f64::from(half) * PI - lead)
     }
 
     /// The input at which coupler and rocker of a kite lie upon each other and swing freely about the frame's hinge.

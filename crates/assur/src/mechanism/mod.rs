@@ -43,7 +43,7 @@ pub(crate) use assemblies::Found;
 pub use assemblies::{Assemblies, Following};
 pub(crate) use assembly::Signs;
 pub use check::FARTHEST;
-pub(crate) use closed::ClosedStep;
+pub(crate) use closed::{ClosedStep, half_turns};
 pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};
 pub use counts::Counts;
 pub use dimension::Dimension;

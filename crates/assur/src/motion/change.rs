@@ -245,7 +245,7 @@ impl Motion {
             let place = mechanism.place(pose, point);
             (place.x + -from.x) * along.x + (place.y + -from.y) * along.y
         });
-        let limits = turning_points(&self.cycle, &|input| way(input).ok(), mechanism.size())?;
+        let limits = turning_points(self, &|input| way(input).ok(), mechanism.size())?;
         let limits = limits.into_iter().map(|limit| limit.value);
         // At a dead point there is a place, but no derivative.
         let ends = self.cycle.arcs().iter().flatten().copied();

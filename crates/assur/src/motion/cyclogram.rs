@@ -39,8 +39,7 @@ impl OutputProfile<'_> {
         let (Some(first), true) = (self.stations.first(), is_width(tolerance)) else {
             return Vec::new();
         };
-        let cycle = self.motion.cycle();
-        let period = cycle.period().filter(|_| cycle.is_full());
+        let period = self.period;
         if self.monotone {
             arcs.clear();
         }
@@ -54,12 +53,6 @@ impl OutputProfile<'_> {
         };
         for arc in arcs {
             let whole = period.is_some_and(|period| arc.length() >= period);
-            // All begin within one cycle from the first extremum on.
-            let turns = period.map_or(0.0, |p| p * ((arc.arc[0] - first[0]) / p).floor());
-            let arc = Dwell {
-                arc: arc.arc.map(|input| input - turns),
-                ..arc
-            };
             if !whole && arc.length() > 0.0 && !dwells.iter().any(|other| clash(&arc, other)) {
                 dwells.push(arc);
             }
@@ -83,7 +76,7 @@ impl OutputProfile<'_> {
 
     /// Rise and return between two dwells, parted at extrema.
     fn strokes_between(&self, [from, to]: [f64; 2], phases: &mut Vec<Phase>) {
-        let inner = self.stations.iter().map(|[input, _]| *input);
+        let inner = self.within([from, to]).map(|[input, _]| input);
         let inner = inner.filter(|input| *input > from && *input < to);
         let cuts: Vec<f64> = [from].into_iter().chain(inner).chain([to]).collect();
         for pair in cuts.windows(2) {

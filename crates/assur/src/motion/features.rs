@@ -1,9 +1,9 @@
 //! Zeros and extrema of quantities over a motion, refined to rounding.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use super::{Extremum, Input, Kind, Motion};
-use crate::mechanism::{Pose, Quantity};
+use crate::mechanism::{Pose, Quantity, half_turns};
 use crate::sorting::sort_by;
 use crate::{Cycle, Jet};
 
@@ -36,8 +36,8 @@ const GRID: usize = 360;
 const MOST_TURNS: usize = 256;
 /// No more samples are kept at once, of all quantities together.
 const MOST_SAMPLES: usize = 1 << 18;
-/// Halvings of a cell of the grid towards φ₁ = 0 and π: near a change point or a
-/// vanishing diagonal, and only there, a motion changes within any small angle.
+/// Halvings of a cell of the grid towards the inputs at which the crank of a four-bar is in line with the frame: near a
+/// change point or a vanishing diagonal, and only there, a motion changes within any small angle.
 const GRADES: i32 = 52;
 /// A derivative that varies by less than this relative to its size is constant.
 pub(super) const CONSTANT: f64 = 1e-9;
@@ -82,7 +82,7 @@ impl Motion {
                 bases.push(*base);
             }
         }
-        let stretches = stretches(self.cycle())?;
+        let stretches = self.stretches()?;
         let samples: usize = stretches.iter().map(Vec::len).sum();
         let at_once = (MOST_SAMPLES / samples.max(1)).max(1);
         let found = bases.chunks(at_once).flat_map(|bases| {
@@ -111,6 +111,16 @@ impl Motion {
             found
         };
         Ok(multiples.into_iter().filter_map(scaled).collect())
+    }
+
+    /// The grid over it.
+    fn stretches(&self) -> Result<Vec<Vec<f64>>, TooManyTurns> {
+        stretches(self.cycle(), &|arc| {
+            let closed = self.mechanism().closed_steps();
+            closed
+                .flat_map(|closed| half_turns(closed.lead, arc))
+                .collect()
+        })
     }
 
     /// Whether zeros and extrema can be looked for over it.
@@ -193,7 +203,7 @@ impl Motion {
 }
 
 /// Zeros and extrema of quantities and of their first two derivatives by time
-/// over a cycle: `motion` gives the quantities at a crank angle, `units` the size
+/// over a cycle: `motion` gives the quantities at a crank angle φ₁ from the line of the frame, `units` the size
 /// that counts as one for each (1 for an angle, a length of the mechanism for a
 /// coordinate).
 ///
@@ -208,7 +218,7 @@ pub fn features(
     units: &[f64],
     input: Input,
 ) -> Result<Vec<[Features; 3]>, TooManyTurns> {
-    let stretches = stretches(cycle)?;
+    let stretches = stretches(cycle, &|arc| half_turns(0.0, arc).collect())?;
     Ok(features_over(&stretches, cycle, motion, units, input))
 }
 
@@ -231,9 +241,10 @@ fn features_over(
         };
         let at = |crank: f64| Some(sample(&(crank, motion(crank)?)));
         let sweeps = sweeps.iter().map(|stretch| {
-            let samples = stretch.iter().map(|at| at.as_ref().map(sample)).collect();
-            if order == 0 && cycle.is_full() {
-                from_the_start(cycle, samples, &at)
+            let samples: Vec<Option<Sample>> =
+                stretch.iter().map(|at| at.as_ref().map(sample)).collect();
+            if cycle.is_full() {
+                closed(cycle, &samples, order, &at)
             } else {
                 samples
             }
@@ -253,28 +264,29 @@ fn features_over(
 /// # Errors
 /// A cycle of too many turns is not searched.
 pub(super) fn turning_points(
-    cycle: &Cycle,
-    motion: &dyn Fn(f64) -> Option<Jet<3>>,
+    motion: &Motion,
+    quantity: &dyn Fn(f64) -> Option<Jet<3>>,
     unit: f64,
 ) -> Result<Vec<Extremum>, TooManyTurns> {
+    let cycle = motion.cycle();
     let sample = |crank: f64| {
-        let jet = motion(crank)?;
+        let jet = quantity(crank)?;
         let f = [0, 1, 2].map(|order| jet.derivative(order));
         Some(Sample { crank, f })
     };
-    let sweeps = stretches(cycle)?.into_iter().map(|stretch| {
-        let samples = stretch.into_iter().map(sample).collect();
+    let sweeps = motion.stretches()?.into_iter().map(|stretch| {
+        let samples: Vec<Option<Sample>> = stretch.into_iter().map(sample).collect();
         if cycle.is_full() {
-            from_the_start(cycle, samples, &sample)
+            closed(cycle, &samples, 0, &sample)
         } else {
             samples
         }
     });
     let sweeps: Vec<Vec<Option<Sample>>> = sweeps.collect();
-    let Course::Varied { seam } = course(&sweeps, Tolerance::of(0, unit)) else {
+    let Course::Varied = course(&sweeps, Tolerance::of(0, unit)) else {
         return Ok(Vec::new());
     };
-    let turns = ordered_roots(cycle, &sweeps, &sample, 1, seam);
+    let turns = ordered_roots(cycle, &sweeps, &sample, 1);
     Ok(turns.iter().filter_map(Sample::extremum).collect())
 }
 
@@ -286,16 +298,13 @@ fn features_of(
     sample: &dyn Fn(f64) -> Option<Sample>,
     tolerance: Tolerance,
 ) -> Features {
-    let seam = match course(sweeps, tolerance) {
-        Course::Varied { seam } => seam,
-        Course::Level(level) => {
-            return Features {
-                level,
-                ..Features::default()
-            };
-        }
-    };
-    let [zeros, turns] = [0, 1].map(|order| ordered_roots(cycle, sweeps, sample, order, seam));
+    if let Course::Level(level) = course(sweeps, tolerance) {
+        return Features {
+            level,
+            ..Features::default()
+        };
+    }
+    let [zeros, turns] = [0, 1].map(|order| ordered_roots(cycle, sweeps, sample, order));
     Features {
         zeros: zeros.iter().map(|sample| sample.crank).collect(),
         extrema: turns.iter().filter_map(Sample::extremum).collect(),
@@ -305,8 +314,8 @@ fn features_of(
 
 /// Whether a function changes.
 enum Course {
-    /// It does; from the end of a cycle to its start it moves by no more than `seam`.
-    Varied { seam: f64 },
+    /// It does.
+    Varied,
     /// It does not; its value, if there are any samples.
     Level(Option<f64>),
 }
@@ -339,8 +348,7 @@ fn course(sweeps: &[Vec<Option<Sample>>], tolerance: Tolerance) -> Course {
     let largest = least.abs().max(most.abs());
     let rounding = tolerance.absolute.max(tolerance.relative * largest);
     if most - least > rounding {
-        let seam = 0.5 * (most - least);
-        return Course::Varied { seam };
+        return Course::Varied;
     }
     let value = if largest > rounding {
         least.midpoint(most)
@@ -356,7 +364,6 @@ fn ordered_roots(
     sweeps: &[Vec<Option<Sample>>],
     sample: &dyn Fn(f64) -> Option<Sample>,
     order: usize,
-    seam: f64,
 ) -> Vec<Sample> {
     let in_cycle = |crank: f64| {
         let [start, end] = cycle.axis();
@@ -368,7 +375,7 @@ fn ordered_roots(
         }
     };
     let mut ordered: Vec<Sample> = Vec::new();
-    for mut found in all_roots(cycle, sweeps, sample, order, seam) {
+    for mut found in all_roots(sweeps, sample, order) {
         found.crank = in_cycle(found.crank);
         let at = ordered.partition_point(|other| other.crank < found.crank);
         ordered.insert(at, found);
@@ -376,27 +383,28 @@ fn ordered_roots(
     ordered
 }
 
-/// Samples of a full cycle around φ₁ = 0, put in order from its start to its end:
-/// an angle that turns fully goes on from where it was a cycle before.
-fn from_the_start(
+/// Samples of a full cycle around its start, put in order from there to its end, the first of them once more at the end: an
+/// angle that turns fully goes on from where it was a cycle before.
+fn closed(
     cycle: &Cycle,
-    samples: Vec<Option<Sample>>,
+    samples: &[Option<Sample>],
+    order: usize,
     at: &dyn Fn(f64) -> Option<Sample>,
 ) -> Vec<Option<Sample>> {
     let [start, end] = cycle.axis();
-    let before = samples
-        .iter()
-        .flatten()
-        .take_while(|sample| sample.crank < start);
+    // The first and the last are a cycle from each other.
+    let samples = samples.get(1..).unwrap_or_default();
     // Where there is no pose, at an input that a deltoid does not determine, its neighbour will do.
-    let mut turned = before.filter_map(|sample| {
+    let before = samples.iter().flatten();
+    let before = before.take_while(|sample| sample.crank < start);
+    let mut grown = before.filter_map(|sample| {
         let later = at(sample.crank + (end - start))?;
         Some(later.f[0] - sample.f[0])
     });
-    let turned = turned.next();
+    let grown = if order == 0 { grown.next() } else { Some(0.0) };
     let later = |mut sample: Sample| {
         sample.crank += end - start;
-        sample.f[0] += turned?;
+        sample.f[0] += grown?;
         Some(sample)
     };
     let middle = samples
@@ -404,37 +412,24 @@ fn from_the_start(
         .position(|sample| sample.is_some_and(|sample| sample.crank >= start));
     // Without one all are before it.
     let (before, after) = samples.split_at(middle.unwrap_or(samples.len()));
-    let before = before.iter().map(|sample| sample.and_then(later));
-    after.iter().copied().chain(before).collect()
+    let again = before.iter().chain(after.first());
+    let again = again.map(|sample| sample.and_then(later));
+    after.iter().copied().chain(again).collect()
 }
 
 /// The samples at which the derivative `order`, 0 or 1, of the function vanishes.
-/// From the end of a cycle to its start the function itself moves by less than
-/// `seam`, or else it does not close.
 fn all_roots(
-    cycle: &Cycle,
     sweeps: &[Vec<Option<Sample>>],
     sample: &dyn Fn(f64) -> Option<Sample>,
     order: usize,
-    seam: f64,
 ) -> Vec<Sample> {
-    let mut found: Vec<Sample> = Vec::new();
-    for samples in sweeps {
-        // A full cycle closes: from its last sample to its first.
-        if let (true, [Some(first), .., Some(last)]) = (cycle.is_full(), &samples[..])
-            && last.f[order] * first.f[order] < 0.0
-            && (order > 0 || (last.f[0] - first.f[0]).abs() < seam)
-        {
-            found.push(*first);
-        }
-        // What a deltoid does not determine parts its motion: there rates may jump.
-        for pair in samples.windows(2) {
-            if let [Some(a), Some(b)] = pair {
-                found.extend(roots(sample, order, *a, *b));
-            }
-        }
-    }
-    found
+    // What a deltoid does not determine parts its motion: there rates may jump.
+    let cells = sweeps.iter().flat_map(|samples| samples.windows(2));
+    let cells = cells.filter_map(|pair| match pair {
+        [Some(a), Some(b)] => Some(roots(sample, order, *a, *b)),
+        _ => None,
+    });
+    cells.flatten().collect()
 }
 
 /// A function of the crank angle and its first two derivatives by it.
@@ -457,11 +452,14 @@ impl Sample {
     }
 }
 
-/// The grid of each arc: even, and graded towards multiples of π. A full cycle is
-/// taken around φ₁ = 0, beside which numbers lie closest.
-fn stretches(cycle: &Cycle) -> Result<Vec<Vec<f64>>, TooManyTurns> {
+/// The grid of each arc: even, and graded towards the inputs that `in_line` gives within it. A full cycle is
+/// taken around 0, beside which numbers lie closest.
+fn stretches(
+    cycle: &Cycle,
+    in_line: &dyn Fn([f64; 2]) -> Vec<f64>,
+) -> Result<Vec<Vec<f64>>, TooManyTurns> {
     searchable(cycle)?;
-    let graded = |[from, to]: &[f64; 2]| {
+    let graded = |[from, to]: [f64; 2]| {
         // A driven slide's way has no turns: it is one cell grid long.
         let whole = if cycle.turns() { TAU } else { to - from };
         let cell = whole / GRID as f64;
@@ -469,22 +467,23 @@ fn stretches(cycle: &Cycle) -> Result<Vec<Vec<f64>>, TooManyTurns> {
         let mut cranks: Vec<f64> = (0..=count as usize)
             .map(|i| from + (to - from) * (i as f64 / count))
             .collect();
-        for half_turn in [-2.0, -1.0, 0.0, 1.0, 2.0] {
+        for input in in_line([from, to]) {
             for grade in 0..GRADES {
                 let step = cell * 0.5_f64.powi(grade);
-                cranks.extend([half_turn * PI - step, half_turn * PI + step]);
+                cranks.extend([input - step, input + step]);
             }
         }
-        cranks.retain(|crank| (from..=to).contains(&crank));
+        cranks.retain(|crank| (from..=to).contains(crank));
         sort_by(&mut cranks, f64::total_cmp);
+        cranks.dedup();
         cranks
     };
     if cycle.is_full() {
         let [start, end] = cycle.axis();
         let half = 0.5 * (end - start);
-        return Ok(vec![graded(&[start - half, start + half])]);
+        return Ok(vec![graded([start - half, start + half])]);
     }
-    Ok(cycle.arcs().iter().map(graded).collect())
+    Ok(cycle.arcs().iter().copied().map(graded).collect())
 }
 
 /// Whether a cycle has no more turns than are searched. An arc of a motion to and fro has as many as were followed.

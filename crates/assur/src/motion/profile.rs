@@ -41,11 +41,10 @@ pub struct OutputProfile<'a> {
     pub(super) motion: &'a Motion,
     pub(super) quantity: Quantity,
     room: RefCell<Pose<1>>,
-    /// Inputs and values at which pieces meet: extrema, and the ends of the range
-    /// of a motion to and fro. A full cycle is there twice, from an extremum on.
+    /// Inputs and values at which pieces meet, of one cycle: extrema, and the ends of the range of a motion to and fro.
     pub(super) stations: Vec<[f64; 2]>,
-    /// How many of them there are until the motion repeats.
-    once: usize,
+    /// That of a full cycle.
+    pub(super) period: Option<f64>,
     /// What the value grows by in a full cycle.
     pub(super) gain: f64,
     /// Inputs and values of all extrema, on every arc of the motion.
@@ -71,12 +70,11 @@ impl<'a> OutputProfile<'a> {
     /// A motion of too many turns is not searched for extrema, unless a closed form tells them.
     pub fn new(motion: &'a Motion, quantity: Quantity) -> Result<Self, TooManyTurns> {
         let mechanism = motion.mechanism();
-        let unit = motion.unit(quantity);
         let jet = motion.telling(|pose: &Pose<3>| quantity.of(mechanism, pose));
         let jet = |input: f64| jet(input).ok();
         let extrema: Vec<f64> = match motion.limits_in_closed_form(quantity) {
             Some(inputs) => inputs,
-            None => turning_points(motion.cycle(), &jet, unit)?
+            None => turning_points(motion, &jet, motion.unit(quantity))?
                 .iter()
                 .map(|extremum| extremum.crank)
                 .collect(),
@@ -86,7 +84,7 @@ impl<'a> OutputProfile<'a> {
             quantity,
             room: RefCell::new(mechanism.blank()),
             stations: Vec::new(),
-            once: 0,
+            period: motion.cycle().period().filter(|_| motion.cycle().is_full()),
             gain: 0.0,
             extrema: Vec::new(),
             monotone: extrema.is_empty(),
@@ -96,26 +94,24 @@ impl<'a> OutputProfile<'a> {
         // Of several arcs the one of the drawn pose.
         let mut arcs = motion.cycle().arcs().iter();
         let drawn = arcs.find(|[from, to]| (*from..=*to).contains(&motion.home()));
-        if let (true, Some(period)) = (motion.cycle().is_full(), motion.cycle().period()) {
+        if let Some(period) = profile.period {
             profile.gain = motion.seam(period).gain(quantity);
-            let mut inputs: Vec<f64> = inputs.collect();
-            if inputs.is_empty() {
+            profile.stations = if profile.monotone {
                 // Where a deltoid's links lie on each other there is no pose.
                 let mut starts = [0.0, motion.home()].into_iter();
-                inputs.extend(starts.find(|input| profile.value(*input).is_some()));
-            }
-            profile.once = inputs.len();
-            let turns = [0.0, 1.0, 2.0].map(|turn| turn * period);
-            let all = turns
-                .iter()
-                .flat_map(|turn| inputs.iter().map(move |input| input + turn));
-            profile.stations = profile.valued(all.take(2 * inputs.len() + 1));
+                profile.valued(
+                    starts
+                        .find(|input| profile.value(*input).is_some())
+                        .into_iter(),
+                )
+            } else {
+                profile.extrema.clone()
+            };
         } else {
             debug_assert!(drawn.is_some(), "the drawn pose is on an arc");
             let [from, to] = drawn.copied().unwrap_or([motion.home(); 2]);
             let inputs = inputs.filter(|input| (from..=to).contains(input));
             profile.stations = profile.valued([from].into_iter().chain(inputs).chain([to]));
-            profile.once = profile.stations.len();
         }
         Ok(profile)
     }
@@ -128,9 +124,7 @@ impl<'a> OutputProfile<'a> {
 
     /// The value at an input of this cycle or of the ones after it.
     pub(super) fn value(&self, input: f64) -> Option<f64> {
-        let cycle = self.motion.cycle();
-        let period = cycle.period().filter(|_| cycle.is_full());
-        let (cycles, within) = match period {
+        let (cycles, within) = match self.period {
             Some(period) => {
                 let cycles = (input / period).floor();
                 (cycles, input - cycles * period)
@@ -143,9 +137,39 @@ impl<'a> OutputProfile<'a> {
         Some(jet.value() + cycles * self.gain)
     }
 
+    /// A station by its number from the first of this cycle on, also of the cycles before and after it.
+    fn station(&self, number: isize) -> Option<[f64; 2]> {
+        let Some(period) = self.period else {
+            return self.stations.get(usize::try_from(number).ok()?).copied();
+        };
+        let count = isize::try_from(self.stations.len()).ok()?;
+        let cycles = number.checked_div_euclid(count)? as f64;
+        let within = usize::try_from(number.rem_euclid(count)).ok()?;
+        let [input, value] = self.stations[within];
+        Some([input + cycles * period, value + cycles * self.gain])
+    }
+
+    /// The stations on an arc.
+    pub(super) fn within(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+        let count = self.stations.len() as isize;
+        let cycles = self.period.zip(self.stations.first());
+        let [first, last] = cycles.map_or([0, 0], |(period, [start, _])| {
+            [from, to].map(|input| ((input - start) / period).floor() as isize)
+        });
+        let numbers = first * count..(last + 1) * count;
+        let stations = numbers.filter_map(|number| self.station(number));
+        stations.filter(move |[input, _]| (from..=to).contains(input))
+    }
+
+    /// How many pieces there are until the motion repeats or ends.
+    fn pieces(&self) -> isize {
+        let ends = isize::from(self.period.is_none());
+        self.stations.len() as isize - ends
+    }
+
     /// Where the quantity has a value between two stations next to each other.
-    fn reaches(&self, piece: usize, level: f64) -> Option<f64> {
-        let [low, high] = [*self.stations.get(piece)?, *self.stations.get(piece + 1)?];
+    fn reaches(&self, piece: isize, level: f64) -> Option<f64> {
+        let [low, high] = [self.station(piece)?, self.station(piece + 1)?];
         let falls = if high[1] < low[1] { -1.0 } else { 1.0 };
         let above = |value: f64| (value - level) * falls;
         if above(low[1]) >= 0.0 {
@@ -159,40 +183,49 @@ impl<'a> OutputProfile<'a> {
     }
 
     /// The arc around a station on which the quantity stays within a band that
-    /// holds it there.
-    fn around(&self, station: usize, band: [f64; 2]) -> Option<Dwell> {
+    /// holds it there: no more of it than a cycle on either side.
+    fn around(&self, station: isize, band: [f64; 2]) -> Option<Dwell> {
         let room = TOUCHING * (band[1] - band[0]);
         let inside = |value: f64| value >= band[0] - room && value <= band[1] + room;
-        let last = self.stations.len() - 1;
-        let (mut first, mut beyond) = (station, station);
-        while first > 0 && inside(self.stations[first - 1][1]) {
-            first -= 1;
-        }
-        while beyond < last && inside(self.stations[beyond + 1][1]) {
-            beyond += 1;
-        }
         let edge = |value: f64| band[usize::from(value > band[1])];
-        let from = match first {
-            0 => self.stations[0][0],
-            _ => self.reaches(first - 1, edge(self.stations[first - 1][1]))?,
+        // The first station off the band on one side, and where the quantity leaves it on the way there.
+        let end = |sense: isize| -> Option<f64> {
+            let mut last = self.station(station)?[0];
+            for away in 1..=self.stations.len() as isize {
+                let number = station + sense * away;
+                let Some([input, value]) = self.station(number) else {
+                    return Some(last);
+                };
+                if !inside(value) {
+                    return self.reaches(number.min(number - sense), edge(value));
+                }
+                last = input;
+            }
+            Some(last)
         };
-        let to = match self.stations.get(beyond + 1) {
-            None => self.stations[last][0],
-            Some(next) => self.reaches(beyond, edge(next[1]))?,
-        };
-        Some(self.dwell_on([from, to]))
+        Some(self.dwell_on([end(-1)?, end(1)?]))
     }
 
     /// An arc with the values on it.
     fn dwell_on(&self, arc: [f64; 2]) -> Dwell {
         let ends = arc.map(|input| self.value(input)).into_iter().flatten();
-        let between = self.stations.iter().copied();
-        let between = between.filter(|[input, _]| (arc[0]..=arc[1]).contains(input));
-        let values = ends.chain(between.map(|[_, value]| value));
+        let values = ends.chain(self.within(arc).map(|[_, value]| value));
         let band = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
             [low.min(value), high.max(value)]
         });
         Dwell { arc, band }
+    }
+
+    /// An arc in the cycle that begins with the first station, counted by where it begins.
+    fn in_first_cycle(&self, dwell: Dwell) -> Dwell {
+        let (Some(period), Some([start, _])) = (self.period, self.stations.first()) else {
+            return dwell;
+        };
+        let cycles = ((dwell.arc[0] - start) / period).floor();
+        Dwell {
+            arc: dwell.arc.map(|input| input - cycles * period),
+            band: dwell.band.map(|value| value - cycles * self.gain),
+        }
     }
 
     /// The arcs that touch an edge of a band with an extremum, and hold it; none where the width of the band is not
@@ -201,26 +234,27 @@ impl<'a> OutputProfile<'a> {
         if !is_width(tolerance) {
             return Vec::new();
         }
-        let bands = self.stations.iter().enumerate();
-        let bands = bands.flat_map(|(station, [_, value])| {
+        let stations = (0..).zip(&self.stations);
+        let bands = stations.flat_map(|(station, [_, value])| {
             let bands = [[*value, value + tolerance], [value - tolerance, *value]];
             bands.map(|band| (station, band))
         });
         bands
             .filter_map(|(station, band)| self.around(station, band))
+            .map(|arc| self.in_first_cycle(arc))
             .collect()
     }
 
     /// The longest arc, if longer than `beaten`, that comes in on one piece and goes
     /// out, the same way up or down, on another or the same.
-    fn through(&self, first: usize, last: usize, tolerance: f64, beaten: f64) -> Option<Dwell> {
-        let value = |station: usize| self.stations[station][1];
+    fn through(&self, first: isize, last: isize, tolerance: f64, beaten: f64) -> Option<Dwell> {
+        let value = |station: isize| self.station(station).map_or(f64::NAN, |[_, value]| value);
         let way = (value(first + 1) - value(first)).signum();
         if way != (value(last + 1) - value(last)).signum() || way == 0.0 {
             return None;
         }
         // Counted upwards along the way.
-        let up = |station: usize| way * value(station);
+        let up = |station: isize| way * value(station);
         let inner = first + 1..=last;
         let least = inner
             .clone()
@@ -228,7 +262,7 @@ impl<'a> OutputProfile<'a> {
             .fold(up(last + 1) - tolerance, f64::min);
         let most = inner.map(up).fold(up(first) + tolerance, f64::max);
         let [low, high] = [most - tolerance, least];
-        if low >= high || self.stations[last + 1][0] - self.stations[first][0] <= beaten {
+        if low >= high || self.station(last + 1)?[0] - self.station(first)?[0] <= beaten {
             return None;
         }
         let flank = Flank {
@@ -282,13 +316,10 @@ impl<'a> OutputProfile<'a> {
         if !is_width(tolerance) {
             return None;
         }
-        let (first, last) = (self.stations.first()?, self.stations.last()?);
-        let whole = self.dwell_on([first[0], last[0]]);
+        let (first, last) = (self.stations.first()?[0], self.stations.last()?[0]);
+        let whole = self.dwell_on([first, self.period.map_or(last, |period| first + period)]);
         if whole.residual() <= tolerance {
-            let once = self.motion.cycle().period();
-            let once = once.filter(|_| self.motion.cycle().is_full());
-            let to = once.map_or(last[0], |period| first[0] + period);
-            return Some(self.dwell_on([first[0], to]));
+            return Some(whole);
         }
         let longer = |best: Dwell, one: Dwell| {
             if one.length() > best.length() {
@@ -298,13 +329,13 @@ impl<'a> OutputProfile<'a> {
             }
         };
         let mut best = touching.iter().copied().reduce(longer);
-        let pieces = self.stations.len() - 1;
-        // What begins in the second cycle has begun in the first as well.
-        for piece in 0..pieces.min(self.once) {
+        let pieces = self.pieces();
+        for piece in 0..pieces {
             let mut band = [f64::INFINITY, f64::NEG_INFINITY];
-            for out in piece..pieces {
+            let last = self.period.map_or(pieces, |_| piece + pieces);
+            for out in piece..last {
                 if out > piece {
-                    let value = self.stations[out][1];
+                    let [_, value] = self.station(out)?;
                     band = [band[0].min(value), band[1].max(value)];
                 }
                 if band[1] - band[0] > tolerance {
@@ -320,14 +351,11 @@ impl<'a> OutputProfile<'a> {
     /// The strokes of a cycle: from extremum to extremum, with the inputs and the
     /// values there. None of what turns on and on.
     pub fn strokes(&self) -> Vec<[[f64; 2]; 2]> {
-        let full = self.motion.cycle().is_full();
-        let count = self.once.saturating_sub(usize::from(!full));
-        let pairs = self.stations.windows(2).take(count);
-        let pairs = pairs.filter_map(|pair| Some([*pair.first()?, *pair.last()?]));
-        if full && self.monotone {
+        if self.period.is_some() && self.monotone {
             return Vec::new();
         }
-        pairs.collect()
+        let stroke = |piece: isize| Some([self.station(piece)?, self.station(piece + 1)?]);
+        (0..self.pieces()).filter_map(stroke).collect()
     }
 
     /// From the least value at an end of a stroke to the greatest; none of what
@@ -347,7 +375,7 @@ impl<'a> OutputProfile<'a> {
 /// down, on another or the same.
 struct Flank<'a> {
     profile: &'a OutputProfile<'a>,
-    pieces: [usize; 2],
+    pieces: [isize; 2],
     /// 1 upwards, −1 downwards.
     way: f64,
     tolerance: f64,

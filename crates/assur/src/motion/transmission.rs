@@ -3,7 +3,7 @@
 use super::features::turning_points;
 use super::{Motion, TooManyTurns};
 use crate::Jet;
-use crate::mechanism::{LinkId, Quantity, RrpDyad, RrrDyad};
+use crate::mechanism::{LinkId, Quantity, RrpDyad, RrrDyad, half_turns};
 
 /// What is beside an end of an arc, as a share of it.
 const BESIDE: f64 = 1e-12;
@@ -72,7 +72,8 @@ impl Motion {
         };
         if let Some(closed) = mechanism.closed_form_of(dyad) {
             let arcs = self.cycle().arcs().iter();
-            let inputs = arcs.flat_map(|arc| arc.iter().copied().chain(closed.half_turns(*arc)));
+            let inputs =
+                arcs.flat_map(|arc| arc.iter().copied().chain(half_turns(closed.lead, *arc)));
             let found = inputs.filter_map(|input| {
                 let angle = closed.linkage.transmission_angle(input + closed.lead);
                 let angle = angle.ok()?;
@@ -124,7 +125,7 @@ impl Motion {
         told_by: &dyn Fn(f64) -> Option<Jet<3>>,
         unit: f64,
     ) -> Result<impl Iterator<Item = WorstTransmission> + '_, TooManyTurns> {
-        let extrema = turning_points(self.cycle(), told_by, unit)?;
+        let extrema = turning_points(self, told_by, unit)?;
         // Where joints fall into one at an end, there are digits only beside it.
         let ends = self.cycle().arcs().iter().flat_map(|[from, to]| {
             let beside = BESIDE * (to - from);
