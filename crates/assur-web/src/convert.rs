@@ -1,11 +1,11 @@
 //! Values of ours as JavaScript's.
 
 use assur_file::{Problem, State};
-use js_sys::{Array, Object};
+use js_sys::Reflect;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
-use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen::JsValue;
 
 /// Any value of ours as a plain JavaScript object.
 pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
@@ -25,10 +25,10 @@ pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
         path: ".".to_owned(),
         detail: error.to_string(),
     });
-    if value.as_ref().is_ok_and(holds_nothing) {
+    if let Ok(Value::Object(parts)) = &value {
         let mut problems = Vec::new();
-        for (_, part) in entries(state) {
-            name_not_numbers(&part, "", &mut problems);
+        for (name, part) in parts {
+            not_numbers(part, &|| member(state, name), "", &mut problems);
         }
         if !problems.is_empty() {
             return Err(thrown(problems));
@@ -52,44 +52,47 @@ pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsVa
     serde_json::from_value(value).map_err(|error| bad(error.to_string()))
 }
 
-/// Whether a value has a `null` anywhere: NaN and infinities have become that.
-fn holds_nothing(value: &Value) -> bool {
+/// Names the fields that hold NaN or an infinity: they were read as `null`, which alone is looked at again as it was given.
+fn not_numbers(
+    read: &Value,
+    given: &dyn Fn() -> JsValue,
+    field: &str,
+    problems: &mut Vec<Problem>,
+) {
+    match read {
+        Value::Null if given().as_f64().is_some() => problems.push(Problem::NotANumber {
+            field: field.to_owned().into(),
+        }),
+        Value::Array(items) => {
+            for (index, item) in items.iter().enumerate().filter(|(_, item)| has_null(item)) {
+                let of = || member(&given(), index as u32);
+                not_numbers(item, &of, &format!("{field}[{index}]"), problems);
+            }
+        }
+        Value::Object(fields) => {
+            for (name, value) in fields.iter().filter(|(_, value)| has_null(value)) {
+                let dot = if field.is_empty() { "" } else { "." };
+                let of = || member(&given(), name);
+                not_numbers(value, &of, &format!("{field}{dot}{name}"), problems);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Whether a value is `null` or holds one.
+fn has_null(value: &Value) -> bool {
     match value {
         Value::Null => true,
-        Value::Array(values) => values.iter().any(holds_nothing),
-        Value::Object(fields) => fields.values().any(holds_nothing),
+        Value::Array(items) => items.iter().any(has_null),
+        Value::Object(fields) => fields.values().any(has_null),
         Value::Bool(_) | Value::Number(_) | Value::String(_) => false,
     }
 }
 
-/// Names the fields that hold NaN or an infinity.
-fn name_not_numbers(value: &JsValue, field: &str, problems: &mut Vec<Problem>) {
-    if value.as_f64().is_some_and(|number| !number.is_finite()) {
-        problems.push(Problem::NotANumber {
-            field: field.to_owned().into(),
-        });
-    }
-    let listed = Array::is_array(value);
-    for (name, inner) in entries(value) {
-        let field = match (listed, field) {
-            (true, _) => format!("{field}[{name}]"),
-            (false, "") => name,
-            (false, _) => format!("{field}.{name}"),
-        };
-        name_not_numbers(&inner, &field, problems);
-    }
-}
-
-/// What an object or a list holds, by names or numbers; nothing in other values.
-fn entries(value: &JsValue) -> Vec<(String, JsValue)> {
-    let Some(object) = value.dyn_ref::<Object>() else {
-        return Vec::new();
-    };
-    let entries = Object::entries(object);
-    let named = entries.iter().map(|entry| Array::from(&entry));
-    named
-        .filter_map(|entry| Some((entry.get(0).as_string()?, entry.get(1))))
-        .collect()
+/// What an object or a list holds by a name or a number; nothing where it has none.
+fn member(of: &JsValue, name: impl Into<JsValue>) -> JsValue {
+    Reflect::get(of, &name.into()).unwrap_or_default()
 }
 
 /// Problems as what is thrown: an array of `{code, …}`.

@@ -132,7 +132,7 @@ impl<'a> Continuation<'a> {
     /// Goes on until the motion repeats or ends, and leaves knots.
     pub(super) fn go(&mut self, sense: f64, knots: &mut Knots) -> End {
         let start = self.here.clone();
-        knots.push(self.input, &self.signs, &self.here, 0.0);
+        self.leave(knots, 0.0);
         let home = self.input;
         let least = self.mechanism.least_turns().unwrap_or(NEVER);
         let mut turns = 0;
@@ -253,7 +253,13 @@ impl<'a> Continuation<'a> {
     pub(super) fn take(&mut self, next: f64, knots: &mut Knots) {
         let turned = self.turned();
         self.go_on(next);
-        knots.push(self.input, &self.signs, &self.here, turned);
+        self.leave(knots, turned);
+    }
+
+    /// Leaves a knot at this pose.
+    fn leave(&self, knots: &mut Knots, turned: f64) {
+        let pose = (&self.here, self.orientations.clone());
+        knots.push(self.input, &self.signs, pose, turned);
     }
 
     /// The second pose is the one to go on from.

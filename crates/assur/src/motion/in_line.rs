@@ -182,7 +182,8 @@ impl Continuation<'_> {
         if !found.smooth_roots.is_empty() {
             // A knot tells the signs from it on, in ascending inputs.
             let from_it_on = if sense > 0.0 { &self.signs } else { &signs };
-            knots.push(found.input, from_it_on, &between, self.turned());
+            let pose = (&between, between.orientations());
+            knots.push(found.input, from_it_on, pose, self.turned());
         }
         self.take(past, knots);
         true

@@ -62,7 +62,13 @@ impl Knots {
     }
 
     /// Goes on to a pose, to which bodies turn by no more than `turned`.
-    pub(super) fn push(&mut self, input: f64, signs: &Signs, state: &Predictor, turned: f64) {
+    pub(super) fn push(
+        &mut self,
+        input: f64,
+        signs: &Signs,
+        (state, orientations): (&Predictor, List<BodyId, Orientation>),
+        turned: f64,
+    ) {
         let natural = state.natural.iter().flat_map(|place| {
             [0, 1].map(|axis| [0, 1, 2, 3].map(|order: usize| place[order][axis]))
         });
@@ -72,7 +78,7 @@ impl Knots {
             signs: signs.clone(),
             turned,
             margins: margins.collect(),
-            orientations: state.orientations(),
+            orientations,
             natural: natural.collect(),
         };
         self.span(knot.margins.iter().map(|margin| [*margin; 2]));
