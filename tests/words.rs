@@ -219,11 +219,11 @@ fn lessons() -> Vec<String> {
     found
 }
 
-/// The places of the misprints of the papers that lessons are about.
-fn errata() -> impl Iterator<Item = String> {
+/// The places of the tables `NAME.*.json` of those lessons that have one: misprints of a paper, what is said of its items.
+fn tables_of_lessons(name: &str) -> impl Iterator<Item = String> {
     let places = lessons()
         .into_iter()
-        .map(|lesson| format!("{lesson}/errata.*.json"));
+        .map(move |lesson| format!("{lesson}/{name}.*.json"));
     places.filter(|place| root().join(place.replace('*', "en")).exists())
 }
 
@@ -323,7 +323,11 @@ fn every_language_says_everything() {
         .into_iter()
         .map(|lesson| format!("{lesson}/words.*.json"));
     let kinds = kinds::kinds().into_iter().map(|kind| kind.place());
-    let all = steps.chain(errata()).chain(kinds).chain([PAGE.to_owned()]);
+    let of_lessons = ["errata", "paper"].into_iter().flat_map(tables_of_lessons);
+    let all = steps
+        .chain(of_lessons)
+        .chain(kinds)
+        .chain([PAGE.to_owned()]);
     for place in all {
         let tables = tables(&place);
         let (_, _, first) = &tables[0];
@@ -491,7 +495,7 @@ fn errata_are_those_of_the_document() {
         let mut words = cell.split(|c: char| !c.is_alphabetic() && c != '′');
         words.any(|word| word.len() > 2 && word.chars().all(|c| c.is_ascii_lowercase()))
     };
-    for place in errata() {
+    for place in tables_of_lessons("errata") {
         let tables = tables(&place);
         let english = &tables[0].2;
         let of_this = |rows: &&Vec<[&str; 3]>| {

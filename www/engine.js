@@ -17,6 +17,7 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").OutputSummary} Output
  * @typedef {import("assur/types/web.js").ProfileSummary} Profile
  * @typedef {import("assur/types/web.js").EquationSummary} Equation
+ * @typedef {import("assur/types/web.js").RelationHere} Relation
  * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled which of the assemblies at the drawn input moves, from 1, how many are known, whether they are all; null where that is unknown
  * @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled: Assembled }} MotionSummary
  * @typedef {import("assur/types/web.js").MixerSummary} MixerSummary

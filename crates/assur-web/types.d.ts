@@ -326,6 +326,15 @@ off: number,
  * The wheel on which the place is, a ring by its rim.
  */
 wheel: string | null, };
+export type RelationHere = { item: string, name: string, 
+/**
+ * Whether it is an angle, radians.
+ */
+angle: boolean, value: number, 
+/**
+ * The value by the relation as it is printed; none where that divides by zero.
+ */
+printed: number | null, };
 export type SchemeSummary = { 
 /**
  * Nothing does.

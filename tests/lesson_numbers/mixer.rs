@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
 use assur::motion::{Extremum, Features, Input, Kind};
-use assur::{Assembly, FourBar, Grashof};
+use assur::{Assembly, FourBar, Grashof, Link, Offset};
 use assur_tests::files::source;
 
 use super::{LANGUAGES, Lesson};
@@ -115,6 +115,82 @@ fn case_b_is_gentler() {
         let (_, crank) = linkage.worst_transmission();
         assert!(crank == 0.0 || crank == PI, "{crank}");
     }
+}
+
+/// Case b against case a in numbers: the peak of φ₃″ falls by 46 %, the acceleration of no centre of mass by more than 3 %,
+/// and the inertia torque of a uniform rocker of the same mass, l₃² φ₃″/3, grows.
+#[test]
+fn what_case_b_gains() {
+    let [a, b] = [Case::A, Case::B].map(|case| {
+        let linkage = mixer(case).linkage;
+        let poses = (0..3600).map(|k| {
+            linkage
+                .pose::<3>(FIRST, f64::from(k) * TAU / 3600.0)
+                .unwrap()
+        });
+        let poses: Vec<_> = poses.collect();
+        let centre = |link: Link| {
+            let places = poses
+                .iter()
+                .map(|pose| linkage.carried(pose, link, Offset::MIDDLE));
+            places
+                .map(|place| place.derivative(2).norm())
+                .fold(0.0, f64::max)
+        };
+        let torque = linkage.lengths()[2].powi(2) * peak(&rocker(case)[2]).value.abs();
+        let centres = [Link::Crank, Link::Coupler, Link::Rocker].map(centre);
+        (peak(&rocker(case)[2]).value.abs(), centres, torque)
+    });
+    assert_eq!((100.0 * (1.0 - b.0 / a.0)).round(), 46.0);
+    for (before, after) in a.1.into_iter().zip(b.1) {
+        assert!(
+            after > 0.97 * before && after < 1.01 * before,
+            "{before} {after}"
+        );
+    }
+    assert!(b.2 > 1.5 * a.2);
+    for lang in LANGUAGES {
+        let text = &LESSON.words(lang)["transmission.text"];
+        assert!(text.contains("46 %") && text.contains("3 %"), "{lang}");
+    }
+}
+
+/// The swings that stand beside the cases of fig. 4 in what is said of the paper.
+#[test]
+fn items_have_the_swings_of_fig_4() {
+    let [a, b] = [Case::A, Case::B].map(|case| swing(&mixer(case).linkage));
+    let [a5, b5, c5] = Case::ALL.map(|case| ratio(case).abs() * swing(&mixer(case).linkage));
+    for lang in LANGUAGES {
+        let text = source(&format!("www/lessons/mixer/paper.{lang}.json"));
+        let words: std::collections::BTreeMap<String, String> =
+            serde_json::from_str(&text).unwrap();
+        for (item, swings) in [
+            ("case1", [a, a5]),
+            ("case2", [b, b5]),
+            ("case3", [a, c5]),
+            ("claim2", [a, b]),
+            ("claim3", [a5, c5]),
+        ] {
+            for swing in swings {
+                let number = format!("{swing:.1}°");
+                let number = if lang == "en" {
+                    number
+                } else {
+                    number.replace('.', ",")
+                };
+                let said = &words[&format!("paper.{item}")];
+                assert!(said.contains(&number), "{lang} {item}: {number}");
+            }
+        }
+    }
+}
+
+/// The case in which wheel 5 swings least is c.
+#[test]
+fn wheel_5_swings_least_in_case_c() {
+    let [a, b, c] = Case::ALL.map(|case| ratio(case).abs() * swing(&mixer(case).linkage));
+    assert!(c < a && c < b);
+    assert!((c / swing(&mixer(Case::C).linkage) - 0.5).abs() < 1e-12);
 }
 
 /// The letters of the cases are those of the buttons.

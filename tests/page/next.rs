@@ -164,7 +164,7 @@ fn all_are_walked() {
 /// The end of a lesson leads to the next one, that of the last to the gallery.
 #[tokio::test]
 async fn what_comes_next() {
-    let lesson = "v.lesson=%7B%22id%22%3A%22mixer%22%2C%22step%22%3A7%7D";
+    let lesson = "v.lesson=%7B%22id%22%3A%22mixer%22%2C%22step%22%3A11%7D";
     let page = Page::open_at(
         &format!("{}#mixer-a&v.playing=false&{lesson}", home()),
         "en-US",

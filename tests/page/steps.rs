@@ -8,6 +8,9 @@ use thirtyfour::prelude::*;
 use crate::browser::Page;
 use crate::host::home;
 
+/// Steps of the mixer's lesson.
+const STEPS: usize = 10;
+
 fn mixer(case: Case) -> Mixer {
     Mixer::new(&case.dimensions()).unwrap()
 }
@@ -32,7 +35,7 @@ async fn turn_to(page: &Page, number: usize) {
     }
     let progress = page.text("lesson-progress").await;
     assert!(
-        progress.contains(&format!("Step {number} of 6")),
+        progress.contains(&format!("Step {number} of {STEPS}")),
         "{progress}"
     );
 }
@@ -142,10 +145,14 @@ async fn six_questions_answered_by_mouse() {
             .contains("6 right answers")
     );
     // After the last step comes what was learnt, and no step more.
-    page.click("lesson-on").await;
+    for _ in 6..=STEPS {
+        page.click("lesson-on").await;
+    }
     assert!(!visible(&page, "lesson-check").await);
     assert!(!page.element("lesson-on").await.is_enabled().await.unwrap());
-    page.click("lesson-back").await;
+    for _ in 6..=STEPS {
+        page.click("lesson-back").await;
+    }
 
     // What was answered is still there; the settings come back.
     page.click("lesson-back").await;
@@ -153,7 +160,7 @@ async fn six_questions_answered_by_mouse() {
     // Pressed again before it is drawn, it leads no farther than to the last step, or to the first.
     for (button, twin) in [("lesson-on", "lesson-back"), ("lesson-back", "lesson-on")] {
         page.ask(&format!(
-            "for (let times = 0; times < 9; times++) document.getElementById('{button}').click();"
+            "for (let times = 0; times < 15; times++) document.getElementById('{button}').click();"
         ))
         .await;
         page.until("the end", async || {
@@ -317,7 +324,7 @@ async fn by_keys_alone() {
     page.keys(Key::Tab + "").await;
     page.keys(Key::Tab + "").await;
     assert_eq!(focused().await, "lesson-on");
-    for _ in 1..7 {
+    for _ in 1..=STEPS {
         page.keys(" ").await;
     }
     assert!(
@@ -326,7 +333,9 @@ async fn by_keys_alone() {
             .contains("End of the lesson")
     );
     assert_eq!(focused().await, "lesson-back");
-    page.keys(" ").await;
+    for _ in 6..=STEPS {
+        page.keys(" ").await;
+    }
     assert!(page.text("lesson-progress").await.contains("Step 6"));
     // Opened anew it begins with its title. Tab: the two cases, the choices by arrows, the check.
     page.keys("l").await;
@@ -431,14 +440,14 @@ async fn a_link_opens_the_step() {
             .contains("End of the lesson")
     );
     page.click("lesson-back").await;
-    assert!(page.text("lesson-progress").await.contains("Step 6 of 6"));
+    assert!(page.text("lesson-progress").await.contains("Step 10 of 10"));
     page.anew(&link.replace("%22mixer%22", "%22nosuch%22"))
         .await;
     assert!(visible(&page, "rail").await && !visible(&page, "lesson").await);
     assert_eq!(page.said().await, Vec::<String>::new());
     // The lesson on the mechanism is offered as ever.
     open(&page).await;
-    assert!(page.text("lesson-progress").await.contains("Step 1 of 6"));
+    assert!(page.text("lesson-progress").await.contains("Step 1 of 10"));
     page.close().await;
 }
 
@@ -603,7 +612,7 @@ async fn answers_are_not_told_while_they_are_asked_for() {
             .contains("The answer: 43.952°")
     );
     assert_eq!(verdict(&page).await, "shown");
-    let counted = "Step 4 of 6, 1 right answer, shown: 1";
+    let counted = "Step 4 of 10, 1 right answer, shown: 1";
     assert_eq!(page.text("lesson-progress").await, counted);
     assert_eq!(answer(&page, "43.95").await, "right");
     assert_eq!(page.text("lesson-progress").await, counted);

@@ -41,11 +41,11 @@ import { holds, open } from "assur/lesson/show.js";
 /**
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
- *   kind?: K, id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: boolean,
+ *   kind?: K, id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: boolean, relations?: readonly string[],
  *   controls?: readonly string[], readouts?: readonly string[], equations?: boolean,
  * }>} Step
  * `kind`: of the documents that it shows and asks about, where it is not the lesson's; `formula`: one with a number in it is written with
- * the reader's decimal sign; `errata`: misprints of the lesson's paper concern the step. In the step itself stand its `controls`, by their fields, its `readouts`,
+ * the reader's decimal sign; `errata`: misprints of the lesson's paper concern the step; `relations`: items of the paper in its main line. In the step itself stand its `controls`, by their fields, its `readouts`,
  * by what follows `out-` in their ids, and the constraint `equations`.
  */
 
@@ -76,9 +76,11 @@ export class FolderLesson {
    * @param {OwnPresets} presets
    * @param {import("assur/app/page.js").Page} page
    * @param {import("assur/lesson/offer.js").Entry} [next] the lesson after it
+   * @param {readonly import("assur/lesson/paper.js").Item[]} [items] of its paper
    */
-  constructor(id, lesson, presets, page, next) {
+  constructor(id, lesson, presets, page, next, items = []) {
     this.id = this.name = id;
+    this.paper = { items, main: new Map(lesson.steps.map((step) => [step.id, step.relations ?? []])) };
     this.#lesson = lesson;
     this.#presets = presets;
     this.#page = page;

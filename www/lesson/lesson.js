@@ -2,7 +2,7 @@
 import { awaited } from "assur/app/busy.js";
 import { byId, setData, write } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
-import { OWN, next, offered, opened, readLesson } from "assur/lesson/offer.js";
+import { OWN, next, offered, opened, readLesson, readPaper } from "assur/lesson/offer.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -167,18 +167,20 @@ export class Lesson {
    */
   async #bringOurs(entry, { lang }) {
     const { id } = entry;
-    const [{ LessonPanel }, { FolderLesson }, { lesson, presets }, text] = await Promise.all([
+    const tables = ["lang/*", `lessons/${id}/words.*`, ...(entry.paper ? [`lessons/${id}/paper.*`] : [])];
+    const [{ LessonPanel }, { FolderLesson }, { lesson, presets }, items, text] = await Promise.all([
       import("assur/lesson/panel.js"),
       import("assur/lesson/folder.js"),
       readLesson(entry),
-      Words.load(lang, ["lang/*", `lessons/${id}/words.*`]),
+      readPaper(entry),
+      Words.load(lang, tables),
     ]);
     return { show: () => {
       if (this.#shown !== id) {
         this.#panel?.end();
         this.#writer = null;
         this.#shown = id;
-        this.#panel = new LessonPanel(this.#place, this.#page, new FolderLesson(id, lesson, presets, this.#page, next(id)), text);
+        this.#panel = new LessonPanel(this.#place, this.#page, new FolderLesson(id, lesson, presets, this.#page, next(id), items), text);
       }
       this.#panel?.speak(text);
     } };

@@ -3,15 +3,15 @@ import { LESSONS, SCRIPTS } from "assur/lessons/index.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ id: string, about: readonly string[], presets: boolean }>} Entry
- * A lesson: the name of its folder, or that of a lesson that a lecturer has written, the origins or the kinds of documents that it is about, whether it has presets of its own.
+ * @typedef {Readonly<{ id: string, about: readonly string[], presets: boolean, paper: boolean }>} Entry
+ * A lesson: the name of its folder, or that of a lesson that a lecturer has written, the origins or the kinds of documents that it is about, whether it has presets of its own, and a paper.
  */
 
 /** What links call the lesson that is in the state itself: no folder has this name. */
 export const OWN = "own";
 
 /** @type {Entry} */
-const WRITTEN = Object.freeze({ id: OWN, about: [], presets: false });
+const WRITTEN = Object.freeze({ id: OWN, about: [], presets: false, paper: false });
 
 /**
  * @param {State} state
@@ -57,16 +57,24 @@ export function originOf({ document }) {
  * its steps and the presets of its own
  */
 export async function readLesson({ id, presets }) {
-  const [{ LESSON: lesson }, own] = await Promise.all([SCRIPTS[id](), presets ? ownPresets(id) : {}]);
+  const [{ LESSON: lesson }, own] = await Promise.all([SCRIPTS[id](), presets ? fileOf(id, "presets.json") : {}]);
   return { lesson, presets: own };
 }
 
 /**
- * @param {string} lesson
- * @returns {Promise<import("assur/lesson/folder.js").OwnPresets>}
+ * @param {Entry} entry
+ * @returns {Promise<readonly import("assur/lesson/paper.js").Item[]>} the items of its paper; none where it has no paper
  */
-async function ownPresets(lesson) {
-  const response = await fetch(import.meta.resolve(`assur/lessons/${lesson}/presets.json`));
+export async function readPaper({ id, paper }) {
+  return paper ? fileOf(id, "paper.json") : [];
+}
+
+/**
+ * @param {string} lesson
+ * @param {string} file of its folder
+ */
+async function fileOf(lesson, file) {
+  const response = await fetch(import.meta.resolve(`assur/lessons/${lesson}/${file}`));
   if (!response.ok) throw new Error(`${response.status} ${lesson}`);
   return response.json();
 }

@@ -2,6 +2,7 @@
 import { make, write } from "assur/core/dom.js";
 import { marked, withSubscripts } from "assur/core/subscripts.js";
 import { OwnMechanism } from "assur/lesson/own.js";
+import { Paper } from "assur/lesson/paper.js";
 import { Progress } from "assur/lesson/progress.js";
 import { Tools } from "assur/lesson/tools.js";
 import { withView } from "assur/state/state.js";
@@ -32,10 +33,10 @@ import { withView } from "assur/state/state.js";
  * }>} Told a step in words; steps are told apart by their ids, which progress is kept by; `from`: the index of the step whose mechanism it shows, null if it
  * shows none
  * @typedef {{
- *   readonly id: string, readonly name: string, tell(words: Words): readonly Told[], openErrata?(words: Words): Promise<void>,
+ *   readonly id: string, readonly name: string, readonly paper?: import("assur/lesson/paper.js").Printed, tell(words: Words): readonly Told[], openErrata?(words: Words): Promise<void>,
  *   frame?(step: HTMLElement[], progress: Progress, renew: () => Progress): HTMLElement[], answered?(): void,
  * }} Source
- * The source of a lesson: its name in links, the name by which its progress is kept, its steps, the frame around them. `answered` hears of
+ * The source of a lesson: its name in links, the name by which its progress is kept, what its paper prints, its steps, the frame around them. `answered` hears of
  * every new answer; `renew` gives the progress that is kept by another name.
  */
 
@@ -79,6 +80,8 @@ export class LessonPanel {
   #form;
   #said = make("p", { id: "lesson-said", role: "status" });
   #tools = new Tools();
+  /** @type {Paper | undefined} */
+  #paper;
   #own;
 
   /**
@@ -105,7 +108,8 @@ export class LessonPanel {
     this.#errata.addEventListener("click", () => source.openErrata?.(this.#words));
     this.#reveal.addEventListener("click", () => this.#showAnswer());
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
-    const step = [this.#title, this.#text, this.#shows, this.#tools.element, this.#errata];
+    const paper = this.#paper = source.paper && new Paper(page.engine, source.paper);
+    const step = [this.#title, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#tools.element, ...(paper ? [paper.fold] : []), this.#errata];
     this.#body.replaceChildren(...(source.frame?.(step, this.#progress, () => this.#renew()) ?? step));
     place.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
@@ -178,7 +182,10 @@ export class LessonPanel {
       this.#shown = shown;
       this.#write(number);
     }
-    if (snapshot.legible) this.#tools.render();
+    if (snapshot.legible) {
+      this.#tools.render();
+      this.#paper?.render(snapshot);
+    }
     if (outdated) this.#say();
     if (step.question?.reached?.(snapshot) && !this.#progress.isSolved(step.id)) this.#answer();
   }
@@ -245,6 +252,7 @@ export class LessonPanel {
       button.addEventListener("click", () => this.#own.open(open));
       return button;
     }));
+    this.#paper?.show(step.id, step.id === END, words);
     this.#begin(step);
     write(this.#errata, words.text("lesson.errata"));
     this.#errata.hidden = !errata;

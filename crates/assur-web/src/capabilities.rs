@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use assur::Point;
+use assur::{Point, Relation};
 use assur_draw::Figure;
 use assur_draw::chart::{Against, Chart};
 use assur_file::{LinkageDocument, Problem};
@@ -46,6 +46,14 @@ pub(crate) trait Capabilities {
         None
     }
 
+    /// The relations of the paper that it comes from, in numbers at an input; none where there is no such paper.
+    ///
+    /// # Errors
+    /// No pose there, or derivatives unbounded.
+    fn relations(&self, _input: f64) -> Result<Vec<Relation>, Problem> {
+        Ok(Vec::new())
+    }
+
     /// The linkage as it is drawn at an input, to be drawn on.
     ///
     /// # Errors
@@ -64,6 +72,31 @@ pub(crate) trait Capabilities {
         let wheel = moving.figure().wheel_at(&pose, at).map(name);
         let link = name(link);
         Some(LinkHere { link, off, wheel })
+    }
+}
+
+/// A quantity for which a paper gives a relation: of an item in the table of the paper, in the paper's letters.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct RelationHere {
+    item: &'static str,
+    name: &'static str,
+    /// Whether it is an angle, radians.
+    angle: bool,
+    value: f64,
+    /// The value by the relation as it is printed; none where that divides by zero.
+    printed: Option<f64>,
+}
+
+impl From<Relation> for RelationHere {
+    fn from(relation: Relation) -> Self {
+        Self {
+            item: relation.item,
+            name: relation.name,
+            angle: relation.is_angle,
+            value: relation.value,
+            printed: relation.printed,
+        }
     }
 }
 

@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
 
 use crate::canvas::Canvas;
-use crate::capabilities::{Capabilities, Edited, Moves, unknown};
+use crate::capabilities::{Capabilities, Edited, Moves, RelationHere, unknown};
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::convert::{read, read_value, thrown, to_js};
 use crate::kinds::{as_kind, draft, open};
@@ -341,6 +341,17 @@ impl Simulator {
     /// Why there are none: no pose, or derivatives unbounded.
     pub fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, JsValue> {
         self.linkage()?.equations(input, order).map_err(one)
+    }
+
+    /// The relations of the paper that the document comes from, in numbers at an input:
+    /// `[{item, name, angle, value, printed}]`, in the order of the paper.
+    ///
+    /// # Errors
+    /// Why there are none: no pose, or derivatives unbounded.
+    pub fn relations(&self, input: f64) -> Result<JsValue, JsValue> {
+        let relations = self.document()?.relations(input).map_err(one)?;
+        let here: Vec<RelationHere> = relations.into_iter().map(Into::into).collect();
+        Ok(to_js(&here))
     }
 
     /// What is drawn of curvature, in numbers: `{circles: [{point, radius, centre, reason}],

@@ -8,7 +8,7 @@ use ts_rs::{Config, TS};
 use crate::assemblies::{
     AssembliesHere, AssemblyHere, Belonging, BranchLine, MeetingPlace, MotionsMap,
 };
-use crate::capabilities::LinkHere;
+use crate::capabilities::{LinkHere, RelationHere};
 use crate::chart::{
     AgainstLayout, AxisLayout, ChartLayout, ChartRequest, MarkLayout, PanelLayout, SeriesLayout,
     TickLayout,
@@ -70,6 +70,7 @@ fn the_scripts_know_what_crosses_the_border() {
         MixerSummary::decl(&config),
         DraftSummary::decl(&config),
         LinkHere::decl(&config),
+        RelationHere::decl(&config),
         SchemeSummary::decl(&config),
         PairSummary::decl(&config),
         CountSummary::decl(&config),

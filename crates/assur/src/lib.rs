@@ -38,6 +38,7 @@ pub mod mobility;
 pub mod motion;
 pub mod polygons;
 mod position;
+mod relation;
 pub mod sorting;
 pub mod structure;
 pub mod synthesis;
@@ -49,3 +50,4 @@ pub use four_bar::{
 pub use geometry::{JetPoint, Point, Vector, nearest};
 pub use invalid::{Dimension, Fault, Invalid};
 pub use jet::Jet;
+pub use relation::Relation;

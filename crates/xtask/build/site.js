@@ -6,6 +6,7 @@ import { list } from "./files.js";
 import { words } from "./folders.js";
 import { notes } from "./notes.js";
 import { Page, fill } from "./page.js";
+import { built } from "./papers.js";
 import { bundle } from "./scripts.js";
 
 const PAGE = "index.html";
@@ -15,6 +16,9 @@ export const ENGINE = "target/engine";
 
 /** Used up by the build: scripts, parts of the first style sheet, facts of folders, words that go into the tables of the page. */
 const SOURCE = /\.js$|^styles\/|^lessons\/[^/]+\/lesson\.json$|^kinds\/[^/]+\/(kind|words\.\w+)\.json$/;
+
+/** Formulas in LaTeX, which the page has as MathML. */
+const PAPER = /^lessons\/[^/]+\/paper\.json$/;
 
 /**
  * @param {{ root: string, more?: string, version: string }} options of the repository, of a folder with more lessons and kinds
@@ -35,7 +39,8 @@ export async function site({ root, more, version }) {
   for (const [name, script] of await bundle(sources)) put(name, script);
   for (const [name, file] of sources) {
     if (SOURCE.test(name)) continue;
-    put(name, name.endsWith(".css") ? bundleStyles({ filename: file, minify: true }).code : readFileSync(file));
+    if (PAPER.test(name)) put(name, built(readFileSync(file, "utf8")));
+    else put(name, name.endsWith(".css") ? bundleStyles({ filename: file, minify: true }).code : readFileSync(file));
   }
   put(PAGE, new Page(filled(root, files, version), "site").text());
   return files;

@@ -55,6 +55,33 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
     readouts: ["C.transmission", "rocker.angle″"],
     question: { choices: ["in_line", "on_frame", "dead_point"], answer: leastTransmission },
   },
+  {
+    id: "triangles",
+    formula: "",
+    relations: ["002.(1)", "002.(2)", "002.(4)", "002.(5)", "002.(6)"],
+    shows: [{ preset: "mixer-a", at: () => Math.PI / 3, overlays: ["loop_vectors"] }],
+    question: { choices: ["diagonal", "coupler", "rocker"], answer: () => "diagonal" },
+  },
+  {
+    id: "contour",
+    formula: "",
+    relations: ["002.(7)", "002.(8)", "002.(9)", "002.(10)", "002.(11)", "002.(13)phi3", "002.(13)phi2"],
+    shows: [{ preset: "mixer-a", at: () => Math.PI / 3, overlays: ["loop_vectors"] }],
+    question: { choices: ["coupler", "rocker", "crank"], answer: () => "coupler" },
+  },
+  {
+    id: "centres",
+    formula: "",
+    relations: ["002.(14)", "002.(18)", "002.(19)", "002.(20)", "002.(22)", "002.(23)"],
+    shows: [{ preset: "mixer-a", at: () => Math.PI / 3, overlays: ["traces", "centres"] }],
+    question: { choices: ["to_a", "from_a", "across"], answer: () => "to_a" },
+  },
+  {
+    id: "cases",
+    formula: "Δφ₅ = |u| Δφ₃",
+    shows: ["a", "b", "c"].map((name) => ({ name, preset: `mixer-${name}`, play: true })),
+    question: { choices: ["a", "b", "c"], answer: () => "c" },
+  },
 ] });
 
 /**

@@ -3,7 +3,7 @@
 use assur::gears::GearPair;
 use assur::mechanism::{LinkId, Mechanism, Quantity, Unsolved};
 use assur::mixer::{Dragged, Joint, Mixer as Parameters, Tracer};
-use assur::{Assembly, Point, Pose};
+use assur::{Assembly, Point, Pose, Relation};
 use assur_draw::Annotations;
 use assur_file::{
     LinkageDocument, LinkageProblem, MixerDocument, MixerTracerDocument, Problem, State,
@@ -164,6 +164,10 @@ impl Capabilities for Mixer {
 
     fn edited(&self) -> Option<&dyn Edited> {
         Some(self)
+    }
+
+    fn relations(&self, input: f64) -> Result<Vec<Relation>, Problem> {
+        Ok(self.parameters.relations(input)?)
     }
 }
 

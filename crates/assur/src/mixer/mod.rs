@@ -2,6 +2,7 @@
 //! 4, which drives wheel 5, or several wheels around it (Smelyagin and Prikhodko,
 //! fig. 1 and 4).
 
+mod contours;
 mod draft;
 mod drag;
 mod motion;

@@ -1,0 +1,35 @@
+//! Relations of a paper in numbers: what a quantity comes to, and what it would by the relation as it is printed.
+
+/// A quantity for which a paper gives a relation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Relation {
+    /// The item in the table of the paper, `002.(10)`.
+    pub item: &'static str,
+    /// The quantity in the letters of the paper, `φ₃′`.
+    pub name: &'static str,
+    /// Whether it is an angle, radians; else a length or a number.
+    pub is_angle: bool,
+    /// Its value in the pose.
+    pub value: f64,
+    /// The value by the relation as it is printed; none where that divides by zero.
+    pub printed: Option<f64>,
+}
+
+impl Relation {
+    pub(crate) fn of(item: &'static str, name: &'static str, value: f64, printed: f64) -> Self {
+        Self {
+            item,
+            name,
+            is_angle: false,
+            value,
+            printed: printed.is_finite().then_some(printed),
+        }
+    }
+
+    pub(crate) fn angle(item: &'static str, name: &'static str, value: f64, printed: f64) -> Self {
+        Self {
+            is_angle: true,
+            ..Self::of(item, name, value, printed)
+        }
+    }
+}

@@ -1,0 +1,127 @@
+// What the paper of a lesson prints, item by item: formulas with their numbers in the mechanism as it stands, whether they hold, and what holds instead.
+// Loaded with a lesson that has a paper.
+import { degrees } from "assur/core/angles.js";
+import { make, write } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+import { withSubscripts } from "assur/core/subscripts.js";
+
+/**
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
+ * @typedef {import("assur/engine.js").Relation} Relation
+ * @typedef {Readonly<{ item: string, step: string, verdict: string, printed: readonly string[], instead: readonly string[] }>} Item
+ * of `paper.json`, as the build makes it: formulas are elements of MathML
+ * @typedef {Readonly<{ items: readonly Item[], main: ReadonlyMap<string, readonly string[]> }>} Printed of a paper all items, and by the ids of steps those in
+ * their main lines
+ * @typedef {{ item: string, place: HTMLElement }} Numbers where the numbers of an item are written
+ */
+
+/** Values that differ by less, relative to their size, are the same. */
+const SAME = 1e-9;
+const DECIMALS = 4;
+const IN_DEGREES = 2;
+
+export class Paper {
+  #engine;
+  #items;
+  #main;
+  /** @type {Words | null} */
+  #words = null;
+  /** @type {Numbers[]} of the step that is shown */
+  #numbers = [];
+  /** @type {readonly unknown[]} what the numbers were written of */
+  #written = [];
+
+  /** Formulas of the main line. */
+  main = make("div", { class: "paper" });
+  #summary = make("summary");
+  #rows = make("div", { class: "paper" });
+  /** All items of the step as they are printed, with a verdict. */
+  fold = make("details", { id: "lesson-paper" }, [this.#summary, this.#rows]);
+
+  /**
+   * @param {Pick<import("assur/engine.js").Engine, "ask">} engine
+   * @param {Printed} printed
+   */
+  constructor(engine, { items, main }) {
+    this.#engine = engine;
+    this.#items = items;
+    this.#main = main;
+  }
+
+  /**
+   * @param {string} step the id of the step that is shown, or of what closes the lesson
+   * @param {boolean} closes whether it is that
+   * @param {Words} words of the page, and those of the paper
+   */
+  show(step, closes, words) {
+    this.#words = words;
+    const items = this.#items.filter((item) => item.step === step);
+    const main = this.#main.get(step) ?? [];
+    this.#numbers = [];
+    this.#written = [];
+    this.main.replaceChildren(...items.filter(({ item }) => main.includes(item)).map((item) => this.#row(item)));
+    this.#rows.replaceChildren(...items.map((item) => this.#row(item, verdict(item, words))));
+    write(this.#summary, words.text(closes ? "lesson.paper.about" : "lesson.paper.fold"));
+    this.fold.open = closes;
+    this.fold.hidden = items.length === 0;
+  }
+
+  /** @param {Snapshot} snapshot */
+  render({ summary, input, stale, problems }) {
+    const written = [summary, input, stale, problems.length];
+    if (this.#numbers.length === 0 || written.every((part, i) => part === this.#written[i])) return;
+    this.#written = written;
+    const asked = stale ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
+    const words = this.#words;
+    if (!words) return;
+    for (const { item, place } of this.#numbers) {
+      const relations = (asked ?? []).filter((relation) => relation.item === item);
+      place.replaceChildren(...relations.map((relation) => make("p", {}, withSubscripts(compared(relation, words)))));
+    }
+  }
+
+  /**
+   * @param {Item} item
+   * @param {readonly Node[]} [further] what is said of it
+   */
+  #row({ item, printed }, further = []) {
+    const numbers = make("div", { class: "paper-numbers" });
+    this.#numbers.push({ item, place: numbers });
+    const [label] = /\(\d+\)/.exec(item) ?? [""];
+    const formulas = printed.map(math);
+    const head = label === "" ? [] : [make("b", {}, [label])];
+    return make("div", { "data-item": item }, [...head, ...formulas, numbers, ...further]);
+  }
+}
+
+/**
+ * @param {Item} item
+ * @param {Words} words
+ * @returns {Node[]} whether it holds, why, and what holds instead
+ */
+function verdict({ item, verdict: held, instead }, words) {
+  const key = `paper.${item.slice(item.indexOf(".") + 1)}`;
+  const said = words.has(key) ? [make("p", {}, withSubscripts(words.text(key)))] : [];
+  return [...said, make("p", { class: "paper-verdict", "data-verdict": held }, [words.text(`lesson.paper.${held}`)]), ...instead.map(math)];
+}
+
+/**
+ * @param {Relation} relation
+ * @param {Words} words
+ * @returns {string} its value and, where that is another, the one by the relation as it is printed
+ */
+export function compared({ name, angle, value, printed }, words) {
+  const number = (/** @type {number} */ one) => (angle ? `${words.numbers.fixed(degrees(one), IN_DEGREES)}°` : words.numbers.fixed(one, DECIMALS));
+  if (printed === null) return words.text("lesson.paper.undefined", { name, value: number(value) });
+  const off = printed - value;
+  const apart = angle ? off - 2 * Math.PI * Math.round(off / (2 * Math.PI)) : off;
+  if (Math.abs(apart) <= SAME * (1 + Math.abs(value))) return `${name} = ${number(value)}`;
+  return words.text("lesson.paper.differs", { name, value: number(value), printed: number(printed), off: number(apart) });
+}
+
+/** @param {string} text an element of MathML, made by the build */
+function math(text) {
+  const [element] = new DOMParser().parseFromString(text, "text/html").body.children;
+  return document.adoptNode(element);
+}
