@@ -34,8 +34,8 @@ impl Motion {
     fn smooth_root(&self, step: StepId, input: f64) -> Option<SmoothRoot> {
         let square = self.square(step, input)?;
         let placing = &self.mechanism.steps()[step];
-        let scale = Jet::<1>::constant(placing.scale());
-        let rounded = ROUNDING * placing.square([scale; 2]).value();
+        let scales = placing.scales().map(Jet::<1>::constant);
+        let rounded = ROUNDING * placing.square(scales).value();
         let mut best: Option<(f64, SmoothRoot)> = None;
         for halved in 0..HALVINGS {
             let reach = WIDEST * self.mechanism.span() * 0.5_f64.powi(halved);
