@@ -85,8 +85,8 @@ impl<const N: usize> Triangle<N> {
     }
 }
 
-/// What P and Q are rounded by, relative: r, l₂ and l₃ have rounding errors of their sum s, so that s² − r² has one of s·s
-/// about its zero, and r² − (l₂ − l₃)² one of s·|l₂ − l₃| about its own, which a short base brings near to r = 0.
+/// The scales of P and Q. The base r has the rounding of s = l₂ + l₃. About r = s that counts s times in P; about
+/// r = |l₂ − l₃|, which may be much shorter, it counts |l₂ − l₃| times in Q, and squared.
 fn scales(sum: f64, difference: f64) -> [f64; 2] {
     [sum, difference.abs() + ROUNDING * sum].map(|length| sum * length)
 }

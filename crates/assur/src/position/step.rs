@@ -110,7 +110,7 @@ pub(crate) trait Solvable {
         Singularity::Group
     }
 
-    /// The sizes of what its margins are made of.
+    /// The scales of its margins: what their rounding is relative to.
     fn scales(&self) -> [f64; 2] {
         [1.0; 2]
     }
