@@ -13,6 +13,8 @@ const WITHIN: f64 = 1e-3;
 pub(super) const PASSED: f64 = 1e-5;
 /// Within this part links of other steps come into line at the same input.
 const SAME: f64 = 1e-9;
+/// A margin is zero where it is no more than this part of its scale.
+const ZERO: f64 = 16.0 * ROUNDING;
 /// From nearby Newton's method finds the input in so many steps.
 const REFINEMENTS: usize = 4;
 /// So far on, relative, a square is what its Taylor series tells, or something else is near.
@@ -153,11 +155,12 @@ impl Continuation<'_> {
             let around = [input - same, input + same];
             return !self.change_points(step, around).is_empty();
         }
-        let touches = |margin: Jet<KNOWN>| {
+        let touches = |(margin, scale): (Jet<KNOWN>, f64)| {
             let [value, slope, bend] = [0, 1, 2].map(|order| margin.derivative(order));
-            bend > 0.0 && value.abs() <= zero(placing) && slope.abs() <= same * bend
+            bend > 0.0 && value.abs() <= ZERO * scale && slope.abs() <= same * bend
         };
-        placing.passes() && state.margins[step].into_iter().any(touches)
+        let mut margins = state.margins[step].into_iter().zip(placing.scales());
+        placing.passes() && margins.any(touches)
     }
 
     /// Those of a four-bar in closed form.
@@ -223,9 +226,4 @@ impl Continuation<'_> {
         let shown = expected && certified.is_ok() && held;
         (shown && self.turned() <= MOST_TURNED).then_some((between, past))
     }
-}
-
-/// A margin that is no more than this is zero.
-fn zero(placing: &Step) -> f64 {
-    16.0 * ROUNDING * placing.scale()
 }

@@ -79,15 +79,16 @@ impl Continuation<'_> {
             .rev()
             .map(|halved| self.input + sense * window * 0.5_f64.powi(halved));
         let met = beyond.find_map(|input| Some((input, self.solve(input, &mut probe).err()?)));
-        let Some((bad, (step, cause))) = met else {
-            return self
-                .parallel(step, sense)
-                .unwrap_or_else(|| self.ends(step, DeadPointKind::NearSingular));
-        };
-        let Ok([last, _]) = bisect([self.input, bad], |input| {
-            Ok::<bool, Infallible>(self.solve(input, &mut probe).is_ok())
+        let met = met.map(|(bad, (step, cause))| {
+            let Ok([last, _]) = bisect([self.input, bad], |input| {
+                Ok::<bool, Infallible>(self.solve(input, &mut probe).is_ok())
+            });
+            self.dead_at(last, step, cause)
         });
-        self.dead_at(last, step, cause)
+        // Guides become parallel between poses; beyond them something else may end the motion.
+        let found = [self.parallel(step, sense), met].into_iter().flatten();
+        let nearest = found.min_by(|a, b| (a.input * sense).total_cmp(&(b.input * sense)));
+        nearest.unwrap_or_else(|| self.ends(step, DeadPointKind::NearSingular))
     }
 
     /// Where just ahead the two guides of a step become parallel: there are poses beyond, but not from here. The

@@ -32,10 +32,12 @@ impl Motion {
     /// The root of a step around a change point, over as wide a way as the polynomial fits on to
     /// what rounding leaves of the square, or where it fits best.
     fn smooth_root(&self, step: StepId, input: f64) -> Option<SmoothRoot> {
-        let square = self.square(step, input)?;
         let placing = &self.mechanism.steps()[step];
-        let scale = Jet::<1>::constant(placing.scale());
-        let rounded = ROUNDING * placing.square([scale; 2]).value();
+        let margins = self.margins(step, input)?;
+        let square = placing.square(margins);
+        let rounding = placing.scales().map(|scale| ROUNDING * scale);
+        let off = [0, 1].map(|which| margins[which] + rounding[which]);
+        let rounded = (placing.square(off) - square).value();
         let mut best: Option<(f64, SmoothRoot)> = None;
         for halved in 0..HALVINGS {
             let reach = WIDEST * self.mechanism.span() * 0.5_f64.powi(halved);
@@ -77,6 +79,11 @@ impl Motion {
 
     /// The square that a step takes the root of, with its derivatives.
     fn square(&self, step: StepId, input: f64) -> Option<Jet<KNOWN>> {
+        let margins = self.margins(step, input)?;
+        Some(self.mechanism.steps()[step].square(margins))
+    }
+
+    fn margins(&self, step: StepId, input: f64) -> Option<[Jet<KNOWN>; 2]> {
         let input = self.cycle.wrap(input);
         let mut state = self.mechanism.blank_state();
         let mut guess = Vec::new();
@@ -91,7 +98,6 @@ impl Motion {
                     failed.index() > step.index() || failed == step && known
                 }
             };
-        let square = self.mechanism.steps()[step].square(state.margins[step]);
-        known.then_some(square)
+        known.then_some(state.margins[step])
     }
 }

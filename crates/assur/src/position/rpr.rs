@@ -110,9 +110,9 @@ impl Solvable for Rpr {
         Singularity::Perpendicular
     }
 
-    fn scale(&self) -> f64 {
+    fn scales(&self) -> [f64; 2] {
         let [i, j] = &self.sides;
-        (i.off - j.off).powi(2)
+        [(i.off - j.off).powi(2); 2]
     }
 }
 

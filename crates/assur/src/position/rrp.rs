@@ -117,7 +117,7 @@ impl Solvable for Rrp {
         Singularity::Perpendicular
     }
 
-    fn scale(&self) -> f64 {
-        self.arm.length().powi(2)
+    fn scales(&self) -> [f64; 2] {
+        [self.arm.length().powi(2); 2]
     }
 }

@@ -2,7 +2,8 @@
 
 use super::complex::Complex;
 use super::{
-    Arm, CLOSE, Cause, Dead, Enclosure, Given, NEAR, Predictor, Singularity, Solvable, State, clear,
+    Arm, CLOSE, Cause, Dead, Enclosure, Given, NEAR, Predictor, ROUNDING, Singularity, Solvable,
+    State, clear,
 };
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
@@ -84,6 +85,12 @@ impl<const N: usize> Triangle<N> {
     }
 }
 
+/// The scales of P and Q. The base r has the rounding of s = l₂ + l₃. About r = s that counts s times in P; about
+/// r = |l₂ − l₃|, which may be much shorter, it counts |l₂ − l₃| times in Q, and squared.
+fn scales(sum: f64, difference: f64) -> [f64; 2] {
+    [sum, difference.abs() + ROUNDING * sum].map(|length| sum * length)
+}
+
 impl Solvable for Rrr {
     fn solve<const N: usize>(
         &self,
@@ -99,8 +106,7 @@ impl Solvable for Rrr {
             ..
         } = triangle;
         state.margins[given.step] = [p, q];
-        let scale = sum * sum;
-        if square.value() <= f64::EPSILON * f64::EPSILON * scale {
+        if square.value() <= f64::EPSILON * f64::EPSILON * sum * sum {
             return Err(Cause::Undetermined);
         }
         let distance = square.value().sqrt();
@@ -111,9 +117,10 @@ impl Solvable for Rrr {
         let root = match given.smooth_root() {
             Some(root) => root,
             None => {
-                let far = clear(p, scale).map_err(|dead| beyond(dead, distance - sum))?;
+                let [of_p, of_q] = scales(sum, difference);
+                let far = clear(p, of_p).map_err(|dead| beyond(dead, distance - sum))?;
                 let near =
-                    clear(q, scale).map_err(|dead| beyond(dead, difference.abs() - distance))?;
+                    clear(q, of_q).map_err(|dead| beyond(dead, difference.abs() - distance))?;
                 if far && near {
                     triangle.root(given.sign.factor())
                 } else {
@@ -153,8 +160,8 @@ impl Solvable for Rrr {
         p * q
     }
 
-    fn scale(&self) -> f64 {
-        let [i, j] = &self.arms;
-        (i.length() + j.length()).powi(2)
+    fn scales(&self) -> [f64; 2] {
+        let [l2, l3] = self.arms.each_ref().map(Arm::length);
+        scales(l2 + l3, l2 - l3)
     }
 }

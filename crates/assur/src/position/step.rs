@@ -110,9 +110,9 @@ pub(crate) trait Solvable {
         Singularity::Group
     }
 
-    /// The size of the squares its margins are made of.
-    fn scale(&self) -> f64 {
-        1.0
+    /// The scales of its margins: what their rounding is relative to.
+    fn scales(&self) -> [f64; 2] {
+        [1.0; 2]
     }
 
     /// Solves it, with the angles; what is not finite is an error.
@@ -217,8 +217,8 @@ impl Step {
         ask!(self, kind => kind.square(margins))
     }
 
-    pub(crate) fn scale(&self) -> f64 {
-        ask!(self, kind => kind.scale())
+    pub(crate) fn scales(&self) -> [f64; 2] {
+        ask!(self, kind => kind.scales())
     }
 }
 
