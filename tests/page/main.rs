@@ -54,6 +54,7 @@ mod next;
 mod one_plot;
 mod overlays;
 mod package;
+mod paper;
 mod picture;
 mod picture_behind;
 mod picture_kept;

@@ -6,7 +6,7 @@ use std::fs;
 use assur_tests::files::{root, scripts, source};
 use serde_json::Value;
 
-use super::{PAGE, Words, errata, kinds, lessons, page_words, tables};
+use super::{PAGE, Words, kinds, lessons, page_words, tables, tables_of_lessons};
 
 /// Words out of use, by how they begin in small letters, and what is said instead. They are words of everyday speech,
 /// of another field or of another language, or second words for what has a term.
@@ -106,7 +106,9 @@ fn texts(lang: &str) -> Vec<(String, String)> {
         .into_iter()
         .map(|lesson| format!("{lesson}/words.*.json"));
     let of_kinds = kinds::kinds().into_iter().map(|kind| kind.place());
-    let places = of_lessons.chain(of_kinds).chain(errata());
+    let places = of_lessons
+        .chain(of_kinds)
+        .chain(["errata", "paper"].into_iter().flat_map(tables_of_lessons));
     let places: Vec<String> = places.chain([PAGE.to_owned()]).collect();
     let of_place = |place: &String| {
         let (_, _, words) = (tables(place).into_iter())

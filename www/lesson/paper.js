@@ -103,7 +103,7 @@ export class Paper {
 function verdict({ item, verdict: held, instead }, words) {
   const key = `paper.${item.slice(item.indexOf(".") + 1)}`;
   const said = words.has(key) ? [make("p", {}, withSubscripts(words.text(key)))] : [];
-  return [...said, make("p", { class: "paper-verdict", "data-verdict": held }, [words.text(`lesson.paper.${held}`)]), ...instead.map(math)];
+  return [...said, make("p", { class: "paper-verdict", "data-verdict": held }, [words.text(`lesson.printed.${held}`)]), ...instead.map(math)];
 }
 
 /**

@@ -79,7 +79,7 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
   {
     id: "cases",
     formula: "Δφ₅ = |u| Δφ₃",
-    shows: ["a", "b", "c"].map((name) => ({ name, preset: `mixer-${name}`, play: true })),
+    shows: [{ name: "a", preset: "mixer-a", play: true }, { name: "b", preset: "mixer-b", play: true }, { name: "c", preset: "mixer-c", play: true }],
     question: { choices: ["a", "b", "c"], answer: () => "c" },
   },
 ] });
