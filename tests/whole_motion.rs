@@ -451,3 +451,24 @@ fn groups_in_any_unit_can_be_changed() {
         }
     }
 }
+
+/// A lever that the crank's pin turns fully: what its angle gains in a turn is no jump through zero.
+#[test]
+fn an_angle_that_turns_fully_passes_zero_once() {
+    let draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.0, 2.0)
+        .point("D", 0.5, 0.5)
+        .point("F", -0.25, 2.75)
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("lever", &["D", "F"])
+        .bar("block", &["B"])
+        .slide("block", "B", "lever", ["D", "F"])
+        .crank("crank");
+    let motion = moved(&draft);
+    let lever = quantity(&motion, "lever.angle");
+    let found = motion.features(&[lever], Input::ANALOGUES).unwrap();
+    let zeros = &found[0][0].zeros;
+    assert_eq!(zeros.len(), 1, "{zeros:?}");
+}
