@@ -472,3 +472,28 @@ fn an_angle_that_turns_fully_passes_zero_once() {
     let zeros = &found[0][0].zeros;
     assert_eq!(zeros.len(), 1, "{zeros:?}");
 }
+
+/// The least pressure angle of a central slider-crank is 0, where its rate jumps.
+#[test]
+fn an_extremum_where_the_rate_jumps_is_exact() {
+    let draft = Draft::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.0, 1.0)
+        .point("C", 8_f64.sqrt(), 0.0)
+        .point("G", -1.0, 0.0)
+        .point("H", 5.0, 0.0)
+        .fixed(&["A", "G", "H"])
+        .bar("crank", &["A", "B"])
+        .bar("rod", &["B", "C"])
+        .bar("slider", &["C"])
+        .slide("slider", "C", "frame", ["G", "H"])
+        .crank("crank");
+    let motion = moved(&draft);
+    let profile = OutputProfile::new(&motion, quantity(&motion, "C.pressure")).unwrap();
+    let swings = profile.swings();
+    let [Swing::Between { min, max }] = swings[..] else {
+        panic!("{swings:?}");
+    };
+    assert!(min < 1e-9, "{min}");
+    assert!((max - (1.0_f64 / 3.0).asin()).abs() < 1e-9, "{max}");
+}

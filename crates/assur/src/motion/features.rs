@@ -570,5 +570,12 @@ fn bracketed(
             break;
         }
     }
-    Some(best)
+    // A jump has no place where `f` is small: it is where the sign changes.
+    let off = best.crank < low.crank || best.crank > high.crank;
+    let nearer = if f(&low).abs() < f(&high).abs() {
+        low
+    } else {
+        high
+    };
+    Some(if off { nearer } else { best })
 }
