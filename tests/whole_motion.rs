@@ -497,3 +497,39 @@ fn an_extremum_where_the_rate_jumps_is_exact() {
     assert!(min < 1e-9, "{min}");
     assert!((max - (1.0_f64 / 3.0).asin()).abs() < 1e-9, "{max}");
 }
+
+/// A crank-rocker, turned by an angle.
+fn turned(by: f64) -> Motion {
+    let (sin, cos) = by.sin_cos();
+    let points = [
+        ("A", 0.0, 0.0),
+        ("B", 0.0, 1.0),
+        ("C", 2.4, 2.8),
+        ("D", 3.0, 1.0),
+    ];
+    let draft = points
+        .into_iter()
+        .fold(Draft::default(), |draft, (name, x, y)| {
+            draft.point(name, cos * x - sin * y, sin * x + cos * y)
+        });
+    let draft = draft
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("coupler", &["B", "C"])
+        .bar("rocker", &["D", "C"]);
+    moved(&draft.crank("crank"))
+}
+
+/// Where the crank is in line with a frame of any direction, the transmission angle has one extremum.
+#[test]
+fn extrema_in_line_are_found_once() {
+    for k in 0..40 {
+        let motion = turned(0.15 * f64::from(k));
+        let profile = OutputProfile::new(&motion, quantity(&motion, "C.transmission")).unwrap();
+        let limits = profile.limits();
+        for pair in limits.windows(2) {
+            let apart = pair[1].input - pair[0].input;
+            assert!(apart > 1e-9, "{k}: {limits:?}");
+        }
+    }
+}

@@ -380,6 +380,15 @@ fn ordered_roots(
         let at = ordered.partition_point(|other| other.crank < found.crank);
         ordered.insert(at, found);
     }
+    // Beside a root rounding alone changes the sign to and fro.
+    let [start, end] = cycle.axis();
+    let rounding = ROUNDING * (end - start);
+    ordered.dedup_by(|later, one| later.crank - one.crank <= rounding);
+    if let (true, [first, .., last]) = (cycle.is_full(), &ordered[..])
+        && first.crank + (end - start) - last.crank <= rounding
+    {
+        ordered.pop();
+    }
     ordered
 }
 
