@@ -533,3 +533,18 @@ fn extrema_in_line_are_found_once() {
         }
     }
 }
+
+/// Within a band as wide as its stroke a quantity stays for one cycle, not for two.
+#[test]
+fn a_band_as_wide_as_the_stroke_holds_one_cycle() {
+    let motion = turned(0.0);
+    for name in ["rocker.angle", "coupler.angle", "C.x", "C.y", "B.x"] {
+        let profile = OutputProfile::new(&motion, quantity(&motion, name)).unwrap();
+        let stroke = profile.stroke().unwrap();
+        for tolerance in [stroke.next_down(), stroke, stroke.next_up()] {
+            let dwell = profile.dwell(tolerance).unwrap();
+            let off = (dwell.length() - TAU).abs();
+            assert!(off < 1e-12, "{name} {tolerance}: {:?}", dwell.arc);
+        }
+    }
+}

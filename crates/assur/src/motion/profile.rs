@@ -318,7 +318,9 @@ impl<'a> OutputProfile<'a> {
         }
         let (first, last) = (self.stations.first()?[0], self.stations.last()?[0]);
         let whole = self.dwell_on([first, self.period.map_or(last, |period| first + period)]);
-        if whole.residual() <= tolerance {
+        // Where the tolerance is the stroke, rounding aside, arcs hold a cycle on either side.
+        let held = |arc: &Dwell| self.gain == 0.0 && self.period.is_some_and(|p| arc.length() >= p);
+        if whole.residual() <= tolerance || touching.iter().any(held) {
             return Some(whole);
         }
         let longer = |best: Dwell, one: Dwell| {
