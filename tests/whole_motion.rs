@@ -548,3 +548,35 @@ fn a_band_as_wide_as_the_stroke_holds_one_cycle() {
         }
     }
 }
+
+/// The longest dwell of what only grows is as long wherever the turn of the crank begins.
+#[test]
+fn the_longest_dwell_may_pass_the_start_of_the_cycle() {
+    let lengths = (0..8).map(|k| {
+        let (sin, cos) = (0.8 * f64::from(k)).sin_cos();
+        let points = [
+            ("A", 0.0, 0.0),
+            ("B", 0.0, 2.0),
+            ("C", 2.0, 2.5),
+            ("D", 0.5, 0.0),
+        ];
+        let draft = points
+            .into_iter()
+            .fold(Draft::default(), |draft, (name, x, y)| {
+                draft.point(name, cos * x - sin * y, sin * x + cos * y)
+            });
+        let draft = draft
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("coupler", &["B", "C"])
+            .bar("follower", &["D", "C"]);
+        let motion = moved(&draft.crank("crank"));
+        let profile = OutputProfile::new(&motion, quantity(&motion, "follower.angle")).unwrap();
+        assert!(profile.limits().is_empty());
+        profile.dwell(1.0).unwrap().length()
+    });
+    let lengths: Vec<f64> = lengths.collect();
+    for length in &lengths {
+        assert!((length - lengths[0]).abs() < 1e-6, "{lengths:?}");
+    }
+}

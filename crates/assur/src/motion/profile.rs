@@ -334,7 +334,8 @@ impl<'a> OutputProfile<'a> {
         let pieces = self.pieces();
         for piece in 0..pieces {
             let mut band = [f64::INFINITY, f64::NEG_INFINITY];
-            let last = self.period.map_or(pieces, |_| piece + pieces);
+            // Also on the same piece a cycle later.
+            let last = self.period.map_or(pieces, |_| piece + pieces + 1);
             for out in piece..last {
                 if out > piece {
                     let [_, value] = self.station(out)?;
