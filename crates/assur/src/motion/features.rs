@@ -380,6 +380,15 @@ fn ordered_roots(
         let at = ordered.partition_point(|other| other.crank < found.crank);
         ordered.insert(at, found);
     }
+    // Beside a root rounding alone changes the sign to and fro.
+    let [start, end] = cycle.axis();
+    let rounding = ROUNDING * (end - start);
+    ordered.dedup_by(|later, one| later.crank - one.crank <= rounding);
+    if let (true, [first, .., last]) = (cycle.is_full(), &ordered[..])
+        && first.crank + (end - start) - last.crank <= rounding
+    {
+        ordered.pop();
+    }
     ordered
 }
 
@@ -412,9 +421,18 @@ fn closed(
         .position(|sample| sample.is_some_and(|sample| sample.crank >= start));
     // Without one all are before it.
     let (before, after) = samples.split_at(middle.unwrap_or(samples.len()));
-    let again = before.iter().chain(after.first());
-    let again = again.map(|sample| sample.and_then(later));
-    after.iter().copied().chain(again).collect()
+    let again = before.iter().map(|sample| sample.and_then(later));
+    // Inputs before the start may be those of the cycle's end already: the end itself has its own growth.
+    let closing = after.first().map(|first| {
+        let first = (*first)?;
+        let crank = first.crank + (end - start);
+        let mut f = first.f;
+        if order == 0 {
+            f[0] = at(crank)?.f[0];
+        }
+        Some(Sample { crank, f })
+    });
+    after.iter().copied().chain(again).chain(closing).collect()
 }
 
 /// The samples at which the derivative `order`, 0 or 1, of the function vanishes.
@@ -463,7 +481,8 @@ fn stretches(
         // A driven slide's way has no turns: it is one cell grid long.
         let whole = if cycle.turns() { TAU } else { to - from };
         let cell = whole / GRID as f64;
-        let count = ((to - from) / cell).ceil();
+        // An even count: the start of a full cycle, in the middle, is a sample.
+        let count = 2.0 * (0.5 * (to - from) / cell).ceil();
         let mut cranks: Vec<f64> = (0..=count as usize)
             .map(|i| from + (to - from) * (i as f64 / count))
             .collect();
@@ -560,5 +579,12 @@ fn bracketed(
             break;
         }
     }
-    Some(best)
+    // A jump has no place where `f` is small: it is where the sign changes.
+    let off = best.crank < low.crank || best.crank > high.crank;
+    let nearer = if f(&low).abs() < f(&high).abs() {
+        low
+    } else {
+        high
+    };
+    Some(if off { nearer } else { best })
 }

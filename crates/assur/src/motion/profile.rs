@@ -318,7 +318,9 @@ impl<'a> OutputProfile<'a> {
         }
         let (first, last) = (self.stations.first()?[0], self.stations.last()?[0]);
         let whole = self.dwell_on([first, self.period.map_or(last, |period| first + period)]);
-        if whole.residual() <= tolerance {
+        // Where the tolerance is the stroke, rounding aside, arcs hold a cycle on either side.
+        let held = |arc: &Dwell| self.gain == 0.0 && self.period.is_some_and(|p| arc.length() >= p);
+        if whole.residual() <= tolerance || touching.iter().any(held) {
             return Some(whole);
         }
         let longer = |best: Dwell, one: Dwell| {
@@ -332,7 +334,8 @@ impl<'a> OutputProfile<'a> {
         let pieces = self.pieces();
         for piece in 0..pieces {
             let mut band = [f64::INFINITY, f64::NEG_INFINITY];
-            let last = self.period.map_or(pieces, |_| piece + pieces);
+            // Also on the same piece a cycle later.
+            let last = self.period.map_or(pieces, |_| piece + pieces + 1);
             for out in piece..last {
                 if out > piece {
                     let [_, value] = self.station(out)?;
