@@ -580,3 +580,37 @@ fn the_longest_dwell_may_pass_the_start_of_the_cycle() {
         assert!((length - lengths[0]).abs() < 1e-6, "{lengths:?}");
     }
 }
+
+/// A lever whose pivot the crank's pin nearly meets swings through nearly half a turn within any small angle of the crank,
+/// in whatever direction the frame lies.
+#[test]
+fn a_lever_whose_pivot_the_pin_nearly_meets() {
+    let [crank, frame] = [1.469_559_657_2, 1.469_559_664_6_f64];
+    for k in 0..8 {
+        let by = 0.8 * f64::from(k);
+        let (sin, cos) = by.sin_cos();
+        let draft = [
+            ("A", 0.0, 0.0),
+            ("B", 0.0, crank),
+            ("D", frame, 0.0),
+            ("F", 0.0, frame),
+        ]
+        .into_iter()
+        .fold(Draft::default(), |draft, (name, x, y)| {
+            draft.point(name, cos * x - sin * y, sin * x + cos * y)
+        });
+        let draft = draft
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("lever", &["D", "F"])
+            .bar("block", &["B"])
+            .slide("block", "B", "lever", ["D", "F"])
+            .crank("crank");
+        let motion = moved(&draft);
+        assert!(motion.cycle().is_full(), "{by}");
+        let profile = OutputProfile::new(&motion, quantity(&motion, "lever.angle")).unwrap();
+        let stroke = 2.0 * (crank / frame).asin();
+        let found = profile.stroke().unwrap();
+        assert!((found - stroke).abs() < 1e-6, "{by}: {found} {stroke}");
+    }
+}

@@ -19,13 +19,15 @@ export async function toGif(page, theme, { moments: count, width, seconds }, { s
   const canvas = new OffscreenCanvas(1, 1);
   const target = targetOn(canvas, size, width, { alpha: false, willReadFrequently: true });
   const { ground, moment } = begin(theme);
+  // The one that the picture was begun with: it may be another once the worker answers.
+  const all = moments(page, inputs(page, count), { signal, tell: (share) => tell(PAINTING * share) });
   const worker = new Worker(import.meta.resolve("assur/export/gif-worker.js"), { type: "module" });
   const stop = () => worker.terminate();
   signal.addEventListener("abort", stop);
   try {
     const delay = Math.max(Math.round((100 * seconds) / count), SHORTEST);
     await answer(worker, signal, { width: canvas.width, height: canvas.height, delay });
-    for await (const here of moments(page, inputs(page, count), { signal, tell: (share) => tell(PAINTING * share) })) {
+    for await (const here of all) {
       ground(target);
       moment(target, here);
       const { data } = target.context.getImageData(0, 0, canvas.width, canvas.height);

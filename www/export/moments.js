@@ -51,14 +51,24 @@ export function others(page, count) {
 }
 
 /**
- * Each moment in its turn; between two of them the page may do something else.
+ * Each moment of the mechanism that is there when this is called, in its turn; between two of them the page may do something else.
  * @param {Page} page
  * @param {readonly number[]} inputs of the engine
  * @param {Work} work
  * @returns {AsyncGenerator<Moment>}
  */
-export async function* moments(page, inputs, { signal, tell }) {
-  const { document } = page.model.good;
+export function moments(page, inputs, work) {
+  return momentsOf(page.model.good.document, page, inputs, work);
+}
+
+/**
+ * @param {Page["model"]["good"]["document"]} document that is meant
+ * @param {Page} page
+ * @param {readonly number[]} inputs
+ * @param {Work} work
+ * @returns {AsyncGenerator<Moment>}
+ */
+async function* momentsOf(document, page, inputs, { signal, tell }) {
   let found = false;
   /** @type {readonly import("assur/core/problem.js").Problem[]} */
   let why = [];

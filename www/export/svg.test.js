@@ -206,6 +206,14 @@ test("moments are given up where they are not wanted any more, and where the mec
   }), { name: "AbortError" });
 });
 
+test("moments are of the mechanism that they were asked for, whatever there is once the first is taken", async () => {
+  const page = new Page("peaucellier");
+  const asked = moments(page, inputs(page, 6), work());
+  page.store.update((state) => withDocument(state, { title: "other" }));
+  page.now();
+  await assert.rejects(asked.next(), { name: "AbortError" });
+});
+
 test("where no moment has a pose it is said why", async () => {
   const page = new Page("mixer-a", { phi_deg: 10 });
   for (const lengths of [{ l1: 0.8 }, { l2: 0.4 }]) {

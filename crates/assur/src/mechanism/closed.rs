@@ -5,9 +5,9 @@ use std::f64::consts::{PI, TAU};
 
 use super::Mechanism;
 use crate::index::{BodyId, StepId};
-use crate::position::{Solvable, Step};
+use crate::position::{Anchor, Course, Solvable, Step};
 use crate::sorting::sort_by;
-use crate::{Assembly, FourBar, Grashof, Unsolved};
+use crate::{Assembly, FourBar, Grashof, Unsolved, Vector};
 
 /// A change point that is off by less of a period is where it would be without rounding.
 const ROUNDED: f64 = 1e-12;
@@ -106,6 +106,36 @@ impl Mechanism {
             }),
             _ => None,
         })
+    }
+
+    /// The inputs within an arc at which the crank lies in line with the outer hinges of a dyad RRR or RPR, of which it
+    /// carries one while the other is fixed: there the hinges are nearest to each other, or farthest apart.
+    pub(crate) fn in_line(&self, arc: [f64; 2]) -> Vec<f64> {
+        let closed = self.closed_steps().map(|closed| closed.lead);
+        let guided = self.steps.iter().filter_map(|step| match step {
+            Step::Rpr(dyad) => self.lead_of(dyad.sides.each_ref().map(|side| side.outer)),
+            _ => None,
+        });
+        let leads = closed.chain(guided);
+        leads.flat_map(|lead| half_turns(lead, arc)).collect()
+    }
+
+    /// What the angle of the crank that carries one of two hinges, counted from the line of its pivot and the other one,
+    /// has more than the input; none where the other one moves.
+    fn lead_of(&self, hinges: [Anchor; 2]) -> Option<f64> {
+        let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
+            [true, false] => hinges,
+            [false, true] => [hinges[1], hinges[0]],
+            _ => return None,
+        };
+        let crank = self.steps.iter().find_map(|step| match step {
+            Step::Crank(crank) if crank.body == driven.body => Some(crank),
+            _ => None,
+        })?;
+        let is_first = crank.at.body == BodyId::FRAME && crank.course == Course::FIRST;
+        let angle = |way: Vector| way.y.atan2(way.x);
+        let base = angle(fixed.local - crank.at.local);
+        is_first.then(|| angle(driven.local - crank.hinge) - crank.lead - base)
     }
 
     /// Whether it is one crank, at most one four-bar, and wheels that drive nothing

@@ -36,8 +36,8 @@ const GRID: usize = 360;
 const MOST_TURNS: usize = 256;
 /// No more samples are kept at once, of all quantities together.
 const MOST_SAMPLES: usize = 1 << 18;
-/// Halvings of a cell of the grid towards the inputs at which the crank of a four-bar is in line with the frame: near a
-/// change point or a vanishing diagonal, and only there, a motion changes within any small angle.
+/// Halvings of a cell of the grid towards the inputs at which the crank is in line with the outer hinges of a dyad: near a
+/// change point or where the hinges nearly meet, and only there, a motion changes within any small angle.
 const GRADES: i32 = 52;
 /// A derivative that varies by less than this relative to its size is constant.
 pub(super) const CONSTANT: f64 = 1e-9;
@@ -115,12 +115,7 @@ impl Motion {
 
     /// The grid over it.
     fn stretches(&self) -> Result<Vec<Vec<f64>>, TooManyTurns> {
-        stretches(self.cycle(), &|arc| {
-            let closed = self.mechanism().closed_steps();
-            closed
-                .flat_map(|closed| half_turns(closed.lead, arc))
-                .collect()
-        })
+        stretches(self.cycle(), &|arc| self.mechanism().in_line(arc))
     }
 
     /// Whether zeros and extrema can be looked for over it.
