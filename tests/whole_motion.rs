@@ -593,7 +593,7 @@ fn a_lever_whose_pivot_the_pin_nearly_meets() {
             ("A", 0.0, 0.0),
             ("B", 0.0, crank),
             ("D", frame, 0.0),
-            ("F", 0.0, frame),
+            ("F", -frame, 2.0 * crank),
         ]
         .into_iter()
         .fold(Draft::default(), |draft, (name, x, y)| {
