@@ -93,7 +93,8 @@ function ofLink({ name, points }, dimension, places, words) {
  * @returns {string}
  */
 export function sentence(problem, words, document, onto) {
-  return said(`problem.${problem.code}`, problem, words, document, onto);
+  const undriven = problem.code === "locked" && document && "links" in document && !document.drivers?.length;
+  return said(undriven ? "problem.locked_undriven" : `problem.${problem.code}`, problem, words, document, onto);
 }
 
 /**

@@ -135,6 +135,14 @@ test("what keeps a linkage from moving is said with what can be done about it", 
   }
 });
 
+test("what is locked without a driver is not told of too many drivers", () => {
+  for (const words of LANGUAGES.map((lang) => wordsOf(lang))) {
+    const told = (drivers) => sentence({ code: "locked", links: ["AB"], mobility: 0 }, words, { links: [], drivers });
+    assert.notEqual(told([]), told([{ crank: "AB" }]));
+    assert.equal(told([]), words.text("problem.locked_undriven", { mobility: "0", links: "AB" }));
+  }
+});
+
 test("sides and angles of links are called by their points, offsets of slides by their lines, in degrees what is an angle", () => {
   const links = [{ name: "crank", points: ["A", "B"] }, { name: "plate", points: ["B", "C", "E"] }];
   const document = { links, slides: [{ link: "slider", point: "E", on: "frame", line: ["F", "G"] }], points: [] };
