@@ -581,7 +581,7 @@ fn every_problem_has_words() {
         "key_twice",
         "not_json",
         "trapped",
-        "not_settings",
+        "unreadable_link",
     ];
     let of_linkages = [
         "too_many",

@@ -166,7 +166,7 @@ async fn a_view_that_breaks_stops_no_other() {
     page.close().await;
 }
 
-/// A file of 2 GB is refused by its beginning, and the scripts keep none of it.
+/// A file of 2 GB is refused by its size, and the scripts keep none of it.
 #[tokio::test]
 async fn a_file_of_two_gigabytes_is_refused() {
     let page = Page::open().await;

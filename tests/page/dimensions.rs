@@ -141,8 +141,8 @@ async fn what_cannot_be_is_refused_at_its_row() {
     page.settle().await;
     let said = page.text("problem").await;
     for part in [
-        "Length of link EG is too small by",
-        "EG, FG can no longer be joined",
+        "Length of link EG is too short by",
+        "can no longer be joined: EG, FG",
         "is 0.7",
     ] {
         assert!(said.contains(part), "{said}");

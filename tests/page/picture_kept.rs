@@ -308,7 +308,7 @@ async fn a_large_photograph_is_made_smaller_and_what_does_not_fit_is_said() {
     page.until("the sentence", async || {
         page.text("notice-text")
             .await
-            .contains("too large for this browser to store")
+            .contains("no room left for the picture")
     })
     .await;
     page.reload().await;

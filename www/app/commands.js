@@ -54,7 +54,7 @@ function fileCommands(page) {
     else notices.tell(LOST);
   };
   return {
-    open: filePicker((text, name) => page.take(takeFile(text, name, engine, page.ofNow()))),
+    open: filePicker((file) => page.take(takeFile(file, engine, page.ofNow()))),
     save: () => saveFile(now(), engine.fileName(model.good)),
     copy: () => (page.address.holds(now()) ? copy() : notices.tell(LONG)),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),

@@ -31,7 +31,9 @@ function barred(hash) {
  * @param {string} [text] of the file that it is from
  */
 function judged(value, text) {
-  if (value === undefined || depth(value) > 12) return { value: null, problems: [{ code: "not_settings" }] };
+  if (text === undefined && (value === undefined || depth(value) > 12)) return { value: null, problems: [{ code: "unreadable_link" }] };
+  const other = text !== undefined && (value === undefined ? "not_json" : (value?.format === undefined || depth(value) > 12) && "no_mechanism");
+  if (other) return { value: null, problems: [{ code: other }, { code: "what_opens" }] };
   return attempt(() => {
     if (text !== undefined) engine.checkKeys(text);
     return engine.read(value);
@@ -41,7 +43,7 @@ function judged(value, text) {
 /** @param {string} text of a file */
 function read(text) {
   try {
-    return text.length > 400_000 ? undefined : JSON.parse(text);
+    return JSON.parse(text);
   } catch {
     return undefined;
   }
@@ -101,7 +103,7 @@ for (let kind = 0; kind < KINDS; kind++) {
     often(EACH, (dice) => inputs.add(damagedFile(dice, kind)));
     let refused = 0;
     for (const input of inputs) {
-      const taken = await takeFile(input, NAME, engine, habits);
+      const taken = await takeFile(new File([input], NAME), engine, habits);
       check(input, taken, judged(read(input), input), NAME);
       refused += Number(!taken.state);
     }
@@ -113,7 +115,7 @@ test("what is not damaged is opened", async () => {
   const whole = address();
   const { state } = await takeAddress(barred(whole), engine, habits);
   assert.deepEqual(state.document, engine.read(sound()).document);
-  assert.deepEqual((await takeFile(JSON.stringify(sound()), NAME, engine, habits)).state, state);
+  assert.deepEqual((await takeFile(new File([JSON.stringify(sound())], NAME), engine, habits)).state, state);
   check(whole, { state, failure: null }, judged(held(whole)), "");
 });
 
@@ -126,7 +128,7 @@ test("what is refused leaves the mechanism that is set", async () => {
     often(3, (dice) => inputs.push([damagedAddress(dice, kind), damagedFile(dice, kind)]));
     for (const [hash, file] of inputs) {
       await takeAddress(barred(hash), engine, habits);
-      await takeFile(file, NAME, engine, habits);
+      await takeFile(new File([file], NAME), engine, habits);
     }
   }
   assert.deepEqual([...engine.at(0.5).frame], before);

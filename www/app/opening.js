@@ -1,5 +1,5 @@
 // Where the first state comes from, and taking in others later: an address, what was kept, a file, what another program made.
-import { attempt } from "assur/core/problem.js";
+import { Refusal, attempt } from "assur/core/problem.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { fromAddress, fromFile } from "assur/state/codec.js";
 import { addressed } from "assur/state/address.js";
@@ -21,6 +21,12 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
 
 /** What ends the names of files of Linkage. */
 const EXTENSION = /\.linkage2$/i;
+
+/** Bytes of a file. */
+const LARGEST_FILE = 20_000_000;
+
+/** Of these files it is said what can be opened. */
+const OTHERS = Object.freeze(["not_json", "no_mechanism", "is_picture"]);
 
 /** Characters of a title. */
 const LONGEST_TITLE = 400;
@@ -62,21 +68,36 @@ export async function takeAddress(address, engine, habits) {
 }
 
 /**
- * @param {string} text
- * @param {string} name of the file
+ * @param {File} file
+ * @returns {Problem | null} why it is not even read
+ */
+function unfit({ size, type }) {
+  if (type.startsWith("image/")) return { code: "is_picture" };
+  return size > LARGEST_FILE ? { code: "file_too_large", size: size / 1e6, max: LARGEST_FILE / 1e6 } : null;
+}
+
+/**
+ * @param {File} file
  * @param {Engine} engine
  * @param {Habits} habits
  * @returns {Promise<Taken>}
  */
-export async function takeFile(text, name, engine, habits) {
+export async function takeFile(file, engine, habits) {
+  const { name } = file;
+  const problem = unfit(file);
+  const text = problem ? "" : await file.text().catch(() => "");
   if (engine.isForeign(text)) return takeForeign(text, name, engine, habits);
   const unwrap = () => {
+    if (problem) throw new Refusal([problem]);
     const value = fromFile(text);
     engine.checkKeys(text);
     return value;
   };
   const { state, failure } = await take("file", unwrap, engine, habits);
-  return state ? { state, failure: null } : { state: null, failure: { ...failure, name } };
+  if (state) return { state, failure: null };
+  const { problems } = failure;
+  const told = OTHERS.includes(problems[0].code) ? [...problems, { code: "what_opens" }] : problems;
+  return { state, failure: { ...failure, problems: told, name } };
 }
 
 /**

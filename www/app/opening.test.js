@@ -90,7 +90,7 @@ test("an address that cannot be read is said, and what was kept is shown", async
   kept.set("assur.state", toFile(stateOf(engine, "jansen")));
   const { state, failures } = await begin(`${HOME}#janssen`);
   assert.equal(state.document.origin, "jansen");
-  assert.deepEqual(failures, [{ kind: "address", problems: [{ code: "not_settings" }] }]);
+  assert.deepEqual(failures, [{ kind: "address", problems: [{ code: "unreadable_link" }] }]);
   assert.equal(kept.has("assur.state.unread"), false);
 });
 
@@ -139,7 +139,7 @@ test("a file is opened as it was saved, whatever is in it", async () => {
   const state = withView(withDocument(stateOf(engine, "mixer-a", { phi_deg: 123.25, traces: false, speed: 0.5 }), { l2: 0.9, mesh: "internal", assembly: 2 }), { lang: "ru" });
   const text = toFile(state);
   assert.ok(text.includes("\n    \"l2\": 0.9,\n"), text);
-  const opened = await takeFile(text, "mixer.assur.json", engine, habits);
+  const opened = await takeFile(new File([text], "mixer.assur.json"), engine, habits);
   assert.equal(opened.failure, null);
   assert.deepEqual(opened.state, state);
 });
@@ -151,15 +151,42 @@ test("a broken file is said by its name, with what is wrong in it", async () => 
     [text.replace("0.85,", "\"<img src=x>\","), "document.l2"],
     [text.replace("\"l1\": 0.37", "\"l1\": -1"), "l₁"],
     [text.replace("\"l1\": 0.37", "\"l1\": 0.37, \"l1\": 0.38"), "l1"],
-    [text.slice(0, text.length / 2), "Assur"],
-    ["[".repeat(90_000), "Assur"],
-    ["", "Assur"],
+    [text.slice(0, text.length / 2), "JSON"],
+    ["[".repeat(90_000), "JSON"],
+    ["", "JSON"],
   ]) {
     assert.notEqual(broken, text);
-    const { state, failure } = await takeFile(broken, "<i>broken.assur.json", engine, habits);
+    const { state, failure } = await takeFile(new File([broken], "<i>broken.assur.json"), engine, habits);
     assert.equal(state, null);
     const said = lineOf(failure, words);
     assert.ok(said.includes(part) && said.includes("<i>broken.assur.json"), said);
+  }
+});
+
+test("of a file that is none of ours it is told what it is, and what can be opened", async () => {
+  const long = { format: 2, long: "x".repeat(449_978) };
+  const opens = "Assur opens its own files (.assur.json), Linkage files (.linkage2) and PMKS+ links.";
+  const start = "The file a.b could not be opened; nothing has changed. ";
+  for (const [content, type, said] of [
+    ["x".repeat(25_000_000), "", "It is too large: 25 MB. No more than 20 MB can be read."],
+    [JSON.stringify(long), "", "Apart from a picture it has 450000 characters. No more than 400000 can be read."],
+    ["{\"format\":2,", "", `It is not valid JSON, or part of it is missing. ${opens}`],
+    ["{\"speed\":2}", "", `It is JSON, but not a mechanism that Assur saved. ${opens}`],
+    ["[2]", "", `It is JSON, but not a mechanism that Assur saved. ${opens}`],
+    ["null", "", `It is JSON, but not a mechanism that Assur saved. ${opens}`],
+    ["\x89PNG", "image/png", `It is a picture: it can be dropped here while the tools for drawing are on. ${opens}`],
+  ]) {
+    const { state, failure } = await takeFile(new File([content], "a.b", { type }), engine, habits);
+    assert.equal(state, null);
+    assert.equal(lineOf(failure, wordsOf("en")), start + said);
+  }
+});
+
+test("of a link that cannot be read it is told that part of it may be missing", async () => {
+  const good = toAddress(stateOf(engine, "jansen"), null);
+  for (const hash of ["janssen", good.slice(0, good.indexOf("&d.links=") + 40)]) {
+    const { failure } = await takeAddress(`${HOME}#${hash}`, engine, habits);
+    assert.match(lineOf(failure, wordsOf("en")), /Part of the link may be missing: ask for it again\.$/);
   }
 });
 

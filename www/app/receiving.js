@@ -1,6 +1,5 @@
 // What is dropped on the page or pasted into it: files, and links and texts of other programs.
 import { takeFile, takeForeign } from "assur/app/opening.js";
-import { fileText } from "assur/app/share.js";
 
 /** @typedef {import("assur/app/page.js").Page} Page */
 
@@ -34,8 +33,7 @@ function bring(data, page, meant) {
   const habits = page.ofNow();
   const file = data?.files[0];
   if (file) {
-    const opened = fileText(file).then((text) => takeFile(text, file.name, engine, habits));
-    page.take(opened);
+    page.take(takeFile(file, engine, habits));
     return true;
   }
   const text = data?.getData("text/plain") ?? "";

@@ -1,7 +1,7 @@
 // Copying the link, opening and saving files.
 import { byId } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
-import { LONGEST_FILE, toFile } from "assur/state/codec.js";
+import { toFile } from "assur/state/codec.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -37,25 +37,16 @@ export function saveFile(state, name) {
 }
 
 /**
- * @param {File} file
- * @returns {Promise<string>} its text; of one that is too large so much that it is refused as that, of one that cannot be read nothing
- */
-export function fileText(file) {
-  return file.slice(0, LONGEST_FILE + 1).text().catch(() => "");
-}
-
-/**
- * @param {(text: string, name: string) => void} opened
+ * @param {(file: File) => void} opened
  * @returns {() => void} asks for a file
  */
 export function filePicker(opened) {
   const input = byId("file", HTMLInputElement);
-  input.addEventListener("change", async () => {
+  input.addEventListener("change", () => {
     const file = input.files?.[0];
     if (!file) return;
-    const text = await fileText(file);
     input.value = "";
-    opened(text, file.name);
+    opened(file);
   });
   return () => input.click();
 }

@@ -19,6 +19,9 @@ const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: 
 /** A number of a list, such as `bodies.inertia[2]`, or of a list of pairs. */
 const NUMBER = /^([\w.]+)\[(\d+)\](?:\[\d\])?$/;
 
+/** The sentences for lengths that cannot be. */
+const OF_LENGTHS = Object.freeze(/** @type {Record<string, string>} */ ({ too_large: "problem.too_large_length", too_small: "problem.too_small_length" }));
+
 /** What stands for a link in a problem. */
 const LINKS = Object.freeze(["link", "shaft", "to", "mesh"]);
 
@@ -93,7 +96,18 @@ function ofLink({ name, points }, dimension, places, words) {
  * @returns {string}
  */
 export function sentence(problem, words, document, onto) {
-  return said(`problem.${problem.code}`, problem, words, document, onto);
+  return said(keyOf(problem, document), problem, words, document, onto);
+}
+
+/**
+ * @param {Problem} problem
+ * @param {Document} [document]
+ * @returns {string} of its sentence, by what it is of
+ */
+function keyOf({ code, field = "" }, document) {
+  const isLength = ["length", "side"].includes(DIMENSION.exec(field)?.[3] ?? "");
+  const undriven = code === "locked" && document && "links" in document && !document.drivers?.length;
+  return (isLength && OF_LENGTHS[code]) || (undriven ? "problem.locked_undriven" : `problem.${code}`);
 }
 
 /**

@@ -135,6 +135,27 @@ test("what keeps a linkage from moving is said with what can be done about it", 
   }
 });
 
+test("a length is too long or too short, an angle or an offset too large or too small", () => {
+  const document = { links: [{ name: "crank", points: ["A", "B"] }, { name: "plate", points: ["B", "C", "E"] }], slides: [], points: [] };
+  const told = (code, field) => sentence({ code, field, links: ["coupler", "rocker"], by: 33.5, last: 4 }, wordsOf("en"), document);
+  assert.equal(told("too_large", "links[0].length"), "Length of link crank is too long by 33.5; these links can no longer be joined: coupler, rocker. The last possible value is 4.");
+  for (const [field, large, small] of [["links[0].length", "long", "short"], ["links[1].side[0][2]", "long", "short"], ["links[1].corner_deg[2]", "large", "small"], ["slides[0].offset", "large", "small"]]) {
+    assert.ok(told("too_large", field).includes(` too ${large} by `) && told("too_small", field).includes(` too ${small} by `), field);
+  }
+  for (const words of LANGUAGES.map((lang) => wordsOf(lang))) {
+    const [first] = sentence({ code: "too_large", field: "links[0].length", links: ["coupler"], by: 33.5, last: 4 }, words, document).split(/[.] /);
+    assert.ok(first.split(":").length <= 2, first);
+  }
+});
+
+test("what is locked without a driver is not told of too many drivers", () => {
+  for (const words of LANGUAGES.map((lang) => wordsOf(lang))) {
+    const told = (drivers) => sentence({ code: "locked", links: ["AB"], mobility: 0 }, words, { links: [], drivers });
+    assert.notEqual(told([]), told([{ crank: "AB" }]));
+    assert.equal(told([]), words.text("problem.locked_undriven", { mobility: "0", links: "AB" }));
+  }
+});
+
 test("sides and angles of links are called by their points, offsets of slides by their lines, in degrees what is an angle", () => {
   const links = [{ name: "crank", points: ["A", "B"] }, { name: "plate", points: ["B", "C", "E"] }];
   const document = { links, slides: [{ link: "slider", point: "E", on: "frame", line: ["F", "G"] }], points: [] };

@@ -92,7 +92,7 @@ export class DrawingRail {
    */
   render(snapshot, document) {
     const { words, summary } = snapshot;
-    if (!this.#seen.told.same(words, summary)) this.#tell(snapshot);
+    if (!this.#seen.told.same(words, summary)) this.#tell(snapshot, document);
     const chosen = [...this.#selection.points, "/", ...this.#selection.links].join("\n");
     if (!this.#seen.chosen.same(words, chosen, structure(document))) this.#choose(document, words);
     this.#places = this.#placesOf(snapshot, document);
@@ -115,15 +115,21 @@ export class DrawingRail {
     return places;
   }
 
-  /** @param {Snapshot} snapshot */
-  #tell({ summary, words, state }) {
+  /**
+   * @param {Snapshot} snapshot
+   * @param {Document} document
+   */
+  #tell({ summary, words }, document) {
     if (summary.moves) {
       this.#reasons.replaceChildren(make("p", {}, [words.text("draw.moves")]));
       this.#mends.replaceChildren();
       return;
     }
     const told = /** @type {import("assur/types/web.js").DraftSummary} */ (/** @type {unknown} */ (summary));
-    const reasons = told.reasons.map((reason) => make("p", { "data-code": reason.code, class: tone(reason.code) }, [sentence(reason, words, state.document)]));
+    const said = (/** @type {import("assur/core/problem.js").Problem} */ reason) => (
+      reason.code === "no_driver" && document.links.length === 0 ? words.text("draw.empty") : sentence(reason, words, document)
+    );
+    const reasons = told.reasons.map((reason) => make("p", { "data-code": reason.code, class: tone(reason.code) }, [said(reason)]));
     if (reasons.length === 0) reasons.push(make("p", {}, [words.text("draw.sound")]));
     this.#reasons.replaceChildren(...reasons);
     /** @type {readonly { wanted: Edit, text: string }[]} */

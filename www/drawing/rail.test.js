@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { degrees } from "assur/core/angles.js";
 import { DrawingRail } from "assur/drawing/rail.js";
-import { withDocument, withView } from "assur/state/state.js";
+import { initialState, withDocument, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 
 /** The rail of a drawing with a traced point selected; `type` writes into one of its fields. */
@@ -24,6 +24,23 @@ function begin(view = {}) {
   };
   return { page, type };
 }
+
+test("of an empty sheet it is told that nothing is drawn, of a bar that it has no driver", () => {
+  const page = new Page("crank-rocker");
+  const rail = new DrawingRail(page, { points: new Set(), links: new Set() }, { remove() {}, duplicate() {}, mirror() {} });
+  const section = globalThis.document.getElementById("rail").children.at(0);
+  const { kind, document: blank } = page.engine.blank();
+  page.store.update(() => initialState(kind, blank, { drawing: true }));
+  const told = () => {
+    rail.render(page.now(), page.store.get().document);
+    const reasons = section.all.find(({ attributes }) => attributes.id === "draw-reasons");
+    return reasons.children.map(({ textContent }) => textContent);
+  };
+  assert.deepEqual(told(), ["No links are drawn yet."]);
+  page.store.update((state) => withDocument(state, { points: [{ name: "A", at: [0, 0] }, { name: "B", at: [1, 0] }], frame: ["A"], links: [{ name: "AB", points: ["A", "B"] }] }));
+  const [reason, ...more] = told();
+  assert.ok(reason.startsWith("No driver is given") && more.length === 0, [reason, ...more].join());
+});
 
 for (const at of [0, 1, 100]) {
   test(`the place of a traced point on its link is what is typed, and nothing else is changed, ${at}° on`, () => {

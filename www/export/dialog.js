@@ -129,7 +129,7 @@ function makeDialog(page) {
       make("h2", { id: "export-title", "data-t": "export.title" }),
       make("div", { class: "exports" }, exports),
       make("p", { class: "note", "data-t": "export.note" }),
-      make("button", { id: "export-close", class: "control", "data-t": "dialog.close" }),
+      make("div", { class: "way-out" }, [make("button", { id: "export-close", class: "control", "data-t": "dialog.close" })]),
     ]),
   ]);
   return { dialog, stop: moving.stop };

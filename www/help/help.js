@@ -35,7 +35,7 @@ export function openHelp(words) {
       ...(served() ? [make("p", {}, [words.text("help.notes"), " ", ...notes(words)])] : []),
       heading("help.cite"),
       make("p", {}, [citation(words)]),
-      make("button", { id: "help-close", class: "control" }, [words.text("dialog.close")]),
+      make("div", { class: "way-out" }, [make("button", { id: "help-close", class: "control" }, [words.text("dialog.close")])]),
     ]),
   ]);
   byId("app", HTMLElement).append(dialog);

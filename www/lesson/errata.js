@@ -28,7 +28,7 @@ export async function openErrata(lesson, lang) {
         make("thead", {}, [make("tr", {}, row("").map((name) => make("th", { scope: "col" }, [name])))]),
         make("tbody", {}, rows),
       ]),
-      make("button", { id: "errata-close", class: "control", "data-t": "dialog.close" }),
+      make("div", { class: "way-out" }, [make("button", { id: "errata-close", class: "control", "data-t": "dialog.close" })]),
     ]),
   ]);
   words.fill(dialog);

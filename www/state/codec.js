@@ -17,18 +17,16 @@ const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({
 const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
-/** Longer and deeper ones are none of ours. */
+/** Longer and deeper ones are none of ours. A file may have an image besides, of which the engine says whether it is too long. */
 export const LONGEST = 400_000;
-/** A file may have an image besides, of which the engine says whether it is too long. */
-export const LONGEST_FILE = 20_000_000;
 const DEEPEST = 12;
 
 /** Where the driver stands: left out of a short address while it moves. */
 const PLACES = Object.freeze(["phi_deg", "s", "t"]);
 
-/** @returns {Refusal} the text is no state, whatever is in it */
+/** @returns {Refusal} the address is no state, whatever is in it */
 function unreadable() {
-  return new Refusal([{ code: "not_settings" }]);
+  return new Refusal([{ code: "unreadable_link" }]);
 }
 
 /**
@@ -80,9 +78,9 @@ export function fromAddress(hash, preset) {
   if (whole) {
     // Else what is said of the document would be passed over.
     if (Object.keys(document).length > 0) throw unreadable();
-    return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(FURTHER) });
+    return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(FURTHER) }, unreadable());
   }
-  return shallow({ format: Number(version), ...own(FURTHER), ...own([kind]), document, view });
+  return shallow({ format: Number(version), ...own(FURTHER), ...own([kind]), document, view }, unreadable());
 }
 
 /**
@@ -98,15 +96,14 @@ export function toFile(state) {
  * @returns {unknown} for the engine to check
  */
 export function fromFile(text) {
-  if (text.length > LONGEST_FILE) throw unreadable();
-  try {
-    const value = JSON.parse(text);
-    const image = value?.picture?.image;
-    if (text.length - (typeof image === "string" ? image.length : 0) > LONGEST) throw unreadable();
-    return shallow(value);
-  } catch {
-    throw unreadable();
-  }
+  const value = parsed(text);
+  if (value === undefined) throw new Refusal([{ code: "not_json" }]);
+  const other = new Refusal([{ code: "no_mechanism" }]);
+  if (value?.format === undefined) throw other;
+  const image = value.picture?.image;
+  const size = text.length - (typeof image === "string" ? image.length : 0);
+  if (size > LONGEST) throw new Refusal([{ code: "too_many_characters", size, max: LONGEST }]);
+  return shallow(value, other);
 }
 
 /** @param {unknown} value */
@@ -143,12 +140,13 @@ function parsed(text) {
 
 /**
  * @param {unknown} value
+ * @param {Refusal} deep of one that is too deep
  * @returns {unknown} the value itself
  */
-function shallow(value) {
+function shallow(value, deep) {
   const check = (/** @type {unknown} */ part, /** @type {number} */ left) => {
     if (typeof part !== "object" || part === null) return;
-    if (left === 0) throw unreadable();
+    if (left === 0) throw deep;
     for (const inner of Object.values(part)) check(inner, left - 1);
   };
   check(value, DEEPEST);
