@@ -4,8 +4,10 @@ import test from "node:test";
 import "assur/tests/document.js";
 import { Context } from "assur/tests/canvas.js";
 import { numberEntries } from "assur/core/names.js";
+import { given } from "assur/lesson/given.js";
 import { sheets } from "assur/lesson/sheets.js";
 import { answerOf } from "assur/lesson/tasks.js";
+import { initialState } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 
 globalThis.OffscreenCanvas = class OffscreenCanvas {
@@ -28,6 +30,7 @@ function printed(id, vary = [], quantity = "input", name = "Ann") {
 
 for (const [id, wanted] of [
   ["crank-rocker", ["length of A-B = 2", "length of B-C = 6", "length of B-M = 3.605551", "length of C-M = 3.605551", "length of D-C = 4.5", "x of A = 0", "y of A = 0", "x of D = 6", "y of D = 0"]],
+  ["class4-dwell", ["length of A-B = 1", "y of D = −4.78"]],
   // The guide of the ram and the pivot of the lever.
   ["shaper", ["length of A-B = 1.25", "length of D-E = 7", "length of E-F = 2.5", "x of D = 0", "y of D = −4", "y of G = 2.825", "y of H = 2.825"]],
   ["geared-five-bar", ["length of B-C = 3.2", "crank: z = 40", "follower: z = 20"]],
@@ -37,9 +40,16 @@ for (const [id, wanted] of [
   test(`a sheet has every given number of ${id}`, () => {
     const { said } = printed(id);
     for (const one of wanted) assert.ok(said.includes(one), `${one}: ${said}`);
-    assert.doesNotMatch(said, /undefined|NaN|field\.|damping|inertia/);
+    assert.doesNotMatch(said, /undefined|NaN|field\.|damping|inertia|working member|factor c|tolerance/);
   });
 }
+
+test("points that links carry are given where they are on them", () => {
+  const { kind, document } = page.engine.preset("crank-rocker");
+  const tracers = [{ name: "P", link: "rocker", at: [1.5, -2] }];
+  const said = given(initialState(kind, { ...document, tracers, unit: "m" }, {}), page.engine, page.words.measured("m"));
+  assert.ok(said.includes("P (rocker): x = 1.5\u00a0m, y = −2\u00a0m"), said.join("; "));
+});
 
 test("lengths are those of the reader, and the answer is none of them", () => {
   const vary = [{ field: "links[0].length", from: 1, to: 2, step: 0.05 }];
