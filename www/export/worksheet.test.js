@@ -96,7 +96,7 @@ function lines(...how) {
 for (const [id, count, wanted] of [
   ["class4-dwell", 19, "x of H = 4.07"],
   ["mixer-a", 8, "Wheel 5, centre-line angle = −40°"],
-  ["synthesis family", 6, "Position 2, direction of the driver φ₃"],
+  ["synthesis family", 6, "Position 2, direction of the driver φ₃ = 60°"],
   ["mobility-1a", 0],
 ]) {
   test(`what is given of ${id}, and nothing of a search or a view, is printed`, () => {

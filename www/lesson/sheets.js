@@ -3,7 +3,7 @@ import { Transform } from "assur/canvas/transform.js";
 import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
-import { marked } from "assur/core/subscripts.js";
+import { marked, withSubscripts } from "assur/core/subscripts.js";
 import { measured } from "assur/core/units.js";
 import { paperTheme, toSvgElement } from "assur/export/pictures.js";
 import { stepOnPaper } from "assur/export/steps.js";
@@ -20,6 +20,7 @@ import { alone } from "assur/state/state.js";
  * @typedef {import("assur/lesson/tasks.js").Task} Task
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").Written} Written
+ * @typedef {ReturnType<typeof seenIn>} Seen
  */
 
 /** Of a drawing, in pixels. */
@@ -69,7 +70,9 @@ function sheet(lesson, name, answers, page, words) {
 function asked(lesson, index, name, page, words) {
   const { formula = "", shows, question, ...step } = lesson.steps[index];
   const task = shows ? taskOf(lesson, index, name, page.engine) : null;
-  const shown = task ? [...drawing(task.state, lesson.steps[index], page, words), ...own(task, words), numbers(task, page, words)] : [];
+  const seen = seenOf(task, page.engine);
+  const inUnits = measuredIn(seen, words);
+  const shown = task ? [...drawing(seen, lesson.steps[index], page, words), ...own(task, inUnits), numbers(task, page, inUnits)] : [];
   const { number, choice } = question ?? {};
   return stepOnPaper({ ...step, formula, question: question ? { text: withTolerance(question.text, number?.within, unitOf(number), words), options: choice?.options ?? [] } : null }, shown);
 }
@@ -86,23 +89,33 @@ function answered(lesson, index, name, page, words) {
   const { number, choice, reach } = question ?? {};
   const value = (/** @type {number} */ exact, unit = "") => measured(words.numbers.upTo(exact, 4), unit);
   const task = shows || reach ? taskOf(lesson, index, name, page.engine) : null;
+  const seen = seenOf(task, page.engine);
   const exact = number ? answerOf(lesson, index, name, page.engine) : null;
   const said = exact !== null ? value(exact, unitOf(number))
     : choice ? choice.options[choice.answer]
-    : reach ? `${nameOf(reach.quantity, task, page, words)} = ${value(reach.value, isAngle(reach.quantity) || reach.quantity === "input" ? "°" : "")}` : "—";
-  return make("li", {}, [make("b", { class: "title" }, [title]), ...(shows && task ? own(task, words) : []), make("p", { class: "answer" }, marked(said))]);
+    : reach ? `${nameOf(reach.quantity, task, seen, page, words)} = ${value(reach.value, isAngle(reach.quantity) || reach.quantity === "input" ? "°" : "")}` : "—";
+  return make("li", {}, [make("b", { class: "title" }, [title]), ...(shows && task ? own(task, measuredIn(seen, words)) : []), make("p", { class: "answer" }, marked(said))]);
 }
 
 /**
  * @param {string} quantity of what a step shows, or of what is on the page
  * @param {Task | null} task
+ * @param {Seen | null} seen
  * @param {Page} page
  * @param {Words} words
  */
-function nameOf(quantity, task, { engine, model, store }, words) {
-  const seen = task && attempt(() => seenIn(task.state, engine)).value;
+function nameOf(quantity, task, seen, { model, store }, words) {
   const { summary, coordinate } = seen ?? model;
   return quantityName(quantity, { summary, coordinate: coordinate ?? model.coordinate, state: task?.state ?? store.get() }, words);
+}
+
+/**
+ * @param {Task | null} task
+ * @param {Engine} engine
+ * @returns {Seen | null} none where it cannot be drawn
+ */
+function seenOf(task, engine) {
+  return task && attempt(() => seenIn(task.state, engine)).value;
 }
 
 /**
@@ -118,19 +131,18 @@ function seenIn(state, engine) {
     const frameInput = coordinate ? coordinate.input(coordinate.of(state)) : 0;
     const { frame } = engine.placeOf(other, frameInput);
     const readouts = coordinate && engine.readoutsOf(other, frameInput);
-    return { summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames() };
+    return { summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames(), lengths: /** @type {Words["lengths"]} */ (other.lengths()) };
   });
 }
 
 /**
- * @param {State} state
+ * @param {Seen | null} seen
  * @param {Written["steps"][number]} step that shows it
  * @param {Page} page
  * @param {Words} words
  * @returns {HTMLElement[]} the drawing, without what the step asks for
  */
-function drawing(state, { title, question }, { engine, model }, words) {
-  const seen = attempt(() => seenIn(state, engine)).value;
+function drawing(seen, { title, question }, { engine, model }, words) {
   if (!seen) return [];
   const { summary: { bounds }, labels, ...drawn } = seen;
   const theme = paperTheme(engine.roles);
@@ -150,30 +162,29 @@ function drawing(state, { title, question }, { engine, model }, words) {
 
 /**
  * @param {Task} task
- * @param {Words} words
+ * @param {Words} words with the unit of its lengths
  * @returns {HTMLElement[]} the reader's own numbers
  */
 function own({ own: numbers, state }, words) {
-  const inUnits = measuredIn(state, words);
-  const valued = (/** @type {Task["own"][number]} */ { field, value }) => measuredAs(field, words.numbers.exact(value), inUnits);
+  const valued = (/** @type {Task["own"][number]} */ { field, value }) => measuredAs(field, words.numbers.exact(value), words);
   return numbers.map((one) => make("p", { class: "own" }, [`${fieldName(one.field, words, state.document)} = ${valued(one)}`]));
 }
 
 /**
  * @param {Task} task
  * @param {Page} page
- * @param {Words} words
+ * @param {Words} words with the unit of its lengths
  * @returns {HTMLElement} every number that is given of the mechanism
  */
 function numbers({ state }, { engine }, words) {
-  return make("p", { class: "given" }, [given(state, engine, measuredIn(state, words)).join("; ")]);
+  return make("p", { class: "given" }, withSubscripts(given(state, engine, words).join("; ")));
 }
 
 /**
- * @param {State} state
+ * @param {Seen | null} seen
  * @param {Words} words
  * @returns {Words} with the unit of its lengths
  */
-function measuredIn({ document }, words) {
-  return words.measured(("unit" in document && document.unit) || "none");
+function measuredIn(seen, words) {
+  return words.measured(seen?.lengths ?? "none");
 }

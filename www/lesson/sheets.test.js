@@ -34,8 +34,8 @@ for (const [id, wanted] of [
   // The guide of the ram and the pivot of the lever.
   ["shaper", ["length of A-B = 1.25", "length of D-E = 7", "length of E-F = 2.5", "x of D = 0", "y of D = −4", "y of G = 2.825", "y of H = 2.825"]],
   ["geared-five-bar", ["length of B-C = 3.2", "crank: z = 40", "follower: z = 20"]],
-  ["mixer-a", ["Crank l₁ = 0.37", "Number of teeth z₄ = 36", "Wheel 5, number of teeth = 18", "Wheel 5, centre-line angle = −40"]],
-  ["train-magnets", ["Sun, z₁ = 20", "Input shaft 1, speed, min⁻¹ = 60"]],
+  ["mixer-a", ["Crank l₁ = 0.37\u00a0m", "Module m = 0.0165\u00a0m", "Number of teeth z₄ = 36", "Wheel 5, number of teeth = 18", "Wheel 5, centre-line angle = −40"]],
+  ["train-magnets", ["Sun, z₁ = 20", "Input shaft 1 (sun), speed, min⁻¹ = 60", "Input shaft 2 (ring), speed, min⁻¹ = 12"]],
 ]) {
   test(`a sheet has every given number of ${id}`, () => {
     const { said } = printed(id);
@@ -67,6 +67,7 @@ for (const [id, field, [from, to], wanted, unit = "none"] of [
   ["mixer-a", "wheels[0].centre_line_deg", [-50, -30], /centre-line angle = −\d\d(\.5)?°$/m],
   ["crank-rocker", "links[0].length", [1.5, 2], /Length of link crank = [\d.]+\u00a0mm$/m, "mm"],
   ["crank-rocker", "links[0].length", [1.5, 2], /Length of link crank = [\d.]+$/m],
+  ["mixer-a", "l1", [0.3, 0.4], /Crank l₁ = [\d.]+\u00a0m$/m],
 ]) {
   test(`a reader's own number has its unit: ${field} in ${unit}`, () => {
     const { kind, document } = page.engine.preset(id);
