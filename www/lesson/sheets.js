@@ -8,7 +8,7 @@ import { measured } from "assur/core/units.js";
 import { paperTheme, toSvgElement } from "assur/export/pictures.js";
 import { stepOnPaper } from "assur/export/steps.js";
 import { given } from "assur/lesson/given.js";
-import { isAngle, quantityName, tellers, unitOf, withTolerance } from "assur/lesson/quantity.js";
+import { quantityName, tellers, toleranceOf, unitIn, withTolerance } from "assur/lesson/quantity.js";
 import { answerOf, coordinateOf, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
 import { alone } from "assur/state/state.js";
@@ -21,6 +21,7 @@ import { alone } from "assur/state/state.js";
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").Written} Written
  * @typedef {ReturnType<typeof seenIn>} Seen
+ * @typedef {import("assur/lesson/quantity.js").Asked} Asked
  */
 
 /** Of a drawing, in pixels. */
@@ -69,12 +70,13 @@ function sheet(lesson, name, answers, page, words) {
  */
 function asked(lesson, index, name, page, words) {
   const { formula = "", shows, question, ...step } = lesson.steps[index];
-  const task = shows ? taskOf(lesson, index, name, page.engine) : null;
-  const seen = seenOf(task, page.engine);
-  const inUnits = measuredIn(seen, words);
-  const shown = task ? [...drawing(seen, lesson.steps[index], page, words), ...own(task, inUnits), numbers(task, page, inUnits)] : [];
   const { number, choice } = question ?? {};
-  return stepOnPaper({ ...step, formula, question: question ? { text: withTolerance(question.text, number?.within, unitOf(number), words), options: choice?.options ?? [] } : null }, shown);
+  const task = shows || number?.quantity ? taskOf(lesson, index, name, page.engine) : null;
+  const seen = seenOf(task, number, page.engine);
+  const inUnits = measuredIn(seen, words);
+  const shown = shows && task ? [...drawing(seen, lesson.steps[index], page, words), ...own(task, inUnits), numbers(task, page, inUnits)] : [];
+  const posed = question ? { text: withTolerance(question.text, toleranceOf(number), unitIn(number, seen, inUnits), words), options: choice?.options ?? [] } : null;
+  return stepOnPaper({ ...step, formula, question: posed }, [...shown, ...position(number, seen, inUnits)]);
 }
 
 /**
@@ -88,13 +90,14 @@ function answered(lesson, index, name, page, words) {
   const { title, shows, question } = lesson.steps[index];
   const { number, choice, reach } = question ?? {};
   const value = (/** @type {number} */ exact, unit = "") => measured(words.numbers.upTo(exact, 4), unit);
-  const task = shows || reach ? taskOf(lesson, index, name, page.engine) : null;
-  const seen = seenOf(task, page.engine);
+  const task = shows || number?.quantity || reach ? taskOf(lesson, index, name, page.engine) : null;
+  const seen = seenOf(task, number, page.engine);
+  const inUnits = measuredIn(seen, words);
   const exact = number ? answerOf(lesson, index, name, page.engine) : null;
-  const said = exact !== null ? value(exact, unitOf(number))
+  const said = exact !== null ? value(exact, unitIn(number, seen, inUnits))
     : choice ? choice.options[choice.answer]
-    : reach ? `${nameOf(reach.quantity, task, seen, page, words)} = ${value(reach.value, isAngle(reach.quantity) || reach.quantity === "input" ? "°" : "")}` : "—";
-  return make("li", {}, [make("b", { class: "title" }, [title]), ...(shows && task ? own(task, measuredIn(seen, words)) : []), make("p", { class: "answer" }, marked(said))]);
+    : reach ? `${nameOf(reach.quantity, task, seen, page, words)} = ${value(reach.value, unitIn(reach, seen, inUnits))}` : "—";
+  return make("li", {}, [make("b", { class: "title" }, [title]), ...(shows && task ? own(task, inUnits) : []), make("p", { class: "answer" }, marked(said))]);
 }
 
 /**
@@ -111,27 +114,29 @@ function nameOf(quantity, task, seen, { model, store }, words) {
 
 /**
  * @param {Task | null} task
+ * @param {Asked | null | undefined} number that is asked for
  * @param {Engine} engine
  * @returns {Seen | null} none where it cannot be drawn
  */
-function seenOf(task, engine) {
-  return task && attempt(() => seenIn(task.state, engine)).value;
+function seenOf(task, number, engine) {
+  return task && attempt(() => seenIn(task.state, number?.at ?? null, engine)).value;
 }
 
 /**
  * @param {State} state
+ * @param {number | null} place of its driver, as readers count, where that is another
  * @param {Engine} engine
  * @returns what the engine says of a mechanism, and how it is drawn where its driver stands
  */
-function seenIn(state, engine) {
+function seenIn(state, place, engine) {
   return engine.beside((other) => {
     /** @type {import("assur/engine.js").Summary & { bounds: readonly number[] }} */
     const summary = other.set(alone(state));
     const coordinate = summary.moves === null ? null : coordinateOf(summary);
-    const frameInput = coordinate ? coordinate.input(coordinate.of(state)) : 0;
+    const frameInput = coordinate ? coordinate.input(place ?? coordinate.of(state)) : 0;
     const { frame } = engine.placeOf(other, frameInput);
     const readouts = coordinate && engine.readoutsOf(other, frameInput);
-    return { summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames(), lengths: /** @type {Words["lengths"]} */ (other.lengths()) };
+    return { state, summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames(), lengths: /** @type {Words["lengths"]} */ (other.lengths()) };
   });
 }
 
@@ -178,6 +183,18 @@ function own({ own: numbers, state }, words) {
  */
 function numbers({ state }, { engine }, words) {
   return make("p", { class: "given" }, withSubscripts(given(state, engine, words).join("; ")));
+}
+
+/**
+ * @param {Asked | null | undefined} number that is asked for
+ * @param {Seen | null} seen
+ * @param {Words} words with the unit of its lengths
+ * @returns {HTMLElement[]} where the driver stands, if the question says so
+ */
+function position(number, seen, words) {
+  if (typeof number?.at !== "number" || !seen?.coordinate) return [];
+  const { coordinate, frameInput } = seen;
+  return [make("p", { class: "given" }, [`${coordinate.symbol} = ${coordinate.short(frameInput, words, 4)}`])];
 }
 
 /**

@@ -80,6 +80,56 @@ for (const [id, field, [from, to], wanted, unit = "none"] of [
   });
 }
 
-test("the tolerance of an answer stands before the question mark", () => {
-  assert.match(printed("crank-rocker").said, /^How much \(to within 0\.001°\)\?$/m);
+/** What is printed of a question about a mechanism, and its answer. */
+function asking(id, number, { text = "How much?", unit, view = {}, question = { text, number } } = {}) {
+  const { kind, document } = page.engine.preset(id);
+  const shows = { kind, document: unit ? { ...document, unit } : document, view: { phi_deg: 30, ...view } };
+  const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows, question }, { title: "Again", text: "", question }] };
+  const [tasks, answers] = [false, true].map((told) => sheets(lesson, [], told, page, page.words).all);
+  const of = (all, name) => all.filter((one) => one.getAttribute("class") === name).map(({ textContent }) => textContent);
+  return { asked: tasks.filter(({ tagName }) => tagName === "B").map(({ textContent }) => textContent)[1], given: of(tasks, "given"), drawn: tasks.filter(({ tagName }) => tagName === "FIGURE").map(({ textContent }) => textContent), answers: of(answers, "answer") };
+}
+
+test("the tolerance of an answer stands before the mark that ends the question", () => {
+  const number = { quantity: "rocker.angle", within: 0.001 };
+  for (const [text, wanted] of [
+    ["How much?", "How much (to within 0.001°)?"], ["Find it, at 60°.", "Find it, at 60° (to within 0.001°)."], ["The angle", "The angle (to within 0.001°)"],
+  ]) assert.equal(asking("crank-rocker", number, { text }).asked, wanted);
+});
+
+test("a number of freedoms is whole: it has no tolerance", () => {
+  assert.equal(asking("crank-rocker", { quantity: "W", within: 0.1 }).asked, "How much?");
+});
+
+test("a driver position of a question is drawn and said, also where nothing else is shown", () => {
+  const { drawn, given: said } = asking("crank-rocker", { quantity: "rocker.angle", within: 0.5, at: 120 });
+  assert.match(drawn[0], /φ₁ = 120\.0°/);
+  assert.deepEqual(said.slice(1), ["φ₁ = 120°", "φ₁ = 120°"]);
+  assert.ok(asking("crank-rocker", { quantity: "rocker.angle", within: 0.5 }).given.every((line) => !line.startsWith("φ₁")));
+});
+
+for (const [id, quantity, unit, more] of [
+  ["crank-rocker", "C.x", "\u00a0mm", { unit: "mm" }],
+  ["crank-rocker", "C.x", ""],
+  ["crank-rocker", "C.x′", "\u00a0mm", { unit: "mm" }],
+  ["crank-rocker", "C.x′", "\u00a0mm/s", { unit: "mm", view: { axes: "physical" } }],
+  ["crank-rocker", "rocker.angle′", ""],
+  ["crank-rocker", "rocker.angle″", "\u00a0rad/s²", { view: { axes: "physical" } }],
+  ["crank-rocker", "rocker.angle:time_ratio", ""],
+  ["crank-rocker", "rocker.angle:swing", "°"],
+  ["slider-crank", "C.x:swing", "\u00a0m", { unit: "m" }],
+  ["train-gears", "sun.angle′", "\u00a0rad/s"],
+  ["mixer-a", "C2.x", "\u00a0m"],
+]) {
+  test(`an answer and its tolerance have their unit: ${quantity} of ${id}${unit && ","}${unit}`, () => {
+    const { asked, answers } = asking(id, { quantity, within: 0.5 }, more);
+    assert.equal(asked, `How much (to within 0.5${unit})?`);
+    assert.equal(answers.length, 2);
+    for (const answer of answers) assert.match(answer, new RegExp(`^[−\\d.]+${unit}$`));
+  });
+}
+
+test("a value to be reached has its unit", () => {
+  const reach = { quantity: "C.x", value: 3, within: 0.1 };
+  assert.match(asking("crank-rocker", null, { unit: "mm", question: { text: "Go there.", reach } }).answers[0], /= 3\u00a0mm$/);
 });
