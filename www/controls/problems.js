@@ -14,6 +14,8 @@ import { called, calledBy, entryNumber, toLine } from "assur/core/names.js";
 const ENTRY = /^(\w+)\[(\d+)\]\.(\w+)$/;
 /** A dimension of a linkage: `links[5].length`, `links[2].side[1][2]`, `links[2].corner_deg[2]`, `slides[0].offset`, `points[8].x`. */
 const DIMENSION = /^(links|slides|points)\[(\d+)\]\.(\w+?)(?:_deg)?((?:\[\d+\])*)$/;
+/** A length of another mechanism: `l1` and `module` of a mixer, the frame of a synthesis. */
+const LENGTH = /^(?:l\d|module|frame|tracers\[\d+\]\.[xy])$/;
 /** The words for the dimensions of links. */
 const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: "field.links.length", side: "field.links.side", corner: "field.links.corner" }));
 /** A number of a list, such as `bodies.inertia[2]`, or of a list of pairs. */
@@ -35,11 +37,11 @@ const ANGLE = /_deg(?:\[|$)/;
  * @param {string} field
  * @param {string} number
  * @param {Words} words
- * @returns {string} the number of a field with its unit, if it is an angle or a dimension of a linkage
+ * @returns {string} the number of a field with its unit, if it is an angle or a length
  */
 export function measuredAs(field, number, words) {
   if (ANGLE.test(field)) return `${number}°`;
-  return DIMENSION.test(field) ? words.length(number) : number;
+  return DIMENSION.test(field) || LENGTH.test(field) ? words.length(number) : number;
 }
 
 /**
@@ -56,7 +58,7 @@ function length({ field = "" }, value, words) {
  * @param {string} field
  * @param {Words} words
  * @param {Document | undefined} document that has the field
- * @returns {string} its name, with the number of the entry of a list, the name of the link or point
+ * @returns {string} its name, with the number of the entry of a list, the name of the shaft, link or point
  */
 export function fieldName(field, words, document) {
   const [, of, at, dimension, places] = DIMENSION.exec(field) ?? [];
@@ -71,7 +73,9 @@ export function fieldName(field, words, document) {
   if (numbers) return words.text(`field.${numbers}`, { n: entryNumber(numbers, Number(place)) });
   const [, list, index, part] = ENTRY.exec(field) ?? [];
   if (!list) return words.text(`field.${field}`);
-  return words.text(`field.${list}.${part}`, { n: entryNumber(list, Number(index)) });
+  const number = entryNumber(list, Number(index));
+  const shaft = list === "drives" && document && "drives" in document ? document.drives[Number(index)]?.shaft : null;
+  return words.text(`field.${list}.${part}`, { n: shaft ? `${number} (${called(shaft, words)})` : number });
 }
 
 /**

@@ -14,6 +14,22 @@ export function derived(of, by, order) {
 }
 
 /**
+ * @param {Readonly<{ kind: string, order: number, physical: boolean }>} quantity an angle or a length, or a derivative of one, by time where it is physical
+ * @param {"angle" | "length" | "time"} moves by which derivatives are otherwise
+ * @param {import("assur/core/words.js").Words} words
+ * @returns {string} its unit; an angle in radians
+ */
+export function unitOfRate({ kind, order, physical }, moves, words) {
+  const angle = words.text("unit.rad");
+  const input = moves === "angle" ? angle : words.unit;
+  const by = physical ? words.text("unit.s") : input;
+  const of = kind === "angle" ? angle : words.unit;
+  // A turn of a crank is no unit to a length: the analogue of a velocity is a length.
+  const bare = order === 0 || (of !== angle && by === angle);
+  return bare ? of : derived(of, by, order);
+}
+
+/**
  * @param {string} number
  * @param {string} unit
  * @returns {string} one after the other, as they are printed, on one line

@@ -1,16 +1,18 @@
-// The worksheet that is printed instead of the page: what is shown, its dimensions and values, the steps of the lesson with
+// The worksheet that is printed instead of the page: what is shown, what is given of it, its values, the steps of the lesson with
 // lines to answer on, and the address to come back by. Loaded once the page is drawn: printing does not wait.
 import { byId, make } from "assur/core/dom.js";
+import { withSubscripts } from "assur/core/subscripts.js";
 import { paperTheme, toSvgElement, withLegend } from "assur/export/pictures.js";
 import { stepOnPaper } from "assur/export/steps.js";
 import "assur/export/style.js";
+import { given } from "assur/lesson/given.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
  */
 
-/** What belongs to another mechanism, or is not said of this one; a lesson hides the whole rail. */
-const ELSEWHERE = ".elsewhere, [hidden]:not(#rail)";
+/** What belongs to another mechanism, or is not said of this one. */
+const ELSEWHERE = ".elsewhere, [hidden]";
 
 /** Of a cell of the code, in millimetres: a telephone reads it from the paper. */
 const CELL = 0.45;
@@ -56,32 +58,41 @@ function worksheet(page, steps) {
       make("p", { class: "blanks" }, [line("print.name"), line("print.date")]),
     ]),
     make("div", { class: "figures" }, figures),
-    make("div", { class: "tables" }, [dimensions(), values()]),
+    make("div", { class: "tables" }, [dimensions(page), values(model.summary.moves !== null)]),
     ...(items.length > 0 ? [make("ol", {}, items)] : []),
     foot(address.link(model.good), engine),
   ]);
 }
 
-/** @returns {HTMLElement} every number of the rail with its symbol and name */
-function dimensions() {
-  const rows = [...document.querySelectorAll("#rail .row:has(.number)")].filter((row) => !row.closest(ELSEWHERE));
-  return make("table", {}, [make("tbody", {}, rows.map((row) => {
-    const input = row.querySelector(".number");
-    const value = input instanceof HTMLInputElement ? input.value : "";
-    return make("tr", {}, [make("th", { scope: "row" }, [row.querySelector(".name")?.textContent?.trim() ?? ""]), make("td", {}, [value])]);
-  }))]);
+/**
+ * @param {Page} page
+ * @returns {HTMLElement} every number that is given of the mechanism that is drawn
+ */
+function dimensions({ engine, model, words }) {
+  const rows = given(model.good, engine, words).map((one) => make("tr", {}, [make("td", {}, withSubscripts(one))]));
+  return make("table", {}, [make("tbody", {}, rows)]);
 }
 
-/** @returns {HTMLElement} the read-outs and the status line as they are read on the page: what a lesson withholds stays so */
-function values() {
-  const table = make("table");
-  const copied = document.querySelectorAll("#readouts > :not(caption) tr");
+/**
+ * @param {boolean} moves whether the table of values is that of what is shown
+ * @returns {HTMLElement} the read-outs and the status line as they are read on the page: what a lesson withholds stays so
+ */
+function values(moves) {
+  const copied = moves ? document.querySelectorAll("#readouts > :not(caption) tr") : [];
   const over = (/** @type {Element} */ cell) => ({ colspan: cell.getAttribute("colspan") ?? "1" });
-  const rows = [...copied].map((row) => make("tr", {}, [...row.children].map((cell) => make("td", over(cell), [cell.textContent?.trim() ?? ""]))));
+  const rows = [...copied].map((row) => make("tr", {}, [...row.children].map((cell) => make("td", over(cell), [read(cell)]))));
   const entries = [...document.querySelectorAll("#status > .entry")].filter((entry) => !entry.matches(ELSEWHERE));
-  const said = entries.map((entry) => make("p", {}, [entry.textContent?.replace(/\s+/g, " ").trim() ?? ""]));
-  table.append(make("tbody", {}, rows));
-  return make("div", {}, [table, ...said]);
+  const said = entries.map((entry) => make("p", {}, [[...entry.children].map(read).join(" ")]));
+  return make("div", {}, [make("table", {}, [make("tbody", {}, rows)]), ...said]);
+}
+
+/**
+ * @param {Element} output
+ * @returns {string} what it says; of one that is withheld only that
+ */
+function read(output) {
+  if (output instanceof HTMLElement && output.dataset.asked) return "?";
+  return output.textContent?.replace(/\s+/g, " ").trim() ?? "";
 }
 
 /**

@@ -1,13 +1,17 @@
-// The worksheet that is printed: what it has of an open lesson, and what it keeps to itself.
+// The worksheet that is printed: what it has of the mechanism and of an open lesson, and what it keeps to itself.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
 import { found } from "assur/tests/document.js";
+import { withhold } from "assur/controls/readout.js";
+import { make } from "assur/core/dom.js";
+import { numberEntries } from "assur/core/names.js";
 import { Context } from "assur/tests/canvas.js";
 import { Words } from "assur/core/words.js";
 import { printWorksheets } from "assur/export/worksheet.js";
 import { FolderLesson } from "assur/lesson/folder.js";
 import { LESSON } from "assur/lessons/mixer/lesson.js";
+import { withDocument } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 import { happen } from "assur/tests/window.js";
 import { tableOf } from "assur/tests/words.js";
@@ -21,16 +25,24 @@ globalThis.OffscreenCanvas = class OffscreenCanvas {
   }
 };
 
+// As the rail of the mixer does.
+numberEntries("wheels", (index) => String(index + 5));
 for (const id of ["mechanism", "charts"]) found.set(id, new HTMLCanvasElement());
 
-/** A page at the first step of the lesson of the mixer, and what is printed of it. */
-function print() {
+/**
+ * A page, and what is printed of it.
+ * @param {string} id of the mechanism
+ * @param {boolean} taught whether the lesson of the mixer is open
+ * @param {(page: Page) => void} prepare
+ */
+function print(id = "mixer-a", taught = true, prepare = () => {}) {
   const picture = { size: { width: 10, height: 10 }, paint() {} };
   /** What is withheld while the sheet is made. */
   let withheld = null;
-  const page = Object.assign(new Page("mixer-a", { phi_deg: 75 }), {
-    words,
-    mechanism: { cropped: () => picture },
+  const opened = new Page(id, { phi_deg: 75 });
+  const page = Object.assign(opened, {
+    words: words.measured(opened.engine.lengths),
+    mechanism: { cropped: () => picture, fit() {} },
     chart: { size: picture.size, panels: [], paint() {} },
     address: { link: () => "https://assur.test/#mixer-a" },
     posed: (hidden, make) => {
@@ -38,7 +50,8 @@ function print() {
       return make();
     },
   });
-  const steps = new FolderLesson("mixer", LESSON, {}, page).tell(words).filter(({ question }) => question);
+  prepare(page);
+  const steps = taught ? new FolderLesson("mixer", LESSON, {}, page).tell(words).filter(({ question }) => question) : [];
   page.lesson = { steps: () => steps };
   page.engine.code = () => null;
   globalThis.document.body.replaceChildren();
@@ -66,4 +79,66 @@ test("what tells the answer of any question is withheld, whichever step is open"
 
 test("no question speaks of a button", () => {
   for (const { question } of print().steps) assert.doesNotMatch(question.text, /Show it/);
+});
+
+/** Shows what a lesson has of its own. */
+function show(page, lesson, preset) {
+  const { kind, document } = JSON.parse(readFileSync(new URL(`../lessons/${lesson}/presets.json`, import.meta.url), "utf8"))[preset];
+  page.choose(kind, document);
+  page.model.follow(page.store.get());
+}
+
+/** Each line of the tables. */
+function lines(...how) {
+  return print(...how).sheet.all.filter(({ tagName }) => tagName === "TR").map(({ textContent }) => textContent);
+}
+
+for (const [id, count, wanted] of [
+  ["class4-dwell", 19, "x of H = 4.07"],
+  ["mixer-a", 8, "Wheel 5, centre-line angle = −40°"],
+  ["synthesis family", 6, "Position 2, direction of the driver φ₃ = 60°"],
+  ["mobility-1a", 0],
+]) {
+  test(`what is given of ${id}, and nothing of a search or a view, is printed`, () => {
+    const [lesson, preset] = id.split(" ");
+    const said = preset ? lines("mixer-a", false, (page) => show(page, lesson, preset)) : lines(id, false);
+    assert.equal(said.length, count, said.join("; "));
+    assert.ok(!wanted || said.some((line) => line.startsWith(wanted)), said.join("; "));
+    assert.doesNotMatch(said.join("; "), /target|tolerance|weight/i);
+  });
+}
+
+test("beside a drawing stand the numbers that it is drawn with, not one that is refused", () => {
+  const said = lines("mixer-a", false, ({ store, model }) => {
+    store.update((state) => withDocument(state, { l1: 50 }));
+    model.follow(store.get());
+    assert.ok(!model.sound);
+  });
+  assert.match(said[0], /^Crank l₁ = 0\.37(?!\d)/);
+});
+
+/** Has the page say what a selector finds. */
+function saying(found, work) {
+  const { querySelectorAll } = document;
+  document.querySelectorAll = (selector) => found[Object.keys(found).find((part) => selector.includes(part))] ?? [];
+  try {
+    return work();
+  } finally {
+    document.querySelectorAll = querySelectorAll;
+  }
+}
+
+test("values of the mechanism that was shown before are not printed with a scheme", () => {
+  const row = make("tr", {}, [make("th", {}, ["φ₁"]), make("td", {}, ["75°"])]);
+  assert.deepEqual(saying({ "#readouts": [row] }, () => lines("mobility-1a", false)), []);
+  assert.equal(saying({ "#readouts": [row] }, () => lines("mixer-a", false)).at(-1), "φ₁75°");
+});
+
+test("what is withheld is a question mark alone", () => {
+  const [cell, output] = [make("td"), make("dd")];
+  for (const one of [cell, output]) withhold(one, words);
+  const found = { "#readouts": [make("tr", {}, [make("th", {}, ["μ"]), cell])], "#status": [Object.assign(make("div", {}, [make("dt", {}, ["swing"]), output]), { matches: () => false })] };
+  const { sheet } = saying(found, () => print("mixer-a", false));
+  const said = sheet.all.map(({ textContent }) => textContent);
+  assert.ok(said.includes("μ?") && said.includes("swing ?"), said.join("; "));
 });

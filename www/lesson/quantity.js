@@ -1,8 +1,8 @@
 // Quantities as lessons name them: `rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`. What they are called, in which unit they are told, and which
 // read-outs of the page tell them.
 import { called } from "assur/core/names.js";
-import { calledWhole, readoutOf, symbol } from "assur/core/symbols.js";
-import { measured } from "assur/core/units.js";
+import { calledWhole, isLength, readoutOf, symbol } from "assur/core/symbols.js";
+import { measured, unitOfRate } from "assur/core/units.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
@@ -51,16 +51,62 @@ export function unitOf(asked) {
 }
 
 /**
+ * @param {Asked | null | undefined} asked
+ * @param {Readonly<{ coordinate: import("assur/state/coordinate.js").Coordinate | null, state: import("assur/state/state.js").State }> | null} seen what is asked about
+ * @param {Words} words with the unit of its lengths
+ * @returns {string} the unit of an answer, of a length or a rate, too
+ */
+export function unitIn(asked, seen, words) {
+  if (!seen?.coordinate || !asked?.quantity || asked.unit) return unitOf(asked);
+  return unitOfQuantity(asked.quantity, seen.coordinate.moves, seen.state.view.axes === "physical", words);
+}
+
+/**
+ * @param {string} quantity
+ * @param {"angle" | "length" | "time"} moves
+ * @param {boolean} physical whether derivatives are by time
+ * @param {Words} words
+ */
+function unitOfQuantity(quantity, moves, physical, words) {
+  if (quantity === "input") return { angle: "°", length: words.unit, time: words.text("unit.s") }[moves];
+  const { bare, what, order, whole } = partsOf(quantity);
+  const kind = isLength(what) ? "length" : isAngle(bare) ? "angle" : null;
+  if (kind === null || whole === "time_ratio") return "";
+  if (kind === "angle" && order === 0) return "°";
+  const unit = unitOfRate({ kind, order, physical: physical || moves === "time" }, moves, words);
+  return unit === "1" ? "" : unit;
+}
+
+/**
+ * @param {string} quantity
+ * @returns its name without strokes, of what it is and what of that, the order of its derivative, what of the whole motion
+ */
+function partsOf(quantity) {
+  const [name, whole] = quantity.split(":");
+  const bare = name.replace(/[′″]$/, "");
+  const dot = bare.lastIndexOf(".");
+  return { bare, of: bare.slice(0, dot), what: bare.slice(dot + 1), order: STROKES.indexOf(name.slice(bare.length)), whole };
+}
+
+/**
+ * @param {Asked | null | undefined} asked
+ * @returns {number} within which an answer is right; 0 of a number of freedoms, which is whole
+ */
+export function toleranceOf(asked) {
+  return asked && asked.quantity !== W ? asked.within : 0;
+}
+
+/**
  * @param {string} question
- * @param {number | null | undefined} within
+ * @param {number | undefined} within
  * @param {string} unit
  * @param {Words} words
- * @returns {string} the question with the tolerance of its answer, before the question mark
+ * @returns {string} the question with the tolerance of its answer, before the mark that ends it
  */
 export function withTolerance(question, within, unit, words) {
   if (!within) return question;
   const tolerance = words.text("lesson.within", { value: measured(words.numbers.upTo(within, 6), unit) });
-  return question.endsWith("?") ? `${question.slice(0, -1)} ${tolerance}?` : `${question} ${tolerance}`;
+  return question.replace(/[?.!]?$/, (mark) => ` ${tolerance}${mark}`);
 }
 
 /**
@@ -72,12 +118,8 @@ export function withTolerance(question, within, unit, words) {
 export function quantityName(quantity, { summary, coordinate, state }, words) {
   if (quantity === "input") return coordinate.symbol;
   if (quantity === W) return W;
-  const [name, whole] = quantity.split(":");
-  const bare = name.replace(/[′″]$/, "");
-  const dot = bare.lastIndexOf(".");
-  const [of, what] = [bare.slice(0, dot), bare.slice(dot + 1)];
+  const { bare, of, what, order, whole } = partsOf(quantity);
   const number = summary.moves !== null && bare.endsWith(".angle") ? summary.numbers[of] : undefined;
-  const order = Math.max(STROKES.indexOf(name.slice(bare.length)), 0);
   const short = symbol({ name: bare, number }, order, state.view.axes === "physical", words);
   const whose = what.endsWith("angle") ? called(of, words) : calledWhole(of, what, words);
   const said = short.endsWith(whose) ? short : `${short} (${whose})`;
@@ -93,12 +135,8 @@ export function quantityName(quantity, { summary, coordinate, state }, words) {
 export function tellers(quantity) {
   if (quantity === "input") return [];
   if (quantity === W) return ["linkage-w"];
-  const [name, whole] = quantity.split(":");
-  const bare = name.replace(/[′″]$/, "");
-  const dot = bare.lastIndexOf(".");
-  const [of, what] = [bare.slice(0, dot), bare.slice(dot + 1)];
+  const { bare, of, what, order, whole } = partsOf(quantity);
   if (whole !== undefined) return TELLERS[whole]?.(of, what) ?? [];
-  const order = STROKES.indexOf(name.slice(bare.length));
   // The speeds of a differential stand in its status line, too.
   return [readoutOf(bare, order), ...(order === 1 && what === "angle" ? [`train-${of}`] : [])];
 }

@@ -3,12 +3,12 @@ import { Transform } from "assur/canvas/transform.js";
 import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
-import { marked } from "assur/core/subscripts.js";
+import { marked, withSubscripts } from "assur/core/subscripts.js";
 import { measured } from "assur/core/units.js";
 import { paperTheme, toSvgElement } from "assur/export/pictures.js";
 import { stepOnPaper } from "assur/export/steps.js";
 import { given } from "assur/lesson/given.js";
-import { isAngle, quantityName, tellers, unitOf, withTolerance } from "assur/lesson/quantity.js";
+import { quantityName, tellers, toleranceOf, unitIn, withTolerance } from "assur/lesson/quantity.js";
 import { answerOf, coordinateOf, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
 import { alone } from "assur/state/state.js";
@@ -20,6 +20,8 @@ import { alone } from "assur/state/state.js";
  * @typedef {import("assur/lesson/tasks.js").Task} Task
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").Written} Written
+ * @typedef {ReturnType<typeof seenIn>} Seen
+ * @typedef {import("assur/lesson/quantity.js").Asked} Asked
  */
 
 /** Of a drawing, in pixels. */
@@ -68,10 +70,13 @@ function sheet(lesson, name, answers, page, words) {
  */
 function asked(lesson, index, name, page, words) {
   const { formula = "", shows, question, ...step } = lesson.steps[index];
-  const task = shows ? taskOf(lesson, index, name, page.engine) : null;
-  const shown = task ? [...drawing(task.state, lesson.steps[index], page, words), ...own(task, words), numbers(task, page, words)] : [];
   const { number, choice } = question ?? {};
-  return stepOnPaper({ ...step, formula, question: question ? { text: withTolerance(question.text, number?.within, unitOf(number), words), options: choice?.options ?? [] } : null }, shown);
+  const task = shows || number?.quantity ? taskOf(lesson, index, name, page.engine) : null;
+  const seen = seenOf(task, number, page.engine);
+  const inUnits = measuredIn(seen, words);
+  const shown = shows && task ? [...drawing(seen, lesson.steps[index], page, words), ...own(task, inUnits), numbers(task, page, inUnits)] : [];
+  const posed = question ? { text: withTolerance(question.text, toleranceOf(number), unitIn(number, seen, inUnits), words), options: choice?.options ?? [] } : null;
+  return stepOnPaper({ ...step, formula, question: posed }, [...shown, ...position(number, seen, inUnits)]);
 }
 
 /**
@@ -85,52 +90,64 @@ function answered(lesson, index, name, page, words) {
   const { title, shows, question } = lesson.steps[index];
   const { number, choice, reach } = question ?? {};
   const value = (/** @type {number} */ exact, unit = "") => measured(words.numbers.upTo(exact, 4), unit);
-  const task = shows || reach ? taskOf(lesson, index, name, page.engine) : null;
+  const task = shows || number?.quantity || reach ? taskOf(lesson, index, name, page.engine) : null;
+  const seen = seenOf(task, number, page.engine);
+  const inUnits = measuredIn(seen, words);
   const exact = number ? answerOf(lesson, index, name, page.engine) : null;
-  const said = exact !== null ? value(exact, unitOf(number))
+  const said = exact !== null ? value(exact, unitIn(number, seen, inUnits))
     : choice ? choice.options[choice.answer]
-    : reach ? `${nameOf(reach.quantity, task, page, words)} = ${value(reach.value, isAngle(reach.quantity) || reach.quantity === "input" ? "°" : "")}` : "—";
-  return make("li", {}, [make("b", { class: "title" }, [title]), ...(shows && task ? own(task, words) : []), make("p", { class: "answer" }, marked(said))]);
+    : reach ? `${nameOf(reach.quantity, task, seen, page, words)} = ${value(reach.value, unitIn(reach, seen, inUnits))}` : "—";
+  return make("li", {}, [make("b", { class: "title" }, [title]), ...(shows && task ? own(task, inUnits) : []), make("p", { class: "answer" }, marked(said))]);
 }
 
 /**
  * @param {string} quantity of what a step shows, or of what is on the page
  * @param {Task | null} task
+ * @param {Seen | null} seen
  * @param {Page} page
  * @param {Words} words
  */
-function nameOf(quantity, task, { engine, model, store }, words) {
-  const seen = task && attempt(() => seenIn(task.state, engine)).value;
+function nameOf(quantity, task, seen, { model, store }, words) {
   const { summary, coordinate } = seen ?? model;
   return quantityName(quantity, { summary, coordinate: coordinate ?? model.coordinate, state: task?.state ?? store.get() }, words);
 }
 
 /**
- * @param {State} state
+ * @param {Task | null} task
+ * @param {Asked | null | undefined} number that is asked for
  * @param {Engine} engine
- * @returns what the engine says of a mechanism, and how it is drawn where its driver stands
+ * @returns {Seen | null} none where it cannot be drawn
  */
-function seenIn(state, engine) {
-  return engine.beside((other) => {
-    /** @type {import("assur/engine.js").Summary & { bounds: readonly number[] }} */
-    const summary = other.set(alone(state));
-    const coordinate = summary.moves === null ? null : coordinateOf(summary);
-    const frameInput = coordinate ? coordinate.input(coordinate.of(state)) : 0;
-    const { frame } = engine.placeOf(other, frameInput);
-    const readouts = coordinate && engine.readoutsOf(other, frameInput);
-    return { summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames() };
-  });
+function seenOf(task, number, engine) {
+  return task && attempt(() => seenIn(task.state, number?.at ?? null, engine)).value;
 }
 
 /**
  * @param {State} state
+ * @param {number | null} place of its driver, as readers count, where that is another
+ * @param {Engine} engine
+ * @returns what the engine says of a mechanism, and how it is drawn where its driver stands
+ */
+function seenIn(state, place, engine) {
+  return engine.beside((other) => {
+    /** @type {import("assur/engine.js").Summary & { bounds: readonly number[] }} */
+    const summary = other.set(alone(state));
+    const coordinate = summary.moves === null ? null : coordinateOf(summary);
+    const frameInput = coordinate ? coordinate.input(place ?? coordinate.of(state)) : 0;
+    const { frame } = engine.placeOf(other, frameInput);
+    const readouts = coordinate && engine.readoutsOf(other, frameInput);
+    return { state, summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames(), lengths: /** @type {Words["lengths"]} */ (other.lengths()) };
+  });
+}
+
+/**
+ * @param {Seen | null} seen
  * @param {Written["steps"][number]} step that shows it
  * @param {Page} page
  * @param {Words} words
  * @returns {HTMLElement[]} the drawing, without what the step asks for
  */
-function drawing(state, { title, question }, { engine, model }, words) {
-  const seen = attempt(() => seenIn(state, engine)).value;
+function drawing(seen, { title, question }, { engine, model }, words) {
   if (!seen) return [];
   const { summary: { bounds }, labels, ...drawn } = seen;
   const theme = paperTheme(engine.roles);
@@ -150,30 +167,41 @@ function drawing(state, { title, question }, { engine, model }, words) {
 
 /**
  * @param {Task} task
- * @param {Words} words
+ * @param {Words} words with the unit of its lengths
  * @returns {HTMLElement[]} the reader's own numbers
  */
 function own({ own: numbers, state }, words) {
-  const inUnits = measuredIn(state, words);
-  const valued = (/** @type {Task["own"][number]} */ { field, value }) => measuredAs(field, words.numbers.exact(value), inUnits);
+  const valued = (/** @type {Task["own"][number]} */ { field, value }) => measuredAs(field, words.numbers.exact(value), words);
   return numbers.map((one) => make("p", { class: "own" }, [`${fieldName(one.field, words, state.document)} = ${valued(one)}`]));
 }
 
 /**
  * @param {Task} task
  * @param {Page} page
- * @param {Words} words
+ * @param {Words} words with the unit of its lengths
  * @returns {HTMLElement} every number that is given of the mechanism
  */
 function numbers({ state }, { engine }, words) {
-  return make("p", { class: "given" }, [given(state, engine, measuredIn(state, words)).join("; ")]);
+  return make("p", { class: "given" }, withSubscripts(given(state, engine, words).join("; ")));
 }
 
 /**
- * @param {State} state
+ * @param {Asked | null | undefined} number that is asked for
+ * @param {Seen | null} seen
+ * @param {Words} words with the unit of its lengths
+ * @returns {HTMLElement[]} where the driver stands, if the question says so
+ */
+function position(number, seen, words) {
+  if (typeof number?.at !== "number" || !seen?.coordinate) return [];
+  const { coordinate, frameInput } = seen;
+  return [make("p", { class: "given" }, [`${coordinate.symbol} = ${coordinate.short(frameInput, words, 4)}`])];
+}
+
+/**
+ * @param {Seen | null} seen
  * @param {Words} words
  * @returns {Words} with the unit of its lengths
  */
-function measuredIn({ document }, words) {
-  return words.measured(("unit" in document && document.unit) || "none");
+function measuredIn(seen, words) {
+  return words.measured(seen?.lengths ?? "none");
 }

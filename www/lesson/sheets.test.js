@@ -4,8 +4,10 @@ import test from "node:test";
 import "assur/tests/document.js";
 import { Context } from "assur/tests/canvas.js";
 import { numberEntries } from "assur/core/names.js";
+import { given } from "assur/lesson/given.js";
 import { sheets } from "assur/lesson/sheets.js";
 import { answerOf } from "assur/lesson/tasks.js";
+import { initialState } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 
 globalThis.OffscreenCanvas = class OffscreenCanvas {
@@ -28,18 +30,26 @@ function printed(id, vary = [], quantity = "input", name = "Ann") {
 
 for (const [id, wanted] of [
   ["crank-rocker", ["length of A-B = 2", "length of B-C = 6", "length of B-M = 3.605551", "length of C-M = 3.605551", "length of D-C = 4.5", "x of A = 0", "y of A = 0", "x of D = 6", "y of D = 0"]],
+  ["class4-dwell", ["length of A-B = 1", "y of D = −4.78"]],
   // The guide of the ram and the pivot of the lever.
   ["shaper", ["length of A-B = 1.25", "length of D-E = 7", "length of E-F = 2.5", "x of D = 0", "y of D = −4", "y of G = 2.825", "y of H = 2.825"]],
   ["geared-five-bar", ["length of B-C = 3.2", "crank: z = 40", "follower: z = 20"]],
-  ["mixer-a", ["Crank l₁ = 0.37", "Number of teeth z₄ = 36", "Wheel 5, number of teeth = 18", "Wheel 5, centre-line angle = −40"]],
-  ["train-magnets", ["Sun, z₁ = 20", "Input shaft 1, speed, min⁻¹ = 60"]],
+  ["mixer-a", ["Crank l₁ = 0.37\u00a0m", "Module m = 0.0165\u00a0m", "Number of teeth z₄ = 36", "Wheel 5, number of teeth = 18", "Wheel 5, centre-line angle = −40"]],
+  ["train-magnets", ["Sun, z₁ = 20", "Input shaft 1 (sun), speed, min⁻¹ = 60", "Input shaft 2 (ring), speed, min⁻¹ = 12"]],
 ]) {
   test(`a sheet has every given number of ${id}`, () => {
     const { said } = printed(id);
     for (const one of wanted) assert.ok(said.includes(one), `${one}: ${said}`);
-    assert.doesNotMatch(said, /undefined|NaN|field\.|damping|inertia/);
+    assert.doesNotMatch(said, /undefined|NaN|field\.|damping|inertia|working member|factor c|tolerance/);
   });
 }
+
+test("points that links carry are given where they are on them", () => {
+  const { kind, document } = page.engine.preset("crank-rocker");
+  const tracers = [{ name: "P", link: "rocker", at: [1.5, -2] }];
+  const said = given(initialState(kind, { ...document, tracers, unit: "m" }, {}), page.engine, page.words.measured("m"));
+  assert.ok(said.includes("P (rocker): x = 1.5\u00a0m, y = −2\u00a0m"), said.join("; "));
+});
 
 test("lengths are those of the reader, and the answer is none of them", () => {
   const vary = [{ field: "links[0].length", from: 1, to: 2, step: 0.05 }];
@@ -57,6 +67,7 @@ for (const [id, field, [from, to], wanted, unit = "none"] of [
   ["mixer-a", "wheels[0].centre_line_deg", [-50, -30], /centre-line angle = −\d\d(\.5)?°$/m],
   ["crank-rocker", "links[0].length", [1.5, 2], /Length of link crank = [\d.]+\u00a0mm$/m, "mm"],
   ["crank-rocker", "links[0].length", [1.5, 2], /Length of link crank = [\d.]+$/m],
+  ["mixer-a", "l1", [0.3, 0.4], /Crank l₁ = [\d.]+\u00a0m$/m],
 ]) {
   test(`a reader's own number has its unit: ${field} in ${unit}`, () => {
     const { kind, document } = page.engine.preset(id);
@@ -69,6 +80,56 @@ for (const [id, field, [from, to], wanted, unit = "none"] of [
   });
 }
 
-test("the tolerance of an answer stands before the question mark", () => {
-  assert.match(printed("crank-rocker").said, /^How much \(to within 0\.001°\)\?$/m);
+/** What is printed of a question about a mechanism, and its answer. */
+function asking(id, number, { text = "How much?", unit, view = {}, question = { text, number } } = {}) {
+  const { kind, document } = page.engine.preset(id);
+  const shows = { kind, document: unit ? { ...document, unit } : document, view: { phi_deg: 30, ...view } };
+  const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows, question }, { title: "Again", text: "", question }] };
+  const [tasks, answers] = [false, true].map((told) => sheets(lesson, [], told, page, page.words).all);
+  const of = (all, name) => all.filter((one) => one.getAttribute("class") === name).map(({ textContent }) => textContent);
+  return { asked: tasks.filter(({ tagName }) => tagName === "B").map(({ textContent }) => textContent)[1], given: of(tasks, "given"), drawn: tasks.filter(({ tagName }) => tagName === "FIGURE").map(({ textContent }) => textContent), answers: of(answers, "answer") };
+}
+
+test("the tolerance of an answer stands before the mark that ends the question", () => {
+  const number = { quantity: "rocker.angle", within: 0.001 };
+  for (const [text, wanted] of [
+    ["How much?", "How much (to within 0.001°)?"], ["Find it, at 60°.", "Find it, at 60° (to within 0.001°)."], ["The angle", "The angle (to within 0.001°)"],
+  ]) assert.equal(asking("crank-rocker", number, { text }).asked, wanted);
+});
+
+test("a number of freedoms is whole: it has no tolerance", () => {
+  assert.equal(asking("crank-rocker", { quantity: "W", within: 0.1 }).asked, "How much?");
+});
+
+test("a driver position of a question is drawn and said, also where nothing else is shown", () => {
+  const { drawn, given: said } = asking("crank-rocker", { quantity: "rocker.angle", within: 0.5, at: 120 });
+  assert.match(drawn[0], /φ₁ = 120\.0°/);
+  assert.deepEqual(said.slice(1), ["φ₁ = 120°", "φ₁ = 120°"]);
+  assert.ok(asking("crank-rocker", { quantity: "rocker.angle", within: 0.5 }).given.every((line) => !line.startsWith("φ₁")));
+});
+
+for (const [id, quantity, unit, more] of [
+  ["crank-rocker", "C.x", "\u00a0mm", { unit: "mm" }],
+  ["crank-rocker", "C.x", ""],
+  ["crank-rocker", "C.x′", "\u00a0mm", { unit: "mm" }],
+  ["crank-rocker", "C.x′", "\u00a0mm/s", { unit: "mm", view: { axes: "physical" } }],
+  ["crank-rocker", "rocker.angle′", ""],
+  ["crank-rocker", "rocker.angle″", "\u00a0rad/s²", { view: { axes: "physical" } }],
+  ["crank-rocker", "rocker.angle:time_ratio", ""],
+  ["crank-rocker", "rocker.angle:swing", "°"],
+  ["slider-crank", "C.x:swing", "\u00a0m", { unit: "m" }],
+  ["train-gears", "sun.angle′", "\u00a0rad/s"],
+  ["mixer-a", "C2.x", "\u00a0m"],
+]) {
+  test(`an answer and its tolerance have their unit: ${quantity} of ${id}${unit && ","}${unit}`, () => {
+    const { asked, answers } = asking(id, { quantity, within: 0.5 }, more);
+    assert.equal(asked, `How much (to within 0.5${unit})?`);
+    assert.equal(answers.length, 2);
+    for (const answer of answers) assert.match(answer, new RegExp(`^[−\\d.]+${unit}$`));
+  });
+}
+
+test("a value to be reached has its unit", () => {
+  const reach = { quantity: "C.x", value: 3, within: 0.1 };
+  assert.match(asking("crank-rocker", null, { unit: "mm", question: { text: "Go there.", reach } }).answers[0], /= 3\u00a0mm$/);
 });

@@ -1,6 +1,6 @@
 // In which unit the numbers of a panel are written, and with how many digits.
 import { degrees } from "assur/core/angles.js";
-import { derived } from "assur/core/units.js";
+import { unitOfRate } from "assur/core/units.js";
 
 /** @typedef {import("assur/engine.js").Panel} Panel */
 /** @typedef {Pick<Panel, "kind" | "order" | "physical" | "y0" | "y1">} Scale of a panel, or of any axis */
@@ -62,15 +62,8 @@ export function writtenLevel(panel, value, numbers) {
  * @returns {string} the unit of a panel's numbers, with the power of ten they are written in; nothing where they have neither
  */
 export function unitOf(panel, { moves }, words) {
-  const { kind, order, physical } = panel;
   if (inDegrees(panel)) return "°";
-  const angle = words.text("unit.rad");
-  const input = moves === "angle" ? angle : words.unit;
-  const by = physical ? words.text("unit.s") : input;
-  const of = kind === "angle" ? angle : words.unit;
-  // A turn of a crank is no unit to a length: the analogue of a velocity is a length.
-  const bare = order === 0 || (of !== angle && by === angle);
-  const unit = bare ? of : derived(of, by, order);
+  const unit = unitOfRate(panel, moves, words);
   const exponent = power(panel);
   if (exponent === 0) return unit;
   const digits = String(Math.abs(exponent)).replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]);
