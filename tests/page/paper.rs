@@ -35,7 +35,7 @@ fn steps() -> Vec<String> {
     steps.chain(["end".to_owned()]).collect()
 }
 
-async fn open(lang: &str, step: usize) -> Page {
+async fn open(lang: &'static str, step: usize) -> Page {
     let lesson = format!("v.lesson=%7B%22id%22%3A%22mixer%22%2C%22step%22%3A{step}%7D");
     let url = format!("{}#mixer-a&v.playing=false&v.phi_deg=40&{lesson}", home());
     let page = Page::open_at(&url, lang).await;
@@ -47,7 +47,7 @@ async fn open(lang: &str, step: usize) -> Page {
     page
 }
 
-async fn all_are_seen(lang: &str) {
+async fn all_are_seen(lang: &'static str) {
     let items = items();
     let page = open(lang, 1).await;
     let mut count = 0;
