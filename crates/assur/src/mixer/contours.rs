@@ -62,7 +62,7 @@ impl Mixer {
         ];
         let poses =
             [Assembly::First, Assembly::Second].map(|one| self.linkage.pose::<1>(one, crank));
-        let [mut first, mut second] = [poses[0].clone()?, poses[1].clone()?];
+        let [mut first, mut second] = [poses[0]?, poses[1]?];
         if (first.rocker.value() - phi5).sin() < 0.0 {
             std::mem::swap(&mut first, &mut second);
         }
