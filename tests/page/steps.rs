@@ -307,6 +307,8 @@ async fn by_keys_alone() {
     assert_eq!(focused().await, "lesson-show");
     page.keys(Key::Enter + "").await;
     page.keys(Key::Tab + "").await;
+    assert_eq!(focused().await, "lesson-paper-name");
+    page.keys(Key::Tab + "").await;
     assert_eq!(focused().await, "lesson-answer");
     // The field has its letters.
     page.keys("l").await;

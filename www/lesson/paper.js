@@ -34,7 +34,7 @@ export class Paper {
 
   /** Formulas of the main line. */
   main = make("div", { class: "paper" });
-  #summary = make("summary");
+  #summary = make("summary", { id: "lesson-paper-name" });
   #rows = make("div", { class: "paper" });
   /** All items of the step as they are printed, with a verdict. */
   fold = make("details", { id: "lesson-paper" }, [this.#summary, this.#rows]);
