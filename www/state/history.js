@@ -1,5 +1,6 @@
 // Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
 import { whenReleased } from "assur/core/released.js";
+import { partOf } from "assur/state/drafts.js";
 import { FURTHER, UNDONE, furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
 
 /**
@@ -27,6 +28,8 @@ export class History {
   /** Whether what changes now belongs to the step before. */
   #open = false;
   #walking = false;
+  /** @type {readonly string[]} fields whose number was rejected while the last step was made: it is undone with the step */
+  #within = [];
   /** Whether a pointer has changed, or changes, something. */
   #pointed = false;
   /** @type {HTMLInputElement | null} the slider under a pressed pointer */
@@ -70,7 +73,7 @@ export class History {
   }
 
   get canUndo() {
-    return this.#past.length > 0;
+    return this.#past.length > 0 || this.#rejected().length > 0;
   }
 
   get canRedo() {
@@ -84,7 +87,14 @@ export class History {
 
   /** What changes next is a step of its own. */
   close() {
+    if (this.#open) this.#within = this.#rejected();
     this.#open = false;
+  }
+
+  /** @returns {string[]} fields of the document in which a number stands that was rejected */
+  #rejected() {
+    const { document } = this.#store.get();
+    return this.#drafts.fields().filter((field) => partOf(field) in document);
   }
 
   /** What changes next belongs to the step before. */
@@ -109,8 +119,12 @@ export class History {
     while (this.#past.length > MOST || imagesOf(this.#past) > IMAGES) this.#past.shift();
   }
 
+  /** A number that was rejected after the last step is undone first. */
   undo() {
-    this.#walk(this.#past, this.#future);
+    this.close();
+    const later = this.#rejected().filter((field) => !this.#within.includes(field));
+    if (later.length > 0) this.#drafts.dropAll(later);
+    else this.#walk(this.#past, this.#future);
   }
 
   redo() {

@@ -153,12 +153,38 @@ test("what joins a step is undone with it", () => {
   assert.deepEqual(store.get().document, { l1: 0, l2: 0 });
 });
 
-test("undo drops what was typed into the fields that it brings back", () => {
+test("undo drops what was typed into fields of the document", () => {
   const { drafts, history, set } = begin();
   history.step(() => set({ l1: 1 }));
-  for (const field of ["l1", "l2", "input"]) drafts.keep(field);
+  for (const field of ["l1", "l2[1].z", "input"]) drafts.keep(field);
   history.undo();
   assert.deepEqual(drafts.fields(), ["input"]);
+});
+
+test("a rejected number is undone first, by itself", () => {
+  const { store, drafts, history, set } = begin();
+  set({ l1: 2.2 });
+  happen("change");
+  drafts.keep("l1");
+  happen("change");
+  history.undo();
+  assert.deepEqual([store.get().document.l1, drafts.fields(), history.canRedo], [2.2, [], false]);
+  history.undo();
+  assert.deepEqual([store.get().document.l1, history.canUndo], [0, false]);
+  // Without a step before it too.
+  drafts.keep("l2");
+  assert.equal(history.canUndo, true);
+  history.undo();
+  assert.deepEqual([drafts.fields(), history.canUndo, history.canRedo], [[], false, true]);
+});
+
+test("a rejected number is undone with what was taken while it was typed", () => {
+  const { store, drafts, history, set } = begin();
+  set({ l1: 3 });
+  drafts.keep("l1");
+  for (const end of ["change", "focusout", "pointerdown", "click"]) happen(end);
+  history.undo();
+  assert.deepEqual([store.get().document.l1, drafts.fields()], [0, []]);
 });
 
 test("undo and redo where there is nothing change nothing", () => {
