@@ -1,6 +1,17 @@
 // Formulas written in a line, x_PQ, with what belongs below the line below it; texts in which *words* are emphasised.
 import { make } from "assur/core/dom.js";
 
+/** The name of a point that a symbol can carry. */
+const LETTER = /^\p{L}\d{0,2}$/u;
+
+/**
+ * @param {string} symbol
+ * @param {readonly string[]} points whose names it has below the line, if they are letters
+ */
+export function lettered(symbol, points) {
+  return points.every((point) => LETTER.test(point)) ? `${symbol}_${points.join("")}` : symbol;
+}
+
 /**
  * @param {string} text
  * @returns {(Node | string)[]} the same, what follows each _ as a subscript

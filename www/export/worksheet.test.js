@@ -94,7 +94,7 @@ function lines(...how) {
 }
 
 for (const [id, count, wanted] of [
-  ["class4-dwell", 19, "x of H = 4.07"],
+  ["class4-dwell", 19, "xH = 4.07"],
   ["mixer-a", 8, "Wheel 5, centre-line angle = −40°"],
   ["synthesis family", 6, "Position 2, direction of the driver φ₃ = 60°"],
   ["mobility-1a", 0],

@@ -2,6 +2,7 @@
 import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
+import { lettered } from "assur/core/subscripts.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
@@ -18,6 +19,9 @@ const WEIGHED = 4;
 /** A number of a shaft: it has a factor where it is tied, a speed where it is not. */
 const DRIVE = /^drives\[(\d)\]\.(\w+)$/;
 
+/** The words for what is given by points, by its symbol. */
+const BY_SYMBOL = Object.freeze({ l: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
+
 /** Decimals of a number: it may be that of a drawing. */
 const DECIMALS = 6;
 
@@ -25,7 +29,7 @@ const DECIMALS = 6;
  * @param {State} state
  * @param {import("assur/engine.js").Engine} engine
  * @param {Words} words with the unit of its lengths
- * @returns {readonly string[]} every number with what it is called
+ * @returns {readonly string[]} every number with what it is called; what follows a _ stands below the line
  */
 export function given(state, engine, words) {
   const { document } = state;
@@ -58,17 +62,21 @@ function ofPoints({ points, links, frame, gears = [], tracers = [] }, words) {
   const written = (/** @type {number} */ value) => words.numbers.upTo(value, DECIMALS);
   const length = (/** @type {number} */ value) => words.length(written(value));
   const drawn = new Map(points.map(({ name, at }) => [name, at]));
-  /** @type {Map<string, number>} */
-  const lengths = new Map();
+  const said = (/** @type {keyof typeof BY_SYMBOL} */ plain, /** @type {readonly string[]} */ of, /** @type {number} */ value) => {
+    const symbol = lettered(plain, of);
+    return symbol === plain ? words.text(BY_SYMBOL[plain], { of: of.join("-"), value: length(value) }) : `${symbol} = ${length(value)}`;
+  };
+  /** @type {Set<string>} of points that several links share the distance is said once */
+  const lengths = new Set();
   for (const { points: own, shape, length: fixed } of links) {
     const places = own.map((name, i) => shape?.[i] ?? drawn.get(name) ?? [0, 0]);
     for (const [j, [x, y]] of places.entries()) {
-      for (const [i, [x0, y0]] of places.slice(0, j).entries()) lengths.set(`${own[i]}-${own[j]}`, fixed ?? Math.hypot(x - x0, y - y0));
+      for (const [i, [x0, y0]] of places.slice(0, j).entries()) lengths.add(said("l", [own[i], own[j]], fixed ?? Math.hypot(x - x0, y - y0)));
     }
   }
   return [
-    ...[...lengths].map(([of, value]) => words.text("export.dimension.length", { of, value: length(value) })),
-    ...frame.flatMap((of) => (drawn.get(of) ?? []).map((value, axis) => words.text(axis === 0 ? "export.dimension.x" : "export.dimension.y", { of, value: length(value) }))),
+    ...lengths,
+    ...frame.flatMap((of) => (drawn.get(of) ?? []).map((value, axis) => said(axis === 0 ? "x" : "y", [of], value))),
     ...tracers.map(({ name, link, at: [x, y] }) => `${name} (${called(link, words)}): x = ${length(x)}, y = ${length(y)}`),
     ...new Set(gears.flatMap(({ links: pair, teeth }) => pair.map((link, i) => `${called(link, words)}: z = ${written(teeth[i])}`))),
   ];

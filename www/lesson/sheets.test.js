@@ -29,11 +29,11 @@ function printed(id, vary = [], quantity = "input", name = "Ann") {
 }
 
 for (const [id, wanted] of [
-  ["crank-rocker", ["length of A-B = 2", "length of B-C = 6", "length of B-M = 3.605551", "length of C-M = 3.605551", "length of D-C = 4.5", "x of A = 0", "y of A = 0", "x of D = 6", "y of D = 0"]],
-  ["class4-dwell", ["length of A-B = 1", "y of D = −4.78"]],
+  ["crank-rocker", ["lAB = 2", "lBC = 6", "lBM = 3.605551", "lCM = 3.605551", "lDC = 4.5", "xA = 0", "yA = 0", "xD = 6", "yD = 0"]],
+  ["class4-dwell", ["lAB = 1", "yD = −4.78"]],
   // The guide of the ram and the pivot of the lever.
-  ["shaper", ["length of A-B = 1.25", "length of D-E = 7", "length of E-F = 2.5", "x of D = 0", "y of D = −4", "y of G = 2.825", "y of H = 2.825"]],
-  ["geared-five-bar", ["length of B-C = 3.2", "crank: z = 40", "follower: z = 20"]],
+  ["shaper", ["lAB = 1.25", "lDE = 7", "lEF = 2.5", "xD = 0", "yD = −4", "yG = 2.825", "yH = 2.825"]],
+  ["geared-five-bar", ["lBC = 3.2", "crank: z = 40", "follower: z = 20"]],
   ["mixer-a", ["Crank l₁ = 0.37\u00a0m", "Module m = 0.0165\u00a0m", "Number of teeth z₄ = 36", "Wheel 5, number of teeth = 18", "Wheel 5, centre-line angle = −40"]],
   ["train-magnets", ["Sun, z₁ = 20", "Input shaft 1 (sun), speed, min⁻¹ = 60", "Input shaft 2 (ring), speed, min⁻¹ = 12"]],
 ]) {
@@ -51,10 +51,22 @@ test("points that links carry are given where they are on them", () => {
   assert.ok(said.includes("P (rocker): x = 1.5\u00a0m, y = −2\u00a0m"), said.join("; "));
 });
 
+test("lengths and coordinates go by symbols with the points as subscripts, or by words where a point has a longer name", () => {
+  const { kind, document } = page.engine.preset("crank-rocker");
+  const renamed = JSON.parse(JSON.stringify(document).replaceAll('"A"', '"bearing"'));
+  const said = (its) => given(initialState(kind, its, {}), page.engine, page.words);
+  assert.deepEqual(said(document).slice(0, 1), ["l_AB = 2"]);
+  assert.ok(said(document).includes("x_D = 6"));
+  assert.deepEqual(said(renamed).slice(0, 2), ["length of bearing-B = 2", "l_BC = 6"]);
+  assert.ok(said(renamed).includes("x of bearing = 0"));
+  const subscripts = sheets({ title: "Own", steps: [{ title: "Task", text: "", shows: { kind, document } }] }, [], false, page, page.words).all.filter(({ tagName }) => tagName === "SUB");
+  assert.equal(subscripts[0].textContent, "AB");
+});
+
 test("lengths are those of the reader, and the answer is none of them", () => {
   const vary = [{ field: "links[0].length", from: 1, to: 2, step: 0.05 }];
   const [ann, bo] = ["Ann", "Bo"].map((name) => printed("crank-rocker", vary, "rocker.angle", name));
-  const length = ({ said }) => Number(/length of A-B = ([\d.]+)/.exec(said)[1]);
+  const length = ({ said }) => Number(/lAB = ([\d.]+)/.exec(said)[1]);
   assert.notEqual(length(ann), length(bo));
   for (const one of [ann, bo]) {
     assert.ok(one.said.includes(`= ${length(one)}`) && length(one) >= 1 && length(one) <= 2);

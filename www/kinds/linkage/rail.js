@@ -3,6 +3,7 @@ import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { between, called, calledBy, toLine } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
+import { lettered } from "assur/core/subscripts.js";
 import { sourceOf } from "assur/core/titles.js";
 import { change, inputNow } from "assur/state/change.js";
 
@@ -22,9 +23,6 @@ const KINDS = Object.freeze({
   x: Object.freeze({ key: "points.x", symbol: "x" }),
   y: Object.freeze({ key: "points.y", symbol: "y" }),
 });
-
-/** The name of a point that a symbol can carry. */
-const LETTER = /^\p{L}\d{0,2}$/u;
 
 export class LinkageRail {
   #page;
@@ -125,12 +123,4 @@ export class LinkageRail {
     const row = { field, id, key, symbol, n, name: beside, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
     return new NumberRow(row, drafts, (value) => this.#change((input) => engine.setDimension(field, value, input), field));
   }
-}
-
-/**
- * @param {string} symbol
- * @param {readonly string[]} points whose names it has below the line, if they are letters
- */
-function lettered(symbol, points) {
-  return points.every((point) => LETTER.test(point)) ? `${symbol}_${points.join("")}` : symbol;
 }
