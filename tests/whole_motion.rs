@@ -498,21 +498,24 @@ fn an_extremum_where_the_rate_jumps_is_exact() {
     assert!((max - (1.0_f64 / 3.0).asin()).abs() < 1e-9, "{max}");
 }
 
+/// Points, turned about the origin by an angle.
+fn points_turned(points: [(&str, f64, f64); 4], by: f64) -> Draft {
+    let (sin, cos) = by.sin_cos();
+    let turned = |draft: Draft, (name, x, y): (&str, f64, f64)| {
+        draft.point(name, cos * x - sin * y, sin * x + cos * y)
+    };
+    points.into_iter().fold(Draft::default(), turned)
+}
+
 /// A crank-rocker, turned by an angle.
 fn turned(by: f64) -> Motion {
-    let (sin, cos) = by.sin_cos();
     let points = [
         ("A", 0.0, 0.0),
         ("B", 0.0, 1.0),
         ("C", 2.4, 2.8),
         ("D", 3.0, 1.0),
     ];
-    let draft = points
-        .into_iter()
-        .fold(Draft::default(), |draft, (name, x, y)| {
-            draft.point(name, cos * x - sin * y, sin * x + cos * y)
-        });
-    let draft = draft
+    let draft = points_turned(points, by)
         .fixed(&["A", "D"])
         .bar("crank", &["A", "B"])
         .bar("coupler", &["B", "C"])
@@ -553,19 +556,13 @@ fn a_band_as_wide_as_the_stroke_holds_one_cycle() {
 #[test]
 fn the_longest_dwell_may_pass_the_start_of_the_cycle() {
     let lengths = (0..8).map(|k| {
-        let (sin, cos) = (0.8 * f64::from(k)).sin_cos();
         let points = [
             ("A", 0.0, 0.0),
             ("B", 0.0, 2.0),
             ("C", 2.0, 2.5),
             ("D", 0.5, 0.0),
         ];
-        let draft = points
-            .into_iter()
-            .fold(Draft::default(), |draft, (name, x, y)| {
-                draft.point(name, cos * x - sin * y, sin * x + cos * y)
-            });
-        let draft = draft
+        let draft = points_turned(points, 0.8 * f64::from(k))
             .fixed(&["A", "D"])
             .bar("crank", &["A", "B"])
             .bar("coupler", &["B", "C"])
@@ -588,18 +585,13 @@ fn a_lever_whose_pivot_the_pin_nearly_meets() {
     let [crank, frame] = [1.469_559_657_2, 1.469_559_664_6_f64];
     for k in 0..8 {
         let by = 0.8 * f64::from(k);
-        let (sin, cos) = by.sin_cos();
-        let draft = [
+        let points = [
             ("A", 0.0, 0.0),
             ("B", 0.0, crank),
             ("D", frame, 0.0),
             ("F", -frame, 2.0 * crank),
-        ]
-        .into_iter()
-        .fold(Draft::default(), |draft, (name, x, y)| {
-            draft.point(name, cos * x - sin * y, sin * x + cos * y)
-        });
-        let draft = draft
+        ];
+        let draft = points_turned(points, by)
             .fixed(&["A", "D"])
             .bar("crank", &["A", "B"])
             .bar("lever", &["D", "F"])
