@@ -1,0 +1,30 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Words } from "assur/core/words.js";
+import { compared } from "assur/lesson/paper.js";
+import { tableOf } from "assur/tests/words.js";
+
+const [en, ru] = ["en", "ru"].map((lang) => new Words(lang, tableOf(lang)));
+const relation = { item: "", name: "y″_C1", angle: false, value: -0.16, printed: -0.16 };
+
+test("a relation that holds has one number, with the decimal sign of the language", () => {
+  assert.equal(compared(relation, en), "y″_C1 = −0.1600");
+  assert.equal(compared(relation, ru), "y″_C1 = −0,1600");
+  // Rounding is no difference.
+  assert.equal(compared({ ...relation, printed: -0.16 + 1e-12 }, en), "y″_C1 = −0.1600");
+});
+
+test("one that does not hold has both numbers and their difference", () => {
+  assert.equal(compared({ ...relation, printed: 0.16 }, en), "y″_C1 = −0.1600; as printed 0.1600, difference 0.3200");
+});
+
+test("one that divides by zero has no printed number", () => {
+  assert.equal(compared({ ...relation, printed: null }, en), "y″_C1 = −0.1600; as printed it divides by zero");
+});
+
+test("angles are in degrees, and the same with a turn more", () => {
+  const angle = { ...relation, name: "φ₅", angle: true, value: Math.PI / 6, printed: Math.PI / 6 };
+  assert.equal(compared(angle, en), "φ₅ = 30.00°");
+  assert.equal(compared({ ...angle, printed: angle.value - 2 * Math.PI }, en), "φ₅ = 30.00°");
+  assert.equal(compared({ ...angle, printed: angle.value + Math.PI }, en), "φ₅ = 30.00°; as printed 210.00°, difference 180.00°");
+});
