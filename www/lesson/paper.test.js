@@ -26,5 +26,5 @@ test("angles are in degrees, and the same with a turn more", () => {
   const angle = { ...relation, name: "φ₅", angle: true, value: Math.PI / 6, printed: Math.PI / 6 };
   assert.equal(compared(angle, en), "φ₅ = 30.00°");
   assert.equal(compared({ ...angle, printed: angle.value - 2 * Math.PI }, en), "φ₅ = 30.00°");
-  assert.equal(compared({ ...angle, printed: angle.value + Math.PI }, en), "φ₅ = 30.00°; as printed 210.00°, difference 180.00°");
+  assert.equal(compared({ ...angle, printed: angle.value + Math.PI / 2 }, en), "φ₅ = 30.00°; as printed 120.00°, difference 90.00°");
 });
