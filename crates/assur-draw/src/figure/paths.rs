@@ -10,8 +10,8 @@ use super::layout::Layout;
 use crate::list::{List, Look, Role};
 
 /// Places on a path for a turn of what carries the point, or for an arc shorter than one. Between two of them a path bends
-/// by less than a twentieth of a pixel where its second derivative is as long as a thousand.
-const TURN: usize = 360;
+/// by less than a thirtieth of a pixel where its second derivative is as long as a thousand.
+const TURN: usize = 432;
 /// Fewest places on an arc.
 const LEAST: f64 = 90.0;
 /// No more bodies are placed in all poses together, a pose by itself counted as some. Over so many turns paths cover

@@ -375,26 +375,33 @@ fn ordered_roots(
         let at = ordered.partition_point(|other| other.crank < found.crank);
         ordered.insert(at, found);
     }
-    // Beside a root rounding alone changes the sign to and fro.
+    // Beside a root rounding alone changes the sign to and fro; beside 0, where numbers lie closest, it does not.
+    ordered.dedup_by(|later, one| later.crank - one.crank <= ROUNDING * later.crank.abs());
     let [start, end] = cycle.axis();
-    let rounding = ROUNDING * (end - start);
-    ordered.dedup_by(|later, one| later.crank - one.crank <= rounding);
     if let (true, [first, .., last]) = (cycle.is_full(), &ordered[..])
-        && first.crank + (end - start) - last.crank <= rounding
+        && first.crank + (end - start) - last.crank <= ROUNDING * last.crank.abs()
     {
         ordered.pop();
     }
     ordered
 }
 
-/// Samples of a full cycle around its start, put in order from there to its end, the first of them once more at the end: an
-/// angle that turns fully goes on from where it was a cycle before.
+/// Samples of a full cycle, closed. Rates stay around its start, beside which numbers lie closest, and end with what they
+/// begin with. Values are put in order from the start to the end, the first of them once more at the end: an angle that
+/// turns fully goes on from where it was a cycle before.
 fn closed(
     cycle: &Cycle,
     samples: &[Option<Sample>],
     order: usize,
     at: &dyn Fn(f64) -> Option<Sample>,
 ) -> Vec<Option<Sample>> {
+    if order > 0 {
+        let mut samples = samples.to_vec();
+        if let [Some(first), .., Some(last)] = &mut samples[..] {
+            last.f = first.f;
+        }
+        return samples;
+    }
     let [start, end] = cycle.axis();
     // The first and the last are a cycle from each other.
     let samples = samples.get(1..).unwrap_or_default();
@@ -405,7 +412,7 @@ fn closed(
         let later = at(sample.crank + (end - start))?;
         Some(later.f[0] - sample.f[0])
     });
-    let grown = if order == 0 { grown.next() } else { Some(0.0) };
+    let grown = grown.next();
     let later = |mut sample: Sample| {
         sample.crank += end - start;
         sample.f[0] += grown?;
@@ -421,10 +428,8 @@ fn closed(
     let closing = after.first().map(|first| {
         let first = (*first)?;
         let crank = first.crank + (end - start);
-        let mut f = first.f;
-        if order == 0 {
-            f[0] = at(crank)?.f[0];
-        }
+        let [_, slope, bend] = first.f;
+        let f = [at(crank)?.f[0], slope, bend];
         Some(Sample { crank, f })
     });
     after.iter().copied().chain(again).chain(closing).collect()
