@@ -369,12 +369,8 @@ fn ordered_roots(
             wrapped
         }
     };
-    let mut ordered: Vec<Sample> = Vec::new();
-    for mut found in all_roots(sweeps, sample, order) {
-        found.crank = in_cycle(found.crank);
-        let at = ordered.partition_point(|other| other.crank < found.crank);
-        ordered.insert(at, found);
-    }
+    let mut ordered = all_roots(sweeps, sample, order);
+    sort_by(&mut ordered, |a, b| a.crank.total_cmp(&b.crank));
     // Beside a root rounding alone changes the sign to and fro; beside 0, where numbers lie closest, it does not.
     ordered.dedup_by(|later, one| later.crank - one.crank <= ROUNDING * later.crank.abs());
     let [start, end] = cycle.axis();
@@ -383,6 +379,10 @@ fn ordered_roots(
     {
         ordered.pop();
     }
+    for found in &mut ordered {
+        found.crank = in_cycle(found.crank);
+    }
+    sort_by(&mut ordered, |a, b| a.crank.total_cmp(&b.crank));
     ordered
 }
 
