@@ -91,7 +91,9 @@ export class Drawing {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    if (!this.#on || event.defaultPrevented || document.querySelector("dialog[open]")) return;
+    // A document of another kind may have come that is not drawn yet.
+    const drawn = this.#on && "links" in this.#document();
+    if (!drawn || event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;
     const typing = target instanceof HTMLInputElement || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
     if (event.key === "Escape" && this.#work.pressed.length > 0) this.#work.rest();

@@ -9,9 +9,11 @@ use assur::{Point, Vector};
 use super::layout::Layout;
 use crate::list::{List, Look, Role};
 
-/// Places on a path for a turn of what carries the point, or for an arc shorter than one. Between two of them a path bends
+/// Places on a path for a turn of what carries the point. Between two of them a path bends
 /// by less than a thirtieth of a pixel where its second derivative is as long as a thousand.
 const TURN: usize = 432;
+/// Poses of a turn, or of an arc shorter than one, of a motion that goes to and fro.
+const SWING: usize = 360;
 /// Fewest places on an arc.
 const LEAST: f64 = 90.0;
 /// No more bodies are placed in all poses together, a pose by itself counted as some. Over so many turns paths cover
@@ -65,7 +67,7 @@ impl Path {
 pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
     let cycle = motion.cycle();
     let sampling = Sampling {
-        turn: TURN,
+        turn: if cycle.is_full() { TURN } else { SWING },
         coarsest: COARSEST_TURN,
         most: MOST_PLACED / (motion.mechanism().links().len() + OF_A_POSE),
         spacing: Spacing::Crowded,
