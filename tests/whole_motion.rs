@@ -455,18 +455,13 @@ fn groups_in_any_unit_can_be_changed() {
 /// A lever that the crank's pin turns fully: what its angle gains in a turn is no jump through zero.
 #[test]
 fn an_angle_that_turns_fully_passes_zero_once() {
-    let draft = Draft::default()
-        .point("A", 0.0, 0.0)
-        .point("B", 0.0, 2.0)
-        .point("D", 0.5, 0.5)
-        .point("F", -0.25, 2.75)
-        .fixed(&["A", "D"])
-        .bar("crank", &["A", "B"])
-        .bar("lever", &["D", "F"])
-        .bar("block", &["B"])
-        .slide("block", "B", "lever", ["D", "F"])
-        .crank("crank");
-    let motion = moved(&draft);
+    let points = [
+        ("A", 0.0, 0.0),
+        ("B", 0.0, 2.0),
+        ("D", 0.5, 0.5),
+        ("F", -0.25, 2.75),
+    ];
+    let motion = lever(points, 0.0);
     let lever = quantity(&motion, "lever.angle");
     let found = motion.features(&[lever], Input::ANALOGUES).unwrap();
     let zeros = &found[0][0].zeros;
@@ -505,6 +500,17 @@ fn points_turned(points: [(&str, f64, f64); 4], by: f64) -> Draft {
         draft.point(name, cos * x - sin * y, sin * x + cos * y)
     };
     points.into_iter().fold(Draft::default(), turned)
+}
+
+/// A lever DF that the crank AB drives by a block on it, turned by an angle.
+fn lever(points: [(&str, f64, f64); 4], by: f64) -> Motion {
+    let draft = points_turned(points, by)
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("lever", &["D", "F"])
+        .bar("block", &["B"])
+        .slide("block", "B", "lever", ["D", "F"]);
+    moved(&draft.crank("crank"))
 }
 
 /// A crank-rocker, turned by an angle.
@@ -591,14 +597,7 @@ fn a_lever_whose_pivot_the_pin_nearly_meets() {
             ("D", frame, 0.0),
             ("F", -frame, 2.0 * crank),
         ];
-        let draft = points_turned(points, by)
-            .fixed(&["A", "D"])
-            .bar("crank", &["A", "B"])
-            .bar("lever", &["D", "F"])
-            .bar("block", &["B"])
-            .slide("block", "B", "lever", ["D", "F"])
-            .crank("crank");
-        let motion = moved(&draft);
+        let motion = lever(points, by);
         assert!(motion.cycle().is_full(), "{by}");
         let profile = OutputProfile::new(&motion, quantity(&motion, "lever.angle")).unwrap();
         let stroke = 2.0 * (crank / frame).asin();

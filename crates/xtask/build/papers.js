@@ -10,9 +10,6 @@ import temml from "temml";
  * instead; `right` where there is no verdict; a file and a symbol of the engine, a file and a test.
  */
 
-/** Where an item may stand that has no step of its own. */
-export const END = "end";
-
 /**
  * @param {string} latex
  * @returns {string} the formula as an element of MathML, without style attributes, which a hosted page forbids

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { END, built, listed, mathml } from "./papers.js";
+import { built, listed, mathml } from "./papers.js";
 import { ROOT } from "./temporary.js";
 
 const VERDICTS = Object.freeze(["right", "misprint", "scan", "false", "unprovable"]);
@@ -60,9 +60,9 @@ test("the document has the table", () => {
 });
 
 test("the page is given formulas as MathML, without styles, and nothing of where an item stands in the sources", () => {
-  const [row] = JSON.parse(built(JSON.stringify([{ item: "1", step: END, printed: ["\\bar{l}_1=\\overline{AB}"], engine: "a b", test: "c d" }])));
+  const [row] = JSON.parse(built(JSON.stringify([{ item: "1", step: "end", printed: ["\\bar{l}_1=\\overline{AB}"], engine: "a b", test: "c d" }])));
   assert.deepEqual(Object.keys(row), ["item", "step", "verdict", "printed", "instead"]);
   assert.match(row.printed[0], /<mover>.*<mo[^>]*>.<\/mo><\/mover>/);
   assert.doesNotMatch(row.printed[0], /style=|class=|menclose/);
-  assert.throws(() => built(JSON.stringify([{ item: "1", step: END, printed: ["\\nothing"] }])), /nothing/);
+  assert.throws(() => built(JSON.stringify([{ item: "1", step: "end", printed: ["\\nothing"] }])), /nothing/);
 });

@@ -108,8 +108,8 @@ impl Mechanism {
         })
     }
 
-    /// The inputs within an arc at which the crank lies in line with the outer hinges of a dyad RRR or RPR, of which it
-    /// carries one while the other is fixed: there the hinges are nearest to each other, or farthest apart.
+    /// Inputs within an arc at which the crank is in line with the outer hinges of a dyad RRR or RPR, one of them on the
+    /// crank and the other fixed. There the distance of the hinges is least or greatest.
     pub(crate) fn in_line(&self, arc: [f64; 2]) -> Vec<f64> {
         let closed = self.closed_steps().map(|closed| closed.lead);
         let guided = self.steps.iter().filter_map(|step| match step {
@@ -120,8 +120,8 @@ impl Mechanism {
         leads.flat_map(|lead| half_turns(lead, arc)).collect()
     }
 
-    /// What the angle of the crank that carries one of two hinges, counted from the line of its pivot and the other one,
-    /// has more than the input; none where the other one moves.
+    /// Lead over the input of the angle of a crank that carries one of two hinges, the angle counted from the line of
+    /// its pivot and the other hinge; none if the other hinge moves.
     fn lead_of(&self, hinges: [Anchor; 2]) -> Option<f64> {
         let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
             [true, false] => hinges,

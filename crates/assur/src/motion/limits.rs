@@ -74,8 +74,7 @@ impl OutputProfile<'_> {
     /// crank (FourBar::time_ratio's); none where the crank does not turn fully or the
     /// quantity does not go there and back once per turn.
     pub fn time_ratio(&self) -> Option<f64> {
-        let cycle = self.motion.cycle();
-        let period = cycle.period().filter(|_| cycle.is_full())?;
+        let period = self.period?;
         match self.extrema[..] {
             [[first, _], [second, _]] if period < 1.5 * TAU => {
                 let one = second - first;
