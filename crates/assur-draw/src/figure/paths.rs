@@ -78,9 +78,10 @@ pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
         let off = if cycle.is_full() { 0.0 } else { OFF };
         let [first, last] = [from + off * (to - from), to - off * (to - from)];
         let inputs = inputs.into_iter().map(|input| input.clamp(first, last));
-        let pose = motion.telling(|pose: &Pose<1>| pose.alone());
-        let poses = inputs.filter_map(|input| Some((input, pose(input).ok()?)));
-        poses.collect()
+        let pose = motion.telling(|pose: &Pose<1>| pose.bodies());
+        let mut run = Run::with_capacity(inputs.len());
+        run.extend(inputs.filter_map(|input| Some((input, pose(input).ok()?))));
+        run
     });
     runs.filter(|run: &Run| !run.is_empty()).collect()
 }

@@ -44,9 +44,10 @@ impl<const N: usize> Pose<N> {
         }
     }
 
-    /// The same without the room that it took to find it, many times as large: of poses there may be many.
-    pub fn alone(&self) -> Self {
-        Self::of(self.state.placed())
+    /// The places of its bodies alone, without what poses beside it are found from, which is many times as large: of poses
+    /// there may be many.
+    pub fn bodies(&self) -> Self {
+        Self::of(self.state.bodies())
     }
 
     pub(crate) fn parts(&mut self) -> (&mut State<N>, &mut Vec<f64>) {

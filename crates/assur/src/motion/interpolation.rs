@@ -202,20 +202,21 @@ impl Knots {
         let turned = last.orientations.iter().zip(first.orientations.iter());
         let gained = turned.map(|(b, a)| TAU * ((b.angle - a.angle) / TAU).round());
         let gained: Vec<f64> = gained.collect();
-        let later = |knot: &Knot, periods: f64| {
-            let mut later = knot.clone();
-            later.input += period * periods;
-            for (orientation, gain) in later.orientations.iter_mut().zip(&gained) {
+        let delay = |knot: &mut Knot, periods: f64| {
+            knot.input += period * periods;
+            for (orientation, gain) in knot.orientations.iter_mut().zip(&gained) {
                 orientation.angle += gain * periods;
             }
-            later
         };
         for knot in &mut self.list {
-            *knot = later(knot, -(knot.input / period).floor());
+            let periods = (knot.input / period).floor();
+            delay(knot, -periods);
         }
         sort_by(&mut self.list, |a, b| a.input.total_cmp(&b.input));
         if let [first, .., last] = &self.list[..] {
-            let [before, after] = [later(last, -1.0), later(first, 1.0)];
+            let [mut before, mut after] = [last.clone(), first.clone()];
+            delay(&mut before, -1.0);
+            delay(&mut after, 1.0);
             self.list.insert(0, before);
             self.list.push(after);
         }

@@ -91,12 +91,21 @@ impl<const N: usize> State<N> {
     /// The same bodies in the same places, without the room that it took to find them.
     pub(crate) fn placed(&self) -> Self {
         Self {
+            margins: self.margins.clone(),
+            natural: self.natural.clone(),
+            ..self.bodies()
+        }
+    }
+
+    /// The same bodies in the same places, and nothing else.
+    pub(crate) fn bodies(&self) -> Self {
+        Self {
             origin: self.origin.clone(),
             turn: self.turn.clone(),
             angle: self.angle.clone(),
             near: self.near.clone(),
-            margins: self.margins.clone(),
-            natural: self.natural.clone(),
+            margins: List::default(),
+            natural: Vec::new(),
             work: Work::default(),
             ..*self
         }
