@@ -118,3 +118,29 @@ async fn numbers_follow_the_crank() {
     }
     page.close().await;
 }
+
+/// On paper a step has its formulas with verdicts, the open one all that its fold holds; numbers of the others may be answers.
+#[tokio::test]
+async fn formulas_are_printed() {
+    let page = open("mixer", "mixer-a", "en-US", 9).await;
+    let printed = "dispatchEvent(new Event('beforeprint'));
+        return [...document.querySelectorAll('#worksheet > ol > li')].map((one) => [
+            one.querySelectorAll('[data-item]').length, one.querySelectorAll('math').length, one.querySelectorAll('.paper-numbers p').length]);";
+    let printed: Vec<[usize; 3]> = serde_json::from_value(page.ask(printed).await).unwrap();
+    let items = items("mixer");
+    for ((step, id), [rows, formulas, numbers]) in steps("mixer").iter().enumerate().zip(printed) {
+        if step == 8 {
+            assert_eq!(rows, items[id].len(), "{id}");
+            assert!(numbers > 0, "{id}");
+        } else {
+            assert_eq!(numbers, 0, "{id}");
+        }
+        assert!(rows <= formulas + numbers, "{id}");
+        assert_eq!(
+            formulas > 0,
+            ["triangles", "contour", "centres", "cases"].contains(&id.as_str()),
+            "{id}"
+        );
+    }
+    page.close().await;
+}

@@ -214,7 +214,7 @@ fn poses_are_filled_again() {
     let motion = Motion::new(mechanism.clone());
     let expected = motion.pose::<1>(0.3).unwrap();
     let found = mechanism.assemblies_at(1.0, Method::Usual);
-    for mut pose in found.poses.into_iter().chain([expected.alone()]) {
+    for mut pose in found.poses.into_iter().chain([expected.clone()]) {
         motion.place(0.3, &mut pose).unwrap();
         for link in mechanism.link_ids() {
             let [one, other] = [&pose, &expected].map(|pose| mechanism.angle(pose, link).value());

@@ -6,6 +6,7 @@ import { paperTheme, toSvgElement, withLegend } from "assur/export/pictures.js";
 import { stepOnPaper } from "assur/export/steps.js";
 import "assur/export/style.js";
 import { given } from "assur/lesson/given.js";
+import { END } from "assur/lesson/panel.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -50,7 +51,10 @@ function worksheet(page, steps) {
   };
   const figures = [figure(mechanism.cropped(), "mechanism")];
   if (model.summary.moves !== null) figures.push(figure(withLegend(chart, theme, words), "charts"));
-  const items = steps.map(({ question, ...step }) => stepOnPaper({ ...step, question: question && { text: question.text, options: (question.options ?? []).map(({ text }) => text) } }));
+  const items = steps.map(({ question, ...step }) => {
+    const posed = question && { text: question.text, options: (question.options ?? []).map(({ text }) => text) };
+    return stepOnPaper({ ...step, question: posed }, page.lesson.onPaper(step.id));
+  });
   return make("section", { id: "worksheet", class: "paper", lang: words.lang }, [
     make("header", {}, [
       make("h1", {}, [title.textContent ?? ""]),
@@ -59,7 +63,7 @@ function worksheet(page, steps) {
     ]),
     make("div", { class: "figures" }, figures),
     make("div", { class: "tables" }, [dimensions(page), values(model.summary.moves !== null)]),
-    ...(items.length > 0 ? [make("ol", {}, items)] : []),
+    ...(items.length > 0 ? [make("ol", {}, items), ...page.lesson.onPaper(END)] : []),
     foot(address.link(model.good), engine),
   ]);
 }

@@ -59,6 +59,14 @@ export class Lesson {
     return (this.#open && this.#panel?.steps()) || [];
   }
 
+  /**
+   * @param {string} step the id of one of these
+   * @returns {HTMLElement[]} what the lesson's paper prints of it
+   */
+  onPaper(step) {
+    return this.#panel?.onPaper(step) ?? [];
+  }
+
   /** @param {boolean} writing whether the lecturer's own lesson is written, or read */
   write(writing) {
     this.#writing = writing;

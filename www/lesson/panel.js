@@ -163,6 +163,14 @@ export class LessonPanel {
     return this.#steps.filter(({ id }) => id !== END);
   }
 
+  /**
+   * @param {string} step the id of a step
+   * @returns {HTMLElement[]} what the lesson's paper prints of it
+   */
+  onPaper(step) {
+    return this.#paper?.onPaper(step, this.#words) ?? [];
+  }
+
   /** Where a reader who opened it by a key goes on. */
   focus() {
     this.#title.focus();

@@ -1,7 +1,7 @@
 // What the paper of a lesson prints, item by item: formulas with their numbers in the mechanism as it stands, whether they hold, and what holds instead.
 // Loaded with a lesson that has a paper.
 import { degrees } from "assur/core/angles.js";
-import { make, write } from "assur/core/dom.js";
+import { addStyle, make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 
@@ -16,6 +16,8 @@ import { withSubscripts } from "assur/core/subscripts.js";
  * @typedef {{ item: string, place: HTMLElement }} Numbers where the numbers of an item are written
  */
 
+await addStyle("lesson/paper.css");
+
 /** Values that differ by less, relative to their size, are the same. */
 const SAME = 1e-9;
 const DECIMALS = 4;
@@ -27,6 +29,8 @@ export class Paper {
   #main;
   /** @type {Words | null} */
   #words = null;
+  /** The id of the step that is shown. */
+  #step = "";
   /** @type {Numbers[]} of the step that is shown */
   #numbers = [];
   /** @type {readonly unknown[]} what the numbers were written of */
@@ -60,11 +64,25 @@ export class Paper {
     const main = this.#main.get(step) ?? [];
     this.#numbers = [];
     this.#written = [];
+    this.#step = step;
     this.main.replaceChildren(...items.filter(({ item }) => main.includes(item)).map((item) => this.#row(item)));
     this.#rows.replaceChildren(...items.map((item) => this.#row(item, verdict(item, words))));
     write(this.#summary, words.text(closes ? "lesson.paper.about" : "lesson.paper.fold"));
     this.fold.open = closes;
     this.fold.hidden = items.length === 0;
+  }
+
+  /**
+   * @param {string} step the id of a step
+   * @param {Words} words of the page, and those of the paper
+   * @returns {HTMLElement[]} what is printed of it: of the step that is shown all that its fold holds, of another one formulas and whether they hold, for
+   * numbers may be answers
+   */
+  onPaper(step, words) {
+    if (step === this.#step) return [/** @type {HTMLElement} */ (this.#rows.cloneNode(true))];
+    const items = this.#items.filter((item) => item.step === step && item.printed.length > 0);
+    const rows = items.map((item) => make("div", { "data-item": item.item }, [...head(item), ...holds(item, words)]));
+    return rows.length > 0 ? [make("div", { class: "paper" }, rows)] : [];
   }
 
   /** @param {Snapshot} snapshot */
@@ -85,14 +103,20 @@ export class Paper {
    * @param {Item} item
    * @param {readonly Node[]} [further] what is said of it
    */
-  #row({ item, printed }, further = []) {
+  #row(item, further = []) {
     const numbers = make("div", { class: "paper-numbers" });
-    this.#numbers.push({ item, place: numbers });
-    const [label] = /\(\d+\)/.exec(item) ?? [""];
-    const formulas = printed.map(math);
-    const head = label === "" ? [] : [make("b", {}, [label])];
-    return make("div", { "data-item": item }, [...head, ...formulas, numbers, ...further]);
+    this.#numbers.push({ item: item.item, place: numbers });
+    return make("div", { "data-item": item.item }, [...head(item), numbers, ...further]);
   }
+}
+
+/**
+ * @param {Item} item
+ * @returns {Node[]} its number in the paper and its formulas as they are printed
+ */
+function head({ item, printed }) {
+  const [label] = /\(\d+\)/.exec(item) ?? [""];
+  return [...(label === "" ? [] : [make("b", {}, [label])]), ...printed.map(math)];
 }
 
 /**
@@ -100,10 +124,19 @@ export class Paper {
  * @param {Words} words
  * @returns {Node[]} whether it holds, why, and what holds instead
  */
-function verdict({ item, verdict: held, instead }, words) {
-  const key = `paper.${item.slice(item.indexOf(".") + 1)}`;
+function verdict(item, words) {
+  const key = `paper.${item.item.slice(item.item.indexOf(".") + 1)}`;
   const said = words.has(key) ? [make("p", {}, withSubscripts(words.text(key)))] : [];
-  return [...said, make("p", { class: "paper-verdict", "data-verdict": held }, [words.text(`lesson.printed.${held}`)]), ...instead.map(math)];
+  return [...said, ...holds(item, words)];
+}
+
+/**
+ * @param {Item} item
+ * @param {Words} words
+ * @returns {Node[]} whether it holds, and what holds instead
+ */
+function holds({ verdict: held, instead }, words) {
+  return [make("p", { class: "paper-verdict", "data-verdict": held }, [words.text(`lesson.printed.${held}`)]), ...instead.map(math)];
 }
 
 /**
