@@ -154,7 +154,10 @@ impl Mechanism {
                         return;
                     }
                     let member = &mut train.members[k];
-                    let off = quotient(drawn[member.body].turn, state.turn[member.body].value());
+                    let off = quotient(
+                        drawn[member.body].turn,
+                        state.bodies[member.body].turn.value(),
+                    );
                     let off = off.y.atan2(off.x);
                     if off.abs() > MOUNTED {
                         member.shift += off;

@@ -105,7 +105,8 @@ impl Mechanism {
         body: BodyId,
         place: Point,
     ) -> JetPoint<N> {
-        let (origin, turn) = (&pose.state.origin[body], &pose.state.turn[body]);
+        let of = &pose.state.bodies[body];
+        let (origin, turn) = (&of.origin, &of.turn);
         let way = place.coords - self.origin - origin.value();
         let local = product(way, conjugate(turn.value()));
         let place = pose.state.place(Anchor { body, local });
@@ -137,7 +138,7 @@ impl Mechanism {
         body: BodyId,
         local: Vector,
     ) -> Vector {
-        product(local, pose.state.turn[body].value())
+        product(local, pose.state.bodies[body].turn.value())
     }
 
     /// A point that two bodies share, at a place on the first if one is given.
@@ -172,7 +173,7 @@ impl Mechanism {
     /// The velocity, by the input, of what is fixed to a body and at the origin of [`Self::scaled`], in the same unit,
     /// and the angular velocity of the body.
     pub(crate) fn twist<const N: usize>(&self, pose: &Pose<N>, body: BodyId) -> (Vector, f64) {
-        let origin: JetPoint<N> = pose.state.origin[body].into();
+        let origin: JetPoint<N> = pose.state.bodies[body].origin.into();
         let spin = pose.state.angle(body).derivative(1);
         let at = origin.place().coords;
         let velocity = origin.derivative(1) - spin * Vector::new(-at.y, at.x);

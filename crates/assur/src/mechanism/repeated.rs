@@ -33,7 +33,7 @@ impl Mechanism {
         let bodies = self.bodies.ids().filter(|body| !self.is_idle_wheel(*body));
         let off = bodies.map(|body| {
             let [turned, moved] = off(&a.state, &b.state, body);
-            let out = a.state.origin[body].value().norm();
+            let out = a.state.bodies[body].origin.value().norm();
             turned.max(moved / out.max(self.size))
         });
         off.fold(0.0, f64::max)
@@ -69,7 +69,7 @@ impl Mechanism {
 
 /// How far a body is turned, radians where that is little, and moved from one pose to another.
 fn off<const N: usize, const M: usize>(a: &State<N>, b: &State<M>, body: BodyId) -> [f64; 2] {
-    let turned = a.turn[body].value() - b.turn[body].value();
-    let moved = a.origin[body].value() - b.origin[body].value();
+    let turned = a.bodies[body].turn.value() - b.bodies[body].turn.value();
+    let moved = a.bodies[body].origin.value() - b.bodies[body].origin.value();
     [turned.norm(), moved.norm()]
 }

@@ -135,7 +135,7 @@ impl Enclosure {
         for body in placing.bodies() {
             let most = |of: &dyn Fn(&Predictor) -> f64| 2.0 * f64::max(of(from), of(to));
             let spin = most(&|state| state.angle(body).derivative(2).abs());
-            let bend = most(&|state| 2.0 * state.origin[body][2].norm());
+            let bend = most(&|state| 2.0 * state.bodies[body].origin[2].norm());
             self.set(body, spin, [(Vector::zeros(), bend); 2]);
         }
     }
@@ -170,7 +170,7 @@ impl Enclosure {
 
     /// How fast a body turns when the step begins.
     pub(crate) fn turning(&self, from: &Predictor, body: BodyId) -> f64 {
-        let turn = &from.turn[body];
+        let turn = &from.bodies[body].turn;
         turn[0].perp(&turn[1])
     }
 
@@ -206,8 +206,8 @@ impl Enclosure {
     /// The way of the place of a body that is at a point when the step begins.
     pub(crate) fn place_at(&self, from: &Predictor, body: BodyId, at: Vector) -> Way {
         let local = product(
-            at - from.origin[body].value(),
-            conjugate(from.turn[body].value()),
+            at - from.bodies[body].origin.value(),
+            conjugate(from.bodies[body].turn.value()),
         );
         self.place(from, Anchor { body, local })
     }
@@ -308,7 +308,7 @@ impl Enclosure {
     ) -> Option<f64> {
         let bodies = lines.map(|(body, _)| body);
         let [q1, q2] = bodies.map(|body| self.place_at(from, body, at));
-        let [u, v] = lines.map(|(body, heading)| product(from.turn[body].value(), heading));
+        let [u, v] = lines.map(|(body, heading)| product(from.bodies[body].turn.value(), heading));
         let turning = bodies.map(|body| self.turning(from, body));
         let spins = bodies.map(|body| self.spin(body));
         let apart = u.perp(&v).abs().atan2(u.dot(&v).abs());

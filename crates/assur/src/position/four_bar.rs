@@ -106,10 +106,9 @@ impl Closed {
         })?;
         let angles = [pose.coupler + self.leads[0], pose.rocker + self.leads[1]];
         for (arm, angle) in self.arms.iter().zip(angles) {
-            let (at, turn) = (state.place(arm.outer), Complex::turn(angle));
-            state.turn[arm.body] = turn;
-            state.origin[arm.body] = at - turn.by(arm.from);
-            state.angle[arm.body] = Angle::Known(angle);
+            let at = state.place(arm.outer);
+            state.put(arm.body, Complex::turn(angle), arm.from, at);
+            state.bodies[arm.body].angle = Angle::Known(angle);
         }
         Ok(())
     }

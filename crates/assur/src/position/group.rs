@@ -431,8 +431,8 @@ impl Group {
                 origin = origin + (turn - unit).by(*at);
                 turn = unit;
             }
-            state.origin[*body] = origin;
-            state.turn[*body] = turn;
+            let pose = &mut state.bodies[*body];
+            (pose.origin, pose.turn) = (origin, turn);
             state.winds(*body, near);
         }
         finite(sum)

@@ -34,8 +34,7 @@ impl Solvable for Rpp {
         let inner = turn_j.by(self.direction);
         let turn_i = inner.by(conjugate(side.direction));
         let b = state.place(side.outer);
-        state.turn[side.body] = turn_i;
-        state.origin[side.body] = b - turn_i.by(side.hinge);
+        state.put(side.body, turn_i, side.hinge, b);
 
         let shift = |of: Complex<N>, by: f64| of.by(Vector::new(0.0, by));
         let guide = (start + shift(direction, track.off), direction);

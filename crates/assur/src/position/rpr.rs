@@ -61,8 +61,7 @@ impl Solvable for Rpr {
         }
         for (side, at) in [(i, b), (j, d)] {
             let turn = direction.by(conjugate(side.direction));
-            state.turn[side.body] = turn;
-            state.origin[side.body] = at - turn.by(side.hinge);
+            state.put(side.body, turn, side.hinge, at);
         }
         Ok(())
     }

@@ -59,7 +59,8 @@ impl Solvable for Rrp {
         // From B to the place of the line that is at C when the step begins, and its distance from the line, by which
         // the arm may not be shorter.
         let way = cell.place_at(from, line, at).minus(&b);
-        let [direction, rate] = [0, 1].map(|order| product(from.turn[line][order], track.heading));
+        let [direction, rate] =
+            [0, 1].map(|order| product(from.bodies[line].turn[order], track.heading));
         let left = |v: Vector| Vector::new(-v.y, v.x);
         let rise = left(direction).dot(&way.at);
         let climbs = left(direction).dot(&way.rate) + left(rate).dot(&way.at);

@@ -12,11 +12,7 @@ use crate::{Jet, Vector};
 /// for every sample.
 #[derive(Clone, Debug)]
 pub(crate) struct State<const N: usize> {
-    pub(crate) origin: List<BodyId, Complex<N>>,
-    pub(crate) turn: List<BodyId, Complex<N>>,
-    pub(crate) angle: List<BodyId, Angle<N>>,
-    /// The bodies' orientations in a pose nearby, where their angles are to be found.
-    near: List<BodyId, Orientation>,
+    pub(crate) bodies: List<BodyId, BodyPose<N>>,
     /// For every step of the plan what must not become negative: squares whose
     /// roots it takes, or the sine of the angle between two guides; of a group the determinant of its Jacobian, as a
     /// multiple of a power of two, and the exponent of that.
@@ -30,6 +26,17 @@ pub(crate) struct State<const N: usize> {
     /// correction still was.
     pub(crate) corrections: [f64; 2],
     pub(super) work: Work<N>,
+}
+
+/// Where a body is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BodyPose<const N: usize> {
+    pub(crate) origin: Complex<N>,
+    /// e^(iθ) of its angle.
+    pub(crate) turn: Complex<N>,
+    pub(crate) angle: Angle<N>,
+    /// Its orientation in a pose nearby, where its angle is to be found.
+    near: Orientation,
 }
 
 /// A pose with the derivatives that predict the poses around it.
@@ -75,11 +82,14 @@ pub(crate) struct Nearby<'a> {
 impl<const N: usize> State<N> {
     pub(crate) fn new(bodies: usize, steps: usize, unknowns: usize, size: f64) -> Self {
         let nowhere = Complex::constant(Vector::zeros());
+        let body = BodyPose {
+            origin: nowhere,
+            turn: Complex::constant(Vector::x()),
+            angle: Angle::Known(Jet::constant(0.0)),
+            near: Orientation::default(),
+        };
         Self {
-            origin: vec![nowhere; bodies].into(),
-            turn: vec![Complex::constant(Vector::x()); bodies].into(),
-            angle: vec![Angle::Known(Jet::constant(0.0)); bodies].into(),
-            near: vec![Orientation::default(); bodies].into(),
+            bodies: vec![body; bodies].into(),
             margins: vec![[Jet::constant(1.0); 2]; steps].into(),
             scale: size * size,
             natural: vec![nowhere; unknowns],
@@ -100,10 +110,7 @@ impl<const N: usize> State<N> {
     /// The same bodies in the same places, and nothing else.
     pub(crate) fn bodies(&self) -> Self {
         Self {
-            origin: self.origin.clone(),
-            turn: self.turn.clone(),
-            angle: self.angle.clone(),
-            near: self.near.clone(),
+            bodies: self.bodies.clone(),
             margins: List::default(),
             natural: Vec::new(),
             work: Work::default(),
@@ -115,69 +122,76 @@ impl<const N: usize> State<N> {
     pub(crate) fn taken(&self, input: Input) -> Complex<N> {
         match input {
             Input::Place(anchor) => self.place(anchor),
-            Input::Direction(anchor) => self.turn[anchor.body].by(anchor.local),
+            Input::Direction(anchor) => self.bodies[anchor.body].turn.by(anchor.local),
         }
     }
 
     /// Where a place on a solved body is.
     #[inline(always)]
     pub(crate) fn place(&self, anchor: Anchor) -> Complex<N> {
-        self.origin[anchor.body] + self.turn[anchor.body].by(anchor.local)
+        let body = &self.bodies[anchor.body];
+        body.origin + body.turn.by(anchor.local)
     }
 
     /// A point of a track's line and the line's direction.
     pub(crate) fn line(&self, track: &Track) -> (Complex<N>, Complex<N>) {
-        let direction = self.turn[track.line.body].by(track.heading);
+        let direction = self.bodies[track.line.body].turn.by(track.heading);
         (self.place(track.line), direction)
     }
 
     /// Lays an arm from a point along a vector as long as it is.
     pub(crate) fn lay(&mut self, arm: &Arm, at: Complex<N>, along: Complex<N>) {
-        let turn = along.by(arm.turn);
-        self.turn[arm.body] = turn;
-        self.origin[arm.body] = at - turn.by(arm.from);
+        self.put(arm.body, along.by(arm.turn), arm.from, at);
     }
 
     /// Puts a sliding link with its point to a place.
     pub(crate) fn slid(&mut self, track: &Track, direction: Complex<N>, at: Complex<N>) {
         let turn = direction.by(conjugate(track.direction));
-        self.turn[track.body] = turn;
-        self.origin[track.body] = at - turn.by(track.point);
+        self.put(track.body, turn, track.point, at);
+    }
+
+    /// Puts a body that is turned so, e^(iθ), with one of its places to a place.
+    #[inline(always)]
+    pub(crate) fn put(&mut self, body: BodyId, turn: Complex<N>, local: Vector, at: Complex<N>) {
+        let body = &mut self.bodies[body];
+        body.turn = turn;
+        body.origin = at - turn.by(local);
     }
 
     /// The angle of a body.
     pub(crate) fn angle(&self, body: BodyId) -> Jet<N> {
-        match self.angle[body] {
+        let body = &self.bodies[body];
+        match body.angle {
             Angle::Known(angle) => angle,
             Angle::Turned => {
-                let near = self.near[body];
-                let turned = self.turn[body].by(conjugate(near.turn));
-                turned.y().unit_atan2(turned.x()) + near.angle
+                let turned = body.turn.by(conjugate(body.near.turn));
+                turned.y().unit_atan2(turned.x()) + body.near.angle
             }
         }
     }
 
     /// The angle of a body is that of its turn, near what it was there.
     pub(crate) fn winds(&mut self, body: BodyId, near: Nearby<'_>) {
-        self.near[body] = near.orientations[body];
-        self.angle[body] = Angle::Turned;
+        self.turned_near(body, near.orientations[body]);
     }
 
     /// The angle of a body is that of its turn, less than half a turn from this one.
     pub(crate) fn turned_near(&mut self, body: BodyId, near: Orientation) {
-        self.near[body] = near;
-        self.angle[body] = Angle::Turned;
+        let body = &mut self.bodies[body];
+        body.near = near;
+        body.angle = Angle::Turned;
     }
 
     /// How a body is turned. The angle is taken from the turn again, and only its whole turns from the pose nearby:
     /// rounding does not add up from pose to pose.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
-        let turn = self.turn[body].value();
-        let angle = match self.angle[body] {
+        let body = &self.bodies[body];
+        let turn = body.turn.value();
+        let angle = match body.angle {
             Angle::Known(angle) => angle.value(),
             Angle::Turned => {
                 let angle = turn.y.atan2(turn.x);
-                angle + TAU * ((self.near[body].angle - angle) / TAU).round()
+                angle + TAU * ((body.near.angle - angle) / TAU).round()
             }
         };
         Orientation { angle, turn }
@@ -185,22 +199,23 @@ impl<const N: usize> State<N> {
 
     /// Tells how all bodies are turned.
     pub(crate) fn orient(&self, orientations: &mut List<BodyId, Orientation>) {
-        for (body, orientation) in self.turn.ids().zip(orientations.iter_mut()) {
+        for (body, orientation) in self.bodies.ids().zip(orientations.iter_mut()) {
             *orientation = self.orientation(body);
         }
     }
 
     /// How all bodies are turned.
     pub(crate) fn orientations(&self) -> List<BodyId, Orientation> {
-        self.turn.ids().map(|body| self.orientation(body)).collect()
+        self.bodies
+            .ids()
+            .map(|body| self.orientation(body))
+            .collect()
     }
 
     /// Puts a body that turns by a known angle with a hinge of it to a place.
     #[inline(always)]
     pub(crate) fn pin(&mut self, body: BodyId, angle: Jet<N>, at: Anchor, hinge: Vector) {
-        let turn = Complex::turn(angle);
-        self.angle[body] = Angle::Known(angle);
-        self.turn[body] = turn;
-        self.origin[body] = self.place(at) - turn.by(hinge);
+        self.put(body, Complex::turn(angle), hinge, self.place(at));
+        self.bodies[body].angle = Angle::Known(angle);
     }
 }

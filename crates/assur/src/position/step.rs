@@ -124,7 +124,7 @@ pub(crate) trait Solvable {
             if self.winds() {
                 state.winds(body, given.near);
             }
-            sum += state.origin[body].nought() + state.turn[body].nought();
+            sum += state.bodies[body].origin.nought() + state.bodies[body].turn.nought();
         }
         finite(sum)
     }
