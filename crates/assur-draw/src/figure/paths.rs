@@ -146,16 +146,15 @@ fn turned(motion: &Motion, run: &Run, link: LinkId) -> [f64; 2] {
 
 /// The angle at which a link turns back near an input, by Newton's method.
 fn turning(motion: &Motion, link: LinkId, near: f64, (from, to): (f64, f64)) -> Option<f64> {
+    let angle = motion.telling(|pose: &Pose<3>| motion.mechanism().angle(pose, link));
     let mut input = near;
     for _ in 0..STEPS {
-        let pose = motion.pose::<3>(input).ok()?;
-        let angle = motion.mechanism().angle(&pose, link);
+        let angle = angle(input).ok()?;
         let step = angle.derivative(1) / angle.derivative(2);
         if !step.is_finite() {
             break;
         }
         input = (input - step).clamp(from, to);
     }
-    let pose = motion.pose::<1>(input).ok()?;
-    Some(motion.mechanism().angle(&pose, link).value())
+    angle(input).ok().map(|angle| angle.value())
 }

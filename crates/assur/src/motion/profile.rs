@@ -399,11 +399,9 @@ impl Flank<'_> {
         let Self { profile, way, .. } = self;
         let from = profile.reaches(self.pieces[0], way * level)?;
         let to = profile.reaches(self.pieces[1], way * (level + self.tolerance))?;
-        let slope = |input: f64| -> Option<f64> {
-            let pose = profile.motion.pose::<3>(input).ok()?;
-            let jet = profile.quantity.of(profile.motion.mechanism(), &pose);
-            Some(way * jet.derivative(1))
-        };
+        let mechanism = profile.motion.mechanism();
+        let jet = (profile.motion).telling(|pose: &Pose<3>| profile.quantity.of(mechanism, pose));
+        let slope = |input: f64| Some(way * jet(input).ok()?.derivative(1));
         Some(Pass {
             arc: [from, to],
             lengthens: slope(from)? - slope(to)?,

@@ -3,7 +3,7 @@
 use super::features::turning_points;
 use super::{Motion, TooManyTurns};
 use crate::Jet;
-use crate::mechanism::{LinkId, Quantity, RrpDyad, RrrDyad, half_turns};
+use crate::mechanism::{LinkId, Pose, Quantity, RrpDyad, RrrDyad, half_turns};
 
 /// What is beside an end of an arc, as a share of it.
 const BESIDE: f64 = 1e-12;
@@ -82,10 +82,8 @@ impl Motion {
             return Ok(found.reduce(lesser));
         }
         // The cosine is linear in the squared diagonal, which needs no root.
-        let diagonal = |input: f64| {
-            let pose = self.pose::<3>(input).ok()?;
-            Some(mechanism.diagonal(&pose, dyad))
-        };
+        let diagonal = self.telling(|pose: &Pose<3>| mechanism.diagonal(pose, dyad));
+        let diagonal = |input: f64| diagonal(input).ok();
         let reach = mechanism.reach_of(dyad);
         let unit = reach * self.unit_within(reach);
         let found = self.extreme(Quantity::Transmission(*dyad), &diagonal, unit)?;
@@ -102,10 +100,8 @@ impl Motion {
         dyad: &RrpDyad,
     ) -> Result<Option<WorstTransmission>, TooManyTurns> {
         let mechanism = self.mechanism();
-        let rise = |input: f64| {
-            let pose = self.pose::<3>(input).ok()?;
-            Some(mechanism.rise(&pose, dyad))
-        };
+        let rise = self.telling(|pose: &Pose<3>| mechanism.rise(pose, dyad));
+        let rise = |input: f64| rise(input).ok();
         let unit = self.unit_within(mechanism.rod_of(dyad));
         let found = self.extreme(Quantity::Pressure(*dyad), &rise, unit)?;
         Ok(found.reduce(|greatest, next| {
@@ -135,9 +131,9 @@ impl Motion {
         let inputs = inputs
             .chain(ends)
             .chain(self.change_points().iter().copied());
+        let angle = self.telling(move |pose: &Pose<1>| angle.of(self.mechanism(), pose).value());
         Ok(inputs.chain([self.home()]).filter_map(move |input| {
-            let pose = self.pose::<1>(input).ok()?;
-            let angle = angle.of(self.mechanism(), &pose).value();
+            let angle = angle(input).ok()?;
             Some(WorstTransmission { angle, input })
         }))
     }
