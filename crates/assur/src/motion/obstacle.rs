@@ -85,9 +85,13 @@ impl Continuation<'_> {
             });
             self.dead_at(last, step, cause)
         });
-        // Guides become parallel between poses; beyond them something else may end the motion.
-        let found = [self.parallel(step, sense), met].into_iter().flatten();
-        let nearest = found.min_by(|a, b| (a.input * sense).total_cmp(&(b.input * sense)));
+        // Guides become parallel between poses; beyond them something else may end the motion. What hangs on their links moves
+        // ever faster towards it.
+        let steps = self.mechanism.steps().ids();
+        let parallel = steps.filter_map(|step| self.parallel(step, sense));
+        let nearest = parallel
+            .chain(met)
+            .min_by(|a, b| (a.input * sense).total_cmp(&(b.input * sense)));
         nearest.unwrap_or_else(|| self.ends(step, DeadPointKind::NearSingular))
     }
 

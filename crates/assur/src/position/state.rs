@@ -183,10 +183,11 @@ impl<const N: usize> State<N> {
     }
 
     /// How a body is turned. The angle is taken from the turn again, and only its whole turns from the pose nearby:
-    /// rounding does not add up from pose to pose.
+    /// rounding does not add up from pose to pose. Where the outer hinges of a dyad meet, rounding tells the length of a turn.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
         let body = &self.bodies[body];
         let turn = body.turn.value();
+        let turn = turn.try_normalize(0.0).unwrap_or(turn);
         let angle = match body.angle {
             Angle::Known(angle) => angle.value(),
             Angle::Turned => {
