@@ -154,17 +154,24 @@ fn four_bar_in_space() {
         sections.open as f64,
         sections.mobility as f64,
         needed as f64,
+        sections.mobility as f64,
     ];
-    let expected = [
-        &[6.0, sections.removed_spatial as f64][..],
-        &counted,
-        &[tilt],
-    ]
-    .concat();
-    tells("redundant.text", &expected);
+    tells(
+        "redundant.text",
+        &[&[6.0, sections.removed_spatial as f64][..], &counted].concat(),
+    );
     tells("redundant.hint", &[sections.removed_spatial as f64]);
     // The equation (3).
     tells("redundant.right", &[3.0]);
+
+    let cut = opened("tilted");
+    let [open, removed] = [cut.open, cut.removed].map(|count| count as f64);
+    assert_eq!(cut.mobility, -2);
+    tells("tilted.text", &[tilt, open, removed]);
+    tells("tilted.hint", &[removed]);
+    let by_rank = judged(&tilted).mobility as f64;
+    let told = [by_rank, sections.redundant as f64, sections.mobility as f64];
+    tells("tilted.right", &told);
 }
 
 /// After the cut Q the moving contour is closed; any second cut of it opens it, and any two cuts that open all
@@ -184,10 +191,20 @@ fn moving_contour() {
         let sections = moving.sections(&cut(&moving, &["Q", second])).unwrap();
         assert!(sections.loops.iter().all(|contour| contour.redundant == 3));
         for lang in LANGUAGES {
-            let text = &LESSON.words(lang)["contours.text"];
+            let text = &LESSON.words(lang)["moving.text"];
             assert!(text.contains(second), "{lang}: {text}");
         }
+        let [open, removed, in_space] =
+            [sections.open, sections.removed, sections.removed_spatial].map(|count| count as f64);
+        // And the equation (6).
+        tells("moving.text", &[open, removed, in_space, 6.0]);
+        let counts = moving.counts();
+        let [links, hinges] = [counts.links, counts.pairs[&1]].map(|count| count as f64);
+        tells("moving.hint", &[2.0, in_space, links, hinges]);
+        assert_eq!(counts.redundant_by_plane(), Some(sections.redundant));
+        tells("moving.right", &[3.0]);
     }
+    tells("contours.text", &[3.0]);
     for name in ["moving", "mobility-2c"] {
         let scheme = scheme(name);
         let counts = scheme.counts();
@@ -225,6 +242,7 @@ fn spatial_mechanism() {
     tells("spatial.text", &[first, second, sections.open as f64, 1.0]);
     assert_eq!(sections.mobility, scheme.counts().spatial);
     assert_eq!(sections.redundant, 0);
+    tells("layout.right", &[sections.redundant as f64]);
     // Other cuts leave other numbers, and the same W.
     let other = scheme.sections(&cut(&scheme, &["B", "Q"])).unwrap();
     assert_ne!(

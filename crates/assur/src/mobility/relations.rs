@@ -18,7 +18,7 @@ impl Scheme {
             .map_or(counts.mobility(), |verdict| verdict.mobility as isize);
         let mut all = Vec::new();
         let mut relation = |item, name, value: isize, printed: isize| {
-            all.push(Relation::of(item, name, value as f64, printed as f64));
+            all.push(Relation::count(item, name, value, printed));
         };
         let spatial = 6 * links - sum(&counts.spatial_pairs, |i| 6 - i);
         if let Some(planar) = counts.planar {
