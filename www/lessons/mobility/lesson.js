@@ -65,7 +65,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
   {
     id: "layout",
     formula: "q = W − 6n + Σ(6 − i)Pᵢ",
-    shows: [{ name: "ours", preset: "mobility-3" }, { name: "other", preset: "layout" }],
+    shows: [{ name: "ours", preset: "mobility-3" }, { name: "parallel", preset: "layout" }],
     controls: ["geometry", "look"],
     question: { hides: ["scheme-q"], within: 0, answer: ({ space }) => space?.redundant },
   },
