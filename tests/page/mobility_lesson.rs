@@ -5,6 +5,7 @@ use serde_json::json;
 
 use crate::browser::{Page, setting};
 use crate::device::languages;
+use crate::host::home;
 use crate::layout::defects;
 use crate::mobility::{scheme, there};
 
@@ -45,16 +46,35 @@ async fn steps_have_their_tools_and_numbers() {
     let mobility = scheme("mobility-1a").counts().mobility().to_string();
     assert_eq!(page.text("out-scheme-w").await, mobility);
     page.settle().await;
-    let numbers = page.ask(NUMBERS).await;
     assert_eq!(
-        numbers,
-        json!(["W_от = 7; as printed 13, difference 6", "n = 3"].map(|one| one.replace("_", "")))
+        page.ask(NUMBERS).await,
+        json!(["Wот = 7; as printed 13, difference 6", "n = 3"])
     );
     page.click("lesson-on").await;
     page.click("lesson-show").await;
     there(&page).await;
     assert_eq!(page.count("#lesson #method-said").await, 1);
     page.close().await;
+}
+
+/// The end of the lesson leads to its notes for teachers in the reader's language.
+#[tokio::test]
+async fn notes_for_teachers_open_from_the_end() {
+    let lesson = "v.lesson=%7B%22id%22%3A%22mobility%22%2C%22step%22%3A13%7D";
+    for (browser, lang) in [("en-US", "en"), ("kk", "kk")] {
+        let page = Page::open_at(&format!("{}#mobility-1a&{lesson}", home()), browser).await;
+        page.until("the end", async || page.count("#lesson-notes").await == 1)
+            .await;
+        let href = page.attribute("lesson-notes", "href").await;
+        assert_eq!(href, Some(format!("docs/mobility.{lang}.html")));
+        page.driver
+            .goto(format!("{}{}", home(), href.unwrap()))
+            .await
+            .unwrap();
+        let found = "return [document.documentElement.lang, document.querySelectorAll('h2').length, document.querySelectorAll('table tbody tr').length]";
+        assert_eq!(page.ask(found).await, json!([lang, 6, 6]));
+        page.close().await;
+    }
 }
 
 /// Tables and formulas of the steps have room on the narrowest screen, whatever the language.
