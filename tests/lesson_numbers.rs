@@ -15,6 +15,9 @@ use assur_file::{LinkageDocument, from_catalogue};
 use assur_tests::files::source;
 
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
+
+/// Lessons that have notes for teachers.
+const WITH_NOTES: [&str; 2] = ["mixer", "mobility"];
 const LESSON: Lesson = Lesson("class4-dwell");
 
 /// A lesson, by its folder.
@@ -59,6 +62,25 @@ impl Lesson {
                 (written - value).abs() <= half * (1.0 + 1e-9),
                 "{lang} {key}: {written}, but it is {value}"
             );
+        }
+    }
+}
+
+/// Notes for teachers are in every language and have the numbers of the English ones, in their order.
+#[test]
+fn notes_for_teachers_have_the_same_numbers_in_every_language() {
+    for lesson in WITH_NOTES.map(Lesson) {
+        let values = |lang: &str| {
+            let found = numbers(&lesson.file(&format!("notes.{lang}.md")), lang);
+            found
+                .into_iter()
+                .map(|(value, _)| value)
+                .collect::<Vec<_>>()
+        };
+        let english = values("en");
+        assert!(english.len() > 50, "{}: {}", lesson.0, english.len());
+        for lang in LANGUAGES {
+            assert_eq!(values(lang), english, "{} {lang}", lesson.0);
         }
     }
 }

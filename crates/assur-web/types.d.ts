@@ -330,7 +330,11 @@ export type RelationHere = { item: string, name: string,
 /**
  * Whether it is an angle, radians.
  */
-angle: boolean, value: number, 
+angle: boolean, 
+/**
+ * Whether it counts something, and is a whole number.
+ */
+count: boolean, value: number, 
 /**
  * The value by the relation as it is printed; none where that divides by zero.
  */

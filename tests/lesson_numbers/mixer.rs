@@ -213,10 +213,10 @@ fn cases_have_the_letters_of_the_page() {
     }
 }
 
-/// Every number that docs/model.md has of the cases and in the answers to its tasks.
+/// Every number that the notes for teachers have of the cases and in the answers to its tasks.
 #[test]
 fn the_document_for_teachers_has_the_numbers_of_the_engine() {
-    let document = source("docs/model.md");
+    let document = LESSON.file("notes.en.md");
     let document = document.split_whitespace().collect::<Vec<_>>().join(" ");
     let says = |said: String| assert!(document.contains(&said), "{said}");
 

@@ -127,7 +127,7 @@ async fn everything_works_under_the_policy_and_then_without_the_network() {
         .await;
     assert!(page.value("out-input").await.is_finite());
     page.driver
-        .goto(format!("{}docs/model.html", host.url()))
+        .goto(format!("{}docs/mixer.en.html", host.url()))
         .await
         .unwrap();
     there(&page, "h1").await;

@@ -1,6 +1,8 @@
 // Help: what can be done with a pointer and with keys, which papers all this is after, how to cite it. Loaded when it is asked for.
 import { combinations } from "assur/app/keys.js";
 import { byId, make } from "assur/core/dom.js";
+import { notesOf, served } from "assur/core/served.js";
+import { LESSONS } from "assur/lessons/index.js";
 
 /** What can be done with a pointer, and what that does. */
 const GESTURES = Object.freeze([
@@ -13,9 +15,6 @@ const GESTURES = Object.freeze([
 
 /** The source papers. */
 const PAPERS = Object.freeze(["papers.mixer", "papers.class4", "papers.synthesis", "papers.mobility", "papers.differential"]);
-
-/** The teachers' notes as the site has them; the page that is one file comes without. */
-const NOTES = Object.freeze({ "notes.model": "docs/model.html", "notes.errata": "docs/errata.html" });
 
 /** @param {import("assur/core/words.js").Words} words */
 export function openHelp(words) {
@@ -43,14 +42,16 @@ export function openHelp(words) {
   dialog.showModal();
 }
 
-/** Whether the page comes from a site, which has its notes. */
-function served() {
-  return location.protocol.startsWith("http");
-}
-
-/** @param {import("assur/core/words.js").Words} words */
+/**
+ * The notes for teachers: of lessons in the reader's language, misprints in English.
+ * @param {import("assur/core/words.js").Words} words
+ */
 function notes(words) {
-  const links = Object.entries(NOTES).map(([name, href]) => make("a", { href, target: "_blank", rel: "noopener", hreflang: "en" }, [words.text(name)]));
+  const link = (/** @type {string} */ href, /** @type {string} */ name, /** @type {string} */ hreflang) => (
+    make("a", { href, target: "_blank", rel: "noopener", hreflang }, [words.text(name)])
+  );
+  const ofLessons = LESSONS.filter(({ notes }) => notes).map(({ id }) => link(notesOf(id, words.lang), `lessons.${id}.title`, words.lang));
+  const links = [...ofLessons, link("docs/errata.html", "notes.errata", "en")];
   return links.flatMap((link, i) => (i > 0 ? [", ", link] : [link]));
 }
 

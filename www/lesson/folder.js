@@ -1,6 +1,7 @@
 // A lesson of ours, from its folder: what its steps show and ask, in the words of the reader's language.
 import { LOST } from "assur/app/notices.js";
 import { parseNumber } from "assur/core/numbers.js";
+import { notesOf, served } from "assur/core/served.js";
 import { END } from "assur/lesson/panel.js";
 import { withTolerance } from "assur/lesson/quantity.js";
 import { holds, open } from "assur/lesson/show.js";
@@ -69,6 +70,7 @@ export class FolderLesson {
   #presets;
   #page;
   #next;
+  #notes;
 
   /**
    * @param {string} id of the lesson
@@ -77,14 +79,16 @@ export class FolderLesson {
    * @param {import("assur/app/page.js").Page} page
    * @param {import("assur/lesson/offer.js").Entry} [next] the lesson after it
    * @param {readonly import("assur/lesson/paper.js").Item[]} [items] of its paper
+   * @param {boolean} [notes] whether there are notes for teachers
    */
-  constructor(id, lesson, presets, page, next, items = []) {
+  constructor(id, lesson, presets, page, next, items = [], notes = false) {
     this.id = this.name = id;
     this.paper = { items, main: new Map(lesson.steps.map((step) => [step.id, step.relations ?? []])) };
     this.#lesson = lesson;
     this.#presets = presets;
     this.#page = page;
     this.#next = next;
+    this.#notes = notes;
   }
 
   /**
@@ -116,8 +120,9 @@ export class FolderLesson {
     const further = entry
       ? { text: words.text("lesson.further", { title: words.text(`lessons.${entry.id}.title`) }), open: () => import("assur/lesson/begin.js").then(({ begin }) => begin(this.#page, entry)).catch(failed) }
       : { text: words.text("lesson.gallery"), open: () => import("assur/gallery/gallery.js").then(({ openGallery }) => openGallery(this.#page)).catch(failed) };
+    const notes = this.#notes && served() ? [{ id: "lesson-notes", text: words.text("lesson.notes"), open() {}, href: notesOf(this.id, words.lang) }] : [];
     return {
-      id: END, title: words.text("lesson.learnt"), text: words.text("learnt"), formula: "", shows: [{ id: "lesson-further", ...further }], from: null, question: null,
+      id: END, title: words.text("lesson.learnt"), text: words.text("learnt"), formula: "", shows: [{ id: "lesson-further", ...further }, ...notes], from: null, question: null,
       errata: false, tools: {},
     };
   }

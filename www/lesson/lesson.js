@@ -188,7 +188,7 @@ export class Lesson {
         this.#panel?.end();
         this.#writer = null;
         this.#shown = id;
-        this.#panel = new LessonPanel(this.#place, this.#page, new FolderLesson(id, lesson, presets, this.#page, next(id), items), text);
+        this.#panel = new LessonPanel(this.#place, this.#page, new FolderLesson(id, lesson, presets, this.#page, next(id), items, entry.notes), text);
       }
       this.#panel?.speak(text);
     } };

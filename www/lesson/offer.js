@@ -3,15 +3,15 @@ import { LESSONS, SCRIPTS } from "assur/lessons/index.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ id: string, about: readonly string[], presets: boolean, paper: boolean }>} Entry
- * A lesson: the name of its folder, or that of a lesson that a lecturer has written, the origins or the kinds of documents that it is about, whether it has presets of its own, and a paper.
+ * @typedef {Readonly<{ id: string, about: readonly string[], presets: boolean, paper: boolean, notes: boolean }>} Entry
+ * A lesson: the name of its folder, or that of a lesson that a lecturer has written, the origins or the kinds of documents that it is about, whether it has presets of its own, a paper, and notes for teachers.
  */
 
 /** What links call the lesson that is in the state itself: no folder has this name. */
 export const OWN = "own";
 
 /** @type {Entry} */
-const WRITTEN = Object.freeze({ id: OWN, about: [], presets: false, paper: false });
+const WRITTEN = Object.freeze({ id: OWN, about: [], presets: false, paper: false, notes: false });
 
 /**
  * @param {State} state

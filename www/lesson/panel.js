@@ -17,8 +17,8 @@ import { withView } from "assur/state/state.js";
  * @typedef {Readonly<{ verdict: Verdict | "shown", brought: boolean, document: State["document"] }>} Judged `brought`: another mechanism was on the page and
  * that of the step was shown again; `document`: the one that the verdict is about
  *
- * @typedef {Readonly<{ id: string, text: string, open: (view?: Partial<View>) => void, opened?: (state: State) => boolean }>} Shown a button, and what it opens
- * instead of the document there is; `opened`: whether a state holds it
+ * @typedef {Readonly<{ id: string, text: string, open: (view?: Partial<View>) => void, opened?: (state: State) => boolean, href?: string }>} Shown a button, and what it opens
+ * instead of the document there is; `opened`: whether a state holds it; `href`: of a page beside this one, to which it is a link
  * @typedef {Readonly<{
  *   text: string, unit: string, options: readonly Readonly<{ value: string, text: string }>[] | null, hides: readonly string[],
  *   judge: (given: string, snapshot: Snapshot) => Verdict, hint: () => string, right: (snapshot: Snapshot) => string,
@@ -255,7 +255,8 @@ export class LessonPanel {
     const paragraphs = text.split("\n").map((one) => make("p", {}, marked(one)));
     const lines = formula === "" ? [] : [make("p", { class: "formula" }, withSubscripts(formula))];
     this.#text.replaceChildren(...paragraphs, ...lines);
-    this.#shows.replaceChildren(...shows.map(({ id, text: said, open }) => {
+    this.#shows.replaceChildren(...shows.map(({ id, text: said, open, href }) => {
+      if (href !== undefined) return make("a", { id, href, target: "_blank", rel: "noopener" }, [said]);
       const button = make("button", { id, class: "segment", type: "button" }, [said]);
       button.addEventListener("click", () => this.#own.open(open));
       return button;

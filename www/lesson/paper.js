@@ -86,11 +86,12 @@ export class Paper {
   }
 
   /** @param {Snapshot} snapshot */
-  render({ summary, input, stale, problems }) {
-    const written = [summary, input, stale, problems.length];
+  render({ summary, input, stale, problems, withheld }) {
+    const written = [summary, input, stale, problems.length, withheld];
     if (this.#numbers.length === 0 || written.every((part, i) => part === this.#written[i])) return;
     this.#written = written;
-    const asked = stale ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
+    // They would tell the answer that is asked for.
+    const asked = stale || withheld.size > 0 ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
     const words = this.#words;
     if (!words) return;
     for (const { item, place } of this.#numbers) {
@@ -144,8 +145,11 @@ function holds({ verdict: held, instead }, words) {
  * @param {Words} words
  * @returns {string} its value and, where that is another, the one by the relation as it is printed
  */
-export function compared({ name, angle, value, printed }, words) {
-  const number = (/** @type {number} */ one) => (angle ? `${words.numbers.fixed(degrees(one), IN_DEGREES)}°` : words.numbers.fixed(one, DECIMALS));
+export function compared({ name, angle, count, value, printed }, words) {
+  const number = (/** @type {number} */ one) => {
+    if (count) return words.numbers.exact(one);
+    return angle ? `${words.numbers.fixed(degrees(one), IN_DEGREES)}°` : words.numbers.fixed(one, DECIMALS);
+  };
   if (printed === null) return words.text("lesson.paper.undefined", { name, value: number(value) });
   const off = printed - value;
   const apart = angle ? off - 2 * Math.PI * Math.round(off / (2 * Math.PI)) : off;

@@ -5,7 +5,7 @@ import { compared } from "assur/lesson/paper.js";
 import { tableOf } from "assur/tests/words.js";
 
 const [en, ru] = ["en", "ru"].map((lang) => new Words(lang, tableOf(lang)));
-const relation = { item: "", name: "y″_C1", angle: false, value: -0.16, printed: -0.16 };
+const relation = { item: "", name: "y″_C1", angle: false, count: false, value: -0.16, printed: -0.16 };
 
 test("a relation that holds has one number, with the decimal sign of the language", () => {
   assert.equal(compared(relation, en), "y″_C1 = −0.1600");
@@ -27,4 +27,10 @@ test("angles are in degrees, and the same with a turn more", () => {
   assert.equal(compared(angle, en), "φ₅ = 30.00°");
   assert.equal(compared({ ...angle, printed: angle.value - 2 * Math.PI }, en), "φ₅ = 30.00°");
   assert.equal(compared({ ...angle, printed: angle.value + Math.PI / 2 }, en), "φ₅ = 30.00°; as printed 120.00°, difference 90.00°");
+});
+
+test("what is counted has no decimals", () => {
+  const count = { ...relation, name: "q", count: true, value: 3, printed: 9 };
+  assert.equal(compared(count, en), "q = 3; as printed 9, difference 6");
+  assert.equal(compared({ ...count, name: "W", value: -2, printed: -2 }, ru), "W = −2");
 });

@@ -83,6 +83,8 @@ pub(crate) struct RelationHere {
     name: &'static str,
     /// Whether it is an angle, radians.
     angle: bool,
+    /// Whether it counts something, and is a whole number.
+    count: bool,
     value: f64,
     /// The value by the relation as it is printed; none where that divides by zero.
     printed: Option<f64>,
@@ -94,6 +96,7 @@ impl From<Relation> for RelationHere {
             item: relation.item,
             name: relation.name,
             angle: relation.is_angle,
+            count: relation.is_count,
             value: relation.value,
             printed: relation.printed,
         }

@@ -344,7 +344,7 @@ impl Simulator {
     }
 
     /// The relations of the paper that the document comes from, in numbers at an input:
-    /// `[{item, name, angle, value, printed}]`, in the order of the paper.
+    /// `[{item, name, angle, count, value, printed}]`, in the order of the paper.
     ///
     /// # Errors
     /// Why there are none: no pose, or derivatives unbounded.

@@ -9,6 +9,8 @@ pub struct Relation {
     pub name: &'static str,
     /// Whether it is an angle, radians; else a length or a number.
     pub is_angle: bool,
+    /// Whether it counts something, and is a whole number.
+    pub is_count: bool,
     /// Its value in the pose.
     pub value: f64,
     /// The value by the relation as it is printed; none where that divides by zero.
@@ -21,6 +23,7 @@ impl Relation {
             item,
             name,
             is_angle: false,
+            is_count: false,
             value,
             printed: printed.is_finite().then_some(printed),
         }
@@ -30,6 +33,18 @@ impl Relation {
         Self {
             is_angle: true,
             ..Self::of(item, name, value, printed)
+        }
+    }
+
+    pub(crate) fn count(
+        item: &'static str,
+        name: &'static str,
+        value: isize,
+        printed: isize,
+    ) -> Self {
+        Self {
+            is_count: true,
+            ..Self::of(item, name, value as f64, printed as f64)
         }
     }
 }

@@ -44,7 +44,7 @@ function onlyKnown(facts, known, place) {
 
 /**
  * @param {Sources} sources
- * @returns {{ id: string, about: string[], presets: boolean, paper: boolean }[]} the lessons in their order
+ * @returns {{ id: string, about: string[], presets: boolean, paper: boolean, notes: boolean }[]} the lessons in their order
  */
 export function lessons(sources) {
   const found = within(sources, "lessons").map((id) => {
@@ -60,8 +60,8 @@ export function lessons(sources) {
     const { about, place: rank = Infinity } = facts;
     const strings = Array.isArray(about) && about.every((origin) => typeof origin === "string");
     if (!strings || typeof rank !== "number") throw new Error(`${place} does not say what it is about`);
-    const has = (/** @type {string} */ file) => sources.has(`lessons/${id}/${file}.json`);
-    return { id, about, presets: has("presets"), paper: has("paper"), rank };
+    const has = (/** @type {string} */ file) => sources.has(`lessons/${id}/${file}`);
+    return { id, about, presets: has("presets.json"), paper: has("paper.json"), notes: has("notes.en.md"), rank };
   });
   const ordered = found.sort((one, other) => (one.rank === other.rank ? 0 : one.rank - other.rank));
   return ordered.map(({ rank, ...lesson }) => lesson);

@@ -25,7 +25,7 @@ test("a folder more is a lesson more", (context) => {
   assert.deepEqual(before.map(({ id }) => id), ["mixer", "class4-dwell", "synthesis", "mobility", "differential", "assemblies"]);
   cpSync(FIXTURE, path.join(www, "lessons/fixture"), { recursive: true });
   // Without a place it comes last.
-  assert.deepEqual(lessons(list(www)), [...before, { id: "fixture", about: ["chebyshev"], presets: true, paper: false }]);
+  assert.deepEqual(lessons(list(www)), [...before, { id: "fixture", about: ["chebyshev"], presets: true, paper: false, notes: false }]);
   const text = lists(list(www)).get("assur/lessons/index.js") ?? "";
   assert.ok(text.includes('"fixture": () => import("assur/lessons/fixture/lesson.js")'), text);
 });

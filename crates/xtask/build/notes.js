@@ -1,4 +1,4 @@
-// The notes for teachers beside the page: documents of the repository as pages to read.
+// The notes beside the page: documents of the repository and of its lessons, for teachers, as pages to read.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { Marked } from "marked";
@@ -6,11 +6,14 @@ import { Marked } from "marked";
 /** The folder of the repository and of the site. */
 export const FOLDER = "docs";
 
-/** Those that are for readers of the page. */
-const NOTES = Object.freeze(["model", "errata", "file-format"]);
+/** Those of the repository that are for readers of the page. */
+const NOTES = Object.freeze(["errata", "file-format"]);
 
-const HEAD = `<!doctype html>
-<html lang="en">
+/** Those of a lesson, in a language. */
+export const OF_LESSON = /^lessons\/([^/]+)\/notes\.(\w+)\.md$/;
+
+const head = (/** @type {string} */ lang) => `<!doctype html>
+<html lang="${lang}">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -29,25 +32,31 @@ const FOOT = "</body>\n</html>\n";
 
 /**
  * @param {string} root of the repository
- * @returns {Map<string, string>} the notes by their places in the site
+ * @param {ReadonlyMap<string, string>} sources where each file of `www` is
+ * @returns {Map<string, string>} the notes by their places in the site, `mixer.kk` of a lesson
  */
-export function notes(root) {
-  const text = (/** @type {string} */ name) => readFileSync(path.join(root, FOLDER, `${name}.md`), "utf8");
-  return new Map(NOTES.map((name) => [`${FOLDER}/${name}.html`, note(text(name))]));
+export function notes(root, sources) {
+  const found = NOTES.map((name) => ({ name, lang: "en", file: path.join(root, FOLDER, `${name}.md`) }));
+  for (const [place, file] of sources) {
+    const [, lesson, lang] = OF_LESSON.exec(place) ?? [];
+    if (lesson) found.push({ name: `${lesson}.${lang}`, lang, file });
+  }
+  return new Map(found.map(({ name, lang, file }) => [`${FOLDER}/${name}.html`, note(readFileSync(file, "utf8"), lang)]));
 }
 
 /**
  * @param {string} markdown
+ * @param {string} lang
  * @returns {string} a page; its links to notes lead to their pages
  */
-export function note(markdown) {
+export function note(markdown, lang) {
   const marked = new Marked({
     walkTokens: (token) => {
       if (token.type !== "link") return;
       const link = /** @type {import("marked").Tokens.Link} */ (token);
-      const [, name] = /^([\w-]+)\.md$/.exec(link.href) ?? [];
+      const [, name] = /([\w-]+)\.md$/.exec(link.href) ?? [];
       if (NOTES.includes(name)) link.href = `${name}.html`;
     },
   });
-  return `${HEAD}${marked.parse(markdown, { async: false })}${FOOT}`;
+  return `${head(lang)}${marked.parse(markdown, { async: false })}${FOOT}`;
 }

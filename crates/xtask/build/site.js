@@ -4,7 +4,7 @@ import path from "node:path";
 import { bundle as bundleStyles } from "lightningcss";
 import { list } from "./files.js";
 import { words } from "./folders.js";
-import { notes } from "./notes.js";
+import { OF_LESSON, notes } from "./notes.js";
 import { Page, fill } from "./page.js";
 import { built } from "./papers.js";
 import { bundle } from "./scripts.js";
@@ -35,10 +35,10 @@ export async function site({ root, more, version }) {
   for (const [name, file] of list(path.join(root, "lang"))) {
     put(`lang/${name}`, JSON.stringify(words(sources, file, path.basename(name, ".json"))));
   }
-  for (const [name, page] of notes(root)) put(name, page);
+  for (const [name, page] of notes(root, sources)) put(name, page);
   for (const [name, script] of await bundle(sources)) put(name, script);
   for (const [name, file] of sources) {
-    if (SOURCE.test(name)) continue;
+    if (SOURCE.test(name) || OF_LESSON.test(name)) continue;
     if (PAPER.test(name)) put(name, built(readFileSync(file, "utf8")));
     else put(name, name.endsWith(".css") ? bundleStyles({ filename: file, minify: true }).code : readFileSync(file));
   }

@@ -3,8 +3,8 @@
 
 pub(crate) mod summary;
 
-use assur::Point;
 use assur::mobility::{SchemeDraft, Sections, generated};
+use assur::{Point, Relation};
 use assur_draw::{SchemeFigure, SchemeHandle, SchemeView};
 use assur_file::{PairDocument, PlaceDocument, Problem, SchemeDocument, SchemeProblem, State};
 use serde::Serialize;
@@ -103,6 +103,10 @@ impl Capabilities for Scheme {
 
     fn edited(&self) -> Option<&dyn Edited> {
         Some(self)
+    }
+
+    fn relations(&self, _input: f64) -> Result<Vec<Relation>, Problem> {
+        Ok(self.scheme.relations(self.sections.as_ref().ok()))
     }
 }
 

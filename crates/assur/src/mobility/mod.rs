@@ -20,6 +20,7 @@ mod kind;
 mod linkage;
 mod practice;
 mod referee;
+mod relations;
 mod replacement;
 mod scheme;
 mod screw;

@@ -1,6 +1,6 @@
 //! The method of sections: an open chain is counted, and what was cut is taken away again.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use super::screw::{Screw, basis};
 use super::{Cut, CutError, Scheme};
@@ -10,6 +10,8 @@ use super::{Cut, CutError, Scheme};
 pub struct Sections {
     /// The cuts, in the order in which they were given.
     pub cuts: Vec<Cut>,
+    /// P_i of what is left, in the scheme's own space.
+    pub left: BTreeMap<u8, usize>,
     /// W_open = Σ i·P_i of what is left, in the scheme's own space (mobility paper, (4)).
     pub open: usize,
     /// ΣS: the constraints of what was cut, in the scheme's own space.
@@ -75,6 +77,7 @@ impl Scheme {
         }
         let mut sections = Sections {
             cuts: cuts.to_vec(),
+            left: BTreeMap::new(),
             open: 0,
             removed: 0,
             open_spatial: 0,
@@ -85,6 +88,9 @@ impl Scheme {
         };
         for (at, pair) in self.pairs().iter().enumerate() {
             let left = open.left[at].len().saturating_sub(1);
+            if left > 0 {
+                *sections.left.entry(self.freedoms(at)).or_default() += left;
+            }
             sections.open += usize::from(self.freedoms(at)) * left;
             sections.open_spatial += usize::from(pair.kind.freedoms()) * left;
         }

@@ -270,13 +270,6 @@ impl ClassSummary {
 
 impl<'a> SectionsSummary<'a> {
     fn new(scheme: &'a assur::mobility::Scheme, open: &Sections) -> Self {
-        let mut left = scheme.counts().pairs;
-        for cut in &open.cuts {
-            if let Some(count) = left.get_mut(&scheme.freedoms(cut.pair)) {
-                *count -= 1;
-            }
-        }
-        left.retain(|_, count| *count > 0);
         let loops = open.loops.iter().map(|closed| LoopSummary {
             cut: scheme.cut_name(closed.cut),
             pairs: named(scheme, &closed.pairs),
@@ -287,7 +280,7 @@ impl<'a> SectionsSummary<'a> {
         });
         Self {
             cuts: open.cuts.iter().map(|cut| scheme.cut_name(*cut)).collect(),
-            left: ClassSummary::all(&left),
+            left: ClassSummary::all(&open.left),
             open: open.open,
             removed: open.removed,
             open_spatial: open.open_spatial,

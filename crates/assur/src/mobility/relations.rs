@@ -1,0 +1,74 @@
+//! The relations of the paper on mobility in numbers (Ambartsumyants and Arabadzhi, (1) to (6) and those of its figures).
+
+use std::collections::BTreeMap;
+
+use super::{Scheme, Sections, Space};
+use crate::relation::Relation;
+
+impl Scheme {
+    /// The paper's relations for the scheme, in the order of the paper: numbers of links, freedoms and constraints. Those
+    /// of an open chain need `sections`. q is that of the W by rank where places and axes of all pairs are known, else
+    /// of the counted one.
+    pub fn relations(&self, sections: Option<&Sections>) -> Vec<Relation> {
+        let counts = self.counts();
+        let links = counts.links as isize;
+        let [plane, space] = [Space::Plane, Space::Whole].map(|space| self.judged(space).ok());
+        let whole = space
+            .as_ref()
+            .map_or(counts.mobility(), |verdict| verdict.mobility as isize);
+        let mut all = Vec::new();
+        let mut relation = |item, name, value: isize, printed: isize| {
+            all.push(Relation::count(item, name, value, printed));
+        };
+        let spatial = 6 * links - sum(&counts.spatial_pairs, |i| 6 - i);
+        if let Some(planar) = counts.planar {
+            let of_freedoms = |i: u8| counts.pairs.get(&i).map_or(0, |count| *count as isize);
+            let printed = 3 * links - 2 * of_freedoms(1) - of_freedoms(2);
+            relation("001.(1)", "W", planar, printed);
+        }
+        relation("001.(2)", "W", counts.spatial, spatial);
+        relation("001.(3)", "q", counts.redundant(whole), -spatial - whole);
+        if let Some(open) = sections {
+            let left = |weight: fn(isize) -> isize| sum(&open.left, weight);
+            // Pᵢ is in each term twice.
+            let squared = |(i, count): (&u8, &usize)| isize::from(*i) * (count * count) as isize;
+            let twice = open.left.iter().map(squared).sum();
+            let [freedoms, removed, in_space] =
+                [open.open, open.removed, open.removed_spatial].map(|number| number as isize);
+            let of_space = open.open_spatial as isize;
+            let q = in_space + whole - of_space;
+            relation("001.(4)", "W_от", freedoms, twice);
+            relation("001.(4).n", "n", links, left(|_| 1));
+            relation("001.fig2a.q", "q", q, of_space + in_space + whole);
+            relation("001.(5)", "W", open.mobility, left(|i| i) - removed);
+            relation("001.fig4.q", "q", q, in_space * whole - of_space);
+            if counts.planar.is_some() {
+                let printed = of_space - in_space;
+                relation("001.fig4.Wspace", "W_пр", counts.spatial, printed);
+            } else {
+                // As a mechanism that has W = 1 for all that.
+                relation("001.fig2a.q.meaning", "W", open.mobility, 1);
+            }
+            if let Some(by_plane) = counts.redundant_by_plane() {
+                let ones = sum(&counts.pairs, |_| 1);
+                relation("001.(6)", "q", by_plane, in_space + 2 * (links - ones));
+            }
+            if let (None, Some(verdict)) = (counts.planar, &space) {
+                let held = verdict.redundancies.iter().map(|part| part.count as isize);
+                relation("001.fig3.q", "q", held.sum(), open.redundant);
+            }
+        }
+        if let (Some(planar), Some(verdict)) = (counts.planar, plane) {
+            relation("001.planarW", "W", verdict.mobility as isize, planar);
+        }
+        all
+    }
+}
+
+/// The sum of Pᵢ, each with a weight by its i.
+fn sum(pairs: &BTreeMap<u8, usize>, weight: fn(isize) -> isize) -> isize {
+    let terms = pairs
+        .iter()
+        .map(|(i, count)| weight(isize::from(*i)) * *count as isize);
+    terms.sum()
+}
