@@ -76,7 +76,7 @@ export class Paper {
    * @param {string} step the id of a step
    * @param {Words} words of the page, and those of the paper
    * @returns {HTMLElement[]} what is printed of it: of the step that is shown all that its fold holds, of another one formulas and whether they hold, for
-   * numbers may be answers
+   * the rest may answer its question
    */
   onPaper(step, words) {
     if (step === this.#step) return [/** @type {HTMLElement} */ (this.#rows.cloneNode(true))];
