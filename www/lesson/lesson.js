@@ -182,6 +182,7 @@ export class Lesson {
       readLesson(entry),
       readPaper(entry),
       Words.load(lang, tables),
+      entry.paper && import("assur/lesson/paper-style.js"),
     ]);
     return { show: () => {
       if (this.#shown !== id) {

@@ -1,7 +1,7 @@
 // What the paper of a lesson prints, item by item: formulas with their numbers in the mechanism as it stands, whether they hold, and what holds instead.
 // Loaded with a lesson that has a paper.
 import { degrees } from "assur/core/angles.js";
-import { addStyle, make, write } from "assur/core/dom.js";
+import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 
@@ -15,8 +15,6 @@ import { withSubscripts } from "assur/core/subscripts.js";
  * their main lines
  * @typedef {{ item: string, place: HTMLElement }} Numbers where the numbers of an item are written
  */
-
-await addStyle("lesson/paper.css");
 
 /** Values that differ by less, relative to their size, are the same. */
 const SAME = 1e-9;
