@@ -27,9 +27,10 @@ import { withView } from "assur/state/state.js";
  * `options`: of a choice, else a number is typed; `hides`: the read-outs that give the answer, which the page withholds until the reader has answered or
  * given up; `answer`: the right answer in words, null if there is none; `ofPage`: the mechanism on the page is asked about, which must be the step's; `reached`:
  * nothing is typed, the question is answered as soon as this holds.
+ * @typedef {{ readonly element: HTMLElement, render(snapshot: Snapshot, words: Words): void }} Figure what a step draws of its own; it is made anew with the words
  * @typedef {Readonly<{
  *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], from: number | null, question: Question | null, errata: boolean,
- *   tools: import("assur/lesson/tools.js").Wanted,
+ *   tools: import("assur/lesson/tools.js").Wanted & { figure?: (engine: import("assur/engine.js").Engine) => Figure },
  * }>} Told a step in words; steps are told apart by their ids, which progress is kept by; `from`: the index of the step whose mechanism it shows, null if it
  * shows none
  * @typedef {{
@@ -80,6 +81,9 @@ export class LessonPanel {
   #form;
   #said = make("p", { id: "lesson-said", role: "status" });
   #tools = new Tools();
+  /** @type {Figure | undefined} */
+  #figure;
+  #drawn = make("div", { class: "lesson-figure" });
   /** @type {Paper | undefined} */
   #paper;
   #own;
@@ -109,7 +113,7 @@ export class LessonPanel {
     this.#reveal.addEventListener("click", () => this.#showAnswer());
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
     const paper = this.#paper = source.paper && new Paper(page.engine, source.paper);
-    const step = [this.#title, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#tools.element, ...(paper ? [paper.fold] : []), this.#errata];
+    const step = [this.#title, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#drawn, this.#tools.element, ...(paper ? [paper.fold] : []), this.#errata];
     this.#body.replaceChildren(...(source.frame?.(step, this.#progress, () => this.#renew()) ?? step));
     place.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
@@ -193,6 +197,7 @@ export class LessonPanel {
     if (snapshot.legible) {
       this.#tools.render();
       this.#paper?.render(snapshot);
+      this.#figure?.render(snapshot, this.#words);
     }
     if (outdated) this.#say();
     if (step.question?.reached?.(snapshot) && !this.#progress.isSolved(step.id)) this.#answer();
@@ -262,6 +267,8 @@ export class LessonPanel {
       return button;
     }));
     this.#paper?.show(step.id, step.id === END, words);
+    this.#figure = step.tools.figure?.(this.#page.engine);
+    this.#drawn.replaceChildren(...(this.#figure ? [this.#figure.element] : []));
     this.#begin(step);
     write(this.#errata, words.text("lesson.errata"));
     this.#errata.hidden = !errata;
