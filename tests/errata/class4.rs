@@ -70,7 +70,7 @@ fn class4_relations() {
     let mut wrong: BTreeMap<&str, usize> = BTreeMap::new();
     for crank in cranks() {
         let all = relations(&motion, crank);
-        assert_eq!(all.len(), 211);
+        assert_eq!(all.len(), 201);
         for one in all {
             if off(&one) > 1e-10 * (1.0 + one.value.abs()) {
                 *wrong.entry(one.item).or_default() += 1;

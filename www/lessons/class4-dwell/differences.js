@@ -5,7 +5,8 @@ import { attempt } from "assur/core/problem.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/engine.js").MotionSummary} Summary
+ * @typedef {import("assur/lesson/panel.js").Figure} Figure
+ * @typedef {import("assur/engine.js").LinkageSummary} Summary
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {readonly [number, number]} Pair of ψ′ and ψ″
  */
@@ -17,7 +18,7 @@ const SIZE = Object.freeze({ width: 320, height: 180 });
 const PLACES = 144;
 const NAMESPACE = "http://www.w3.org/2000/svg";
 
-/** @implements {import("assur/lesson/panel.js").Figure} */
+/** @implements {Figure} */
 export class Differences {
   #engine;
   #step = make("input", {
@@ -46,8 +47,8 @@ export class Differences {
    * @param {Snapshot} snapshot
    * @param {Words} words
    */
-  render({ summary, stale }, words) {
-    if (stale || !("cycle" in summary) || (summary === this.#summary && words === this.#words)) return;
+  render({ kind, summary, stale }, words) {
+    if (kind !== "linkage" || stale || (summary === this.#summary && words === this.#words)) return;
     this.#words = words;
     this.#summary = summary;
     const { start, end } = summary.cycle;
@@ -67,10 +68,10 @@ export class Differences {
     const value = (/** @type {number} */ at) => attempt(() => this.#engine.plotted(at)).value?.[0];
     const found = this.#places.map(({ at, exact }) => ({ at, exact, found: differences([value(at - h), value(at), value(at + h)], h) }));
     const worst = [0, 1].map((order) => Math.max(...found.map(({ exact, found }) => (found ? Math.abs(found[order] - exact[order]) : 0))));
-    write(this.#name, words.text("differences.step", { step: words.numbers.brief(degrees) }));
-    write(this.#legend, words.text("differences.legend"));
-    write(this.#errors, words.text("differences.errors", { first: words.numbers.short(worst[0]), second: words.numbers.short(worst[1]) }));
-    this.#plot.setAttribute("aria-label", words.text("differences.legend"));
+    write(this.#name, words.text("differences.figure.step", { step: words.numbers.brief(degrees) }));
+    write(this.#legend, words.text("differences.figure.legend"));
+    write(this.#errors, words.text("differences.figure.errors", { first: words.numbers.short(worst[0]), second: words.numbers.short(worst[1]) }));
+    this.#plot.setAttribute("aria-label", words.text("differences.figure.legend"));
     this.#paint(found);
   }
 

@@ -5,6 +5,7 @@ import { withSubscripts } from "assur/core/subscripts.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/lesson/panel.js").Figure} Figure
  * @typedef {import("assur/engine.js").Relation} Relation
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  */
@@ -17,7 +18,7 @@ const ORDERS = Object.freeze(["′", "″"]);
 const SOLVED = Object.freeze([["003.vE", "003.cramer1", "003.vC"], ["003.aE", "003.cramer2", "003.aC"]]);
 const DECIMALS = 3;
 
-/** @implements {import("assur/lesson/panel.js").Figure} */
+/** @implements {Figure} */
 export class System {
   #engine;
   #caption = make("caption");
@@ -38,8 +39,8 @@ export class System {
    * @param {Words} words
    */
   render({ input, stale }, words) {
-    write(this.#caption, words.text("derivatives.system"));
-    this.element.ariaLabel = words.text("derivatives.system");
+    write(this.#caption, words.text("derivatives.figure.system"));
+    this.element.ariaLabel = words.text("derivatives.figure.system");
     if (stale) return;
     const relations = attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value ?? [];
     const values = new Map(relations.map(({ item, name, value }) => [`${item} ${name}`, value]));
