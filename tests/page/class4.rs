@@ -4,7 +4,7 @@ use crate::assemblies::{follow, followed};
 use crate::browser::Page;
 use crate::export::{open_dialog, save_text};
 use crate::gallery::{agrees, document, open};
-use assur::Point;
+use assur::{CombinedMethod, Point};
 use thirtyfour::prelude::*;
 
 /// The colour of the shade over a dwell on paper: the coupler's, thinned.
@@ -487,6 +487,104 @@ async fn every_joint_has_its_vectors() {
             assert!((along - vector).norm() < 1e-3, "{name} {order}: {along}");
         }
     }
+    page.close().await;
+}
+
+/// Goes to a step of the lesson from its first.
+async fn go_to(page: &Page, step: usize) {
+    for _ in 1..step {
+        page.click("lesson-on").await;
+    }
+    page.settle().await;
+}
+
+/// Every coefficient has the engine's number, and the printed one where that is another; both follow the crank.
+#[tokio::test]
+async fn coefficients_have_their_numbers() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    go_to(&page, 11).await;
+    let motion = document("class4-dwell").motion().unwrap();
+    let mechanism = motion.mechanism();
+    let method = CombinedMethod::of(mechanism).unwrap();
+    page.ask("document.querySelector('#lesson-paper > summary').click()")
+        .await;
+    for degrees in [60.0_f64, 200.0] {
+        page.stop_at(&degrees.to_string()).await;
+        page.settle().await;
+        let pose = motion.pose::<3>(degrees.to_radians()).unwrap();
+        let relations = method.relations(mechanism, &pose);
+        for (item, misprinted) in [("c3", true), ("c7", true), ("c14", false), ("vF", false)] {
+            let item = format!("003.{item}");
+            let numbers = format!(
+                "return document.querySelector('#lesson-paper [data-item=\"{item}\"] .paper-numbers').textContent"
+            );
+            let shown = page.ask(&numbers).await.as_str().unwrap().to_owned();
+            for one in relations.iter().filter(|one| one.item == item) {
+                let value = format!("{:.4}", one.value).replace('-', "−");
+                assert!(shown.contains(&value), "{item} {degrees}: {shown}");
+                assert_eq!(shown.contains("as printed"), misprinted, "{item}: {shown}");
+            }
+        }
+    }
+    page.close().await;
+}
+
+/// The chain of the paper divides by zero where HL is as long as HG, and says so.
+#[tokio::test]
+async fn the_chain_divides_by_zero() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    go_to(&page, 16).await;
+    let numbers = "return document.querySelector('.lesson-body > .paper [data-item=\"003.chain\"]').textContent";
+    let drawn = page.ask(numbers).await.as_str().unwrap().to_owned();
+    assert!(
+        drawn.contains("ψ″") && !drawn.contains("divides by zero"),
+        "{drawn}"
+    );
+    page.click("lesson-show-equal").await;
+    page.until("no number by the chain", async || {
+        page.ask(numbers)
+            .await
+            .as_str()
+            .unwrap()
+            .matches("divides by zero")
+            .count()
+            == 2
+    })
+    .await;
+    page.close().await;
+}
+
+/// Finite differences come near and go off again with their step, and the cyclogram stands in its step with its angles.
+#[tokio::test]
+async fn lessons_draw_figures_of_their_own() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    go_to(&page, 5).await;
+    assert!(visible(&page, "#lesson #cyclogram").await);
+    let phases = "return document.querySelector('#lesson #cyclogram-figure p').textContent";
+    let phases = page.ask(phases).await.as_str().unwrap().to_owned();
+    assert_eq!(phases.matches('°').count(), 6, "{phases}");
+    go_to(&page, 5).await;
+    assert!(visible(&page, "#lesson .lesson-matrix").await);
+    assert_eq!(page.count("#lesson .lesson-matrix tbody tr").await, 8);
+    go_to(&page, 2).await;
+    let set = async |exponent: i32| {
+        let script = format!(
+            "const step = document.getElementById('differences-step');
+            step.value = '{exponent}';
+            step.dispatchEvent(new Event('input'));
+            return document.getElementById('differences-errors').textContent"
+        );
+        page.ask(&script).await.as_str().unwrap().to_owned()
+    };
+    let [coarse, middle, fine] = [set(10).await, set(-10).await, set(-50).await];
+    assert!(
+        coarse != middle && middle != fine,
+        "{coarse} {middle} {fine}"
+    );
+    assert!(page.count("#lesson .lesson-plot circle").await > 50);
     page.close().await;
 }
 
