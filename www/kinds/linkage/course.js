@@ -24,6 +24,8 @@ import { withDocument } from "assur/state/state.js";
 const SHADE = 0.14;
 /** Points of the magnified curve. */
 const POINTS = 96;
+/** Of the derivatives, which rise steeply at its ends, the part of the dwell's arc that is magnified. */
+const INNER = 0.8;
 /** The part of a plot that an inset takes, across and down. */
 const INSET = Object.freeze({ width: 0.42, height: 0.36 });
 
@@ -63,13 +65,14 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
     if (right > left) context.fillRect(left, panel.top, right - left, panel.height);
   }
   context.globalAlpha = 1;
-  paintInset(context, panel, [from, to], panel.order === 0 ? dwell.band : null, value, words, theme);
+  const spared = panel.order === 0 ? 0 : ((1 - INNER) / 2) * (to - from);
+  paintInset(context, panel, [from + spared, to - spared], panel.order === 0 ? dwell.band : null, value, words, theme);
 }
 
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
- * @param {readonly [number, number]} arc of the dwell
+ * @param {readonly [number, number]} arc that is magnified
  * @param {readonly [number, number] | null} band that it keeps to; none where the curve itself tells how far it goes
  * @param {(phi: number) => number | undefined} value
  * @param {Words} words
