@@ -89,7 +89,7 @@ async fn its_lesson_is_answered() {
         (true, "iii", "iv"),
         (true, "iv", "ii"),
         (false, "170", "184.3"),
-        (false, "184.3", "175.7"),
+        (false, "175.7", "170.1"),
         (false, "184.3", "121.9"),
         (false, "12", "13"),
         (true, "turn", "both"),
@@ -565,7 +565,7 @@ async fn lessons_draw_figures_of_their_own() {
     assert!(visible(&page, "#lesson #cyclogram").await);
     let phases = "return document.querySelector('#lesson #cyclogram-figure p').textContent";
     let phases = page.ask(phases).await.as_str().unwrap().to_owned();
-    assert_eq!(phases.matches('°').count(), 6, "{phases}");
+    assert_eq!(phases.matches('°').count(), 8, "{phases}");
     go_to(&page, 5).await;
     assert!(visible(&page, "#lesson .lesson-matrix").await);
     assert_eq!(page.count("#lesson .lesson-matrix tbody tr").await, 8);
@@ -584,7 +584,7 @@ async fn lessons_draw_figures_of_their_own() {
         coarse != middle && middle != fine,
         "{coarse} {middle} {fine}"
     );
-    assert!(page.count("#lesson .lesson-plot circle").await > 50);
+    assert!(page.count("#lesson .lesson-plot circle").await > 30);
     page.close().await;
 }
 

@@ -12,10 +12,11 @@ import { attempt } from "assur/core/problem.js";
  */
 
 /** The step is a power of ten, degrees: the exponents in tenths. */
-const EXPONENTS = Object.freeze({ least: -60, most: 15, first: 10 });
-/** The plot in its own units, and how many places of the turn it has. */
+const EXPONENTS = Object.freeze({ least: -60, most: 15, first: 13 });
+/** The plot in its own units, how many places of the turn it has, and every which of them has a dot. */
 const SIZE = Object.freeze({ width: 320, height: 180 });
 const PLACES = 144;
+const DOTTED = 3;
 const NAMESPACE = "http://www.w3.org/2000/svg";
 
 /** @implements {Figure} */
@@ -85,7 +86,7 @@ export class Differences {
     const y = (/** @type {number} */ one) => SIZE.height * (1 - (one - least + room) / (most - least + 2 * room));
     const curve = all.map(({ at, exact }) => `${x(at).toFixed(1)},${y(exact[1]).toFixed(1)}`).join(" ");
     const zero = y(0).toFixed(1);
-    const dots = all.flatMap(({ at, found }) => (found ? [[x(at), y(found[1])]] : []));
+    const dots = all.flatMap(({ at, found }, i) => (found && i % DOTTED === 0 ? [[x(at), y(found[1])]] : []));
     const seen = dots.filter(([, top]) => top >= 0 && top <= SIZE.height);
     this.#plot.replaceChildren(
       drawn("line", { x1: "0", x2: String(SIZE.width), y1: zero, y2: zero, class: "axis" }),

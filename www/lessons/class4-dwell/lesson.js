@@ -154,11 +154,11 @@ function dwell({ profile }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} how much of the turn the output moves, there and back, degrees
+ * @returns {number | undefined} how much of the turn the output rises and returns, degrees
  */
-function moving(summary) {
-  const still = dwell(summary);
-  return still === undefined ? undefined : 360 - still;
+function moving({ profile }) {
+  const moved = profile?.phases.filter(({ kind }) => kind !== "dwell") ?? [];
+  return moved.length === 0 ? undefined : degrees(moved.reduce((sum, { arc: [from, to] }) => sum + to - from, 0));
 }
 
 /**

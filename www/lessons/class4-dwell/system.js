@@ -31,7 +31,7 @@ export class System {
     const head = ["", ...UNKNOWNS, ...ORDERS].map((name) => make("th", { scope: "col" }, withSubscripts(name)));
     const table = make("table", { class: "course lesson-matrix" }, [this.#caption, make("thead", {}, [make("tr", {}, head)]), this.#body]);
     // What scrolls must be reached by keys, too.
-    this.element = make("div", { class: "equations", tabindex: "0", role: "region" }, [table]);
+    this.element = make("div", { class: "lesson-window", tabindex: "0", role: "region" }, [table]);
   }
 
   /**
