@@ -1,6 +1,6 @@
 // A lesson step by step: a text, something to show, a question with a checked answer. Loaded when a lesson is opened.
 import { make, write } from "assur/core/dom.js";
-import { marked, withSubscripts } from "assur/core/subscripts.js";
+import { marked, withSubscripts, writeSubscripted } from "assur/core/subscripts.js";
 import { OwnMechanism } from "assur/lesson/own.js";
 import { Paper } from "assur/lesson/paper.js";
 import { Progress } from "assur/lesson/progress.js";
@@ -274,7 +274,7 @@ export class LessonPanel {
     this.#errata.hidden = !errata;
     this.#form.hidden = !question;
     this.#check.hidden = question?.reached !== undefined;
-    write(this.#legend, question?.text ?? "");
+    writeSubscripted(this.#legend, question?.text ?? "");
     this.#fields.replaceChildren(...(question ? this.#inputs(question) : []));
     this.#fill();
     write(this.#check, words.text("lesson.check"));
@@ -407,7 +407,7 @@ export class LessonPanel {
     this.#count();
     const judged = this.#judged.get(step.id);
     this.#said.dataset.verdict = judged?.verdict ?? "";
-    write(this.#said, judged ? this.#sentences(step, judged).join(" ") : "");
+    writeSubscripted(this.#said, judged ? this.#sentences(step, judged).join(" ") : "");
     this.#source.answered?.();
   }
 
