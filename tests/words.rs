@@ -435,7 +435,7 @@ fn list_of<'a>(value: &'a str, script: &'a str) -> &'a str {
     list.split(']').next().unwrap()
 }
 
-/// What every step of a lesson says, its choices and what it shows.
+/// What every step of a lesson says, its choices, what it shows and draws.
 #[test]
 fn lessons_have_their_words_and_no_more() {
     for name in lessons() {
@@ -464,9 +464,18 @@ fn lessons_have_their_words_and_no_more() {
             assert_eq!(step.contains("whole: true"), whole, "{name}: {id}.right");
         }
         assert!(
-            (3..=12).contains(&script.matches("    id: \"").count()),
+            (3..=16).contains(&script.matches("    id: \"").count()),
             "{name}"
         );
+        // What a step draws of its own is a script beside that of the lesson.
+        for script in scripts(&name).values() {
+            let words = quoted(script, '"').into_iter();
+            expected.extend(
+                words
+                    .filter(|one| one.contains(".figure."))
+                    .map(str::to_owned),
+            );
+        }
         let expected: BTreeSet<&str> = expected.iter().map(String::as_str).collect();
         assert_eq!(asked(words), expected, "{name}");
     }

@@ -4,7 +4,7 @@ use crate::assemblies::{follow, followed};
 use crate::browser::Page;
 use crate::export::{open_dialog, save_text};
 use crate::gallery::{agrees, document, open};
-use assur::Point;
+use assur::{CombinedMethod, Point};
 use thirtyfour::prelude::*;
 
 /// The colour of the shade over a dwell on paper: the coupler's, thinned.
@@ -35,6 +35,8 @@ async fn its_dwell_is_measured_and_regulated() {
     open_dialog(&page).await;
     let svg = save_text(&page, "export-plots-svg", "assur-class4-dwell-plots.svg").await;
     assert!(svg.contains("↕ 0.1°"));
+    // One inset for the angle and for each derivative, as in fig. 2.
+    assert_eq!(svg.matches('↕').count(), 3);
     page.click("export-close").await;
 
     // As a person types: the page answers every key, also the 0 that is no band.
@@ -74,7 +76,7 @@ async fn its_dwell_is_measured_and_regulated() {
     page.close().await;
 }
 
-/// All seven steps, each answered wrong and right, by mouse and by keys.
+/// The steps, each answered wrong and right, by mouse and by keys.
 #[tokio::test]
 async fn its_lesson_is_answered() {
     let page = Page::open().await;
@@ -82,21 +84,30 @@ async fn its_lesson_is_answered() {
     page.click("tab-lesson").await;
     page.until("the lesson", async || page.count("#lesson-title").await > 0)
         .await;
-    let steps: [(bool, &str, &str); 7] = [
+    let steps: [(bool, &str, &str); 16] = [
         (false, "9", "10"),
         (true, "iii", "iv"),
         (true, "iv", "ii"),
         (false, "170", "184.3"),
+        (false, "175.7", "170.1"),
         (false, "184.3", "121.9"),
         (false, "12", "13"),
+        (true, "turn", "both"),
         (false, "44.15", "43.29"),
+        (true, "small", "middle"),
+        (true, "square", "in_line"),
+        (true, "along", "across"),
+        (true, "cd", "fk"),
+        (true, "largest", "nothing"),
+        (true, "d", "bc"),
+        (true, "x_eb", "ratio"),
     ];
     for (number, (choices, wrong, right)) in steps.iter().enumerate() {
         if number > 0 {
             page.click("lesson-on").await;
         }
-        // The last question is asked of the mechanism as the step before left it.
-        if number < 6 {
+        // The last step has two buttons of other names, and opens the first by itself.
+        if number < 15 {
             page.click("lesson-show").await;
             page.settle().await;
         }
@@ -119,8 +130,9 @@ async fn its_lesson_is_answered() {
     // The driver of step 3 made it a mechanism of Class II, and step 4 brought it back.
     assert!(page.text("out-formula").await.contains("IV₃"));
     // A number in a formula has the decimal sign of the reader's language.
-    page.click("lesson-back").await;
-    page.click("lesson-back").await;
+    for _ in 0..10 {
+        page.click("lesson-back").await;
+    }
     for (lang, expected) in [
         ("en", "FK = 4.112"),
         ("ru", "FK = 4,112"),
@@ -213,7 +225,7 @@ async fn a_step_opens_a_document_of_another_kind() {
     page.until("the other lesson", async || !titled().await)
         .await;
     let progress = page.text("lesson-progress").await;
-    assert!(progress.contains("Step 1 of 7"), "{progress}");
+    assert!(progress.contains("Step 1 of 16"), "{progress}");
     page.close().await;
 }
 
@@ -431,7 +443,7 @@ async fn every_joint_has_its_vectors() {
     page.click("tab-lesson").await;
     page.until("the lesson", async || page.count("#lesson-title").await > 0)
         .await;
-    for _ in 1..7 {
+    for _ in 1..9 {
         page.click("lesson-on").await;
     }
     let text = page.driver.find(By::Css(".lesson-text")).await.unwrap();
@@ -478,12 +490,110 @@ async fn every_joint_has_its_vectors() {
     page.close().await;
 }
 
+/// Goes to a step of the lesson from its first.
+async fn go_to(page: &Page, step: usize) {
+    for _ in 1..step {
+        page.click("lesson-on").await;
+    }
+    page.settle().await;
+}
+
+/// Every coefficient has the engine's number, and the printed one where that is another; both follow the crank.
+#[tokio::test]
+async fn coefficients_have_their_numbers() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    go_to(&page, 11).await;
+    let motion = document("class4-dwell").motion().unwrap();
+    let mechanism = motion.mechanism();
+    let method = CombinedMethod::of(mechanism).unwrap();
+    page.ask("document.querySelector('#lesson-paper > summary').click()")
+        .await;
+    for degrees in [60.0_f64, 200.0] {
+        page.stop_at(&degrees.to_string()).await;
+        page.settle().await;
+        let pose = motion.pose::<3>(degrees.to_radians()).unwrap();
+        let relations = method.relations(mechanism, &pose);
+        for (item, misprinted) in [("c3", true), ("c7", true), ("c14", false), ("vF", false)] {
+            let item = format!("003.{item}");
+            let numbers = format!(
+                "return document.querySelector('#lesson-paper [data-item=\"{item}\"] .paper-numbers').textContent"
+            );
+            let shown = page.ask(&numbers).await.as_str().unwrap().to_owned();
+            for one in relations.iter().filter(|one| one.item == item) {
+                let value = format!("{:.4}", one.value).replace('-', "−");
+                assert!(shown.contains(&value), "{item} {degrees}: {shown}");
+                assert_eq!(shown.contains("as printed"), misprinted, "{item}: {shown}");
+            }
+        }
+    }
+    page.close().await;
+}
+
+/// The chain of the paper divides by zero where HL is as long as HG, and says so.
+#[tokio::test]
+async fn the_chain_divides_by_zero() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    go_to(&page, 16).await;
+    let numbers = "return document.querySelector('.lesson-body > .paper [data-item=\"003.chain\"]').textContent";
+    let drawn = page.ask(numbers).await.as_str().unwrap().to_owned();
+    assert!(
+        drawn.contains("ψ″") && !drawn.contains("divides by zero"),
+        "{drawn}"
+    );
+    page.click("lesson-show-equal").await;
+    page.until("no number by the chain", async || {
+        page.ask(numbers)
+            .await
+            .as_str()
+            .unwrap()
+            .matches("divides by zero")
+            .count()
+            == 2
+    })
+    .await;
+    page.close().await;
+}
+
+/// Finite differences come near and go off again with their step, and the cyclogram stands in its step with its angles.
+#[tokio::test]
+async fn lessons_draw_figures_of_their_own() {
+    let page = Page::open().await;
+    open_lesson(&page).await;
+    go_to(&page, 5).await;
+    assert!(visible(&page, "#lesson #cyclogram").await);
+    let phases = "return document.querySelector('#lesson #cyclogram-figure p').textContent";
+    let phases = page.ask(phases).await.as_str().unwrap().to_owned();
+    assert_eq!(phases.matches('°').count(), 8, "{phases}");
+    go_to(&page, 5).await;
+    assert!(visible(&page, "#lesson .lesson-matrix").await);
+    assert_eq!(page.count("#lesson .lesson-matrix tbody tr").await, 8);
+    go_to(&page, 2).await;
+    let set = async |exponent: i32| {
+        let script = format!(
+            "const step = document.getElementById('differences-step');
+            step.value = '{exponent}';
+            step.dispatchEvent(new Event('input'));
+            return document.getElementById('differences-errors').textContent"
+        );
+        page.ask(&script).await.as_str().unwrap().to_owned()
+    };
+    let [coarse, middle, fine] = [set(10).await, set(-10).await, set(-50).await];
+    assert!(
+        coarse != middle && middle != fine,
+        "{coarse} {middle} {fine}"
+    );
+    assert!(page.count("#lesson .lesson-plot circle").await > 30);
+    page.close().await;
+}
+
 /// The regulator's slider stands in its step, and what it does to dwell and stroke below it.
 #[tokio::test]
 async fn the_regulator_is_in_its_step() {
     let page = Page::open().await;
     open_lesson(&page).await;
-    for _ in 1..5 {
+    for _ in 1..6 {
         page.click("lesson-on").await;
     }
     // What the engine makes of the length, in one step of undo.

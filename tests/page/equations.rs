@@ -1,12 +1,10 @@
-//! The constraint equations of a linkage on the page, and the misprints of the paper
-//! that they are about.
+//! The constraint equations of a linkage on the page.
 
 use assur::mechanism::ConstraintKind;
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::Page;
 use crate::gallery::{document, open};
-use crate::host::home;
 
 async fn unfold(page: &Page) {
     let heading = page.driver.find(By::Css("#equations > summary")).await;
@@ -139,55 +137,4 @@ async fn equations_of_slides_and_wheels() {
 async fn unfold_of(page: &Page, name: &str) {
     open(page, name).await;
     unfold(page).await;
-}
-
-/// The lesson leads to the misprints, in the reader's language; they come when they
-/// are asked for, in the one file as well.
-#[tokio::test]
-async fn misprints_are_a_click_away() {
-    for (url, lang, title) in [
-        (home().to_owned(), "en-US", "Misprints in the paper"),
-        (
-            format!("file://{}", setting("ASSUR_BUNDLE")),
-            "kk-KZ",
-            "Мақаладағы баспа қателері",
-        ),
-    ] {
-        let page = Page::open_at(&url, lang).await;
-        page.click("gallery").await;
-        page.until("the gallery", async || {
-            page.count("#gallery-class4-dwell").await == 1
-        })
-        .await;
-        page.click("gallery-class4-dwell").await;
-        page.until("the mechanism", async || {
-            page.count("#equations").await == 1
-        })
-        .await;
-        page.click("tab-lesson").await;
-        page.until("the lesson", async || page.count("#lesson-title").await > 0)
-            .await;
-        let errata = page.element("lesson-errata").await;
-        assert!(!errata.is_displayed().await.unwrap());
-        for _ in 1..6 {
-            page.click("lesson-on").await;
-        }
-        let loaded = page.loaded().await;
-        assert!(!loaded.iter().any(|name| name.contains("errata")));
-        page.press("lesson-errata", Key::Enter).await;
-        page.until("the misprints", async || {
-            page.count("#errata-dialog[open]").await == 1
-        })
-        .await;
-        assert_eq!(page.text("errata-title").await, title);
-        assert_eq!(page.focused().await.as_deref(), Some("errata-title"));
-        assert_eq!(page.count(".errata tbody tr").await, 19);
-        let first = page.driver.find(By::Css(".errata tbody tr")).await;
-        let first = first.unwrap().text().await.unwrap();
-        assert!(first.contains("xLH x′L + yLH y′L = 0"), "{first}");
-        page.click("errata-close").await;
-        assert_eq!(page.count("#errata-dialog").await, 0);
-        assert_eq!(page.focused().await.as_deref(), Some("lesson-errata"));
-        page.close().await;
-    }
 }

@@ -10,8 +10,11 @@ use crate::browser::Page;
 use crate::host::home;
 
 /// The lessons that have a paper, with the preset that each opens on and the number of items.
-const PAPERS: [(&str, &str, usize); 2] =
-    [("mixer", "mixer-a", 53), ("mobility", "mobility-1a", 48)];
+const PAPERS: [(&str, &str, usize); 3] = [
+    ("mixer", "mixer-a", 53),
+    ("class4-dwell", "class4-dwell", 101),
+    ("mobility", "mobility-1a", 48),
+];
 
 /// The items that are seen, once what folds them is open.
 const SEEN: &str = "const fold = document.querySelector('#lesson-paper');

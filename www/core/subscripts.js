@@ -22,6 +22,17 @@ export function withSubscripts(text) {
 }
 
 /**
+ * Writes a text with its subscripts, only where it differs.
+ * @param {Element} element
+ * @param {string} text
+ */
+export function writeSubscripted(element, text) {
+  const parts = withSubscripts(text);
+  const plain = parts.map((part) => (typeof part === "string" ? part : part.textContent)).join("");
+  if (element.textContent !== plain) element.replaceChildren(...parts);
+}
+
+/**
  * @param {string} text
  * @returns {(Node | string)[]} the same, what stands between two * emphasised
  */

@@ -10,7 +10,9 @@ import { holds, open } from "assur/lesson/show.js";
  * @typedef {import("assur/state/state.js").Documents} Documents
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
+ * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Summaries} Summaries
+ * @typedef {import("assur/lesson/panel.js").Figure} Figure
  * @typedef {import("assur/core/numbers.js").Numbers} Numbers
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/lesson/panel.js").Told} Told
@@ -43,11 +45,11 @@ import { holds, open } from "assur/lesson/show.js";
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
  *   kind?: K, id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: boolean, relations?: readonly string[],
- *   controls?: readonly string[], readouts?: readonly string[], equations?: boolean,
+ *   controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[], figure?: (engine: Engine) => Figure,
  * }>} Step
  * `kind`: of the documents that it shows and asks about, where it is not the lesson's; `formula`: one with a number in it is written with
  * the reader's decimal sign; `errata`: misprints of the lesson's paper concern the step; `relations`: items of the paper in its main line. In the step itself stand its `controls`, by their fields, its `readouts`,
- * by what follows `out-` in their ids, and the constraint `equations`.
+ * by what follows `out-` in their ids, the parts of the page that it `lends`, by their ids, and a `figure` of its own.
  */
 
 /**

@@ -1,6 +1,6 @@
 // A lesson step by step: a text, something to show, a question with a checked answer. Loaded when a lesson is opened.
 import { make, write } from "assur/core/dom.js";
-import { marked, withSubscripts } from "assur/core/subscripts.js";
+import { marked, withSubscripts, writeSubscripted } from "assur/core/subscripts.js";
 import { OwnMechanism } from "assur/lesson/own.js";
 import { Paper } from "assur/lesson/paper.js";
 import { Progress } from "assur/lesson/progress.js";
@@ -27,9 +27,10 @@ import { withView } from "assur/state/state.js";
  * `options`: of a choice, else a number is typed; `hides`: the read-outs that give the answer, which the page withholds until the reader has answered or
  * given up; `answer`: the right answer in words, null if there is none; `ofPage`: the mechanism on the page is asked about, which must be the step's; `reached`:
  * nothing is typed, the question is answered as soon as this holds.
+ * @typedef {{ readonly element: HTMLElement, render(snapshot: Snapshot, words: Words): void }} Figure what a step draws of its own; it is made anew with the words
  * @typedef {Readonly<{
  *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], from: number | null, question: Question | null, errata: boolean,
- *   tools: import("assur/lesson/tools.js").Wanted,
+ *   tools: import("assur/lesson/tools.js").Wanted & { figure?: (engine: import("assur/engine.js").Engine) => Figure },
  * }>} Told a step in words; steps are told apart by their ids, which progress is kept by; `from`: the index of the step whose mechanism it shows, null if it
  * shows none
  * @typedef {{
@@ -80,6 +81,9 @@ export class LessonPanel {
   #form;
   #said = make("p", { id: "lesson-said", role: "status" });
   #tools = new Tools();
+  /** @type {Figure | undefined} */
+  #figure;
+  #drawn = make("div", { class: "lesson-figure" });
   /** @type {Paper | undefined} */
   #paper;
   #own;
@@ -109,7 +113,7 @@ export class LessonPanel {
     this.#reveal.addEventListener("click", () => this.#showAnswer());
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
     const paper = this.#paper = source.paper && new Paper(page.engine, source.paper);
-    const step = [this.#title, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#tools.element, ...(paper ? [paper.fold] : []), this.#errata];
+    const step = [this.#title, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#drawn, this.#tools.element, ...(paper ? [paper.fold] : []), this.#errata];
     this.#body.replaceChildren(...(source.frame?.(step, this.#progress, () => this.#renew()) ?? step));
     place.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
@@ -193,6 +197,7 @@ export class LessonPanel {
     if (snapshot.legible) {
       this.#tools.render();
       this.#paper?.render(snapshot);
+      this.#figure?.render(snapshot, this.#words);
     }
     if (outdated) this.#say();
     if (step.question?.reached?.(snapshot) && !this.#progress.isSolved(step.id)) this.#answer();
@@ -262,12 +267,14 @@ export class LessonPanel {
       return button;
     }));
     this.#paper?.show(step.id, step.id === END, words);
+    this.#figure = step.tools.figure?.(this.#page.engine);
+    this.#drawn.replaceChildren(...(this.#figure ? [this.#figure.element] : []));
     this.#begin(step);
     write(this.#errata, words.text("lesson.errata"));
     this.#errata.hidden = !errata;
     this.#form.hidden = !question;
     this.#check.hidden = question?.reached !== undefined;
-    write(this.#legend, question?.text ?? "");
+    writeSubscripted(this.#legend, question?.text ?? "");
     this.#fields.replaceChildren(...(question ? this.#inputs(question) : []));
     this.#fill();
     write(this.#check, words.text("lesson.check"));
@@ -400,7 +407,7 @@ export class LessonPanel {
     this.#count();
     const judged = this.#judged.get(step.id);
     this.#said.dataset.verdict = judged?.verdict ?? "";
-    write(this.#said, judged ? this.#sentences(step, judged).join(" ") : "");
+    writeSubscripted(this.#said, judged ? this.#sentences(step, judged).join(" ") : "");
     this.#source.answered?.();
   }
 

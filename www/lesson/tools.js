@@ -1,11 +1,11 @@
-// What a step asks for, in the step itself: its controls and the constraint equations, lent by the page as long as it is open,
+// What a step asks for, in the step itself: its controls and parts of the page, lent by the page as long as it is open,
 // and read-outs that say what those of the page say.
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { fieldOf } from "assur/lesson/field.js";
 
 /**
- * @typedef {Readonly<{ controls?: readonly string[], readouts?: readonly string[], equations?: boolean }>} Wanted by a step: controls by their fields,
- * read-outs by what follows `out-` in their ids, the constraint equations
+ * @typedef {Readonly<{ controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[] }>} Wanted by a step: controls by their fields,
+ * read-outs by what follows `out-` in their ids, parts of the page by their ids
  * @typedef {import("assur/state/state.js").State["document"]} Document
  * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Loan what stands here, what holds its place at home, whether it was unfolded
  */
@@ -13,7 +13,7 @@ import { fieldOf } from "assur/lesson/field.js";
 export class Tools {
   #controls = make("div", { class: "lesson-controls" });
   #readouts = make("dl", { class: "lesson-readouts" });
-  #equations = make("div");
+  #parts = make("div");
   /** @type {Loan[]} */
   #lent = [];
   /** @type {Wanted | null} */
@@ -25,7 +25,7 @@ export class Tools {
   // A rail that is built anew has new controls.
   #watch = new MutationObserver(() => this.#borrow());
 
-  element = make("div", { class: "lesson-tools" }, [this.#controls, this.#readouts, this.#equations]);
+  element = make("div", { class: "lesson-tools" }, [this.#controls, this.#readouts, this.#parts]);
 
   /**
    * @param {Wanted} step
@@ -60,7 +60,7 @@ export class Tools {
 
   #borrow() {
     if (!this.#step || !this.#document) return;
-    const { controls = [], equations = false } = this.#step;
+    const { controls = [], lends = [] } = this.#step;
     // What was made anew at home takes the place of what was lent.
     this.#lent = this.#lent.filter((loan) => loan.home.isConnected || giveBack(loan));
     const document = this.#document();
@@ -71,8 +71,10 @@ export class Tools {
         if (this.#take(element, this.#controls)) for (const details of element.querySelectorAll("details")) details.open = true;
       }
     }
-    const details = globalThis.document.getElementById("equations");
-    if (equations && details instanceof HTMLDetailsElement && this.#take(details, this.#equations)) details.open = true;
+    for (const id of lends) {
+      const part = globalThis.document.getElementById(id);
+      if (part && this.#take(part, this.#parts) && part instanceof HTMLDetailsElement) part.open = true;
+    }
   }
 
   /**

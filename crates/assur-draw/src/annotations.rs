@@ -22,8 +22,10 @@ pub struct Annotations {
     /// The symbol of the input angle, whose arc is drawn then; where a slide drives, an arrow
     /// beside its block is.
     pub input: Option<String>,
-    /// Symbols of vectors of the loops, each by its two points.
+    /// Symbols of vectors of the loops, each by its two points; where there are any, these vectors are drawn and no others.
     pub loop_vectors: Vec<([String; 2], String)>,
+    /// Symbols of angles that are drawn with them, each at the second of its three points, from the first to the third.
+    pub corners: Vec<([String; 3], String)>,
     /// The positions that it was made for.
     pub given: Vec<GivenPosition>,
     /// The height of the ground that it stands on. Where that is farther off than the drawing is
@@ -39,6 +41,32 @@ impl Annotations {
             ground,
             ..Self::default()
         }
+    }
+
+    /// The same with the letters of the paper on the combined method (Sakhabutdinova): the sides of the rigid triangles, the
+    /// angles from the first side to the second, the output.
+    #[must_use]
+    pub fn with_letters_of_combined_method(mut self) -> Self {
+        let owned = |letters: &str| letters.chars().map(String::from).collect::<Vec<_>>();
+        for (ends, letter) in [
+            ("HG", "g"),
+            ("HL", "t"),
+            ("GE", "e"),
+            ("GF", "f"),
+            ("CL", "r"),
+            ("CK", "p"),
+            ("DC", "c"),
+        ] {
+            if let Ok(ends) = owned(ends).try_into() {
+                self.loop_vectors.push((ends, letter.to_owned()));
+            }
+        }
+        for (points, symbol) in [("GHL", "ηH"), ("EGF", "ηG"), ("LCK", "ηC")] {
+            if let Ok(points) = owned(points).try_into() {
+                self.corners.push((points, symbol.to_owned()));
+            }
+        }
+        self
     }
 }
 
@@ -131,6 +159,7 @@ impl From<&Mixer> for Annotations {
                 .collect(),
             input: Some("φ₁".to_owned()),
             loop_vectors: vectors.to_vec(),
+            corners: Vec::new(),
             given: Vec::new(),
             ground: None,
         }

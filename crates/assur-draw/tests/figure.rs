@@ -575,3 +575,33 @@ fn negative_angles_go_the_other_way() {
         assert!(f64::from(middle[1]) * input > 0.0 && middle[0] > 0.0);
     }
 }
+
+/// With the letters of the paper on the combined method its sides and corners are named, and no other vector is drawn.
+#[test]
+fn letters_of_the_combined_method() {
+    let draft = Draft::default()
+        .point("H", 0.0, 0.0)
+        .point("G", 2.0, 0.0)
+        .point("L", 1.0, 3.0)
+        .fixed(&["H"])
+        .bar("HGL", &["H", "G", "L"])
+        .crank("HGL");
+    let motion = Motion::new(Mechanism::new(&draft).unwrap());
+    let names = |annotations: Annotations| {
+        let view = View {
+            overlays: Overlays {
+                loop_vectors: true,
+                ..Overlays::default()
+            },
+            annotations,
+            ..View::default()
+        };
+        let figure = Figure::new(&motion, &view).unwrap();
+        let points = motion.mechanism().points().len();
+        figure.names()[points..].to_vec()
+    };
+    let plain = names(Annotations::default());
+    assert!(!plain.contains(&"t".to_owned()), "{plain:?}");
+    let lettered = names(Annotations::default().with_letters_of_combined_method());
+    assert_eq!(lettered, ["g", "t", "ηH"]);
+}

@@ -24,6 +24,7 @@
 mod angle;
 pub mod centres;
 pub mod circuits;
+mod combined_method;
 pub mod curvature;
 pub mod dynamics;
 mod four_bar;
@@ -44,6 +45,7 @@ pub mod structure;
 pub mod synthesis;
 
 pub use angle::Angle;
+pub use combined_method::CombinedMethod;
 pub use four_bar::{
     Assembly, ChangePoint, Cycle, FourBar, Grashof, Limit, Link, Offset, Pose, Swing, Unsolved,
 };

@@ -1,9 +1,11 @@
 //! Relations of a paper in numbers: what a quantity comes to, and what it would by the relation as it is printed.
 
+use crate::Vector;
+
 /// A quantity for which a paper gives a relation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Relation {
-    /// The item in the table of the paper, `002.(10)`.
+    /// The item in the table of the paper, `002.(10)`; of what is ours and stands beside it an id of its own.
     pub item: &'static str,
     /// The quantity in the letters of the paper, `φ₃′`.
     pub name: &'static str,
@@ -27,6 +29,19 @@ impl Relation {
             value,
             printed: printed.is_finite().then_some(printed),
         }
+    }
+
+    /// Both coordinates of a vector.
+    pub(crate) fn both(
+        item: &'static str,
+        [x, y]: [&'static str; 2],
+        value: Vector,
+        printed: Vector,
+    ) -> [Self; 2] {
+        [
+            Self::of(item, x, value.x, printed.x),
+            Self::of(item, y, value.y, printed.y),
+        ]
     }
 
     pub(crate) fn angle(item: &'static str, name: &'static str, value: f64, printed: f64) -> Self {

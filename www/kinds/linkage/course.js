@@ -24,6 +24,8 @@ import { withDocument } from "assur/state/state.js";
 const SHADE = 0.14;
 /** Points of the magnified curve. */
 const POINTS = 96;
+/** Of the derivatives, which rise steeply at its ends, the part of the dwell's arc that is magnified. */
+const INNER = 0.8;
 /** The part of a plot that an inset takes, across and down. */
 const INSET = Object.freeze({ width: 0.42, height: 0.36 });
 
@@ -35,17 +37,19 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
   if (kind !== "linkage" || state.kind !== "linkage") return;
   const { profile, cycle } = summary;
   if (!state.document.band || !profile?.dwell) return;
-  const value = (/** @type {number} */ phi) => attempt(() => engine.plotted(phi)).value?.[0];
-  for (const panel of panels) paintDwell(context, panel, profile.dwell, cycle, value, words, theme);
+  for (const panel of panels) {
+    const value = (/** @type {number} */ phi) => attempt(() => engine.plotted(phi)).value?.[panel.order];
+    paintDwell(context, panel, profile.dwell, cycle, value, words, theme);
+  }
 }
 
 /**
- * Shades the dwell on a plot; over the first one stands what it looks like magnified, as in fig. 2 of the paper.
+ * Shades the dwell on a plot, and lays over it what it looks like magnified: of the output, as fig. 2 of the paper has it of both derivatives.
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
  * @param {NonNullable<Profile["dwell"]>} dwell
  * @param {{ start: number, end: number }} cycle
- * @param {(phi: number) => number | undefined} value of the output at a crank angle
+ * @param {(phi: number) => number | undefined} value of the plot's curve at a crank angle
  * @param {Words} words
  * @param {Theme} theme
  */
@@ -61,18 +65,23 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
     if (right > left) context.fillRect(left, panel.top, right - left, panel.height);
   }
   context.globalAlpha = 1;
-  if (panel.order === 0) paintInset(context, panel, { ...dwell, arc: [from, to] }, value, words, theme);
+  const spared = panel.order === 0 ? 0 : ((1 - INNER) / 2) * (to - from);
+  paintInset(context, panel, [from + spared, to - spared], panel.order === 0 ? dwell.band : null, value, words, theme);
 }
 
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
- * @param {NonNullable<Profile["dwell"]>} dwell
+ * @param {readonly [number, number]} arc that is magnified
+ * @param {readonly [number, number] | null} band that it keeps to; none where the curve itself tells how far it goes
  * @param {(phi: number) => number | undefined} value
  * @param {Words} words
  * @param {Theme} theme
  */
-function paintInset(context, panel, { arc: [from, to], band: [least, most] }, value, words, theme) {
+function paintInset(context, panel, [from, to], band, value, words, theme) {
+  const curve = Array.from({ length: POINTS + 1 }, (_, i) => value(from + ((to - from) * i) / POINTS));
+  const known = curve.filter((at) => at !== undefined);
+  const [least, most] = band ?? [Math.min(...known), Math.max(...known)];
   if (!(most > least)) return;
   const [width, height] = [INSET.width * panel.width, INSET.height * panel.height];
   // In the half of the plot where the dwell is not.
@@ -93,8 +102,7 @@ function paintInset(context, panel, { arc: [from, to], band: [least, most] }, va
   context.stroke();
   context.beginPath();
   let drawn = false;
-  for (let i = 0; i <= POINTS; i++) {
-    const at = value(from + ((to - from) * i) / POINTS);
+  for (const [i, at] of curve.entries()) {
     if (at === undefined) continue;
     const x = left + 4 + ((width - 8) * i) / POINTS;
     const y = top + height - 4 - ((height - 8) * (at - least)) / (most - least);
@@ -110,7 +118,8 @@ function paintInset(context, panel, { arc: [from, to], band: [least, most] }, va
   context.textBaseline = "top";
   context.fillStyle = theme.colours.secondary;
   const span = most - least;
-  const said = panel.kind === "angle" ? `${words.numbers.upTo(degrees(span), 3)}°` : words.length(words.numbers.short(span));
+  const angle = panel.kind === "angle" && panel.order === 0;
+  const said = angle ? `${words.numbers.upTo(degrees(span), 3)}°` : panel.order > 0 ? words.numbers.short(span) : words.length(words.numbers.short(span));
   context.fillText(`↕ ${said}`, left + width - 4, top + 3);
 }
 
@@ -132,6 +141,7 @@ export class CourseView {
   #travel = make("th", { scope: "row" });
   #outputs = new Map(ROWS.map((name) => [name, make("td", { id: `out-course-${name}` })]));
   #bars = make("div", { id: "cyclogram", class: "cyclogram", role: "img" });
+  #phases = make("p", { class: "note" });
   #shown = new Seen();
 
   /**
@@ -149,7 +159,7 @@ export class CourseView {
       make("summary", { "data-t": "dwell.heading" }),
       this.#row.element,
       make("table", { class: "course" }, [this.#name, make("tbody", {}, rows)]),
-      this.#bars,
+      make("div", { id: "cyclogram-figure" }, [this.#bars, this.#phases]),
       this.#design.element,
     );
     byId("overlays", HTMLElement).before(make("section", { "data-of": "linkage" }, [this.#fold]));
@@ -213,5 +223,6 @@ export class CourseView {
     this.#bars.replaceChildren(...bars);
     this.#bars.ariaLabel = [words.text("dwell.chart", { name: called(plotted[0].replace(/\.angle$/, ""), words) }), ...told].join("; ");
     this.#bars.title = told.join("\n");
+    write(this.#phases, told.join("; "));
   }
 }

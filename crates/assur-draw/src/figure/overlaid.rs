@@ -38,6 +38,8 @@ pub(super) struct Overlaid {
     input: Option<InputArc>,
     /// Two points and a name.
     loop_vectors: Vec<([PointId; 2], usize)>,
+    /// Three points and a name.
+    corners: Vec<([PointId; 3], usize)>,
     /// An outer hinge, the inner and the other outer one, and a name.
     transmission: Vec<([PointId; 3], usize)>,
     /// What is measured, and a name.
@@ -73,6 +75,7 @@ impl Overlaid {
         let mut overlaid = Self {
             input: InputArc::new(motion, layout, home, view, names),
             loop_vectors: Vec::new(),
+            corners: Vec::new(),
             transmission: Vec::new(),
             measures: Vec::new(),
             vectors: Vec::new(),
@@ -89,8 +92,20 @@ impl Overlaid {
                 let name = names.add(symbol);
                 ([from, to], name)
             };
-            let vectors = loop_vectors(mechanism, layout, &dyads);
+            let noted = noted_vectors(mechanism, view);
+            let vectors = if noted.is_empty() {
+                loop_vectors(mechanism, layout, &dyads)
+            } else {
+                noted
+            };
             overlaid.loop_vectors = vectors.into_iter().map(named).collect();
+            let corners = view.annotations.corners.iter();
+            overlaid.corners = corners
+                .filter_map(|(points, symbol)| {
+                    let points = known(mechanism, points)?;
+                    Some((points, names.add(symbol.clone())))
+                })
+                .collect();
         }
         if shown.transmission {
             let named = |dyad: &RrrDyad| {
@@ -154,6 +169,9 @@ impl Overlaid {
         let place = |point: PointId| mechanism.place(pose, point).place();
         for (ends, name) in &self.loop_vectors {
             overlays::loop_vector(list, ends.map(place), *name, unit);
+        }
+        for (points, name) in &self.corners {
+            overlays::corner(list, points.map(place), *name, unit);
         }
         for (hinges, name) in &self.transmission {
             overlays::transmission(list, hinges.map(place), *name, unit);
@@ -249,6 +267,20 @@ fn meeting(mechanism: &Mechanism, links: [LinkId; 2]) -> Option<PointId> {
     let [first, second] = links.map(|link| mechanism.points_of(link));
     let shared = first.iter().find(|point| second.contains(point));
     shared.or(first.first()).copied()
+}
+
+/// The vectors that the document notes.
+fn noted_vectors(mechanism: &Mechanism, view: &View) -> Vec<[PointId; 2]> {
+    let noted = view.annotations.loop_vectors.iter();
+    noted
+        .filter_map(|(ends, _)| known(mechanism, ends))
+        .collect()
+}
+
+/// The points of these names; none where the linkage has not all of them.
+fn known<const N: usize>(mechanism: &Mechanism, names: &[String; N]) -> Option<[PointId; N]> {
+    let points: Option<Vec<PointId>> = names.iter().map(|name| mechanism.point(name)).collect();
+    points?.try_into().ok()
 }
 
 /// Along every link from joint to joint, along the frame from support to support,

@@ -1,8 +1,8 @@
 //! Any linkage on the page.
 
-use assur::Point;
 use assur::mechanism::{Dimension, Draft, Mechanism, Quantity};
 use assur::motion::Changed;
+use assur::{CombinedMethod, Point, Relation};
 use assur_draw::Annotations;
 use assur_file::{
     DriverDocument, LinkDocument, LinkageDocument, LinkageProblem, PointDocument, Problem, State,
@@ -20,7 +20,14 @@ use crate::moving::Moving;
 use crate::summary::MotionSummary;
 
 /// A linkage with all that is drawn of it.
-pub(crate) struct Linkage(Moving);
+pub(crate) struct Linkage {
+    moving: Moving,
+    /// Where it is the one of the catalogue that a paper is about, with whatever lengths.
+    of_paper: Option<CombinedMethod>,
+}
+
+/// The mechanism of the catalogue that the paper on the combined method is about.
+const COMBINED_METHOD: &str = "class4-dwell";
 
 impl Linkage {
     pub(crate) fn new(state: &State) -> Result<Self, Vec<Problem>> {
@@ -28,15 +35,22 @@ impl Linkage {
         let explain =
             |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
         let quantities = Quantity::all(moved.motion.mechanism());
-        let ground = moved.document.ground;
+        let mut annotations = Annotations::of_linkage(moved.document.ground);
+        let mut of_paper = None;
+        if moved.document.origin.as_deref() == Some(COMBINED_METHOD) {
+            of_paper = CombinedMethod::of(moved.motion.mechanism());
+        }
+        if of_paper.is_some() {
+            annotations = annotations.with_letters_of_combined_method();
+        }
         let moving = Moving::new(
             &state.view,
             moved,
-            Annotations::of_linkage(ground),
+            annotations,
             quantities,
             Box::new(explain),
         )?;
-        Ok(Self(moving))
+        Ok(Self { moving, of_paper })
     }
 }
 
@@ -88,7 +102,7 @@ pub(crate) struct RateSummary<'a> {
 
 impl Linkage {
     fn mechanism(&self) -> &Mechanism {
-        self.0.mechanism()
+        self.moving.mechanism()
     }
 
     fn rates(&self) -> Vec<RateSummary<'_>> {
@@ -102,7 +116,7 @@ impl Linkage {
                 field: rate_field(index).into_owned(),
                 link,
                 rate: driver.rate(),
-                role: self.0.figure().role(role).name(),
+                role: self.moving.figure().role(role).name(),
             })
         });
         rates.collect()
@@ -126,33 +140,42 @@ impl Capabilities for Linkage {
     fn summary(&self) -> JsValue {
         let mechanism = self.mechanism();
         to_js(&LinkageSummary {
-            motion: MotionSummary::new(&self.0),
-            dimensions: DimensionSummary::all(&self.0),
+            motion: MotionSummary::new(&self.moving),
+            dimensions: DimensionSummary::all(&self.moving),
             drivers: mechanism.drivable(),
             rates: self.rates(),
         })
     }
 
     fn rigid(&self) -> Rigid<'_> {
-        self.0.figure().into()
+        self.moving.figure().into()
     }
 
     fn moves(&self) -> Option<&dyn Moves> {
-        Some(&self.0)
+        Some(&self.moving)
     }
 
     fn linkage(&self) -> Option<&Moving> {
-        Some(&self.0)
+        Some(&self.moving)
     }
 
     fn edited(&self) -> Option<&dyn Edited> {
         Some(self)
     }
+
+    fn relations(&self, input: f64) -> Result<Vec<Relation>, Problem> {
+        let Some(method) = &self.of_paper else {
+            return Ok(Vec::new());
+        };
+        let pose = self.moving.motion().pose::<3>(input);
+        let pose = pose.map_err(|unsolved| self.moving.problem(&unsolved))?;
+        Ok(method.relations(self.mechanism(), &pose))
+    }
 }
 
 impl Edited for Linkage {
     fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem> {
-        let moving = &self.0;
+        let moving = &self.moving;
         let mechanism = moving.mechanism();
         let index = mechanism.point(point).ok_or_else(|| unknown(point))?;
         if let Some(driven) = moving.driven_to(index, input, to) {
@@ -172,7 +195,7 @@ impl Edited for Linkage {
         let mechanism = self.mechanism();
         let drivers = mechanism.draft().drivers.len();
         if let Some(driver) = (1..drivers).find(|driver| rate_field(*driver) == field) {
-            let changed = self.0.motion().at_rate(driver, value, input);
+            let changed = self.moving.motion().at_rate(driver, value, input);
             return Ok(self.changed(&changed.map_err(LinkageProblem::all)?, input));
         }
         let mut dimensions = mechanism.dimensions().into_iter();
@@ -180,14 +203,14 @@ impl Edited for Linkage {
         let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
         // A refusal compares with the same value.
         let value = mechanism.nearest(dimension, of_field(dimension, value));
-        let changed = self.0.motion().changed(dimension, value, input);
+        let changed = self.moving.motion().changed(dimension, value, input);
         let changed = changed
             .map_err(|refusal| LinkageProblem::unset(refusal, mechanism, dimension, value))?;
         Ok(self.changed(&changed, input))
     }
 
     fn drive(&self, link: &str, input: f64) -> Result<Change, Vec<Problem>> {
-        let motion = self.0.motion();
+        let motion = self.moving.motion();
         let driver = motion.driver(link);
         let driver = driver.map_err(|turns| vec![LinkageProblem::from(turns).into()])?;
         let driver = driver.ok_or_else(|| vec![unknown(link)])?;
@@ -196,11 +219,11 @@ impl Edited for Linkage {
     }
 
     fn assemblies(&self, input: f64) -> Option<AssembliesHere> {
-        Some(self.0.assemblies(input))
+        Some(self.moving.assemblies(input))
     }
 
     fn assemble(&self, number: usize, input: f64) -> Result<Change, Vec<Problem>> {
-        let (found, shown) = self.0.assembled(input);
+        let (found, shown) = self.moving.assembled(input);
         let chosen = number.checked_sub(1);
         let pose = chosen.and_then(|chosen| found.poses.get(chosen));
         let pose = pose.ok_or_else(|| vec![unknown("assembly")])?;
@@ -212,7 +235,7 @@ impl Edited for Linkage {
     }
 
     fn trace(&self, input: f64, at: Point) -> Result<Change, Problem> {
-        let moving = &self.0;
+        let moving = &self.moving;
         let (pose, mechanism) = (moving.pose(input)?, moving.mechanism());
         let link = moving.figure().link_at(&pose, at);
         let (link, _) = link.ok_or_else(|| unknown("tracer"))?;

@@ -1,0 +1,75 @@
+//! The combined method for the Class IV linkage with dwell (Sakhabutdinova): positions by iteration, analogues from the
+//! constraint equations. Its equations (1) to (6), coefficients and chain of substitutions, in numbers.
+//!
+//! The crank AB turns about A and drives, through BE, the triangles E-G-F, H-G-L about the fixed H, and C-L-K with the link
+//! FK; the output CD turns about the fixed D. The numbers of [`CombinedMethod::relations`] come from the pose; nothing is
+//! solved by the paper's chain, which divides by x_EB, x_CD, Δ, Λ and 1 − |f_L|².
+
+mod constraints;
+mod first;
+mod places;
+mod second;
+mod system;
+
+use crate::Relation;
+use crate::mechanism::{DraftDriver, FRAME, Mechanism, PointId, Pose};
+use first::First;
+use places::Places;
+use second::Second;
+
+/// The points of the paper.
+const POINTS: [&str; 10] = ["A", "B", "C", "D", "E", "F", "G", "H", "K", "L"];
+/// The links by their points in the order of letters, in alphabetical order.
+const LINKS: [&str; 7] = ["AB", "BE", "CD", "CKL", "EFG", "FK", "GHL"];
+
+/// The linkage of the paper, whatever its lengths.
+#[derive(Clone, Debug)]
+pub struct CombinedMethod {
+    points: [PointId; 10],
+}
+
+impl CombinedMethod {
+    /// The paper's linkage in a mechanism; none where it has other links or another driver than the crank AB.
+    pub fn of(mechanism: &Mechanism) -> Option<Self> {
+        let draft = mechanism.draft();
+        let sorted = |names: &[String]| {
+            let mut letters: Vec<&str> = names.iter().map(String::as_str).collect();
+            letters.sort_unstable();
+            letters.concat()
+        };
+        let mut links: Vec<String> = draft
+            .links
+            .iter()
+            .map(|link| sorted(&link.points))
+            .collect();
+        links.sort_unstable();
+        let [DraftDriver::Crank { link, base, .. }] = &draft.drivers[..] else {
+            return None;
+        };
+        let crank = draft.links.iter().find(|one| one.name == *link)?;
+        let joined = draft.slides.is_empty() && draft.gears.is_empty();
+        let same = links == LINKS && sorted(&draft.frame) == "ADH" && joined;
+        if !same || base != FRAME || sorted(&crank.points) != "AB" {
+            return None;
+        }
+        let points: Option<Vec<PointId>> =
+            POINTS.iter().map(|name| mechanism.point(name)).collect();
+        let points = points?.try_into().ok()?;
+        Some(Self { points })
+    }
+
+    /// The paper's relations in a pose of that mechanism, in the order of the paper. Lengths are in the unit of the drawing,
+    /// derivatives by the crank angle. What has no value there, because it divides by zero, is left out.
+    pub fn relations(&self, mechanism: &Mechanism, pose: &Pose<3>) -> Vec<Relation> {
+        let places = Places::new(self.points.map(|point| mechanism.place(pose, point)));
+        let first = First::new(&places);
+        let second = Second::new(&places, &first);
+        let mut all = constraints::relations(&places);
+        all.extend(first.relations(&places));
+        all.extend(second.relations(&places, &first));
+        all.extend(second::chain(&places, &first));
+        all.extend(system::rows(&places, &first, &second));
+        all.retain(|one| one.value.is_finite());
+        all
+    }
+}

@@ -1,0 +1,127 @@
+//! Points of the linkage, their differences and the ratios of the rigid triangles.
+
+use crate::{JetPoint, Vector};
+
+/// A vector with two derivatives by the crank angle.
+pub(super) type Way = [Vector; 3];
+
+/// The points in a pose with both derivatives, each from A.
+#[derive(Clone, Debug)]
+pub(super) struct Places {
+    pub(super) b: Way,
+    pub(super) c: Way,
+    pub(super) e: Way,
+    pub(super) f: Way,
+    pub(super) g: Way,
+    pub(super) k: Way,
+    pub(super) l: Way,
+    d: Way,
+    h: Way,
+}
+
+impl Places {
+    /// Of the points A, B, C, D, E, F, G, H, K, L.
+    pub(super) fn new(points: [JetPoint<3>; 10]) -> Self {
+        let of = |point: &JetPoint<3>| [0, 1, 2].map(|order| point.derivative(order));
+        let [a, rest @ ..] = points;
+        let a = of(&a);
+        let [b, c, d, e, f, g, h, k, l] = rest.map(|point| between(of(&point), a));
+        Self {
+            b,
+            c,
+            e,
+            f,
+            g,
+            k,
+            l,
+            d,
+            h,
+        }
+    }
+
+    pub(super) fn eb(&self) -> Way {
+        between(self.e, self.b)
+    }
+
+    pub(super) fn eg(&self) -> Way {
+        between(self.e, self.g)
+    }
+
+    pub(super) fn gh(&self) -> Way {
+        between(self.g, self.h)
+    }
+
+    pub(super) fn gf(&self) -> Way {
+        between(self.g, self.f)
+    }
+
+    pub(super) fn fk(&self) -> Way {
+        between(self.f, self.k)
+    }
+
+    pub(super) fn kc(&self) -> Way {
+        between(self.k, self.c)
+    }
+
+    pub(super) fn lc(&self) -> Way {
+        between(self.l, self.c)
+    }
+
+    pub(super) fn cd(&self) -> Way {
+        between(self.c, self.d)
+    }
+
+    pub(super) fn fe(&self) -> Way {
+        between(self.f, self.e)
+    }
+
+    pub(super) fn lg(&self) -> Way {
+        between(self.l, self.g)
+    }
+
+    pub(super) fn lk(&self) -> Way {
+        between(self.l, self.k)
+    }
+
+    pub(super) fn lh(&self) -> Way {
+        between(self.l, self.h)
+    }
+
+    /// f_L of (3): HG turned and stretched into HL.
+    pub(super) fn f_l(&self) -> Vector {
+        ratio(self.lh()[0], self.gh()[0])
+    }
+
+    /// f_F of (4): GE turned and stretched into GF.
+    pub(super) fn f_f(&self) -> Vector {
+        ratio(-self.gf()[0], self.eg()[0])
+    }
+
+    /// f_K of (5): CL turned and stretched into CK.
+    pub(super) fn f_k(&self) -> Vector {
+        ratio(self.kc()[0], self.lc()[0])
+    }
+
+    /// ψ′ or ψ″, from the derivative of C of that order: the rest of the second derivative of C lies along CD.
+    pub(super) fn turned(&self, c: Vector) -> f64 {
+        let cd = self.cd()[0];
+        cd.perp(&c) / cd.norm_squared()
+    }
+}
+
+fn between(to: Way, from: Way) -> Way {
+    [0, 1, 2].map(|order| to[order] - from[order])
+}
+
+/// The quotient of two vectors as complex numbers: the ratio of their lengths, and the angle from the second to the first.
+fn ratio(one: Vector, other: Vector) -> Vector {
+    Vector::new(one.dot(&other), other.perp(&one)) / other.norm_squared()
+}
+
+/// The product of two vectors as complex numbers.
+pub(super) fn product(ratio: Vector, way: Vector) -> Vector {
+    Vector::new(
+        ratio.x * way.x - ratio.y * way.y,
+        ratio.y * way.x + ratio.x * way.y,
+    )
+}

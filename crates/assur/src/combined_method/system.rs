@@ -1,0 +1,58 @@
+//! The constraint equations with (3) to (5) put in: six linear equations for the analogues of E, G and C.
+
+use super::first::First;
+use super::places::Places;
+use super::second::Second;
+use crate::{Relation, Vector};
+
+/// An equation of the system: its link, the coefficients of x_E, y_E, x_G, y_G, x_C, y_C, the right sides of both orders.
+type Row = (&'static str, [f64; 6], [f64; 2]);
+
+/// The names of a row: its coefficients, then its right sides.
+const NAMES: [&str; 8] = ["x_E", "y_E", "x_G", "y_G", "x_C", "y_C", "′", "″"];
+
+/// The rows as relations, each by the id of its link.
+pub(super) fn rows(places: &Places, first: &First, second: &Second) -> Vec<Relation> {
+    let [eb, eg, gh, fk] = [places.eb(), places.eg(), places.gh(), places.fk()].map(|way| way[0]);
+    let [lc, cd] = [places.lc(), places.cd()].map(|way| way[0]);
+    let [f_l, f_f, f_k] = [places.f_l(), places.f_f(), places.f_k()];
+    let one = Vector::new(1.0, 0.0);
+    let through = Vector::new(f_k.x * f_l.x - f_k.y * f_l.y, f_k.y * f_l.x + f_k.x * f_l.y);
+    let zero = Vector::zeros();
+    let d = &second.d;
+    let row = |e: Vector, g: Vector, c: Vector| [e.x, e.y, g.x, g.y, c.x, c.y];
+    let all: [Row; 6] = [
+        (
+            "003.EB",
+            row(eb, zero, zero),
+            [first.c[1], first.c[2] - d[1]],
+        ),
+        ("003.EG", row(eg, -eg, zero), [0.0, -d[2]]),
+        ("003.GH", row(zero, gh, zero), [0.0, -d[3]]),
+        (
+            "003.FK",
+            row(
+                against(f_f, fk),
+                against(one - f_f - through, fk),
+                -against(one - f_k, fk),
+            ),
+            [0.0, -d[15]],
+        ),
+        ("003.LC", row(zero, against(f_l, lc), -lc), [0.0, -d[5]]),
+        ("003.CD", row(zero, zero, cd), [0.0, -d[6]]),
+    ];
+    let named = all.into_iter().flat_map(|(item, coefficients, right)| {
+        let numbers = coefficients.into_iter().chain(right);
+        let named = NAMES.into_iter().zip(numbers);
+        named.map(move |(name, value)| Relation::of(item, name, value, value))
+    });
+    named.collect()
+}
+
+/// The coefficients of x and y in the scalar product of a way with a point's analogue turned and stretched by a ratio.
+fn against(ratio: Vector, way: Vector) -> Vector {
+    Vector::new(
+        ratio.x * way.x + ratio.y * way.y,
+        -ratio.y * way.x + ratio.x * way.y,
+    )
+}

@@ -1,0 +1,117 @@
+// The analogue ψ″ over a turn, exact, and as differences of positions with a step that the reader sets: what the combined method is compared with.
+import { radians } from "assur/core/angles.js";
+import { make, write } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+
+/**
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/lesson/panel.js").Figure} Figure
+ * @typedef {import("assur/engine.js").LinkageSummary} Summary
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
+ * @typedef {readonly [number, number]} Pair of ψ′ and ψ″
+ */
+
+/** The step is a power of ten, degrees: the exponents in tenths. */
+const EXPONENTS = Object.freeze({ least: -60, most: 15, first: 13 });
+/** The plot in its own units, how many places of the turn it has, and every which of them has a dot. */
+const SIZE = Object.freeze({ width: 320, height: 180 });
+const PLACES = 144;
+const DOTTED = 3;
+const NAMESPACE = "http://www.w3.org/2000/svg";
+
+/** @implements {Figure} */
+export class Differences {
+  #engine;
+  #step = make("input", {
+    id: "differences-step", type: "range", min: String(EXPONENTS.least), max: String(EXPONENTS.most), value: String(EXPONENTS.first),
+  });
+  #name = make("span");
+  #legend = make("p", { class: "note" });
+  #errors = make("p", { id: "differences-errors" });
+  #plot = drawn("svg", { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, class: "lesson-plot", role: "img" });
+  /** @type {Summary | null} of which the exact curve is */
+  #summary = null;
+  /** @type {{ at: number, exact: Pair }[]} */
+  #places = [];
+  /** @type {Words | null} */
+  #words = null;
+  element;
+
+  /** @param {Pick<import("assur/engine.js").Engine, "plotted">} engine */
+  constructor(engine) {
+    this.#engine = engine;
+    this.#step.addEventListener("input", () => this.#draw());
+    this.element = make("figure", {}, [make("label", {}, [this.#name, this.#step]), this.#plot, this.#legend, this.#errors]);
+  }
+
+  /**
+   * @param {Snapshot} snapshot
+   * @param {Words} words
+   */
+  render({ kind, summary, stale }, words) {
+    if (kind !== "linkage" || stale || (summary === this.#summary && words === this.#words)) return;
+    this.#words = words;
+    this.#summary = summary;
+    const { start, end } = summary.cycle;
+    const places = Array.from({ length: PLACES }, (_, i) => start + ((end - start) * (i + 0.5)) / PLACES);
+    this.#places = places.flatMap((at) => {
+      const exact = attempt(() => this.#engine.plotted(at)).value;
+      return exact && exact.length >= 3 ? [{ at, exact: /** @type {const} */ ([exact[1], exact[2]]) }] : [];
+    });
+    this.#draw();
+  }
+
+  #draw() {
+    const words = this.#words;
+    if (!words || !this.#summary) return;
+    const degrees = 10 ** (Number(this.#step.value) / 10);
+    const h = radians(degrees);
+    const value = (/** @type {number} */ at) => attempt(() => this.#engine.plotted(at)).value?.[0];
+    const found = this.#places.map(({ at, exact }) => ({ at, exact, found: differences([value(at - h), value(at), value(at + h)], h) }));
+    const worst = [0, 1].map((order) => Math.max(...found.map(({ exact, found }) => (found ? Math.abs(found[order] - exact[order]) : 0))));
+    write(this.#name, words.text("differences.figure.step", { step: words.numbers.brief(degrees) }));
+    write(this.#legend, words.text("differences.figure.legend"));
+    write(this.#errors, words.text("differences.figure.errors", { first: words.numbers.short(worst[0]), second: words.numbers.short(worst[1]) }));
+    this.#plot.setAttribute("aria-label", words.text("differences.figure.legend"));
+    this.#paint(found);
+  }
+
+  /** @param {readonly { at: number, exact: Pair, found: Pair | null }[]} all */
+  #paint(all) {
+    const { start, end } = /** @type {Summary} */ (this.#summary).cycle;
+    const values = all.map(({ exact }) => exact[1]);
+    const [least, most] = [Math.min(...values), Math.max(...values)];
+    const room = 0.15 * (most - least);
+    const x = (/** @type {number} */ at) => ((at - start) / (end - start)) * SIZE.width;
+    const y = (/** @type {number} */ one) => SIZE.height * (1 - (one - least + room) / (most - least + 2 * room));
+    const curve = all.map(({ at, exact }) => `${x(at).toFixed(1)},${y(exact[1]).toFixed(1)}`).join(" ");
+    const zero = y(0).toFixed(1);
+    const dots = all.flatMap(({ at, found }, i) => (found && i % DOTTED === 0 ? [[x(at), y(found[1])]] : []));
+    const seen = dots.filter(([, top]) => top >= 0 && top <= SIZE.height);
+    this.#plot.replaceChildren(
+      drawn("line", { x1: "0", x2: String(SIZE.width), y1: zero, y2: zero, class: "axis" }),
+      drawn("polyline", { points: curve }),
+      ...seen.map(([left, top]) => drawn("circle", { cx: left.toFixed(1), cy: top.toFixed(1), r: "2" })),
+    );
+  }
+}
+
+/**
+ * @param {readonly (number | undefined)[]} places before, here and after
+ * @param {number} h radians
+ * @returns {Pair | null} both analogues by central differences of positions
+ */
+export function differences([before, here, after], h) {
+  if (before === undefined || here === undefined || after === undefined) return null;
+  return [(after - before) / (2 * h), (after - 2 * here + before) / (h * h)];
+}
+
+/**
+ * @param {string} tag
+ * @param {Readonly<Record<string, string>>} attributes
+ */
+function drawn(tag, attributes) {
+  const element = document.createElementNS(NAMESPACE, tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  return element;
+}

@@ -1,0 +1,43 @@
+// The figures of the lesson: the linear equations in numbers, and finite differences beside the exact analogues.
+import "assur/tests/document.js";
+import assert from "node:assert/strict";
+import test from "node:test";
+import { differences } from "assur/lessons/class4-dwell/differences.js";
+import { System } from "assur/lessons/class4-dwell/system.js";
+import { Words } from "assur/core/words.js";
+import { Page } from "assur/tests/page.js";
+import { tableOf } from "assur/tests/words.js";
+
+const { engine } = new Page("class4-dwell");
+const words = new Words("en", new Map([...tableOf("en"), ["derivatives.figure.system", "system"]]));
+
+test("central differences are exact for a parabola, and none without a neighbour", () => {
+  assert.deepEqual(differences([4, 1, 0], 1), [-2, 2]);
+  assert.equal(differences([4, undefined, 0], 1), null);
+});
+
+test("a step in the middle comes nearest to the exact ψ″", () => {
+  const at = Math.PI / 3;
+  const [, , exact] = engine.plotted(at);
+  const off = [10, 0.1, 1e-5].map((degrees) => {
+    const h = (degrees * Math.PI) / 180;
+    const found = differences([at - h, at, at + h].map((phi) => engine.plotted(phi)[0]), h);
+    return Math.abs(found[1] - exact);
+  });
+  assert.ok(off[1] < 1e-4 && off[0] > 100 * off[1] && off[2] > 10 * off[1], off.join());
+});
+
+test("six equations with their solutions of both orders hold in numbers", () => {
+  const system = new System(engine);
+  system.render({ input: Math.PI / 3, stale: false }, words);
+  const rows = system.element.all.filter(({ tagName }) => tagName === "TR").slice(1);
+  const numbers = rows.map((row) => row.all.filter(({ tagName }) => tagName === "TD").map(({ textContent }) => Number(textContent.replace("−", "-"))));
+  assert.equal(numbers.length, 8);
+  const solutions = numbers.slice(6);
+  for (const row of numbers.slice(0, 6)) {
+    for (const [order, solution] of solutions.entries()) {
+      const left = row.slice(0, 6).reduce((sum, factor, i) => sum + factor * solution[i], 0);
+      assert.ok(Math.abs(left - row[6 + order]) < 0.02, `${row} ${order}: ${left}`);
+    }
+  }
+});

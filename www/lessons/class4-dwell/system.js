@@ -1,0 +1,66 @@
+// The six equations for the analogues of E, G and C in numbers, with their solution.
+import { make, write } from "assur/core/dom.js";
+import { attempt } from "assur/core/problem.js";
+import { withSubscripts } from "assur/core/subscripts.js";
+
+/**
+ * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/lesson/panel.js").Figure} Figure
+ * @typedef {import("assur/engine.js").Relation} Relation
+ * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
+ */
+
+/** The equations by their links, the unknowns, and the two right sides. */
+const LINKS = Object.freeze(["EB", "EG", "GH", "FK", "LC", "CD"]);
+const UNKNOWNS = Object.freeze(["x_E", "y_E", "x_G", "y_G", "x_C", "y_C"]);
+const ORDERS = Object.freeze(["′", "″"]);
+/** The items of the paper that hold the solution, by order and point. */
+const SOLVED = Object.freeze([["003.vE", "003.cramer1", "003.vC"], ["003.aE", "003.cramer2", "003.aC"]]);
+const DECIMALS = 3;
+
+/** @implements {Figure} */
+export class System {
+  #engine;
+  #caption = make("caption");
+  #body = make("tbody");
+  element;
+
+  /** @param {Pick<import("assur/engine.js").Engine, "ask">} engine */
+  constructor(engine) {
+    this.#engine = engine;
+    const head = ["", ...UNKNOWNS, ...ORDERS].map((name) => make("th", { scope: "col" }, withSubscripts(name)));
+    const table = make("table", { class: "course lesson-matrix" }, [this.#caption, make("thead", {}, [make("tr", {}, head)]), this.#body]);
+    // What scrolls must be reached by keys, too.
+    this.element = make("div", { class: "lesson-window", tabindex: "0", role: "region" }, [table]);
+  }
+
+  /**
+   * @param {Snapshot} snapshot
+   * @param {Words} words
+   */
+  render({ input, stale }, words) {
+    write(this.#caption, words.text("derivatives.figure.system"));
+    this.element.ariaLabel = words.text("derivatives.figure.system");
+    if (stale) return;
+    const relations = attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value ?? [];
+    const values = new Map(relations.map(({ item, name, value }) => [`${item} ${name}`, value]));
+    const number = (/** @type {string} */ key) => {
+      const value = values.get(key);
+      return value === undefined ? "—" : value === 0 ? "0" : words.numbers.fixed(value, DECIMALS);
+    };
+    const rows = LINKS.map((link) => row([link], [...UNKNOWNS, ...ORDERS].map((name) => number(`003.${link} ${name}`))));
+    const solved = ORDERS.map((order, k) => {
+      const cells = UNKNOWNS.map((name, i) => number(`${SOLVED[k][i >> 1]} ${name.replace("_", `${order}_`)}`));
+      return row([`q${order}`], [...cells, "", ""]);
+    });
+    this.#body.replaceChildren(...rows, ...solved);
+  }
+}
+
+/**
+ * @param {readonly (Node | string)[]} head
+ * @param {readonly string[]} cells
+ */
+function row(head, cells) {
+  return make("tr", {}, [make("th", { scope: "row" }, head), ...cells.map((cell) => make("td", {}, [cell]))]);
+}
