@@ -80,7 +80,7 @@ pub(crate) trait Capabilities {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct RelationHere {
     item: &'static str,
-    name: &'static str,
+    name: Cow<'static, str>,
     /// Whether it is an angle, radians.
     angle: bool,
     /// Whether it counts something, and is a whole number.

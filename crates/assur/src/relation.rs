@@ -1,14 +1,16 @@
 //! Relations of a paper in numbers: what a quantity comes to, and what it would by the relation as it is printed.
 
+use std::borrow::Cow;
+
 use crate::Vector;
 
 /// A quantity for which a paper gives a relation.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Relation {
     /// The item in the table of the paper, `002.(10)`; of what is ours and stands beside it an id of its own.
     pub item: &'static str,
-    /// The quantity in the letters of the paper, `φ₃′`.
-    pub name: &'static str,
+    /// The quantity in the letters of the paper, `φ₃′`; of one position among several with its number, `φ₂⁽¹⁾`.
+    pub name: Cow<'static, str>,
     /// Whether it is an angle, radians; else a length or a number.
     pub is_angle: bool,
     /// Whether it counts something, and is a whole number.
@@ -20,10 +22,15 @@ pub struct Relation {
 }
 
 impl Relation {
-    pub(crate) fn of(item: &'static str, name: &'static str, value: f64, printed: f64) -> Self {
+    pub(crate) fn of(
+        item: &'static str,
+        name: impl Into<Cow<'static, str>>,
+        value: f64,
+        printed: f64,
+    ) -> Self {
         Self {
             item,
-            name,
+            name: name.into(),
             is_angle: false,
             is_count: false,
             value,
@@ -44,7 +51,12 @@ impl Relation {
         ]
     }
 
-    pub(crate) fn angle(item: &'static str, name: &'static str, value: f64, printed: f64) -> Self {
+    pub(crate) fn angle(
+        item: &'static str,
+        name: impl Into<Cow<'static, str>>,
+        value: f64,
+        printed: f64,
+    ) -> Self {
         Self {
             is_angle: true,
             ..Self::of(item, name, value, printed)
@@ -53,7 +65,7 @@ impl Relation {
 
     pub(crate) fn count(
         item: &'static str,
-        name: &'static str,
+        name: impl Into<Cow<'static, str>>,
         value: isize,
         printed: isize,
     ) -> Self {

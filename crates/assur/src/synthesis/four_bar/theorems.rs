@@ -1,19 +1,20 @@
 //! The paper's own method, for given angles of all links: the functional (3), the system (5) of
 //! its minimum, and the conditions and theorems on positive lengths, with the truth beside each.
 //!
-//! Printed formulas are evaluated with their misprints mended (docs/errata.md). Of conditions (14),
-//! (25), (29), (30) and (33) to (38) the sense is known and not the wording: [`ConditionNumber`] says
-//! what is evaluated for each.
+//! Conditions and theorems are evaluated as they are printed, lengths by the formulas that hold: [`relations`] has both
+//! versions of each formula (docs/errata.md).
 
 mod conditions;
+mod relations;
 mod system;
 mod truth;
 
 pub use conditions::{
-    Alternative, Condition, ConditionNumber, Theorem, alternative, conditions, theorems,
+    Alternative, Condition, Theorem, ThirdPair, alternative, conditions, theorems, third_pair,
 };
+pub use relations::relations;
 pub use system::{PositiveMinimum, System, functional};
-pub use truth::{Truth, truth};
+pub use truth::{Truth, opening, truth};
 
 /// The angles of all links in one position, from the x-axis.
 #[derive(Clone, Copy, Debug, PartialEq)]

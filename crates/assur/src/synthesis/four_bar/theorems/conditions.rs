@@ -1,21 +1,23 @@
-//! The printed conditions on positive lengths by their numbers, and the theorems that they make.
+//! The printed conditions on positive lengths by their numbers, as they are printed, and the theorems that they make, each
+//! with what is true beside it.
 
-use super::{Angles, Subsystem, Truth, Unknown, truth};
+use super::truth::non_negative;
+use super::{Angles, PARALLEL, Subsystem, Truth, Unknown, truth};
 
 /// How z = P + Q z₁ is positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Alternative {
-    /// P > 0 and Q < 0: for z₁ less than this, the paper's first alternative.
+    /// P > 0 and Q < 0: for z₁ less than this.
     First {
         /// −P/Q.
         below: f64,
     },
-    /// P < 0 and Q > 0: for z₁ greater than this, its second.
+    /// P < 0 and Q > 0: for z₁ greater than this.
     Second {
         /// −P/Q.
         above: f64,
     },
-    /// P ≥ 0 and Q ≥ 0, not both zero: for every z₁ > 0.
+    /// P ≥ 0 and Q ≥ 0, not both zero: for every z₁ > 0, which (14), (25) and (20) to (23) leave out.
     Always,
     /// For none.
     Never,
@@ -35,37 +37,33 @@ pub fn alternative(constant: f64, slope: f64) -> Alternative {
     }
 }
 
-/// The number of a condition in the paper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ConditionNumber {
-    /// (13): output and input are not parallel. The value is sin(φ₃ − φ₂).
-    N13,
-    /// (14): the bound of φ₁ that z₂ sets, Q₂ < 0. The value is Q₂.
-    N14,
-    /// (25): the bound of φ₁ that z₃ sets, Q₃ < 0. The value is Q₃.
-    N25,
-    /// (19): the range z₁ ≤ −P/Q, true for P ≥ 0 and Q ≤ 0 only. The value is −P/Q.
-    N19,
-    /// (21): z₁ ≤ −P/Q where Q < 0; some z₁ > 0 has it where −P/Q > 0.
-    N21,
-    /// (23): z₁ ≥ −P/Q where Q > 0.
-    N23,
-    /// (29), (30), (33) to (38): a length is positive by the first or by the second alternative.
-    /// The value is −P/Q.
-    Alternatives,
+impl Alternative {
+    /// Between which z₁ the length is positive: the least, or zero, and the greatest, if there is one; none for `Never`.
+    pub fn range(self) -> Option<(f64, Option<f64>)> {
+        match self {
+            Self::First { below } => Some((0.0, Some(below))),
+            Self::Second { above } => Some((above, None)),
+            Self::Always => Some((0.0, None)),
+            Self::Never => None,
+        }
+    }
 }
 
 /// A printed condition at given angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Condition {
-    /// Its number.
-    pub number: ConditionNumber,
+    /// Its number in the paper: 13, 14, 25, 29, 30 or 33 to 38. (24) repeats (13).
+    pub number: u8,
     /// The unknown that it is about, z₂ or z₃ as a function of z₁; none of (13).
     pub about: Option<Unknown>,
-    /// Its value; none where there is none (a limit −P/Q with Q = 0).
-    pub value: Option<f64>,
-    /// Whether it holds.
+    /// The two numbers whose signs it judges: P and Q; of (33) to (38) the two fractions in the order of print. Of (13)
+    /// sin(φ₃ − φ₂) twice. A fraction may be infinite where e₁ is parallel to e₂ or e₃.
+    pub values: [f64; 2],
+    /// Whether it holds as it is printed.
     pub holds: bool,
+    /// Whether what it is printed for is so: of (13) that z₁ determines z₂ and z₃; of (29), (30) that the length is
+    /// positive for some z₁ > 0; of the others that it is not negative for some z₁ ≥ 0.
+    pub truth: bool,
 }
 
 /// A theorem at given angles.
@@ -73,98 +71,136 @@ pub struct Condition {
 pub struct Theorem {
     /// 1 to 5.
     pub number: u8,
-    /// Whether what it asks for holds.
+    /// Whether what it asks for holds, as it is printed.
     pub conditions: bool,
-    /// What is true of that which it concludes: real lengths for 1 and 2, positive ones for 3 to 5.
-    /// Where `conditions` holds and this does not, the theorem is false.
+    /// Whether what it concludes is so: that there are real lengths (1, 2), lengths of which none is negative (3, 5),
+    /// positive lengths (4). Where `conditions` holds and this does not, the theorem is false; where it is the other way
+    /// round, the theorem asks for more than is needed.
     pub truth: bool,
 }
 
-/// Every printed condition at given angles. Where (13) fails there are no other conditions on
-/// z₂ and z₃; angles that are not finite have none.
+/// The printed conditions at given angles, in the order of their numbers. Where (13) fails there are no others on z₂ and
+/// z₃; angles that are not finite have none.
 pub fn conditions(angles: &Angles) -> Vec<Condition> {
     if !angles.is_finite() {
         return Vec::new();
     }
     let by = angles.subsystem(Unknown::Coupler);
+    let across = (angles.input - angles.output).sin();
     let mut all = vec![Condition {
-        number: ConditionNumber::N13,
+        number: 13,
         about: None,
-        value: Some((angles.input - angles.output).sin()),
+        values: [across; 2],
         holds: by.is_some(),
+        truth: by.is_some(),
     }];
     if let Some(by) = by {
-        for k in 0..2 {
-            all.extend(of(&by, k));
-        }
+        all.extend((0..2).flat_map(|k| of_signs(&by, k)));
+        all.extend(of_cases(angles, &by));
+        all.sort_by_key(|condition| condition.number);
     }
     all
 }
 
-/// The conditions on z₂ (k = 0) or z₃ as functions of z₁.
-fn of(by: &Subsystem, k: usize) -> [Condition; 5] {
-    let (constant, slope) = (by.constant[k], by.slope[k]);
-    let limit = Some(-constant / slope).filter(|limit| limit.is_finite());
-    let condition = |number, value, holds| Condition {
+/// (14) and (29) of z₂ (k = 0), (25) and (30) of z₃. "(P ≥ 0 and Q ≤ 0) or PQ ≤ 0" is PQ ≤ 0.
+fn of_signs(by: &Subsystem, k: usize) -> [Condition; 2] {
+    let (p, q) = (by.constant[k], by.slope[k]);
+    let condition = |number, holds, truth| Condition {
         number,
         about: Some(by.of[k]),
-        value,
+        values: [p, q],
         holds,
+        truth,
     };
-    let bound = [ConditionNumber::N14, ConditionNumber::N25][k];
+    let [loose, strict] = [[14, 29], [25, 30]][k];
     [
-        condition(bound, Some(slope), slope < 0.0),
-        condition(
-            ConditionNumber::N19,
-            limit,
-            constant >= 0.0 && slope <= 0.0 && limit.is_some(),
-        ),
-        condition(
-            ConditionNumber::N21,
-            limit.filter(|_| slope < 0.0),
-            slope < 0.0 && limit.is_some_and(|limit| limit > 0.0),
-        ),
-        condition(
-            ConditionNumber::N23,
-            limit.filter(|_| slope > 0.0),
-            slope > 0.0 && limit.is_some(),
-        ),
-        alternatives(by, k),
+        condition(loose, p * q <= 0.0, p >= 0.0 || q > 0.0),
+        condition(strict, p * q < 0.0, p > 0.0 || q > 0.0),
     ]
 }
 
-fn alternatives(by: &Subsystem, k: usize) -> Condition {
-    let found = alternative(by.constant[k], by.slope[k]);
-    Condition {
-        number: ConditionNumber::Alternatives,
+/// (33) to (35) of z₂, (36) to (38) of z₃: signs of the two fractions of (31) and (32), at a border by either sign.
+fn of_cases(angles: &Angles, by: &Subsystem) -> [Condition; 6] {
+    let [f0, f1, f2, f3] = [angles.frame, angles.coupler, angles.output, angles.input];
+    let second = [(f0 - f3).sin(), (f3 - f2).sin()].map(|one| one / (f3 - f1).sin());
+    // Of z₃ the slope stands first.
+    let third = [(f2 - f3).sin(), (f0 - f2).sin()].map(|one| one / (f2 - f1).sin());
+    let not_negative = [0, 1].map(|k| by.constant[k] >= 0.0 || by.slope[k] > 0.0);
+    let condition = |number, k: usize, values: [f64; 2], signs: [f64; 2]| Condition {
+        number,
         about: Some(by.of[k]),
-        value: Some(-by.constant[k] / by.slope[k]).filter(|limit| limit.is_finite()),
-        holds: matches!(
-            found,
-            Alternative::First { .. } | Alternative::Second { .. }
-        ),
-    }
+        values,
+        holds: values[0] * signs[0] >= 0.0 && values[1] * signs[1] >= 0.0,
+        truth: not_negative[k],
+    };
+    [
+        condition(33, 0, second, [-1.0, -1.0]),
+        condition(34, 0, second, [1.0, -1.0]),
+        condition(35, 0, second, [-1.0, 1.0]),
+        condition(36, 1, third, [-1.0, -1.0]),
+        condition(37, 1, third, [1.0, -1.0]),
+        condition(38, 1, third, [-1.0, 1.0]),
+    ]
 }
 
-/// Theorems 1 to 5 at given angles; none where an angle is not finite. 1 and 2 say that lengths are
-/// real where (13) holds. 3, 4 and 5 say that they are positive where conditions among (29), (30),
-/// (33) to (38) hold, all of which amount to this: z₂ is positive by one of the alternatives, and
-/// z₃ is so by one. They stand or fall together.
+/// The condition that theorem 5 leaves out, that of the pair z₂, z₃: z₂ = −a₁ − b₁z₃ is not negative for some z₃ ≥ 0. With
+/// it theorem 5 is exact. `values` are a₁ = sin(φ₁ − φ₀)/sin(φ₂ − φ₁) and b₁ = sin(φ₃ − φ₁)/sin(φ₂ − φ₁); none where an
+/// angle is not finite or e₁ is parallel to e₂.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThirdPair {
+    /// a₁ and b₁.
+    pub values: [f64; 2],
+    /// Whether not both are positive.
+    pub holds: bool,
+}
+
+/// See [`ThirdPair`].
+pub fn third_pair(angles: &Angles) -> Option<ThirdPair> {
+    let across = (angles.output - angles.coupler).sin();
+    if across.abs() < PARALLEL || !angles.is_finite() {
+        return None;
+    }
+    let values = [angles.coupler - angles.frame, angles.input - angles.coupler];
+    let values = values.map(|turn| turn.sin() / across);
+    Some(ThirdPair {
+        values,
+        holds: values.iter().any(|value| *value <= 0.0),
+    })
+}
+
+/// Theorems 1 to 5 at given angles, as they are printed; none where an angle is not finite. 1 asks for (13) and (14), 2 for
+/// (24) and (25), 3 for both, 4 for both with strict signs, 5 for one of (33) to (35) and one of (36) to (38).
 pub fn theorems(angles: &Angles) -> Option<[Theorem; 5]> {
     let positive = truth(angles).as_ref().map(Truth::holds)?;
-    let by = angles.subsystem(Unknown::Coupler);
-    let each = by.is_some_and(|by| (0..2).all(|k| alternatives(&by, k).holds));
+    let not_negative = non_negative(angles)?;
+    let all = conditions(angles);
+    let asks = |numbers: &[u8]| {
+        let mut found = all.iter().filter(|one| numbers.contains(&one.number));
+        found.any(|one| one.holds)
+    };
+    let [first, second] = [14, 25].map(|number| asks(&[13]) && asks(&[number]));
     let theorem = |number, conditions, truth| Theorem {
         number,
         conditions,
         truth,
     };
-    let real = by.is_some();
+    let real = angles.have_real_lengths();
     Some([
-        theorem(1, real, real),
-        theorem(2, real, real),
-        theorem(3, each, positive),
-        theorem(4, each, positive),
-        theorem(5, each, positive),
+        theorem(1, first, real),
+        theorem(2, second, real),
+        theorem(3, first && second, not_negative),
+        theorem(4, asks(&[13]) && asks(&[29]) && asks(&[30]), positive),
+        theorem(5, asks(&[33, 34, 35]) && asks(&[36, 37, 38]), not_negative),
     ])
+}
+
+impl Angles {
+    /// Whether some real lengths close the loop: e₀ is a sum of multiples of e₁, e₂ and e₃, unless these are parallel to each
+    /// other and not to it.
+    fn have_real_lengths(&self) -> bool {
+        let across = [self.coupler, self.output, self.input].map(|turn| turn - self.frame);
+        let [a, b, c] = across;
+        let spread = [b - a, c - a].iter().any(|turn| turn.sin().abs() >= PARALLEL);
+        spread || a.sin().abs() < PARALLEL
+    }
 }

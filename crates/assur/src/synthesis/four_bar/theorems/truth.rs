@@ -1,5 +1,8 @@
 //! The truth about one position: for which z₁ all lengths are positive.
 
+use std::f64::consts::PI;
+
+use super::super::closure::near;
 use super::{Angles, PARALLEL, Unknown};
 
 /// For which z₁ > 0 there are z₂ > 0 and z₃ > 0 that close the loop.
@@ -35,6 +38,35 @@ impl Truth {
             Self::Parallel { coupler } => coupler.is_some(),
             Self::InLine { closes } => closes,
         }
+    }
+}
+
+/// δ₊ − δ₋: from the nearest of e₁, e₂, e₃ on the right of e₀ to the nearest on its left, radians. e₀ lies strictly inside
+/// their cone, so that positive lengths close the loop, where this is less than π. None where all are on one side, and where
+/// an angle is not finite.
+pub fn opening(angles: &Angles) -> Option<f64> {
+    let turns = angles.from_frame();
+    let left = turns.into_iter().filter(|turn| *turn > 0.0);
+    let right = turns.into_iter().filter(|turn| *turn < 0.0);
+    let opening = left.reduce(f64::min)? - right.reduce(f64::max)?;
+    opening.is_finite().then_some(opening)
+}
+
+/// Whether some z ≥ 0 closes the loop: e₀ lies in the cone of e₁, e₂, e₃, its border included. None where an angle is not
+/// finite.
+pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
+    if !angles.is_finite() {
+        return None;
+    }
+    let along = angles.from_frame().into_iter().any(|turn| turn.abs() < PARALLEL);
+    Some(along || opening(angles).is_some_and(|opening| opening <= PI + PARALLEL))
+}
+
+impl Angles {
+    /// φᵢ − φ₀ of coupler, output and input, from −π to π.
+    fn from_frame(&self) -> [f64; 3] {
+        let turns = [self.coupler, self.output, self.input];
+        turns.map(|turn| near(turn, self.frame) - self.frame)
     }
 }
 

@@ -1,0 +1,272 @@
+//! The formulas of the paper in numbers, as they hold and as they are printed (Sinchev and Mukhanova, (3) to (38)).
+
+use super::{Angles, Subsystem, System, Unknown, functional, opening, third_pair};
+use crate::relation::Relation;
+
+/// The relations of the paper at each of some positions, in the order of the paper, named with the position's number. `z` are
+/// z₁, z₂, z₃ of the lengths that are looked at: J and the gap are theirs. All other formulas are told of the lengths that
+/// close the position: z₁ and the z₂, z₃ that follow from it; where (13) fails there are none. `length` is l₀, and `best` has
+/// of each position the coupler's angle at which these lengths leave the least open, and how much, in lengths of the frame.
+/// Positions with an angle that is not finite have no relations.
+pub fn relations(positions: &[Angles], z: [f64; 3], length: f64, best: &[[f64; 2]]) -> Vec<Relation> {
+    let mut all = Vec::new();
+    if let Some(system) = System::new(positions) {
+        let sum = positions.iter().map(|angles| functional(angles, z)).sum();
+        all.push(Relation::of("000.lemma", "ΣJ", system.value(z), sum));
+    }
+    for (k, (angles, [coupler, gap])) in positions.iter().zip(best).enumerate() {
+        if !angles.is_finite() {
+            continue;
+        }
+        let mut told = Told::new(k, angles);
+        told.functional(z);
+        told.system();
+        if let Some(by) = angles.subsystem(Unknown::Coupler) {
+            told.closed(&by, z[0]);
+            told.ranges(&by, z[0]);
+            told.cases();
+        }
+        let open = functional(angles, z).sqrt() * length;
+        told.angle("000.ex.phi1", "φ₁", angles.coupler);
+        told.same("000.ex.lengths", "l₀√J", open);
+        told.angle("000.ex.deviation", "φ₁", *coupler);
+        told.same("000.ex.deviation", "l₀√J", gap.abs() * length);
+        all.extend(told.all);
+    }
+    all
+}
+
+/// What is told of a position.
+struct Told<'a> {
+    number: usize,
+    angles: &'a Angles,
+    all: Vec<Relation>,
+}
+
+/// Digits above the line.
+const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+
+impl<'a> Told<'a> {
+    fn new(index: usize, angles: &'a Angles) -> Self {
+        Self {
+            number: index + 1,
+            angles,
+            all: Vec::new(),
+        }
+    }
+
+    /// The quantity with the position's number, `[z₂ + e₂e₃z₃]⁽¹⁾`.
+    fn name(&self, name: &str) -> String {
+        let number = self.number.to_string();
+        let digits = number.chars().filter_map(|digit| digit.to_digit(10));
+        let raised: String = digits.map(|digit| RAISED[digit as usize]).collect();
+        if name.contains([' ', '(', '|']) {
+            format!("[{name}]⁽{raised}⁾")
+        } else {
+            format!("{name}⁽{raised}⁾")
+        }
+    }
+
+    fn of(&mut self, item: &'static str, name: &str, value: f64, printed: f64) {
+        self.all
+            .push(Relation::of(item, self.name(name), value, printed));
+    }
+
+    /// One whose formula holds as it is printed, or is but a name.
+    fn same(&mut self, item: &'static str, name: &str, value: f64) {
+        self.of(item, name, value, value);
+    }
+
+    fn angle(&mut self, item: &'static str, name: &str, value: f64) {
+        self.all
+            .push(Relation::angle(item, self.name(name), value, value));
+    }
+
+    /// eᵢ·eⱼ, of the frame (0), coupler, output and input.
+    fn dot(&self, i: usize, j: usize) -> f64 {
+        (self.turn(i) - self.turn(j)).cos()
+    }
+
+    /// sin(φᵢ − φⱼ).
+    fn sin(&self, i: usize, j: usize) -> f64 {
+        (self.turn(i) - self.turn(j)).sin()
+    }
+
+    fn turn(&self, i: usize) -> f64 {
+        let Angles {
+            frame,
+            coupler,
+            output,
+            input,
+        } = *self.angles;
+        [frame, coupler, output, input][i]
+    }
+
+    /// (3), and the products of directions.
+    fn functional(&mut self, [z1, z2, z3]: [f64; 3]) {
+        let squares = 1.0 + z1 * z1 + z2 * z2 + z3 * z3;
+        let products =
+            z1 * z2 * self.dot(1, 2) + z1 * z3 * self.dot(1, 3) + z2 * z3 * self.dot(2, 3);
+        let along = z1 * self.dot(0, 1) + z2 * self.dot(0, 2) + z3 * self.dot(0, 3);
+        let printed = squares + 2.0 * products - 2.0 * along;
+        self.of("000.(3)", "J", functional(self.angles, [z1, z2, z3]), printed);
+        for (name, i, j) in [
+            ("e₁e₂", 1, 2),
+            ("e₁e₃", 1, 3),
+            ("e₂e₃", 2, 3),
+            ("e₀e₁", 0, 1),
+            ("e₀e₂", 0, 2),
+            ("e₀e₃", 0, 3),
+        ] {
+            self.same("000.(6)", name, self.dot(i, j));
+        }
+    }
+
+    /// The ranks, and the determinants of the subsystems in z₂, z₃.
+    fn system(&mut self) {
+        let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
+        if let Some(system) = System::new(&[*self.angles]) {
+            let rank = system.rank as f64;
+            self.of("000.rank", "rank A", rank, 2.0);
+            self.of("000.rank", "rank Ā", rank, 2.0);
+        }
+        self.of("000.subsystems", "det(7)", self.sin(3, 2).powi(2), 1.0 - e23 * e23);
+        self.of("000.subsystems", "det(8)", self.sin(1, 2) * self.sin(3, 2), e12 * e23 - e13);
+        self.of("000.subsystems", "det(9)", -self.sin(1, 3) * self.sin(2, 3), e23 * e13 - e12);
+    }
+
+    /// (4) to (16), (26), (31), (32): formulas of lengths that close the position.
+    fn closed(&mut self, by: &Subsystem, z1: f64) {
+        let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
+        let [e01, e02, e03] = [self.dot(0, 1), self.dot(0, 2), self.dot(0, 3)];
+        let [[p2, p3], [q2, q3]] = [by.constant, by.slope];
+        let [z2, z3] = [p2 + q2 * z1, p3 + q3 * z1];
+        let rows = [
+            z1 + e12 * z2 + e13 * z3,
+            e12 * z1 + z2 + e23 * z3,
+            e13 * z1 + e23 * z2 + z3,
+        ];
+        for (name, row, right) in [
+            ("∂J/∂z₁", rows[0], e01),
+            ("∂J/∂z₂", rows[1], e02),
+            ("∂J/∂z₃", rows[2], e03),
+        ] {
+            self.of("000.(4)", name, 2.0 * (row - right), 0.0);
+        }
+        for (name, row, right) in [
+            ("e₀e₁", rows[0], e01),
+            ("e₀e₂", rows[1], e02),
+            ("e₀e₃", rows[2], e03),
+        ] {
+            self.of("000.(5)", name, right, row);
+        }
+        let first = ("e₀e₁ − z₁", e01 - z1, e12 * z2 + e13 * z3);
+        let second = ("e₀e₂ − e₁e₂z₁", e02 - e12 * z1, z2 + e23 * z3);
+        let third = ("e₀e₃ − e₁e₃z₁", e03 - e13 * z1, e23 * z2 + z3);
+        for (item, sides) in [
+            ("000.(7)", [second, third]),
+            ("000.(8)", [first, second]),
+            ("000.(9)", [third, first]),
+        ] {
+            for (name, value, printed) in sides {
+                self.of(item, name, value, printed);
+            }
+        }
+        let [a, b] = [z2 + e23 * z3 - e02, e23 * z2 + z3 - e03];
+        self.of("000.(10)", "−e₁e₂z₁", -e12 * z1, a);
+        self.of("000.(10)", "−e₁e₃z₁", -e13 * z1, b);
+        let across = 1.0 - e23 * e23;
+        let printed = a * a + b * b - 2.0 * a * b;
+        self.of("000.(11)", "z₁²(1 − (e₂e₃)²)", z1 * z1 * across, printed);
+        let constant = (z1 * z1 - z2 * z2 - z3 * z3 - 1.0) / (2.0 * z2 * z3);
+        self.of("000.(12)", "e₂e₃", e23, e03 * z2 + e02 * z3 - constant);
+        self.same("000.(12).Z", "Z", constant);
+        for item in ["000.(13)", "000.(24)"] {
+            self.of(item, "√(1 − (e₂e₃)²)", self.sin(3, 2).abs(), across.sqrt());
+        }
+        self.of("000.notation", "P₂", p2, (e02 - e03 * e23) / across);
+        self.of("000.notation", "Q₂", q2, self.sin(1, 3) / self.sin(3, 2));
+        self.of("000.notation", "P₃", p3, (e03 - e02 * e23) / across);
+        self.of("000.notation", "Q₃", q3, self.sin(1, 2) / self.sin(2, 3));
+        for (items, name, side, printed) in [
+            (
+                ["000.(15)", "000.(27)"],
+                "(z₂ − P₂) sin(φ₃ − φ₂)",
+                (z2 - p2) * self.sin(3, 2),
+                -self.sin(1, 3) * z1,
+            ),
+            (
+                ["000.(26)", "000.(28)"],
+                "(z₃ − P₃) sin(φ₂ − φ₃)",
+                (z3 - p3) * self.sin(2, 3),
+                -self.sin(1, 2) * z1,
+            ),
+        ] {
+            for item in items {
+                self.of(item, name, side, printed);
+            }
+        }
+        self.of("000.(16)", "z₂", z2, p2 - q2 * z1);
+        self.of("000.(26)", "z₃", z3, p3 - q3 * z1);
+        for (item, name, [sin, cos], z, i) in [
+            ("000.(31)", "tan φ₃", [self.turn(3).sin(), self.turn(3).cos()], z2, 2),
+            ("000.(32)", "tan φ₂", [self.turn(2).sin(), self.turn(2).cos()], z3, 3),
+        ] {
+            let part = |of: fn(f64) -> f64| {
+                of(self.turn(0)) - z1 * of(self.turn(1)) - z * of(self.turn(i))
+            };
+            self.of(item, name, sin / cos, part(f64::sin) / part(f64::cos));
+        }
+    }
+
+    /// (17) to (25), (29), (30): signs and ranges.
+    fn ranges(&mut self, by: &Subsystem, z1: f64) {
+        let [[p2, p3], [q2, q3]] = [by.constant, by.slope];
+        self.of("000.(17)", "z₂", p2 + q2 * z1, p2 - q2 * z1);
+        self.of("000.(18)", "|z₂|", (p2 + q2 * z1).abs(), (p2 - q2 * z1).abs());
+        self.same("000.(18)", "|P₂| + |Q₂z₁|", p2.abs() + (q2 * z1).abs());
+        self.of("000.(19).hyp", "Q₂", q2, -q2);
+        self.same("000.(19)", "P₂", p2);
+        self.same("000.(19)", "z₂", p2 + q2 * z1);
+        for item in ["000.(20)", "000.(22)"] {
+            self.same(item, "P₂", p2);
+            self.of(item, "Q₂", q2, -q2);
+        }
+        for item in ["000.(14)", "000.(29)"] {
+            self.same(item, "P₂Q₂", p2 * q2);
+        }
+        for item in ["000.(25)", "000.(30)"] {
+            self.same(item, "P₃Q₃", p3 * q3);
+        }
+        if q2 != 0.0 {
+            self.same("000.(20).cut", "z₁(z₂ = 0)", -p2 / q2);
+            for item in ["000.(21)", "000.(23)"] {
+                self.of(item, "z₁(z₂ = 0)", -p2 / q2, p2 / q2);
+            }
+        }
+    }
+
+    /// (33) to (38), the pair that they leave out, and the cone.
+    fn cases(&mut self) {
+        let [second, third] = [self.sin(3, 1), self.sin(2, 1)];
+        if second != 0.0 {
+            for item in ["000.(33)", "000.(34)", "000.(35)"] {
+                self.same(item, "sin(φ₀ − φ₃)/sin(φ₃ − φ₁)", self.sin(0, 3) / second);
+                self.same(item, "sin(φ₃ − φ₂)/sin(φ₃ − φ₁)", self.sin(3, 2) / second);
+            }
+        }
+        if third != 0.0 {
+            for item in ["000.(36)", "000.(37)", "000.(38)"] {
+                self.same(item, "sin(φ₂ − φ₃)/sin(φ₂ − φ₁)", self.sin(2, 3) / third);
+                self.same(item, "sin(φ₀ − φ₂)/sin(φ₂ − φ₁)", self.sin(0, 2) / third);
+            }
+        }
+        if let Some(pair) = third_pair(self.angles) {
+            self.same("000.T5", "sin(φ₁ − φ₀)/sin(φ₂ − φ₁)", pair.values[0]);
+            self.same("000.T5", "sin(φ₃ − φ₁)/sin(φ₂ − φ₁)", pair.values[1]);
+        }
+        if let Some(opening) = opening(self.angles) {
+            self.angle("000.truth", "δ₊ − δ₋", opening);
+        }
+    }
+}
