@@ -160,6 +160,55 @@ fn known_linkages() {
     assert!(is_known(&many["solutions"][0]), "{many}");
 }
 
+/// What the paper does: coupler angles by (14) and (25), ranges, lengths that are tried.
+#[test]
+fn coupler_angles_and_trial_lengths() {
+    let found = json(&example(&["--coupler", "10,9", "--lengths", "10,5,4"]));
+    assert_eq!(found["kind"], "trial");
+    let at = found["at"].as_array().unwrap();
+    for (one, [open, below]) in at.iter().zip([[0.3241, 11.757], [0.2474, 11.575]]) {
+        assert!((number(&one["open"]) - open).abs() < 5e-5, "{one}");
+        assert_eq!(number(&one["l1_range"][0]), 0.0);
+        assert!((number(&one["l1_range"][1]) - below).abs() < 0.4, "{one}");
+        for key in [
+            "condition_14",
+            "condition_25",
+            "condition_35",
+            "condition_37",
+            "theorem_3",
+            "theorem_5",
+        ] {
+            assert_eq!(one[key]["as_printed"], "yes", "{key}");
+            assert_eq!(one[key]["in_fact"], "yes", "{key}");
+        }
+    }
+    let gaps = found["solutions"][0]["residual"].as_array().unwrap();
+    assert!((number(&gaps[0]).abs() - 0.1829).abs() < 5e-5);
+    let counterexample = [
+        "--position",
+        "30,45",
+        "--position",
+        "75,190",
+        "--coupler",
+        "15,18",
+    ];
+    let found = json(&counterexample);
+    let first = &found["at"][0];
+    assert_eq!(first["theorem_5"]["as_printed"], "yes");
+    assert_eq!(first["theorem_5"]["in_fact"], "no");
+    assert!(first["l1_range"].is_null());
+    let text = said(&example(&["--coupler", "10,9"]));
+    assert!(
+        text.contains("theorem_5      as_printed yes, in_fact yes"),
+        "{text}"
+    );
+    assert!(
+        refused(&example(&["--coupler", "10"]))
+            .contains("--coupler takes one angle for each position")
+    );
+    assert!(refused(&example(&["--lengths", "10,5"])).contains("three numbers above zero"));
+}
+
 #[test]
 fn one_position() {
     let text = said(&["--position", "90,120"]);

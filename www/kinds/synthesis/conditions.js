@@ -1,7 +1,8 @@
-// The conditions of the paper for one position at its coupler angle: each with its value and verdict, and beside them what is true.
-import { degrees } from "assur/core/angles.js";
+// The conditions and theorems of the paper for one position at its coupler angle, as they are printed, and beside each what is true.
+import { degrees, radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
+import { cone } from "assur/kinds/synthesis/cone.js";
 import { Plane } from "assur/kinds/synthesis/plane.js";
 import { section } from "assur/controls/section.js";
 
@@ -33,10 +34,14 @@ export class ConditionsView {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { summary, words } = snapshot;
+    const { summary, words, state } = snapshot;
+    const frame = radians(state.document.phi0_deg);
     if (this.#shown.same(summary, words, this.#theme.revision)) return;
     this.#snapshot = snapshot;
-    this.#content.replaceChildren(...summary.wanted.map((one, k) => table(one, k + 1, words)));
+    this.#content.replaceChildren(...summary.wanted.flatMap((one, k) => [
+      table(one, k + 1, words),
+      cone([frame, one.at, one.output, one.input], words.text(one.interval ? "cone.inside" : "cone.outside", { n: String(k + 1) })),
+    ]));
     this.#region.element.ariaLabel = words.text("region.label");
     this.#paint();
   }
@@ -57,22 +62,79 @@ export class ConditionsView {
  * @param {number} k
  * @param {Words} words
  */
-function table({ at, conditions, theorems, interval }, k, words) {
+function table({ at, conditions, theorems, pair, ranges, interval }, k, words) {
   const { numbers } = words;
-  const rows = conditions.map(({ number, about, value, holds }) => make("tr", {}, [
-    make("th", { scope: "row" }, [[number, about ?? ""].join(" ").trim()]),
-    make("td", {}, [value === null ? "—" : numbers.short(value)]),
-    make("td", { "data-holds": String(holds) }, [holds ? "✓" : "✗", make("span", { class: "unseen" }, [words.text(holds ? "conditions.holds" : "conditions.fails")])]),
-  ]));
-  const judged = theorems.map(({ number, conditions: asked, truth }) => make("tr", {}, [
-    make("th", { scope: "row" }, [words.text("conditions.theorem", { n: String(number) })]),
-    make("td", { colspan: "2", "data-holds": String(!asked || truth) }, [words.text(asked ? (truth ? "conditions.right" : "conditions.wrong") : "conditions.silent")]),
-  ]));
-  const ends = interval && interval.map((end) => (end === null ? words.text("map.without_end") : numbers.short(end)));
-  const truth = ends ? words.text("conditions.interval", { from: ends[0], to: ends[1] }) : words.text("conditions.empty");
+  const rows = conditions.map(({ number, about, values, holds, truth }) => row([`(${number})`, about ?? ""].join(" ").trim(), valued(number, about, values, words), [holds, truth], words));
+  const left = pair ? [row(words.text("conditions.pair"), pair.values.map((value) => numbers.short(value)).join("; "), [null, pair.holds], words)] : [];
+  const judged = theorems.map(({ number, conditions: asked, truth }) => row(words.text("conditions.theorem", { n: String(number) }), words.text(JUDGED[`${asked} ${truth}`]), [asked, truth], words, asked && !truth));
+  const between = (ranges ?? []).map((range, i) => whole(`l${"₂₃"[i]} > 0`, range ? ends("conditions.range", range, words) : words.text("conditions.never")));
   const name = words.text("conditions.of", { n: String(k), coupler: `${numbers.upTo(degrees(at), 3)}°` });
+  const heads = ["conditions.printed", "conditions.truth"].map((key) => make("th", { scope: "col" }, [words.text(key)]));
   return make("table", { class: "solutions conditions" }, [
     make("caption", {}, [name]),
-    make("tbody", {}, [...rows, ...judged, make("tr", { class: "truth" }, [make("th", { scope: "row" }, [words.text("conditions.truth")]), make("td", { colspan: "2" }, [truth])])]),
+    make("thead", {}, [make("tr", {}, [make("td", { colspan: "2" }), ...heads])]),
+    make("tbody", {}, [
+      ...rows, ...left, ...judged, ...between,
+      whole(words.text("conditions.truth"), interval ? ends("conditions.interval", interval, words) : words.text("conditions.empty"), "truth"),
+    ]),
   ]);
+}
+
+/** What is said of a theorem, by whether its conditions hold and what it concludes is so. */
+const JUDGED = Object.freeze(/** @type {Readonly<Record<string, string>>} */ ({
+  "true true": "conditions.right", "true false": "conditions.wrong", "false true": "conditions.missed", "false false": "conditions.silent",
+}));
+
+/**
+ * @param {string} name
+ * @param {string} said
+ * @param {readonly (boolean | null)[]} verdicts as printed, and in fact; null where there is none
+ * @param {Words} words
+ * @param {boolean} [fails] whether a theorem is false here
+ */
+function row(name, said, verdicts, words, fails = false) {
+  return make("tr", fails ? { "data-fails": "" } : {}, [make("th", { scope: "row" }, [name]), make("td", {}, [said]), ...verdicts.map((holds) => mark(holds, words))]);
+}
+
+/**
+ * @param {boolean | null} holds
+ * @param {Words} words
+ */
+function mark(holds, words) {
+  if (holds === null) return make("td", {}, ["—"]);
+  const said = make("span", { class: "unseen" }, [words.text(holds ? "conditions.holds" : "conditions.fails")]);
+  return make("td", { "data-holds": String(holds) }, [holds ? "✓" : "✗", said]);
+}
+
+/**
+ * @param {string} name
+ * @param {string} said
+ * @param {string} [kind]
+ */
+function whole(name, said, kind = "range") {
+  return make("tr", { class: kind }, [make("th", { scope: "row" }, [name]), make("td", { colspan: "3" }, [said])]);
+}
+
+/**
+ * @param {number} number
+ * @param {string | null} about
+ * @param {readonly (number | null)[]} values
+ * @param {Words} words
+ * @returns {string} the numbers whose signs a condition judges
+ */
+function valued(number, about, values, words) {
+  const [one, other] = values.map((value) => (value === null ? "∞" : words.numbers.short(value)));
+  if (about === null) return one;
+  // (33) to (38) judge two fractions, the others P and Q.
+  const k = about.slice(1);
+  return number < 33 ? `P${k} = ${one}; Q${k} = ${other}` : `${one}; ${other}`;
+}
+
+/**
+ * @param {string} key
+ * @param {readonly [number, number | null]} range
+ * @param {Words} words
+ */
+function ends(key, [from, to], words) {
+  return words.text(key, { from: words.numbers.short(from), to: to === null ? words.text("map.without_end") : words.numbers.short(to) });
 }

@@ -4,7 +4,8 @@ import { FamilyView } from "assur/kinds/synthesis/family.js";
 import { PositionsView } from "assur/kinds/synthesis/positions.js";
 import { SolutionsView } from "assur/kinds/synthesis/solutions.js";
 import { synthesisStatus } from "assur/kinds/synthesis/status.js";
+import { TrialView } from "assur/kinds/synthesis/trial.js";
 import "assur/kinds/synthesis/style.js";
 
 /** @type {import("assur/app/views.js").Make} */
-export const views = (page) => [new PositionsView(page), new FamilyView(page), new SolutionsView(page), new ConditionsView(page), synthesisStatus()];
+export const views = (page) => [new PositionsView(page), new TrialView(page), new FamilyView(page), new SolutionsView(page), new ConditionsView(page), synthesisStatus()];

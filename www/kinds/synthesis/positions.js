@@ -29,10 +29,14 @@ const FRAME = Object.freeze([
 
 /** Of a position what is given, and how it is drawn. */
 const PARTS = Object.freeze(/** @type {const} */ ([
+  { part: "coupler_deg", symbol: "φ₁", role: "coupler", unit: "°" },
   { part: "output_deg", symbol: "φ₂", role: "rocker", unit: "°" },
   { part: "input_deg", symbol: "φ₃", role: "crank", unit: "°" },
   { part: "weight", symbol: "w", role: "secondary", unit: "" },
 ]));
+
+/** A coupler angle begins as that of what is drawn, to so many parts of a degree. */
+const PARTS_OF_DEGREE = 10;
 
 /** @type {Omit<import("assur/controls/card-list.js").ListKind<"synthesis", Position>, "another">} */
 const POSITIONS = Object.freeze({
@@ -45,7 +49,10 @@ export class PositionsView {
   #frame;
   #engine;
   #list;
+  #couplers = make("input", { id: "couplers", type: "checkbox" });
   #free = make("input", { id: "free", type: "checkbox" });
+  /** @type {Snapshot | null} */
+  #snapshot = null;
   #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -55,10 +62,14 @@ export class PositionsView {
     this.#frame = FRAME.map((kind) => ({ field: kind.field, row: new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value })) }));
     this.#engine = engine;
     this.#list = new CardList({ ...POSITIONS, another: (snapshot) => this.#another(snapshot) }, page);
+    this.#couplers.addEventListener("change", () => {
+      if (this.#snapshot) edit({ positions: this.#couplers.checked ? withCouplers(this.#snapshot) : this.#snapshot.state.document.positions.map(withoutCoupler) });
+    });
     this.#free.addEventListener("change", () => edit({ free: this.#free.checked }));
     section("synthesis", "positions.frame", "frame", this.#frame.map(({ row }) => row.element));
     section("synthesis", "positions.heading", "positions", [
       this.#list.cards, this.#list.add,
+      make("label", { class: "check" }, [this.#couplers, " ", make("span", { "data-t": "positions.couplers" })]),
       make("label", { class: "check" }, [this.#free, " ", make("span", { "data-t": "positions.free" })]),
     ]);
   }
@@ -66,10 +77,12 @@ export class PositionsView {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state, problems, words, summary } = snapshot;
+    this.#snapshot = snapshot;
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(state.document, words, summary, ...wrong)) return;
     for (const { row, field } of this.#frame) row.show(state.document[field], words, wrong.has(field));
     this.#list.show(snapshot, wrong);
+    this.#couplers.checked = areGiven(state.document);
     this.#free.checked = state.document.free;
   }
 
@@ -91,6 +104,27 @@ export class PositionsView {
   }
 }
 
+/** @param {Document} document */
+function areGiven({ positions }) {
+  return positions.some(({ coupler_deg: angle }) => typeof angle === "number");
+}
+
+/**
+ * @param {Snapshot} snapshot
+ * @returns {Position[]} with the coupler angles of what is drawn
+ */
+function withCouplers({ state: { document: { positions } }, summary: { wanted } }) {
+  return positions.map((position, k) => {
+    const turned = Math.round(degrees(wanted[k]?.coupler ?? 0) * PARTS_OF_DEGREE) / PARTS_OF_DEGREE;
+    return { ...position, coupler_deg: turned };
+  });
+}
+
+/** @param {Position} position */
+function withoutCoupler({ output_deg, input_deg, weight }) {
+  return { output_deg, input_deg, weight };
+}
+
 /** @type {import("assur/controls/card-list.js").ListKind<"synthesis", Position>["build"]} */
 function card(index, put, drafts, remove) {
   const n = String(index + POSITIONS.first);
@@ -110,12 +144,13 @@ function card(index, put, drafts, remove) {
   const name = make("b", { "data-t": "positions.number", "data-n": n });
   return {
     lines: [make("div", { class: "position" }, [name, ...boxes.map(({ label }) => label), remove])],
-    show(position, { words: { numbers }, state }, wrong) {
+    show(position, { words: { numbers }, state, summary }, wrong) {
       // With as many positions as there are lengths to choose, each is met whatever its weight.
       const weighed = state.document.positions.length > 3;
+      const shown = { output_deg: true, input_deg: true, weight: weighed, coupler_deg: areGiven(state.document) };
       for (const { part, field, unit, box, label } of boxes) {
-        label.hidden = part === "weight" && !weighed;
-        const value = position[part];
+        label.hidden = !shown[part];
+        const value = position[part] ?? degrees(summary.wanted[index]?.coupler ?? 0);
         box.show(value, { brief: numbers.brief(value) + unit, full: numbers.exact(value) + unit }, wrong.has(field));
       }
     },

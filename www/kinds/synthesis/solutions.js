@@ -29,6 +29,7 @@ export class SolutionsView {
   #page;
   #said = make("p", { id: "synthesis-said" });
   #printed = make("p", { id: "synthesis-printed" });
+  #weighted = make("p", { id: "synthesis-weighted" });
   #body = make("tbody");
   #equation = make("div");
   /** @type {Snapshot["summary"] | null} */
@@ -44,7 +45,7 @@ export class SolutionsView {
     save.addEventListener("click", () => this.#save());
     const table = make("table", { class: "solutions", "data-t-label": "solutions.heading" }, [this.#body]);
     const equation = make("details", { id: "main-equation", "data-field": "main-equation" }, [make("summary", { "data-t": "solutions.equation" }), this.#equation]);
-    section("synthesis", "solutions.heading", "solutions", [this.#said, table, this.#printed, send, save]);
+    section("synthesis", "solutions.heading", "solutions", [this.#said, table, this.#printed, this.#weighted, send, save]);
     section("synthesis", "solutions.equation_heading", "equation", [equation]);
   }
 
@@ -59,7 +60,7 @@ export class SolutionsView {
     const focused = this.#body.contains(document.activeElement) ? document.activeElement?.id : undefined;
     this.#body.replaceChildren(...listed(summary).map(([n, solution]) => this.#row(solution, n, from === "trial" ? 0 : (number ?? 1), words)));
     if (focused) document.getElementById(focused)?.focus();
-    this.#sayPrinted(summary, words);
+    this.#sayOthers(summary, words);
     this.#equation.replaceChildren(...wanted.map((one, k) => mainEquation(k + 1, one, summary.frame, words)));
   }
 
@@ -81,16 +82,20 @@ export class SolutionsView {
   }
 
   /**
-   * What the method of the paper comes to.
+   * What the method of the paper comes to, and Levitsky's.
    * @param {Snapshot["summary"]} summary
    * @param {Words} words
    */
-  #sayPrinted({ printed }, words) {
-    this.#printed.hidden = !printed;
-    if (!printed) return;
-    const said = (/** @type {number} */ value) => words.numbers.short(value);
-    const [l1, l2, l3] = printed.lengths.map(said);
-    write(this.#printed, words.text("solutions.printed", { l1, l2, l3, least: said(printed.least), drawn: said(printed.drawn) }));
+  #sayOthers({ printed, weighted }, words) {
+    for (const [place, key, found, least] of /** @type {const} */ ([
+      [this.#printed, "solutions.printed", printed, printed?.least], [this.#weighted, "solutions.weighted", weighted, weighted?.sum],
+    ])) {
+      place.hidden = !found;
+      if (!found || least === undefined) continue;
+      const said = (/** @type {number} */ value) => words.numbers.short(value);
+      const [l1, l2, l3] = found.lengths.map(said);
+      write(place, words.text(key, { l1, l2, l3, least: said(least), drawn: said(found.drawn) }));
+    }
   }
 
   #send() {

@@ -2,7 +2,9 @@
 
 use std::io::{self, Write};
 
-use assur::synthesis::four_bar::theorems::{Angles, ConditionNumber, conditions};
+use assur::synthesis::four_bar::theorems::{
+    Angles, Truth, Unknown, alternative, conditions, functional, theorems, truth,
+};
 use assur::synthesis::four_bar::{ChangeKind, Family, Proportions, Range, Solution, Task};
 use serde_json::{Map, Value, json};
 
@@ -56,6 +58,16 @@ impl Report {
         if let Some(family) = self.fields.get("family") {
             lines(out, family)?;
         }
+        for (number, position) in (1..).zip(
+            self.fields
+                .get("at")
+                .and_then(Value::as_array)
+                .into_iter()
+                .flatten(),
+        ) {
+            writeln!(out, "\nposition {number}")?;
+            lines(out, position)?;
+        }
         for (number, solution) in (1..).zip(&self.solutions) {
             writeln!(out, "\nlinkage {number}")?;
             lines(out, solution)?;
@@ -68,7 +80,7 @@ impl Report {
 fn lines(out: &mut impl Write, fields: &Value) -> io::Result<()> {
     for (key, value) in fields.as_object().into_iter().flatten() {
         match value {
-            Value::Object(_) => lines(out, value)?,
+            Value::Object(parts) if !parts.contains_key("in_fact") => lines(out, value)?,
             Value::Array(all) if all.iter().any(Value::is_object) => {
                 for one in all {
                     let all: Vec<String> = (one.as_object().into_iter().flatten())
@@ -150,11 +162,9 @@ pub(super) fn one(report: &mut Report, task: &Task) {
         output: position.output,
         input: position.input,
     };
-    let parallel = conditions(&angles)
-        .into_iter()
-        .find(|condition| condition.number == ConditionNumber::N13 && !condition.holds);
-    report.set("condition_13", json!(parallel.is_none()));
-    if parallel.is_some() {
+    let determined = angles.subsystem(Unknown::Coupler).is_some();
+    report.set("condition_13", json!(determined));
+    if !determined {
         report.notes.push(words::PARALLEL.to_owned());
     }
     let equal = Proportions {
@@ -171,4 +181,58 @@ pub(super) fn one(report: &mut Report, task: &Task) {
     if gap > 0.0 {
         report.solutions = vec![solution(task, &Solution::new(task, closed))];
     }
+}
+
+/// The conditions and theorems of the paper at each position, as they are printed and as they are, with the ranges of l₁;
+/// `couplers` are φ₁, radians. With lengths also what they leave open there.
+pub(super) fn printed(task: &Task, couplers: &[f64], lengths: Option<Proportions>) -> Value {
+    let frame = task.frame();
+    let told = task
+        .positions()
+        .iter()
+        .zip(couplers)
+        .map(|(position, coupler)| {
+            let angles = Angles {
+                frame: frame.angle,
+                coupler: *coupler,
+                output: position.output,
+                input: position.input,
+            };
+            let range = |(from, to): (f64, Option<f64>)| {
+                json!([from * frame.length, to.map(|to| to * frame.length)])
+            };
+            let mut told = json!({
+                "phi1_deg": coupler.to_degrees(),
+                "l1_range": match truth(&angles) {
+                    Some(Truth::Between { from, to }) => range((from, to)),
+                    _ => Value::Null,
+                },
+            });
+            if let Some(by) = angles.subsystem(Unknown::Coupler) {
+                for (k, name) in ["l2", "l3"].into_iter().enumerate() {
+                    let [p, q] = [by.constant[k], by.slope[k]];
+                    told[format!("p_{name}")] = json!(p);
+                    told[format!("q_{name}")] = json!(q);
+                    told[format!("l1_range_of_{name}")] =
+                        json!(alternative(p, q).range().map(range));
+                }
+            }
+            for one in conditions(&angles) {
+                told[format!("condition_{}", one.number)] = words::asked(one.holds, one.truth);
+            }
+            for one in theorems(&angles).into_iter().flatten() {
+                told[format!("theorem_{}", one.number)] = words::asked(one.conditions, one.truth);
+            }
+            if let Some(Proportions {
+                coupler,
+                output,
+                input,
+            }) = lengths
+            {
+                let open = functional(&angles, [coupler, output, input]).sqrt();
+                told["open"] = json!(open * frame.length);
+            }
+            told
+        });
+    told.collect()
 }

@@ -6,8 +6,8 @@ mod words;
 use std::io::Write;
 
 use assur::synthesis::four_bar::{
-    Frame, Options, Position, Search, Solution, StartsError, Task, ThreePositions, TwoPositions,
-    five_positions,
+    Frame, Options, Position, Proportions, Search, Solution, StartsError, Task, ThreePositions,
+    TwoPositions, five_positions,
 };
 use clap::Args;
 use serde_json::{Value, json};
@@ -47,6 +47,13 @@ pub(crate) struct Asked {
     /// Of two positions: the linkage with this length of the output link.
     #[arg(long, value_parser = number, value_name = "LENGTH", allow_hyphen_values = true)]
     l2: Option<f64>,
+    /// Coupler angles, degrees from the x-axis, one for each position: the conditions and theorems of the source paper there,
+    /// as they are printed and as they are, and the ranges of the lengths.
+    #[arg(long, value_name = "PHI1,...", value_delimiter = ',', value_parser = number, allow_hyphen_values = true)]
+    coupler: Vec<f64>,
+    /// Trial lengths of coupler, output link and driver instead of a solution: what they leave open in each position.
+    #[arg(long, value_name = "L1,L2,L3", value_parser = lengths, allow_hyphen_values = true)]
+    lengths: Option<[f64; 3]>,
     /// The starting angles of the output link and the driver are free (exact for five positions).
     #[arg(long)]
     free: bool,
@@ -78,6 +85,33 @@ fn degrees(text: &str) -> Result<Degrees, String> {
     })
 }
 
+/// Reads three lengths.
+fn lengths(text: &str) -> Result<[f64; 3], String> {
+    let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    match parts.as_deref() {
+        Ok([l1, l2, l3])
+            if [l1, l2, l3]
+                .iter()
+                .all(|one| **one > 0.0 && one.is_finite()) =>
+        {
+            Ok([*l1, *l2, *l3])
+        }
+        _ => Err("trial lengths are three numbers above zero, as 10,5,4".to_owned()),
+    }
+}
+
+impl Asked {
+    /// The trial lengths relative to the frame's.
+    fn trial(&self) -> Option<Proportions> {
+        let [coupler, output, input] = self.lengths?.map(|length| length / self.frame);
+        Some(Proportions {
+            coupler,
+            output,
+            input,
+        })
+    }
+}
+
 impl Degrees {
     fn radians(&self) -> Position {
         Position {
@@ -107,6 +141,13 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
         Failure::Input(all.join("\n"))
     })?;
     let mut report = report(&task, asked).map_err(Failure::Input)?;
+    if !asked.coupler.is_empty() {
+        if asked.coupler.len() != asked.positions.len() {
+            return Err(Failure::Input(words::COUPLERS.to_owned()));
+        }
+        let couplers: Vec<f64> = asked.coupler.iter().map(|one| one.to_radians()).collect();
+        report.set("at", described::printed(&task, &couplers, asked.trial()));
+    }
     let positions = asked.positions.iter().map(Degrees::json);
     report.set("positions", positions.collect());
     report.set("l0", json!(asked.frame));
@@ -124,6 +165,15 @@ fn report(task: &Task, asked: &Asked) -> Result<Report, String> {
     let count = task.positions().len();
     if asked.l2.is_some() && (count != 2 || asked.free) {
         return Err("--l2 picks a linkage of the family of two positions; here are not two, or starts are free".to_owned());
+    }
+    if let Some(trial) = asked.trial() {
+        if asked.l2.is_some() || asked.free {
+            return Err(words::TRIAL.to_owned());
+        }
+        let mut report = Report::new();
+        report.kind = "trial";
+        report.solutions = vec![described::solution(task, &Solution::new(task, trial))];
+        return Ok(report);
     }
     if asked.free {
         return free(task);

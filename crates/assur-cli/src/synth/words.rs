@@ -3,9 +3,11 @@
 use assur::synthesis::four_bar::{
     Bound, Line, MemberError, Order, Passage, StartsError, Task, TaskError, ThreePositions,
 };
-use serde_json::Value;
+use serde_json::{Value, json};
 
 pub(super) const NO_POSITION: &str = "there is no position";
+pub(super) const COUPLERS: &str = "--coupler takes one angle for each position";
+pub(super) const TRIAL: &str = "--lengths are tried as they are: without --l2 and --free";
 pub(super) const NO_FIVE: &str = "no four-bar takes up these five positions";
 pub(super) const TURNED: &str = "with every PHI2 turned by 180° the positions fit positive lengths: PHI2 is the \
      direction from the output link's hinge with the coupler to its fixed pivot";
@@ -144,6 +146,12 @@ pub(super) fn bound(bound: Bound) -> &'static str {
     }
 }
 
+/// Whether a condition or what a theorem asks for holds as printed, and whether what it is for is so.
+pub(super) fn asked(holds: bool, truth: bool) -> Value {
+    let said = |holds: bool| if holds { "yes" } else { "no" };
+    json!({"as_printed": said(holds), "in_fact": said(truth)})
+}
+
 /// A value for people.
 pub(super) fn value(value: &Value) -> String {
     match value {
@@ -156,7 +164,12 @@ pub(super) fn value(value: &Value) -> String {
             let all: Vec<String> = all.iter().map(self::value).collect();
             all.join(", ")
         }
-        Value::Object(_) => String::new(),
+        Value::Object(parts) => {
+            let all = parts
+                .iter()
+                .map(|(key, part)| format!("{key} {}", value(part)));
+            all.collect::<Vec<String>>().join(", ")
+        }
     }
 }
 

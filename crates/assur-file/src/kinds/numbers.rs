@@ -71,11 +71,12 @@ pub(super) const GEAR_TRAIN: [Pattern; 18] = [
 pub(super) const LINKAGE: [Pattern; 1] = [("band", Sort::Measure)];
 
 /// Those of a synthesis.
-pub(super) const SYNTHESIS: [Pattern; 5] = [
+pub(super) const SYNTHESIS: [Pattern; 6] = [
     ("frame", Sort::Measure),
     ("phi0_deg", Sort::Measure),
     ("positions[].output_deg", Sort::Measure),
     ("positions[].input_deg", Sort::Measure),
+    ("positions[].coupler_deg", Sort::Measure),
     ("positions[].weight", Sort::Measure),
 ];
 

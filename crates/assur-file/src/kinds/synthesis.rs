@@ -139,7 +139,15 @@ impl SynthesisDocument {
                 field: format!("positions[{k}].coupler_deg").into(),
             })
         });
-        let mut problems: Vec<Problem> = couplers.collect();
+        let trial = self.trial.into_iter().flatten().enumerate();
+        let trial = trial.filter_map(|(k, value)| {
+            let field = Field::from(format!("trial[{k}]"));
+            match value.is_finite() {
+                true => (value <= 0.0).then_some(Problem::NotPositive { field, value }),
+                false => Some(Problem::NotANumber { field }),
+            }
+        });
+        let mut problems: Vec<Problem> = couplers.chain(trial).collect();
         match Task::new(frame, &positions, Task::RATIOS) {
             Ok(task) if problems.is_empty() => Ok(task),
             made => {

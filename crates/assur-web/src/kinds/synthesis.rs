@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use assur::mechanism::Quantity;
 use assur::synthesis::four_bar::{Drawn, Options, Proportions};
-use assur::{Point, Vector};
+use assur::{Point, Relation, Vector};
 use assur_draw::{Annotations, GivenPosition, Role};
 use assur_file::{
     Document, LinkageProblem, Moved, PositionDocument, Problem, State, SynthesisDocument,
@@ -27,6 +27,9 @@ use summary::SynthesisSummary;
 /// How far off their pivots directions are taken hold of: at least so far relative to the frame,
 /// and so far relative to their links, whose joints stay free.
 const REACH: [f64; 2] = [0.62, 1.25];
+
+/// The same for the direction of a coupler, off its joint with the input: within the coupler, whose ends stay free.
+const REACH_OF_COUPLER: [f64; 2] = [0.25, 0.6];
 
 /// A dragged direction goes by this, degrees: what a hand can mean.
 const STEP_DEG: f64 = 0.1;
@@ -55,28 +58,46 @@ pub(crate) struct Synthesis {
 enum Direction {
     Output(usize),
     Input(usize),
+    Coupler(usize),
 }
 
 impl Direction {
-    /// Those that are wanted, and where their pivots are and they are taken hold of.
-    fn all(solved: &assur_file::Synthesis) -> impl Iterator<Item = (Self, [Point; 2])> + '_ {
+    /// Those that are wanted, and where their pivots are and they are taken hold of; of couplers those that are given.
+    fn all<'a>(
+        document: &'a SynthesisDocument,
+        solved: &'a assur_file::Synthesis,
+    ) -> impl Iterator<Item = (Self, [Point; 2])> + 'a {
         let frame = solved.task.frame();
         let along = move |angle: f64| Vector::new(angle.cos(), angle.sin()) * frame.length;
         let [a, d] = [Point::origin(), Point::origin() + along(frame.angle)];
-        let Proportions { output, input, .. } = solved.shown.proportions;
+        let Proportions {
+            output,
+            input,
+            coupler,
+        } = solved.shown.proportions;
         let [far_output, far_input] = [output, input].map(|z| REACH[0].max(REACH[1] * z));
-        let positions = solved.task.positions().iter().enumerate();
-        positions.flat_map(move |(k, position)| {
-            let input = [a, a + along(position.input) * far_input];
-            let output = [d, d - along(position.output) * far_output];
-            [(Self::Input(k), input), (Self::Output(k), output)]
-        })
+        let far_coupler = REACH_OF_COUPLER[0].max(REACH_OF_COUPLER[1] * coupler);
+        let positions = solved.task.positions().iter().zip(&document.positions);
+        positions
+            .enumerate()
+            .flat_map(move |(k, (position, saved))| {
+                let input = [a, a + along(position.input) * far_input];
+                let output = [d, d - along(position.output) * far_output];
+                let drawn = solved.shown.drawn(&solved.task, k).zip(saved.coupler_deg);
+                let coupler = drawn.map(|(drawn, angle)| {
+                    let tip = drawn.b + along(angle.to_radians()) * far_coupler;
+                    (Self::Coupler(k), [drawn.b, tip])
+                });
+                let both = [(Self::Input(k), input), (Self::Output(k), output)];
+                both.into_iter().chain(coupler)
+            })
     }
 
     fn name(self) -> String {
         match self {
             Self::Output(k) => format!("output{}", k + 1),
             Self::Input(k) => format!("input{}", k + 1),
+            Self::Coupler(k) => format!("coupler{}", k + 1),
         }
     }
 
@@ -84,6 +105,7 @@ impl Direction {
         match self {
             Self::Output(_) => Role::Rocker,
             Self::Input(_) => Role::Crank,
+            Self::Coupler(_) => Role::Coupler,
         }
     }
 }
@@ -99,13 +121,13 @@ impl Synthesis {
                 .map(|both| (both.0.to_owned(), both.1.to_owned()))
                 .to_vec(),
             input: Some("φ₃".to_owned()),
-            given: given(&solved),
+            given: given(document, &solved),
             ..Annotations::default()
         };
         let quantities = Quantity::all(moved.motion.mechanism());
         let explain =
             |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
-        let handles = Direction::all(&solved).map(|(direction, [_, tip])| Handle {
+        let handles = Direction::all(document, &solved).map(|(direction, [_, tip])| Handle {
             name: direction.name(),
             role: direction.role().name(),
             at: HandlePlace::Fixed(tip),
@@ -129,7 +151,7 @@ impl Synthesis {
 
 /// The given positions as they are drawn: what is shown in each of them, with what it leaves open
 /// at the coupler.
-fn given(solved: &assur_file::Synthesis) -> Vec<GivenPosition> {
+fn given(document: &SynthesisDocument, solved: &assur_file::Synthesis) -> Vec<GivenPosition> {
     let (task, shown) = (&solved.task, &solved.shown);
     let drawn = (0..task.positions().len()).filter_map(|k| shown.drawn(task, k));
     let position = |(k, at): (usize, Drawn)| GivenPosition {
@@ -142,8 +164,8 @@ fn given(solved: &assur_file::Synthesis) -> Vec<GivenPosition> {
         ],
     };
     let mut all: Vec<GivenPosition> = drawn.enumerate().map(position).collect();
-    for (direction, ends) in Direction::all(solved) {
-        let (Direction::Output(k) | Direction::Input(k)) = direction;
+    for (direction, ends) in Direction::all(document, solved) {
+        let (Direction::Output(k) | Direction::Input(k) | Direction::Coupler(k)) = direction;
         all[k].directions.push((ends, direction.role()));
     }
     all
@@ -174,6 +196,11 @@ impl Capabilities for Synthesis {
     fn edited(&self) -> Option<&dyn Edited> {
         Some(self)
     }
+
+    fn relations(&self, _input: f64) -> Result<Vec<Relation>, Problem> {
+        let assur_file::Synthesis { task, shown, .. } = &self.solved;
+        Ok(wanted::formulas(&self.document, task, shown))
+    }
 }
 
 /// The positions, where one of them is another.
@@ -196,7 +223,7 @@ impl Edited for Synthesis {
             let to = self.moving.driven_to(driven, input, to);
             return to.unwrap_or_else(|| Err(unknown(point))).map(Change::input);
         }
-        let mut directions = Direction::all(&self.solved);
+        let mut directions = Direction::all(&self.document, &self.solved);
         let found = directions.find(|(direction, _)| direction.name() == point);
         let (direction, [pivot, _]) = found.ok_or_else(|| unknown(point))?;
         let along = to - pivot;
@@ -205,6 +232,7 @@ impl Edited for Synthesis {
         match direction {
             Direction::Input(k) => positions[k].input_deg = degrees(angle),
             Direction::Output(k) => positions[k].output_deg = degrees(angle + PI),
+            Direction::Coupler(k) => positions[k].coupler_deg = Some(degrees(angle)),
         }
         Ok(Change::document(&Positions { positions }))
     }

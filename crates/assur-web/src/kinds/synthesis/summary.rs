@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::options::{FamilySummary, FoundSummary};
 use super::plane::PlaneSummary;
-use super::wanted::{PrintedSummary, WantedSummary, angles};
+use super::wanted::{PrintedSummary, WantedSummary, WeightedSummary, angles};
 use crate::moving::Moving;
 use crate::summary::MotionSummary;
 
@@ -36,6 +36,8 @@ pub(crate) struct SynthesisSummary<'a> {
     closed: PlaneSummary,
     /// What the method of the paper comes to, where the document gives every coupler angle.
     printed: Option<PrintedSummary>,
+    /// What Levitsky's quadratic approximation comes to.
+    weighted: Option<WeightedSummary>,
     /// What is drawn, as a linkage for the simulator.
     #[cfg_attr(test, ts(type = "{ kind: \"linkage\", document: LinkageDocument }"))]
     linkage: &'a Document,
@@ -51,7 +53,7 @@ pub(crate) struct SolutionSummary {
     starts: [f64; 2],
     /// The greatest length left open at the coupler in a position.
     gap: f64,
-    /// ΣJ, in squares of the unit of lengths.
+    /// l₀²ΣJ, in squares of the unit of lengths.
     sum: f64,
     /// Maximum error of the output angle, radians; none where a position is not reached.
     output_error: Option<f64>,
@@ -131,6 +133,7 @@ impl<'a> SynthesisSummary<'a> {
             closed: PlaneSummary::closed(task),
             wanted: WantedSummary::all(task, &angles, shown),
             printed: PrintedSummary::new(document, task, &angles, shown),
+            weighted: WeightedSummary::new(document, task, shown),
             linkage,
         }
     }

@@ -1,12 +1,15 @@
 //! What is true of each position that is wanted: the main equation and the conditions of the paper.
 
+use assur::Relation;
 use assur::synthesis::four_bar::theorems::{
-    Angles, ConditionNumber, System, Theorem, Truth, Unknown, conditions, functional, theorems,
-    truth,
+    Angles, Condition, System, Theorem, ThirdPair, Truth, Unknown, alternative, conditions,
+    functional, relations, theorems, third_pair, truth,
 };
-use assur::synthesis::four_bar::{Proportions, Solution, Task};
+use assur::synthesis::four_bar::{Proportions, Solution, Task, weighted_difference};
 use assur_file::SynthesisDocument;
 use serde::Serialize;
+
+use super::summary::lengths;
 
 /// A position that is wanted, with what is true of it.
 #[derive(Serialize)]
@@ -26,6 +29,11 @@ pub(crate) struct WantedSummary {
     open: f64,
     conditions: Vec<ConditionSummary>,
     theorems: Vec<TheoremSummary>,
+    /// The condition that theorem 5 leaves out.
+    pair: Option<PairSummary>,
+    /// Between which l₁ l₂ is positive, and between which l₃: null where it never is, and where there is no greatest; null
+    /// altogether where (13) fails.
+    ranges: Option<[Option<(f64, Option<f64>)>; 2]>,
     /// Between which l₁ all lengths are positive: null where there are none, and where there is
     /// no greatest.
     interval: Option<(f64, Option<f64>)>,
@@ -37,8 +45,19 @@ pub(crate) struct WantedSummary {
 pub(crate) struct PrintedSummary {
     /// l₁, l₂, l₃.
     lengths: [f64; 3],
-    /// ΣJ there and of what is drawn, in squares of the unit of lengths.
+    /// ΣJ there and of what is drawn: a number, as J is of zᵢ = lᵢ/l₀.
     least: f64,
+    drawn: f64,
+}
+
+/// The least squares of the weighted difference.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct WeightedSummary {
+    /// l₁, l₂, l₃.
+    lengths: [f64; 3],
+    /// ΣJ there, with the best coupler angles, and of what is drawn: numbers.
+    sum: f64,
     drawn: f64,
 }
 
@@ -47,20 +66,31 @@ pub(crate) struct PrintedSummary {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ConditionSummary {
     /// Its number in the paper.
-    number: &'static str,
+    number: u8,
     /// The length that it is about.
     about: Option<&'static str>,
-    value: Option<f64>,
+    /// The two numbers whose signs it judges; null where one is infinite.
+    values: [Option<f64>; 2],
+    /// Whether it holds as printed, and whether what it is printed for is so.
     holds: bool,
+    truth: bool,
 }
 
-/// A theorem of the paper: whether what it asks for holds, and whether what it concludes is true.
+/// A theorem of the paper: whether what it asks for holds as printed, and whether what it concludes is true.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct TheoremSummary {
     number: u8,
     conditions: bool,
     truth: bool,
+}
+
+/// The condition that theorem 5 leaves out, with the two numbers of which not both may be positive.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct PairSummary {
+    values: [f64; 2],
+    holds: bool,
 }
 
 impl From<Theorem> for TheoremSummary {
@@ -74,6 +104,31 @@ impl From<Theorem> for TheoremSummary {
             number,
             conditions,
             truth,
+        }
+    }
+}
+
+impl From<ThirdPair> for PairSummary {
+    fn from(ThirdPair { values, holds }: ThirdPair) -> Self {
+        Self { values, holds }
+    }
+}
+
+impl From<Condition> for ConditionSummary {
+    fn from(condition: Condition) -> Self {
+        let about = condition.about.map(|unknown| match unknown {
+            Unknown::Coupler => "l₁",
+            Unknown::Output => "l₂",
+            Unknown::Input => "l₃",
+        });
+        Self {
+            number: condition.number,
+            about,
+            values: condition
+                .values
+                .map(|value| value.is_finite().then_some(value)),
+            holds: condition.holds,
+            truth: condition.truth,
         }
     }
 }
@@ -116,12 +171,19 @@ impl WantedSummary {
             ],
             at: angles.coupler,
             open: functional(angles, z).sqrt() * length,
-            conditions: ConditionSummary::all(angles),
+            conditions: conditions(angles).into_iter().map(Into::into).collect(),
             theorems: theorems(angles)
                 .into_iter()
                 .flatten()
                 .map(TheoremSummary::from)
                 .collect(),
+            pair: third_pair(angles).map(PairSummary::from),
+            ranges: angles.subsystem(Unknown::Coupler).map(|by| {
+                [0, 1].map(|k| {
+                    let (from, to) = alternative(by.constant[k], by.slope[k]).range()?;
+                    Some((from * length, to.map(|to| to * length)))
+                })
+            }),
             interval: match truth(angles) {
                 Some(Truth::Between { from, to }) => {
                     Some((from * length, to.map(|to| to * length)))
@@ -154,34 +216,40 @@ impl PrintedSummary {
         let least = system.positive_minimum();
         Some(Self {
             lengths: least.z.map(|z| z * length),
-            least: least.value * length * length,
-            drawn: system.value([coupler, output, input]) * length * length,
+            least: least.value,
+            drawn: system.value([coupler, output, input]),
         })
     }
 }
 
-impl ConditionSummary {
-    fn all(angles: &Angles) -> Vec<Self> {
-        let length = |unknown: Unknown| match unknown {
-            Unknown::Coupler => "l₁",
-            Unknown::Output => "l₂",
-            Unknown::Input => "l₃",
-        };
-        let all = conditions(angles).into_iter();
-        all.map(|condition| Self {
-            number: match condition.number {
-                ConditionNumber::N13 => "(13)",
-                ConditionNumber::N14 => "(14)",
-                ConditionNumber::N25 => "(25)",
-                ConditionNumber::N19 => "(19)",
-                ConditionNumber::N21 => "(21)",
-                ConditionNumber::N23 => "(23)",
-                ConditionNumber::Alternatives => "(29)…(38)",
-            },
-            about: condition.about.map(length),
-            value: condition.value,
-            holds: condition.holds,
+impl WeightedSummary {
+    /// Of three positions or more whose angles are told from the frame; the lengths may be none.
+    pub(super) fn new(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Option<Self> {
+        let enough = task.positions().len() >= 3 && !document.free;
+        let found = enough.then(|| weighted_difference(task)).flatten()?;
+        Some(Self {
+            lengths: lengths(task, found),
+            sum: Solution::new(task, found).defect(task),
+            drawn: shown.defect(task),
         })
-        .collect()
     }
+}
+
+/// The formulas of the paper in numbers, at each position.
+pub(super) fn formulas(
+    document: &SynthesisDocument,
+    task: &Task,
+    shown: &Solution,
+) -> Vec<Relation> {
+    let Proportions {
+        coupler,
+        output,
+        input,
+    } = shown.proportions;
+    let best: Vec<[f64; 2]> = (shown.closures.iter())
+        .map(|closure| [closure.coupler, closure.residual])
+        .collect();
+    let angles = angles(document, task, shown);
+    let length = task.frame().length;
+    relations(&angles, [coupler, output, input], length, &best)
 }

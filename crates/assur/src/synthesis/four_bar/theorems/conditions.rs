@@ -200,7 +200,9 @@ impl Angles {
     fn have_real_lengths(&self) -> bool {
         let across = [self.coupler, self.output, self.input].map(|turn| turn - self.frame);
         let [a, b, c] = across;
-        let spread = [b - a, c - a].iter().any(|turn| turn.sin().abs() >= PARALLEL);
+        let spread = [b - a, c - a]
+            .iter()
+            .any(|turn| turn.sin().abs() >= PARALLEL);
         spread || a.sin().abs() < PARALLEL
     }
 }

@@ -8,7 +8,12 @@ use crate::relation::Relation;
 /// close the position: z₁ and the z₂, z₃ that follow from it; where (13) fails there are none. `length` is l₀, and `best` has
 /// of each position the coupler's angle at which these lengths leave the least open, and how much, in lengths of the frame.
 /// Positions with an angle that is not finite have no relations.
-pub fn relations(positions: &[Angles], z: [f64; 3], length: f64, best: &[[f64; 2]]) -> Vec<Relation> {
+pub fn relations(
+    positions: &[Angles],
+    z: [f64; 3],
+    length: f64,
+    best: &[[f64; 2]],
+) -> Vec<Relation> {
     let mut all = Vec::new();
     if let Some(system) = System::new(positions) {
         let sum = positions.iter().map(|angles| functional(angles, z)).sum();
@@ -109,7 +114,12 @@ impl<'a> Told<'a> {
             z1 * z2 * self.dot(1, 2) + z1 * z3 * self.dot(1, 3) + z2 * z3 * self.dot(2, 3);
         let along = z1 * self.dot(0, 1) + z2 * self.dot(0, 2) + z3 * self.dot(0, 3);
         let printed = squares + 2.0 * products - 2.0 * along;
-        self.of("000.(3)", "J", functional(self.angles, [z1, z2, z3]), printed);
+        self.of(
+            "000.(3)",
+            "J",
+            functional(self.angles, [z1, z2, z3]),
+            printed,
+        );
         for (name, i, j) in [
             ("e₁e₂", 1, 2),
             ("e₁e₃", 1, 3),
@@ -130,9 +140,24 @@ impl<'a> Told<'a> {
             self.of("000.rank", "rank A", rank, 2.0);
             self.of("000.rank", "rank Ā", rank, 2.0);
         }
-        self.of("000.subsystems", "det(7)", self.sin(3, 2).powi(2), 1.0 - e23 * e23);
-        self.of("000.subsystems", "det(8)", self.sin(1, 2) * self.sin(3, 2), e12 * e23 - e13);
-        self.of("000.subsystems", "det(9)", -self.sin(1, 3) * self.sin(2, 3), e23 * e13 - e12);
+        self.of(
+            "000.subsystems",
+            "det(7)",
+            self.sin(3, 2).powi(2),
+            1.0 - e23 * e23,
+        );
+        self.of(
+            "000.subsystems",
+            "det(8)",
+            self.sin(1, 2) * self.sin(2, 3),
+            e12 * e23 - e13,
+        );
+        self.of(
+            "000.subsystems",
+            "det(9)",
+            self.sin(1, 3) * self.sin(3, 2),
+            e23 * e13 - e12,
+        );
     }
 
     /// (4) to (16), (26), (31), (32): formulas of lengths that close the position.
@@ -209,8 +234,20 @@ impl<'a> Told<'a> {
         self.of("000.(16)", "z₂", z2, p2 - q2 * z1);
         self.of("000.(26)", "z₃", z3, p3 - q3 * z1);
         for (item, name, [sin, cos], z, i) in [
-            ("000.(31)", "tan φ₃", [self.turn(3).sin(), self.turn(3).cos()], z2, 2),
-            ("000.(32)", "tan φ₂", [self.turn(2).sin(), self.turn(2).cos()], z3, 3),
+            (
+                "000.(31)",
+                "tan φ₃",
+                [self.turn(3).sin(), self.turn(3).cos()],
+                z2,
+                2,
+            ),
+            (
+                "000.(32)",
+                "tan φ₂",
+                [self.turn(2).sin(), self.turn(2).cos()],
+                z3,
+                3,
+            ),
         ] {
             let part = |of: fn(f64) -> f64| {
                 of(self.turn(0)) - z1 * of(self.turn(1)) - z * of(self.turn(i))
@@ -223,7 +260,12 @@ impl<'a> Told<'a> {
     fn ranges(&mut self, by: &Subsystem, z1: f64) {
         let [[p2, p3], [q2, q3]] = [by.constant, by.slope];
         self.of("000.(17)", "z₂", p2 + q2 * z1, p2 - q2 * z1);
-        self.of("000.(18)", "|z₂|", (p2 + q2 * z1).abs(), (p2 - q2 * z1).abs());
+        self.of(
+            "000.(18)",
+            "|z₂|",
+            (p2 + q2 * z1).abs(),
+            (p2 - q2 * z1).abs(),
+        );
         self.same("000.(18)", "|P₂| + |Q₂z₁|", p2.abs() + (q2 * z1).abs());
         self.of("000.(19).hyp", "Q₂", q2, -q2);
         self.same("000.(19)", "P₂", p2);

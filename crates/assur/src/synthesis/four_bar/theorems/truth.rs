@@ -58,7 +58,10 @@ pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
     if !angles.is_finite() {
         return None;
     }
-    let along = angles.from_frame().into_iter().any(|turn| turn.abs() < PARALLEL);
+    let along = angles
+        .from_frame()
+        .into_iter()
+        .any(|turn| turn.abs() < PARALLEL);
     Some(along || opening(angles).is_some_and(|opening| opening <= PI + PARALLEL))
 }
 

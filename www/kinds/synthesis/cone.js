@@ -1,0 +1,65 @@
+// The cone of the links' directions in one position: the frame's direction must lie inside it, else some length is not positive.
+const SVG = "http://www.w3.org/2000/svg";
+
+/** The directions as readers meet them, the frame's first. */
+const LOOKS = Object.freeze([["e₀", "ink"], ["e₁", "coupler"], ["e₂", "rocker"], ["e₃", "crank"]]);
+
+/** How far off the middle names are written, and how far the picture goes. */
+const NAME = 1.16;
+const SIZE = 1.32;
+
+/**
+ * @param {readonly [number, number, number, number]} turns of frame, coupler, output link and driver, radians
+ * @param {string} label
+ * @returns {SVGElement}
+ */
+export function cone(turns, label) {
+  const picture = element("svg", { viewBox: [-SIZE, -SIZE, 2 * SIZE, 2 * SIZE].join(" "), class: "cone", role: "img", "aria-label": label });
+  picture.append(element("path", { d: sector(turns.slice(1)) }));
+  for (const [k, turn] of turns.entries()) {
+    const [name, role] = LOOKS[k];
+    const [x, y] = at(turn, 1);
+    const [nameX, nameY] = at(turn, NAME);
+    const line = element("line", { x1: 0, y1: 0, x2: x, y2: y });
+    const text = element("text", { x: nameX, y: nameY });
+    text.textContent = name;
+    for (const one of [line, text]) one.style.setProperty("--accent", `var(--role-${role})`);
+    picture.append(line, text);
+  }
+  return picture;
+}
+
+/**
+ * @param {readonly number[]} turns
+ * @returns {string} the path around all sums of positive multiples: all of the disc where no gap between neighbours is half a turn
+ */
+function sector(turns) {
+  const around = turns.map((turn) => (turn < 0 ? (turn % TURN) + TURN : turn % TURN)).sort((a, b) => a - b);
+  const gaps = around.map((turn, k) => (k + 1 < around.length ? around[k + 1] : around[0] + TURN) - turn);
+  const widest = gaps.indexOf(Math.max(...gaps));
+  if (gaps[widest] < Math.PI) return "M1 0A1 1 0 1 0 -1 0A1 1 0 1 0 1 0Z";
+  const from = around[widest] + gaps[widest];
+  const to = around[widest] + TURN;
+  return `M0 0L${at(from, 1).join(" ")}A1 1 0 0 0 ${at(to, 1).join(" ")}Z`;
+}
+
+const TURN = 2 * Math.PI;
+
+/**
+ * @param {number} turn
+ * @param {number} far
+ * @returns {[number, number]} a place, with y downwards
+ */
+function at(turn, far) {
+  return [far * Math.cos(turn), -far * Math.sin(turn)];
+}
+
+/**
+ * @param {string} name
+ * @param {Readonly<Record<string, string | number>>} attributes
+ */
+function element(name, attributes) {
+  const made = /** @type {SVGElement} */ (document.createElementNS(SVG, name));
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
+  return made;
+}
