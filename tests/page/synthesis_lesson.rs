@@ -2,11 +2,22 @@
 //! `www/lesson/folder.test.js`.
 
 use serde_json::json;
+use thirtyfour::Key;
 
 use crate::browser::{Page, setting};
 use crate::device::languages;
 use crate::layout::defects;
 use crate::synthesis::there;
+
+/// How many steps the lesson has, and its paper misprints.
+const STEPS: usize = 13;
+const MISPRINTS: u64 = 13;
+
+async fn go_on(page: &Page, steps: usize) {
+    for _ in 0..steps {
+        page.click("lesson-on").await;
+    }
+}
 
 async fn lesson(page: &Page) {
     page.click("gallery").await;
@@ -42,7 +53,7 @@ async fn steps_have_their_tools_and_misprints() {
             .await
             .unwrap()
     );
-    page.click("lesson-on").await;
+    go_on(&page, 3).await;
     page.click("lesson-show").await;
     assert_eq!(page.count("#lesson #positions").await, 0);
     assert_eq!(
@@ -50,14 +61,53 @@ async fn steps_have_their_tools_and_misprints() {
             .await,
         2
     );
+    assert_eq!(page.count("#lesson #synthesis-conditions .cone").await, 2);
     page.click("lesson-errata").await;
     page.until("the misprints", async || {
-        page.count("#errata-dialog[open] tbody tr").await == 9
+        page.count("#errata-dialog[open] tbody tr").await == MISPRINTS
     })
     .await;
     page.click("errata-close").await;
-    page.click("lesson-on").await;
+    go_on(&page, 4).await;
     assert_eq!(page.count("#lesson #synthesis-map").await, 1);
+    page.close().await;
+}
+
+/// The paper's own way: coupler angles are typed until (14) and (25) hold, then lengths are tried.
+#[tokio::test]
+async fn coupler_angles_and_lengths_are_tried() {
+    let page = Page::open().await;
+    lesson(&page).await;
+    go_on(&page, 4).await;
+    page.click("lesson-show").await;
+    there(&page).await;
+    let holds = async |number: &str| {
+        let script = format!(
+            "return [...document.querySelectorAll('#synthesis-conditions tr')].filter((row) => row.querySelector('th')?.textContent.startsWith('({number})'))
+                .map((row) => row.querySelector('[data-holds]').dataset.holds)"
+        );
+        page.ask(&script).await
+    };
+    assert_eq!(holds("14").await, json!(["false", "false"]));
+    assert_eq!(page.written("field-coupler-1").await, "70°");
+    page.write("field-coupler-1", "10").await;
+    page.write("field-coupler-2", "9").await;
+    assert_eq!(holds("14").await, json!(["true", "true"]));
+    assert_eq!(holds("25").await, json!(["true", "true"]));
+    page.click("trial").await;
+    for (n, length) in ["10", "5", "4"].into_iter().enumerate() {
+        page.write(&format!("field-trial-{}", n + 1), length).await;
+    }
+    let said = page.text("synthesis-printed").await;
+    assert!(said.contains("9.827") && said.contains("0.000334"), "{said}");
+    assert_eq!(page.text("problem").await, "");
+    page.write("field-trial-2", "-1").await;
+    assert!(page.text("problem").await.contains("l₂"));
+    page.write("field-trial-2", "5").await;
+    page.press("slider-trial-1", Key::Right).await;
+    assert_ne!(page.written("field-trial-1").await, "10");
+    page.click("couplers").await;
+    assert_eq!(page.count("#positions .coupler_deg:not([hidden])").await, 0);
     page.close().await;
 }
 
@@ -70,15 +120,15 @@ async fn steps_have_room() {
     let mut found = Vec::new();
     for lang in languages(1) {
         page.speak(lang).await;
-        for step in 1..=8 {
+        for step in 1..=STEPS {
             page.click(&shows(&page).await[0]).await;
             there(&page).await;
             found.push((format!("{lang} {step}"), defects(&page, 0).await));
-            if step < 8 {
+            if step < STEPS {
                 page.click("lesson-on").await;
             }
         }
-        for _ in 1..8 {
+        for _ in 1..STEPS {
             page.click("lesson-back").await;
         }
     }
@@ -92,13 +142,13 @@ async fn steps_have_room() {
 async fn it_opens_from_a_file() {
     let page = Page::open_at(&format!("file://{}", setting("ASSUR_BUNDLE")), "en-US").await;
     lesson(&page).await;
-    page.click("lesson-on").await;
+    go_on(&page, 3).await;
     page.click("lesson-show").await;
     assert_eq!(page.text("problem").await, "");
     assert_eq!(page.count("#lesson #synthesis-conditions table").await, 2);
     page.click("lesson-errata").await;
     page.until("the misprints", async || {
-        page.count("#errata-dialog[open] tbody tr").await == 9
+        page.count("#errata-dialog[open] tbody tr").await == MISPRINTS
     })
     .await;
     page.click("errata-close").await;
