@@ -443,6 +443,10 @@ closed: PlaneSummary,
  */
 printed: PrintedSummary | null, 
 /**
+ * What Levitsky's quadratic approximation comes to.
+ */
+weighted: WeightedSummary | null, 
+/**
  * What is drawn, as a linkage for the simulator.
  */
 linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
@@ -571,6 +575,15 @@ equation: [number, number, number, number],
  */
 at: number, open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
 /**
+ * The condition that theorem 5 leaves out.
+ */
+pair: LeftOutSummary | null, 
+/**
+ * Between which l₁ l₂ is positive, and between which l₃: null where it never is, and where there is no greatest; null
+ * altogether where (13) fails.
+ */
+ranges: [[number, number | null] | null, [number, number | null] | null] | null, 
+/**
  * Between which l₁ all lengths are positive: null where there are none, and where there is
  * no greatest.
  */
@@ -579,21 +592,39 @@ export type ConditionSummary = {
 /**
  * Its number in the paper.
  */
-number: string, 
+number: number, 
 /**
  * The length that it is about.
  */
-about: string | null, value: number | null, holds: boolean, };
+about: string | null, 
+/**
+ * The two numbers whose signs it judges; null where one is infinite.
+ */
+values: [number | null, number | null], 
+/**
+ * Whether it holds as printed, and whether what it is printed for is so.
+ */
+holds: boolean, truth: boolean, };
 export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
+export type LeftOutSummary = { values: [number, number], holds: boolean, };
 export type PrintedSummary = { 
 /**
  * l₁, l₂, l₃.
  */
 lengths: [number, number, number], 
 /**
- * ΣJ there and of what is drawn, in squares of the unit of lengths.
+ * ΣJ there and of what is drawn: a number, as J is of zᵢ = lᵢ/l₀.
  */
 least: number, drawn: number, };
+export type WeightedSummary = { 
+/**
+ * l₁, l₂, l₃.
+ */
+lengths: [number, number, number], 
+/**
+ * ΣJ there, with the best coupler angles, and of what is drawn: numbers.
+ */
+sum: number, drawn: number, };
 export type GearTrainSummary = { bounds: [number, number, number, number], roles: { [key in string]: string }, 
 /**
  * The shaft that is not driven.

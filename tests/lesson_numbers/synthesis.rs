@@ -165,8 +165,14 @@ fn printed_example() {
         .map(|angles| percent(functional(angles, [z1, z2, z3]).sqrt()))
         .collect();
     let closures = &solved.shown.closures;
-    let best: Vec<f64> = closures.iter().map(|one| one.coupler.to_degrees()).collect();
-    let left: Vec<f64> = closures.iter().map(|one| percent(one.residual.abs())).collect();
+    let best: Vec<f64> = closures
+        .iter()
+        .map(|one| one.coupler.to_degrees())
+        .collect();
+    let left: Vec<f64> = closures
+        .iter()
+        .map(|one| percent(one.residual.abs()))
+        .collect();
     let least = System::new(&angles("printed")).unwrap().positive_minimum();
     let least = least.z.map(|z| z * document.frame);
     let [coupler, output, input] = trial;
@@ -242,16 +248,21 @@ fn counterexamples_to_theorems() {
             other => panic!("{other:?}"),
         }
     }
-    let degrees = |angles: &Angles| {
-        [angles.coupler, angles.output, angles.input].map(f64::to_degrees)
-    };
+    let degrees =
+        |angles: &Angles| [angles.coupler, angles.output, angles.input].map(f64::to_degrees);
     let [one, other] = [degrees(&both[0]), degrees(&both[1])];
     for lang in LANGUAGES {
         let text = &LESSON.words(lang)["theorem.text"];
-        let all: Vec<f64> = numbers(text, lang).into_iter().map(|(value, _)| value).collect();
+        let all: Vec<f64> = numbers(text, lang)
+            .into_iter()
+            .map(|(value, _)| value)
+            .collect();
         for degrees in [one, other] {
             let found = all.windows(3).any(|three| {
-                three.iter().zip(degrees).all(|(written, value)| (written - value).abs() < 1e-9)
+                three
+                    .iter()
+                    .zip(degrees)
+                    .all(|(written, value)| (written - value).abs() < 1e-9)
             });
             assert!(found, "{lang}: {text}");
         }
@@ -293,7 +304,12 @@ fn theorem_5_asks_for_less() {
         let text = &LESSON.words(lang)["direct.text"];
         let written = numbers(text, lang);
         let degrees = angles.coupler.to_degrees();
-        assert!(written.iter().any(|(value, _)| (value - degrees).abs() < 1e-9), "{lang}");
+        assert!(
+            written
+                .iter()
+                .any(|(value, _)| (value - degrees).abs() < 1e-9),
+            "{lang}"
+        );
     }
 }
 

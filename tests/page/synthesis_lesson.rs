@@ -2,7 +2,7 @@
 //! `www/lesson/folder.test.js`.
 
 use serde_json::json;
-use thirtyfour::Key;
+use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
 use crate::device::languages;
@@ -11,7 +11,7 @@ use crate::synthesis::there;
 
 /// How many steps the lesson has, and its paper misprints.
 const STEPS: usize = 13;
-const MISPRINTS: u64 = 13;
+const MISPRINTS: usize = 13;
 
 async fn go_on(page: &Page, steps: usize) {
     for _ in 0..steps {
@@ -99,7 +99,10 @@ async fn coupler_angles_and_lengths_are_tried() {
         page.write(&format!("field-trial-{}", n + 1), length).await;
     }
     let said = page.text("synthesis-printed").await;
-    assert!(said.contains("9.827") && said.contains("0.000334"), "{said}");
+    assert!(
+        said.contains("9.827") && said.contains("0.000334"),
+        "{said}"
+    );
     assert_eq!(page.text("problem").await, "");
     page.write("field-trial-2", "-1").await;
     assert!(page.text("problem").await.contains("l₂"));

@@ -32,7 +32,8 @@ use crate::kinds::synthesis::options::{FamilyCurve, FamilySummary, FoundSummary}
 use crate::kinds::synthesis::plane::PlaneSummary;
 use crate::kinds::synthesis::summary::{SolutionSummary, SynthesisSummary, VerdictSummary};
 use crate::kinds::synthesis::wanted::{
-    ConditionSummary, PrintedSummary, TheoremSummary, WantedSummary,
+    ConditionSummary, LeftOutSummary, PrintedSummary, TheoremSummary, WantedSummary,
+    WeightedSummary,
 };
 use crate::polygons::{FoundHere, LegHere, PolygonPictureHere, PolygonStepHere, PolygonsHere};
 use crate::profile::{DwellSummary, PhaseSummary, ProfileSummary};
@@ -91,7 +92,9 @@ fn the_scripts_know_what_crosses_the_border() {
         WantedSummary::decl(&config),
         ConditionSummary::decl(&config),
         TheoremSummary::decl(&config),
+        LeftOutSummary::decl(&config),
         PrintedSummary::decl(&config),
+        WeightedSummary::decl(&config),
         GearTrainSummary::decl(&config),
         BodyNumbers::decl(&config),
         ShaftNumbers::decl(&config),

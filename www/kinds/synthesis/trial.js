@@ -8,7 +8,7 @@ import { edited } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
- * @typedef {[number, number, number]} Lengths
+ * @typedef {NonNullable<import("assur/state/state.js").Documents["synthesis"]["trial"]>} Lengths
  */
 
 /** Of coupler, output link and driver. */
@@ -37,7 +37,7 @@ export class TrialView {
       drafts,
       (value) => {
         const lengths = this.#lengths();
-        if (lengths) edit(/** @type {Lengths} */ (lengths.with(index, value)));
+        if (lengths) edit(replaced(lengths, index, value));
       },
     ));
     this.#given.addEventListener("change", () => edit(this.#given.checked ? this.#lengths() : null));
@@ -66,6 +66,18 @@ export class TrialView {
   #lengths() {
     if (!this.#snapshot) return null;
     const { state: { document: { trial } }, summary: { drawn } } = this.#snapshot;
-    return trial ?? /** @type {Lengths} */ (drawn.lengths.map((length) => Number(length.toPrecision(DIGITS))));
+    if (trial) return trial;
+    const [l1, l2, l3] = drawn.lengths.map((length) => Number(length.toPrecision(DIGITS)));
+    return [l1, l2, l3];
   }
+}
+
+/**
+ * @param {Lengths} lengths
+ * @param {number} index of the one that is another
+ * @param {number} value
+ * @returns {Lengths}
+ */
+function replaced([l1, l2, l3], index, value) {
+  return [index === 0 ? value : l1, index === 1 ? value : l2, index === 2 ? value : l3];
 }

@@ -30,7 +30,7 @@ pub(crate) struct WantedSummary {
     conditions: Vec<ConditionSummary>,
     theorems: Vec<TheoremSummary>,
     /// The condition that theorem 5 leaves out.
-    pair: Option<PairSummary>,
+    pair: Option<LeftOutSummary>,
     /// Between which l₁ l₂ is positive, and between which l₃: null where it never is, and where there is no greatest; null
     /// altogether where (13) fails.
     ranges: Option<[Option<(f64, Option<f64>)>; 2]>,
@@ -88,7 +88,7 @@ pub(crate) struct TheoremSummary {
 /// The condition that theorem 5 leaves out, with the two numbers of which not both may be positive.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-pub(crate) struct PairSummary {
+pub(crate) struct LeftOutSummary {
     values: [f64; 2],
     holds: bool,
 }
@@ -108,7 +108,7 @@ impl From<Theorem> for TheoremSummary {
     }
 }
 
-impl From<ThirdPair> for PairSummary {
+impl From<ThirdPair> for LeftOutSummary {
     fn from(ThirdPair { values, holds }: ThirdPair) -> Self {
         Self { values, holds }
     }
@@ -177,7 +177,7 @@ impl WantedSummary {
                 .flatten()
                 .map(TheoremSummary::from)
                 .collect(),
-            pair: third_pair(angles).map(PairSummary::from),
+            pair: third_pair(angles).map(LeftOutSummary::from),
             ranges: angles.subsystem(Unknown::Coupler).map(|by| {
                 [0, 1].map(|k| {
                     let (from, to) = alternative(by.constant[k], by.slope[k]).range()?;
