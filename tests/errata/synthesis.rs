@@ -1,15 +1,14 @@
 //! The synthesis paper: misprints, and theorems that do not hold.
 
+mod example;
+mod theorems;
+
 use std::collections::BTreeSet;
 
-use assur::Grashof;
 use assur::synthesis::four_bar::theorems::{
-    Alternative, Angles, Truth, Unknown, alternative, conditions, functional, relations, theorems,
-    truth,
+    Alternative, Angles, Unknown, alternative, functional, relations,
 };
-use assur::synthesis::four_bar::{
-    Frame, Passage, Position, Proportions, Solution, Task, ThreePositions, TwoPositions,
-};
+use assur::synthesis::four_bar::{Frame, Position, Solution, Task, TwoPositions};
 use assur_tests::assert_near;
 
 /// φ₁, φ₂, φ₃ in degrees, the frame along the x-axis.
@@ -251,73 +250,6 @@ fn synthesis_20_to_23_ranges_of_the_coupler() {
     assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
 }
 
-/// (13) is not necessary for a solution: e₂ and e₃ are opposite, and these lengths close the loop.
-#[test]
-fn synthesis_13_is_not_necessary() {
-    let angles = angles([45.0, 90.0, 270.0]);
-    assert!(!conditions(&angles)[0].holds);
-    assert!(functional(&angles, [2.0_f64.sqrt(), 1.0, 2.0]) < 1e-30);
-    assert!(truth(&angles).unwrap().holds());
-}
-
-/// (14) and (25) leave out P, Q > 0, where every z₁ does.
-#[test]
-fn synthesis_14_leaves_out_what_is_always_positive() {
-    // The example with φ₁ = 47°: z₂ is positive for every z₁.
-    let angles = angles([47.0, 240.0, 45.0]);
-    let holds = |number: u8| {
-        conditions(&angles)
-            .into_iter()
-            .any(|one| one.number == number && one.holds)
-    };
-    assert!(!holds(14) && holds(34) && holds(25) && holds(37));
-    let told = theorems(&angles).unwrap();
-    assert!(!told[0].conditions && told[0].truth);
-    assert!(!told[2].conditions && told[2].truth);
-    assert!(told[4].conditions && told[4].truth);
-}
-
-/// Theorems 1 and 2 tell when lengths are real: always, where (13) holds, whatever φ₁ is; (14) and (25) add nothing.
-#[test]
-fn synthesis_theorems_1_and_2_are_true_and_empty() {
-    let mut asked = [0; 2];
-    for coupler in 0..72 {
-        let angles = angles([f64::from(5 * coupler) + 0.5, 61.0, 174.0]);
-        let told = theorems(&angles).unwrap();
-        assert!(told[..2].iter().all(|theorem| theorem.truth));
-        assert!(conditions(&angles)[0].holds);
-        for (asked, theorem) in asked.iter_mut().zip(&told) {
-            *asked += u32::from(theorem.conditions);
-        }
-    }
-    assert!(
-        asked.iter().all(|count| (20..52).contains(count)),
-        "{asked:?}"
-    );
-}
-
-/// Theorems 3, 4 and 5 ask that each of z₂ and z₃ be positive for some z₁; where all three vectors point above e₀ no z₁ does
-/// for both. How often each fails: `positions/theorems.rs`.
-#[test]
-fn synthesis_theorems_3_to_5_are_not_enough() {
-    for degrees in [[15.0, 30.0, 45.0], [18.0, 61.0, 174.0]] {
-        let angles = angles(degrees);
-        let told = theorems(&angles).unwrap();
-        assert!(
-            told[2..]
-                .iter()
-                .all(|theorem| theorem.conditions && !theorem.truth)
-        );
-        assert_eq!(truth(&angles), Some(Truth::None));
-        let by = angles.subsystem(Unknown::Coupler).unwrap();
-        for k in 1..5000 {
-            let z1 = f64::from(k) * 1e-3;
-            let lengths = [0, 1].map(|k| by.constant[k] + by.slope[k] * z1);
-            assert!(lengths.iter().any(|z| *z <= 0.0), "{z1} {lengths:?}");
-        }
-    }
-}
-
 /// (7), (8) and (9) are not independent: each is two rows of one system of rank two, and z₂, z₃ of one solve the others.
 #[test]
 fn synthesis_subsystems_are_not_independent() {
@@ -342,45 +274,6 @@ fn synthesis_subsystems_are_not_independent() {
     }
 }
 
-/// Two positions: with z₁ given, the main equation is of the fourth degree in Z; with z₂ given all is linear.
-#[test]
-fn synthesis_two_positions_are_a_quartic() {
-    let (solution, _) = member();
-    let Proportions {
-        coupler,
-        output,
-        input,
-    } = solution.proportions;
-    let [u, v] = [output.recip(), input.recip()];
-    let constant =
-        (coupler.powi(2) - output.powi(2) - input.powi(2) - 1.0) / (2.0 * output * input);
-    let quartic =
-        (coupler.powi(2) - 1.0) * (u * v).powi(2) - u * u - v * v - 2.0 * constant * u * v;
-    assert_near(quartic, 0.0, 1e-12, "the quartic");
-}
-
-/// Three positions: the linear system in Z, 1/z₂, 1/z₃ tells whether there are positive lengths, which the paper calls
-/// impossible to show.
-#[test]
-fn synthesis_three_positions_are_decided_by_signs() {
-    let task = |degrees: [[f64; 2]; 3]| {
-        let positions = degrees.map(|p| Position::new(p[0].to_radians(), p[1].to_radians()));
-        let frame = Frame {
-            length: 1.0,
-            angle: 0.0,
-        };
-        ThreePositions::new(&Task::new(frame, &positions, Task::RATIOS).unwrap())
-    };
-    let inputs = [30.0, 75.0, 120.0];
-    let [one, other] = [[272.0, 280.0, 298.0], [272.0, 280.0, 240.0]]
-        .map(|outputs| task([0, 1, 2].map(|k| [outputs[k], inputs[k]])));
-    assert!(matches!(one, Some(ThreePositions::One(_))), "{one:?}");
-    assert!(
-        matches!(other, Some(ThreePositions::Negative { .. })),
-        "{other:?}"
-    );
-}
-
 /// Over φ₁ alone the least J is (|e₀ − z₂e₂ − z₃e₃| − z₁)²: with it interpolation and the weighted difference follow.
 #[test]
 fn synthesis_least_functional_over_the_coupler_angle() {
@@ -395,138 +288,5 @@ fn synthesis_least_functional_over_the_coupler_angle() {
         let at = |coupler: f64| functional(&Angles { coupler, ..angles }, z);
         assert_near(at(coupler), least, 1e-13, "at arg r");
         assert!((1..60).all(|k| at(coupler + 0.1 * f64::from(k)) >= least - 1e-13));
-    }
-}
-
-/// Two positions that an exact crank-rocker takes up in different assemblies: nothing in the method ensures continuity.
-#[test]
-fn synthesis_continuity_is_not_ensured() {
-    let degrees = [[290.0_f64, 60.0], [30.0, 85.0]];
-    let positions = degrees.map(|p| Position::new(p[0].to_radians(), p[1].to_radians()));
-    let frame = Frame {
-        length: 1.0,
-        angle: 0.0,
-    };
-    let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
-    let Some(TwoPositions::Family(family)) = TwoPositions::new(&task) else {
-        panic!("no family");
-    };
-    let found = family.with_output(2.44357).unwrap();
-    assert!(found.worst_residual() < 1e-14);
-    assert_near(found.proportions.coupler, 1.968782, 1e-5, "z₁");
-    assert_near(found.proportions.input, 0.378257, 1e-5, "z₃");
-    let verdict = found.verdict.unwrap();
-    assert_eq!(verdict.grashof, Grashof::CrankRocker);
-    assert_eq!(verdict.passage, Passage::OtherCircuit);
-}
-
-/// No theorem speaks of two positions together: these have no linkage, though each alone has many.
-#[test]
-fn synthesis_theorems_speak_of_one_position() {
-    let degrees = [[90.0_f64, 120.0], [60.0, 100.0]];
-    let positions = degrees.map(|p| Position::new(p[0].to_radians(), p[1].to_radians()));
-    let frame = Frame {
-        length: 1.0,
-        angle: 0.0,
-    };
-    let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
-    assert!(matches!(
-        TwoPositions::new(&task),
-        Some(TwoPositions::None(_))
-    ));
-    for [output, input] in degrees {
-        let solvable = (0..360).filter(|coupler| {
-            truth(&angles([f64::from(*coupler), output, input]))
-                .unwrap()
-                .holds()
-        });
-        assert!(solvable.count() > 80);
-    }
-}
-
-/// The lengths of the worked example, 10, 5 and 4, leave 3.1 % and 2.4 % of l₀ open; no linkage that
-/// closes in both positions is a crank-rocker, as they are.
-#[test]
-fn synthesis_example_does_not_close() {
-    let [first, second] = example().map(|angles| functional(&angles, PRINTED).sqrt());
-    assert_near(10.4 * first, 0.324, 5e-4, "the first position");
-    assert_near(10.4 * second, 0.247, 5e-4, "the second position");
-    let (exact, _) = member();
-    assert!(exact.worst_residual() < 1e-14);
-    assert_near(
-        exact.proportions.coupler * 10.4,
-        9.31217191060936,
-        1e-13,
-        "l₁",
-    );
-    assert_near(
-        exact.proportions.input * 10.4,
-        5.11281237799864,
-        1e-13,
-        "l₃",
-    );
-    assert_eq!(exact.verdict.unwrap().grashof, Grashof::TripleRocker);
-}
-
-/// How much the printed lengths leave open where the coupler has the angle at which that is least: 1.8 % and 0.5 % of l₀; a
-/// coupler drawn between the links at their angles is 10.183 and 9.949 long.
-#[test]
-fn synthesis_example_with_the_best_coupler_angles() {
-    let positions = example().map(|angles| Position::new(angles.output, angles.input));
-    let frame = Frame {
-        length: 10.4,
-        angle: 0.0,
-    };
-    let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
-    let [coupler, output, input] = PRINTED;
-    let proportions = Proportions {
-        coupler,
-        output,
-        input,
-    };
-    let closures = Solution::new(&task, proportions).closures;
-    for (closure, [angle, gap, percent, drawn]) in closures
-        .iter()
-        .zip([[8.480, 0.1829, 1.8, 10.183], [7.609, 0.0505, 0.5, 9.949]])
-    {
-        assert_near(closure.coupler.to_degrees(), angle, 5e-4, "φ₁");
-        assert_near(10.4 * closure.residual.abs(), gap, 5e-5, "the gap");
-        assert_near(
-            (1000.0 * closure.residual.abs()).round() / 10.0,
-            percent,
-            1e-12,
-            "%",
-        );
-        assert_near(
-            10.0 + 10.4 * closure.residual,
-            drawn,
-            5e-4,
-            "the coupler as it is drawn",
-        );
-    }
-}
-
-/// (14) and (25) do not determine φ₁: they bound it, and needlessly, as both positions are solvable for every φ₁.
-#[test]
-fn synthesis_example_coupler_angles_are_bounded_only() {
-    for (given, [output, input], [least, greatest]) in [
-        (10, [240.0, 45.0], [-120, 45]),
-        (9, [253.0, 60.0], [-107, 60]),
-    ] {
-        for coupler in -179..180 {
-            // Off the borders by a part of a degree.
-            let angles = angles([f64::from(coupler) + 0.01, output, input]);
-            let holds = |number: u8| {
-                conditions(&angles)
-                    .into_iter()
-                    .any(|one| one.number == number && one.holds)
-            };
-            let within = (least..greatest).contains(&coupler);
-            assert_eq!(holds(14) && holds(25), within, "{coupler}");
-            assert!(truth(&angles).unwrap().holds());
-            if coupler == given {
-                assert!(holds(35) && holds(37));
-            }
-        }
     }
 }

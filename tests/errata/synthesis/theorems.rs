@@ -1,0 +1,99 @@
+//! The conditions and theorems, as they are printed.
+
+use assur::synthesis::four_bar::theorems::{
+    Truth, Unknown, conditions, functional, theorems, truth,
+};
+use assur::synthesis::four_bar::{Frame, Position, Task, TwoPositions};
+
+use super::angles;
+
+/// (13) is not necessary for a solution: e₂ and e₃ are opposite, and these lengths close the loop.
+#[test]
+fn synthesis_13_is_not_necessary() {
+    let angles = angles([45.0, 90.0, 270.0]);
+    assert!(!conditions(&angles)[0].holds);
+    assert!(functional(&angles, [2.0_f64.sqrt(), 1.0, 2.0]) < 1e-30);
+    assert!(truth(&angles).unwrap().holds());
+}
+
+/// (14) and (25) leave out P, Q > 0, where every z₁ does.
+#[test]
+fn synthesis_14_leaves_out_what_is_always_positive() {
+    // The example with φ₁ = 47°: z₂ is positive for every z₁.
+    let angles = angles([47.0, 240.0, 45.0]);
+    let holds = |number: u8| {
+        conditions(&angles)
+            .into_iter()
+            .any(|one| one.number == number && one.holds)
+    };
+    assert!(!holds(14) && holds(34) && holds(25) && holds(37));
+    let told = theorems(&angles).unwrap();
+    assert!(!told[0].conditions && told[0].truth);
+    assert!(!told[2].conditions && told[2].truth);
+    assert!(told[4].conditions && told[4].truth);
+}
+
+/// Theorems 1 and 2 tell when lengths are real: always, where (13) holds, whatever φ₁ is; (14) and (25) add nothing.
+#[test]
+fn synthesis_theorems_1_and_2_are_true_and_empty() {
+    let mut asked = [0; 2];
+    for coupler in 0..72 {
+        let angles = angles([f64::from(5 * coupler) + 0.5, 61.0, 174.0]);
+        let told = theorems(&angles).unwrap();
+        assert!(told[..2].iter().all(|theorem| theorem.truth));
+        assert!(conditions(&angles)[0].holds);
+        for (asked, theorem) in asked.iter_mut().zip(&told) {
+            *asked += u32::from(theorem.conditions);
+        }
+    }
+    assert!(
+        asked.iter().all(|count| (20..52).contains(count)),
+        "{asked:?}"
+    );
+}
+
+/// Theorems 3, 4 and 5 ask that each of z₂ and z₃ be positive for some z₁; where all three vectors point above e₀ no z₁ does
+/// for both. How often each fails: `positions/theorems.rs`.
+#[test]
+fn synthesis_theorems_3_to_5_are_not_enough() {
+    for degrees in [[15.0, 30.0, 45.0], [18.0, 61.0, 174.0]] {
+        let angles = angles(degrees);
+        let told = theorems(&angles).unwrap();
+        assert!(
+            told[2..]
+                .iter()
+                .all(|theorem| theorem.conditions && !theorem.truth)
+        );
+        assert_eq!(truth(&angles), Some(Truth::None));
+        let by = angles.subsystem(Unknown::Coupler).unwrap();
+        for k in 1..5000 {
+            let z1 = f64::from(k) * 1e-3;
+            let lengths = [0, 1].map(|k| by.constant[k] + by.slope[k] * z1);
+            assert!(lengths.iter().any(|z| *z <= 0.0), "{z1} {lengths:?}");
+        }
+    }
+}
+
+/// No theorem speaks of two positions together: these have no linkage, though each alone has many.
+#[test]
+fn synthesis_theorems_speak_of_one_position() {
+    let degrees = [[90.0_f64, 120.0], [60.0, 100.0]];
+    let positions = degrees.map(|p| Position::new(p[0].to_radians(), p[1].to_radians()));
+    let frame = Frame {
+        length: 1.0,
+        angle: 0.0,
+    };
+    let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
+    assert!(matches!(
+        TwoPositions::new(&task),
+        Some(TwoPositions::None(_))
+    ));
+    for [output, input] in degrees {
+        let solvable = (0..360).filter(|coupler| {
+            truth(&angles([f64::from(*coupler), output, input]))
+                .unwrap()
+                .holds()
+        });
+        assert!(solvable.count() > 80);
+    }
+}
