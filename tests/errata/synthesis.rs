@@ -35,7 +35,7 @@ fn sets() -> impl Iterator<Item = Angles> {
     (0..400).map(move |k| {
         let degrees = [turned(k, 97.31), turned(k, 41.77), turned(k, 163.9)];
         Angles {
-            frame: (turned(k, 7.9)).to_radians(),
+            frame: (turned(k, 7.93)).to_radians(),
             ..angles(degrees)
         }
     })
