@@ -136,9 +136,11 @@ impl<'a> Told<'a> {
     fn system(&mut self) {
         let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
         if let Some(system) = System::new(&[*self.angles]) {
-            let rank = system.rank as f64;
-            self.of("000.rank", "rank A", rank, 2.0);
-            self.of("000.rank", "rank Ā", rank, 2.0);
+            let rank = isize::try_from(system.rank).unwrap_or_default();
+            for name in ["rank A", "rank Ā"] {
+                let told = Relation::count("000.rank", self.name(name), rank, 2);
+                self.all.push(told);
+            }
         }
         self.of(
             "000.subsystems",
