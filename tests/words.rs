@@ -536,7 +536,7 @@ fn errata_are_those_of_the_document() {
         }
         told += rows.len();
     }
-    assert!(told > 10);
+    assert!(told > 0);
 }
 
 /// The variants of an enum of a source, as the codes that they are written as.

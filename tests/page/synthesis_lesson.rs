@@ -1,4 +1,4 @@
-//! The lesson on synthesis from positions on the page: its tools, its misprints, its room. Its answers are in
+//! The lesson on synthesis from positions on the page: its tools, its room. Its answers are in
 //! `www/lesson/folder.test.js`.
 
 use serde_json::json;
@@ -9,9 +9,8 @@ use crate::device::languages;
 use crate::layout::defects;
 use crate::synthesis::there;
 
-/// How many steps the lesson has, and its paper misprints.
+/// How many steps the lesson has.
 const STEPS: usize = 13;
-const MISPRINTS: usize = 13;
 
 async fn go_on(page: &Page, steps: usize) {
     for _ in 0..steps {
@@ -39,20 +38,12 @@ async fn shows(page: &Page) -> Vec<String> {
     serde_json::from_value(page.ask(script).await).unwrap()
 }
 
-/// What a step asks for stands in it; the misprints of the paper open from it.
+/// What a step asks for stands in it.
 #[tokio::test]
-async fn steps_have_their_tools_and_misprints() {
+async fn steps_have_their_tools() {
     let page = Page::open().await;
     lesson(&page).await;
     assert_eq!(page.count("#lesson #positions").await, 1);
-    assert!(
-        !page
-            .element("lesson-errata")
-            .await
-            .is_displayed()
-            .await
-            .unwrap()
-    );
     go_on(&page, 3).await;
     page.click("lesson-show").await;
     assert_eq!(page.count("#lesson #positions").await, 0);
@@ -62,12 +53,6 @@ async fn steps_have_their_tools_and_misprints() {
         2
     );
     assert_eq!(page.count("#lesson #synthesis-conditions .cone").await, 2);
-    page.click("lesson-errata").await;
-    page.until("the misprints", async || {
-        page.count("#errata-dialog[open] tbody tr").await == MISPRINTS
-    })
-    .await;
-    page.click("errata-close").await;
     go_on(&page, 4).await;
     assert_eq!(page.count("#lesson #synthesis-map").await, 1);
     page.close().await;
@@ -140,7 +125,7 @@ async fn steps_have_room() {
     page.close().await;
 }
 
-/// The one-file page has it, too: words, presets, misprints, the views of the kind.
+/// The one-file page has it, too: words, presets, the views of the kind.
 #[tokio::test]
 async fn it_opens_from_a_file() {
     let page = Page::open_at(&format!("file://{}", setting("ASSUR_BUNDLE")), "en-US").await;
@@ -149,11 +134,5 @@ async fn it_opens_from_a_file() {
     page.click("lesson-show").await;
     assert_eq!(page.text("problem").await, "");
     assert_eq!(page.count("#lesson #synthesis-conditions table").await, 2);
-    page.click("lesson-errata").await;
-    page.until("the misprints", async || {
-        page.count("#errata-dialog[open] tbody tr").await == MISPRINTS
-    })
-    .await;
-    page.click("errata-close").await;
     page.close().await;
 }

@@ -30,7 +30,6 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     formula: "z₂ = P₂ + Q₂z₁, z₃ = P₃ + Q₃z₁",
     relations: ["000.notation", "000.(16)", "000.(12)"],
     shows: [{ preset: "printed", at: first }],
-    errata: true,
     question: { choices: ["parallel", "frame", "never"], answer: () => "parallel" },
   },
   {
@@ -39,7 +38,6 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     relations: ["000.(21)", "000.(23)"],
     shows: [{ preset: "printed", at: first }],
     controls: ["conditions"],
-    errata: true,
     question: { within: 0.02, answer: ({ wanted: [{ interval }] }) => interval?.[1] ?? undefined },
   },
   {
@@ -56,7 +54,6 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     relations: ["000.truth"],
     shows: [{ preset: "theorem", at: first }],
     controls: ["conditions"],
-    errata: true,
     question: { choices: ["some", "none"], answer: ({ wanted: [{ interval }] }) => (interval ? "some" : "none") },
   },
   {
@@ -65,7 +62,6 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     relations: ["000.(31)", "000.(34)", "000.T5"],
     shows: [{ preset: "direct", at: first }],
     controls: ["conditions"],
-    errata: true,
     question: { choices: ["sufficient", "necessary", "both"], answer: () => "necessary" },
   },
   {
@@ -82,7 +78,6 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     shows: [{ preset: "printed", at: first }],
     controls: ["equation", "trial"],
     readouts: ["synthesis-grashof", "synthesis-gap"],
-    errata: true,
     question: { within: 0.005, answer: ({ wanted: [, { open }] }) => open },
   },
   {
