@@ -14,8 +14,11 @@ const PAPERS: [(&str, &str, usize); 4] = [
     ("mixer", "mixer-a", 53),
     ("class4-dwell", "class4-dwell", 101),
     ("mobility", "mobility-1a", 48),
-    ("synthesis", "mixer-a", 101),
+    ("synthesis", POSITIONS, 101),
 ];
+
+/// The positions of the paper on synthesis, as an address has them.
+const POSITIONS: &str = "2&kind=synthesis&d.frame=10.4&d.positions=%5B%7B%22output_deg%22:240,%22input_deg%22:45%7D,%7B%22output_deg%22:253,%22input_deg%22:60%7D%5D";
 
 /// The items that are seen, once what folds them is open.
 const SEEN: &str = "const fold = document.querySelector('#lesson-paper');
