@@ -10,10 +10,11 @@ use crate::browser::Page;
 use crate::host::home;
 
 /// The lessons that have a paper, with the preset that each opens on and the number of items.
-const PAPERS: [(&str, &str, usize); 3] = [
+const PAPERS: [(&str, &str, usize); 4] = [
     ("mixer", "mixer-a", 53),
     ("class4-dwell", "class4-dwell", 101),
     ("mobility", "mobility-1a", 48),
+    ("differential", "train-magnets", 57),
 ];
 
 /// The items that are seen, once what folds them is open.

@@ -30,7 +30,7 @@ export class MembersView {
         kind === "none" ? null : { kind: /** @type {Member["kind"]} */ (kind), torque: member?.torque ?? 0 })));
       const field = `members.${place}.torque`;
       const row = new NumberRow({ field, id: `torque-${place}`, ...PLACES[place] }, drafts, (torque) => put(place, (member) => member && { ...member, torque }));
-      return { place, choice, row, use: make("p", { class: "note" }) };
+      return { place, choice, row, use: make("p", { class: "note member-use" }) };
     });
     section("gear-train", "members.heading", "members", [
       ...this.#places.flatMap(({ choice, use, row }) => [choice.element, use, row.element]),
