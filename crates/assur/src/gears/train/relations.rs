@@ -118,15 +118,12 @@ impl Layout {
 /// (3): the count with one satellite, as the paper has it.
 fn counts() -> Vec<Relation> {
     let one = Counts::of(1);
+    let count =
+        |item, name, value: u32, printed| Relation::count(item, name, value as isize, printed);
     vec![
-        Relation::of("004.n", "n", f64::from(one.links), 4.0),
-        Relation::of("004.p5", "p₅", f64::from(one.one_freedom), 4.0),
-        Relation::of("004.p4", "p₄", f64::from(one.two_freedoms), 2.0),
-        Relation::of(
-            "004.(3)",
-            "W",
-            one.mobility() as f64,
-            3.0 * 4.0 - 2.0 * 4.0 - 2.0,
-        ),
+        count("004.n", "n", one.links, 4),
+        count("004.p5", "p₅", one.one_freedom, 4),
+        count("004.p4", "p₄", one.two_freedoms, 2),
+        Relation::count("004.(3)", "W", one.mobility() as isize, 3 * 4 - 2 * 4 - 2),
     ]
 }
