@@ -1,5 +1,7 @@
 //! The lesson on the differential: its numbers, and what it claims of its trains.
 
+mod notes;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
