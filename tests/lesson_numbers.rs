@@ -17,7 +17,7 @@ use assur_tests::files::source;
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
 
 /// Lessons that have notes for teachers.
-const WITH_NOTES: [&str; 2] = ["mixer", "mobility"];
+const WITH_NOTES: [&str; 3] = ["mixer", "mobility", "differential"];
 const LESSON: Lesson = Lesson("class4-dwell");
 
 /// A lesson, by its folder.

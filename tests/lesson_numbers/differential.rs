@@ -1,5 +1,7 @@
 //! The lesson on the differential: its numbers, and what it claims of its trains.
 
+mod notes;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -69,6 +71,8 @@ fn expected() -> BTreeMap<&'static str, Vec<f64>> {
     let fall = counts.mobility() - Counts::new(2.0).unwrap().mobility();
     let driven = document("driven");
     let turned = speeds("driven");
+    let small = train("driven").layout;
+    let [gaps, clearances] = [small.gaps(), small.tip_clearances()].map(Option::unwrap);
     let loaded = document("overloaded");
     let differential = train("overloaded").differential.unwrap();
     let peak = loaded.magnets.peak[0];
@@ -95,9 +99,24 @@ fn expected() -> BTreeMap<&'static str, Vec<f64>> {
             ],
         ),
         ("hold.hint", vec![0.0, 7.0]),
+        ("superposition.text", vec![4.0, 5.0, 6.0, 4.0, 7.0]),
+        ("superposition.hint", vec![5.0]),
         ("ratios.text", vec![sun, carrier, ring, 8.0, 9.0, 10.0]),
         ("ratios.right", vec![1.0, 2.0]),
         ("gaps.text", vec![2.0, 2.0, 1.0, 2.0, 2.0]),
+        (
+            "teeth.text",
+            vec![
+                1.0,
+                2.0,
+                2.0,
+                gaps[0],
+                2.0,
+                2.0 * driven.module_mm,
+                -clearances[0],
+            ],
+        ),
+        ("teeth.hint", vec![2.0, 4.0, 2.0]),
         (
             "load.text",
             vec![
@@ -107,7 +126,7 @@ fn expected() -> BTreeMap<&'static str, Vec<f64>> {
                 differential.static_limit(Body::Sun),
             ],
         ),
-        ("uses.text", vec![7.0, 8.0]),
+        ("uses.text", vec![7.0, 8.0, 7.0, 8.0, 7.0, 8.0]),
         ("uses.question", vec![speeds("mixer").sun, 7.0]),
         ("uses.hint", vec![7.0]),
     ])
@@ -296,6 +315,67 @@ fn a_sudden_load_pulls_out_earlier() {
     assert_eq!(slipped(&readings(&sudden)), [0, 0]);
     sudden.load = vec![[1.0, 0.0], [1.001, load], [1.1, load], [1.2, 0.0]];
     assert_ne!(slipped(&readings(&sudden)), [0, 0]);
+}
+
+/// Each input alone, the other shaft held: the carrier's speeds add up. They do not depend on z₂.
+#[test]
+fn inputs_add_up() {
+    let [sun, ring, both] = ["ring_held", "ring_alone", "driven"].map(speeds);
+    assert_eq!([sun.sun, ring.ring], [both.sun, both.ring]);
+    assert_eq!([sun.ring, ring.sun], [0.0, 0.0]);
+    assert!(near(sun.carrier + ring.carrier, both.carrier));
+    let mut smaller = document("driven");
+    smaller.z2 = 8.0;
+    let smaller = smaller.train().unwrap().turning.last_speeds();
+    assert!(near(smaller.carrier, both.carrier));
+}
+
+/// With small gaps the tips of teeth reach into one another; z₄ = 49 is the least with which they do not, by the condition of
+/// room z₁ + 2z₂ and eight teeth more.
+#[test]
+fn the_least_ring_that_clears_the_tips() {
+    let clear = |document: &GearTrainDocument| {
+        let clearances = document.train().unwrap().layout.tip_clearances();
+        clearances.unwrap().iter().all(|clearance| *clearance > 0.0)
+    };
+    assert!(!clear(&document("driven")) && clear(&document("wide_gap")));
+    let least = (42..60).find(|z4| {
+        let mut document = document("driven");
+        document.satellites = 1.0;
+        document.z4 = f64::from(*z4);
+        clear(&document)
+    });
+    let wide = document("wide_gap");
+    assert_eq!(least.map(f64::from), Some(wide.z4));
+    assert!(near(wide.z4, wide.z1 + 2.0 * wide.z2 + 8.0 + 1.0));
+}
+
+/// While the load grows, the field takes energy; then it neither takes nor gives any. The efficiency stays below 1 by what
+/// the bearings lose.
+#[test]
+fn the_field_passes_energy_on() {
+    let run = readings(&document("rubbing"));
+    assert_eq!(slipped(&run), [0, 0]);
+    let value = |reading: &Reading, name: &str| {
+        let relations = reading.energy.relations();
+        relations.iter().find(|one| one.name == name).unwrap().value
+    };
+    let late: Vec<&Reading> = run.iter().filter(|one| one.time > 4.0).collect();
+    let [first, last] = [late[0], late[late.len() - 1]];
+    let given = value(last, "A_f");
+    assert!(given < -0.01);
+    let spent = value(last, "A_d") - value(first, "A_d");
+    assert!((given - value(first, "A_f")).abs() < 1e-5 * spent);
+    let used = value(last, "A_u") - value(first, "A_u");
+    assert!((0.85..0.98).contains(&(used / spent)), "{}", used / spent);
+    assert!((0.85..0.98).contains(&value(last, "η")));
+    // What is made up of the others is seen to be equal on the page.
+    for reading in &run {
+        for one in reading.energy.relations() {
+            let off = (one.printed.unwrap() - one.value).abs();
+            assert!(off <= 1e-9 * (1.0 + one.value.abs()), "{one:?}");
+        }
+    }
 }
 
 /// Members 7 turn against the carrier that takes them round.

@@ -13,6 +13,9 @@ use crate::browser::{Page, setting};
 use crate::device::languages;
 use crate::layout::defects;
 
+/// How many steps the lesson has.
+const STEPS: usize = 11;
+
 /// A document of the lesson.
 fn document(name: &str) -> GearTrainDocument {
     let presets = include_str!("../../www/lessons/differential/presets.json");
@@ -49,7 +52,7 @@ async fn lesson(page: &Page) {
 }
 
 /// What each step asks, answered wrongly and as the engine has it.
-fn answers() -> [(&'static str, String); 8] {
+fn answers() -> [(&'static str, String); STEPS] {
     let number = |value: f64| format!("{value:.4}");
     let counts = train("one_satellite").layout.counts();
     let satellite = train("mixer").turning.at(1.0).speeds[Body::Satellite.index()] * 60.0 / TAU;
@@ -61,6 +64,7 @@ fn answers() -> [(&'static str, String); 8] {
         ("0", counts.mobility().to_string()),
         ("45", number(speeds("driven").carrier)),
         ("0.4651", number(ratio("4/1(3)"))),
+        ("rises", "same".to_owned()),
         ("2.15", number(ratio("1/4(3)"))),
         ("31", "13".to_owned()),
         // What cannot be built has no right answer, whatever its numbers are.
@@ -68,7 +72,9 @@ fn answers() -> [(&'static str, String); 8] {
             "14.1667",
             ((sun + ring) / mend.layout.counts().satellites).to_string(),
         ),
+        ("48", document("wide_gap").z4.to_string()),
         ("6", number(limit.static_limit(Body::Carrier))),
+        ("field", "drive".to_owned()),
         ("62.8571", number(satellite)),
     ]
 }
@@ -108,23 +114,23 @@ async fn its_lesson_is_answered() {
             assert_eq!(page.text("problem").await, "", "step {step}: {show}");
         }
         answer(&page, wrong, "not_yet").await;
-        if step == 6 {
+        if step == 7 {
             answer(&page, right, "not_yet").await;
             page.ask("document.querySelector('#train-suggestions button').click()")
                 .await;
             page.settle().await;
         }
         answer(&page, right, "right").await;
-        if step < 8 {
+        if step < STEPS {
             page.click("lesson-on").await;
         }
     }
     let progress = page.text("lesson-progress").await;
-    assert!(progress.contains("8 right answers"), "{progress}");
+    assert!(progress.contains("11 right answers"), "{progress}");
     page.close().await;
 }
 
-/// What a step asks for stands in it; the misprint of the paper opens from the step on gaps alone.
+/// What a step asks for stands in it; what the paper has wrong opens from the step on gaps alone.
 #[tokio::test]
 async fn steps_have_their_tools_and_the_misprint() {
     let page = Page::open().await;
@@ -133,10 +139,13 @@ async fn steps_have_their_tools_and_the_misprint() {
         "",
         "#train-free",
         "#train-free",
+        "#field-z2",
         "#observer-carrier",
         "#train-ratios",
         "#train-conditions",
+        "#field-z2",
         "#train-limit",
+        "#train-energies",
         "#field-members\\.carrier",
     ];
     for (step, tool) in (1..).zip(tools) {
@@ -147,11 +156,11 @@ async fn steps_have_their_tools_and_the_misprint() {
             assert_eq!(there, 1, "{step}: {tool}");
         }
         let errata = page.element("lesson-errata").await;
-        assert_eq!(errata.is_displayed().await.unwrap(), step == 6, "{step}");
-        if step == 6 {
+        assert_eq!(errata.is_displayed().await.unwrap(), step == 7, "{step}");
+        if step == 7 {
             page.click("lesson-errata").await;
             page.until("the misprint", async || {
-                page.count("#errata-dialog[open] tbody tr").await == 1
+                page.count("#errata-dialog[open] tbody tr").await == 3
             })
             .await;
             page.click("errata-close").await;
@@ -188,7 +197,7 @@ async fn the_answer_is_withheld() {
 async fn the_observer_on_the_carrier_sees_it_at_rest() {
     let page = Page::open().await;
     lesson(&page).await;
-    for _ in 1..4 {
+    for _ in 1..5 {
         page.click("lesson-on").await;
     }
     page.click("lesson-show-carrier").await;
@@ -240,7 +249,7 @@ async fn the_load_slips_and_is_held() {
     assert!(sun > 0);
     let page = Page::open().await;
     lesson(&page).await;
-    for _ in 1..7 {
+    for _ in 1..9 {
         page.click("lesson-on").await;
     }
     page.click("lesson-show-brief").await;
@@ -266,15 +275,15 @@ async fn steps_have_room() {
     let mut found = Vec::new();
     for lang in languages(0) {
         page.speak(lang).await;
-        for step in 1..=8 {
+        for step in 1..=STEPS {
             page.click(&shows(&page).await[0]).await;
             page.settle().await;
             found.push((format!("{lang} {step}"), defects(&page, 0).await));
-            if step < 8 {
+            if step < STEPS {
                 page.click("lesson-on").await;
             }
         }
-        for _ in 1..8 {
+        for _ in 1..STEPS {
             page.click("lesson-back").await;
         }
     }
@@ -291,5 +300,38 @@ async fn it_opens_from_a_file() {
     page.click("lesson-show-three").await;
     page.settle().await;
     assert_eq!(page.text("problem").await, "");
+    page.close().await;
+}
+
+/// Beside a working member stands what the paper's table has it for, in every language another text; without one nothing.
+#[tokio::test]
+async fn a_member_has_its_use() {
+    let page = Page::open().await;
+    lesson(&page).await;
+    for _ in 1..STEPS {
+        page.click("lesson-on").await;
+    }
+    let uses = "return [...document.querySelectorAll('#lesson .member-use')].filter((one) => one.checkVisibility()).map((one) => one.textContent);";
+    let mut seen = std::collections::BTreeSet::new();
+    let members = [
+        "fan",
+        "brush",
+        "stirrer",
+        "scraper",
+        "blade",
+        "propeller",
+        "road_wheel",
+    ];
+    page.choose("field-members\\.carrier", "none").await;
+    for name in members {
+        page.choose("field-members\\.satellite", name).await;
+        let shown: Vec<String> = serde_json::from_value(page.ask(uses).await).unwrap();
+        assert_eq!(shown.len(), 1, "{shown:?}");
+        seen.extend(shown);
+    }
+    assert_eq!(seen.len(), members.len(), "{seen:?}");
+    assert!(seen.contains("By the table: ventilating rooms"), "{seen:?}");
+    page.choose("field-members\\.satellite", "none").await;
+    assert_eq!(page.ask(uses).await, json!([]));
     page.close().await;
 }

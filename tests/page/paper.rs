@@ -10,11 +10,12 @@ use crate::browser::Page;
 use crate::host::home;
 
 /// The lessons that have a paper, with the preset that each opens on and the number of items.
-const PAPERS: [(&str, &str, usize); 4] = [
+const PAPERS: [(&str, &str, usize); 5] = [
     ("mixer", "mixer-a", 53),
     ("class4-dwell", "class4-dwell", 101),
     ("mobility", "mobility-1a", 48),
     ("synthesis", POSITIONS, 101),
+    ("differential", "train-magnets", 57),
 ];
 
 /// The positions of the paper on synthesis, as an address has them.

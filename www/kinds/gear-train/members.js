@@ -1,7 +1,7 @@
-// Working members 7 and 8: what they are, and what they take.
+// Working members 7 and 8: what they are, what the paper has them for, and what they take.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
-import { make } from "assur/core/dom.js";
+import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { Choice } from "assur/kinds/gear-train/choice.js";
 import { edited } from "assur/state/state.js";
@@ -30,10 +30,10 @@ export class MembersView {
         kind === "none" ? null : { kind: /** @type {Member["kind"]} */ (kind), torque: member?.torque ?? 0 })));
       const field = `members.${place}.torque`;
       const row = new NumberRow({ field, id: `torque-${place}`, ...PLACES[place] }, drafts, (torque) => put(place, (member) => member && { ...member, torque }));
-      return { place, choice, row };
+      return { place, choice, row, use: make("p", { class: "note member-use" }) };
     });
     section("gear-train", "members.heading", "members", [
-      ...this.#places.flatMap(({ choice, row }) => [choice.element, row.element]),
+      ...this.#places.flatMap(({ choice, use, row }) => [choice.element, use, row.element]),
       make("p", { class: "note", "data-t": "members.claims" }),
     ]);
   }
@@ -42,10 +42,11 @@ export class MembersView {
   render({ state: { document }, words, problems }) {
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(document.members, words, ...wrong)) return;
-    for (const { place, choice, row } of this.#places) {
+    for (const { place, choice, use, row } of this.#places) {
       const member = document.members?.[place];
       choice.show(member?.kind ?? "none");
-      row.element.hidden = !member;
+      row.element.hidden = use.hidden = !member;
+      if (member) write(use, words.text("members.use", { use: words.text(`use.${member.kind}`) }));
       if (member) row.show(member.torque ?? 0, words, wrong.has(row.field));
     }
   }

@@ -36,8 +36,18 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
     question: { hides: ["train-ratios"], within: 0.005, answer: ({ ratios }) => valueOf(ratios, "4/1(3)") },
   },
   {
+    id: "superposition",
+    formula: "",
+    relations: ["004.(4)", "004.(5)", "004.(6)", "004.(7)"],
+    shows: [{ name: "sun", preset: "ring_held", play: true }, { name: "ring", preset: "ring_alone", play: true }, { name: "both", preset: "driven", play: true }],
+    controls: ["wheels"],
+    readouts: ["train-sun", "train-ring", "train-carrier"],
+    question: { choices: ["falls", "same", "rises"], answer: () => "same" },
+  },
+  {
     id: "willis",
     formula: "(ω₁ − ω₃) / (ω₄ − ω₃) = −z₄/z₁",
+    relations: ["004.omega2"],
     shows: [
       { name: "ground", preset: "driven", play: true }, { name: "carrier", preset: "seen_from_carrier", play: true },
       { name: "sun", preset: "seen_from_sun", play: true }, { name: "ring", preset: "seen_from_ring", play: true },
@@ -48,7 +58,8 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
   },
   {
     id: "ratios",
-    formula: "u₁₃⁽⁴⁾ + u₁₄⁽³⁾ = 1\nu₃₄⁽¹⁾ + u₃₁⁽⁴⁾ = 1\nu₄₁⁽³⁾ + u₄₃⁽¹⁾ = 1",
+    formula: "",
+    relations: ["004.(8)", "004.(9)", "004.(10)"],
     shows: [{ preset: "ring_held", play: true }],
     controls: ["ratios"],
     question: { hides: ["train-largest"], choices: RATIOS, answer: largest },
@@ -56,10 +67,19 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
   {
     id: "gaps",
     formula: "(d₁ + d₂) / 2 < a_w < (d₄ − d₂) / 2\nsin(π/k) > d₂ / (2a_w)",
+    relations: ["004.(1)", "004.(2)"],
     shows: [{ name: "mend", preset: "not_to_be_built" }, { name: "contact", preset: "contact" }],
     controls: ["wheels", "conditions"],
     errata: true,
     question: { within: 0, answer: pitchesEach },
+  },
+  {
+    id: "teeth",
+    formula: "c₁₂ = a_w − (d₁ + d₂)/2 − 2m\nc₂₄ = (d₄ − d₂)/2 − a_w − 2m",
+    relations: ["004.open"],
+    shows: [{ name: "small", preset: "driven" }, { name: "wide", preset: "wide_gap" }],
+    controls: ["wheels"],
+    question: { within: 0, answer: leastRingThatClears },
   },
   {
     id: "load",
@@ -70,8 +90,16 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
     question: { hides: ["train-limit"], within: 0.1, answer: ({ limits }) => limits?.carrier },
   },
   {
+    id: "energy",
+    formula: "A_d = A_u + A_h + ΔE − A_f\nη = A_u / A_d",
+    relations: ["004.field", "004.claim2"],
+    shows: [{ preset: "rubbing", plot: "load", play: true }],
+    controls: ["load"],
+    question: { choices: ["drive", "field", "both"], answer: () => "drive" },
+  },
+  {
     id: "uses",
-    formula: "ω₂ = ω₃ − (ω₁ − ω₃) z₁/z₂",
+    formula: "ω₃ = (z₁ω₁ + z₄ω₄) / (z₁ + z₄)\nω₂ = ω₃ − (ω₁ − ω₃) z₁/z₂",
     shows: [
       { name: "mixer", preset: "mixer", play: true }, { name: "fan", preset: "fan", play: true }, { name: "brushes", preset: "brushes", play: true },
     ],
@@ -105,4 +133,16 @@ function largest({ ratios }) {
 function pitchesEach({ builds, conditions }) {
   const assembly = conditions.find(({ kind }) => kind === "assembly");
   return builds && assembly ? assembly.left / assembly.right : Infinity;
+}
+
+/** A gap is m(z₄ − z₁ − 2z₂)/4, and two teeth of the height m have room in it if this is more than 2m: so much more than z₁ + 2z₂ is too little. */
+const TEETH_OF_GAPS = 8;
+
+/**
+ * @param {Summary} summary
+ * @returns {number | undefined} the least z₄ with which the tips of teeth pass each other
+ */
+function leastRingThatClears({ conditions }) {
+  const room = conditions.find(({ kind }) => kind === "room");
+  return room && room.right + TEETH_OF_GAPS + 1;
 }

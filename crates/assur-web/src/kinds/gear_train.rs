@@ -4,6 +4,7 @@ pub(crate) mod course;
 mod quantity;
 pub(crate) mod summary;
 
+use assur::Relation;
 use assur_draw::{TrainFigure, TrainView, WorkingMember};
 use assur_file::{GearTrainDocument, MemberDocument, MemberKind, Problem, State};
 use serde::Serialize;
@@ -73,6 +74,10 @@ impl Capabilities for GearTrain {
 
     fn edited(&self) -> Option<&dyn Edited> {
         Some(self)
+    }
+
+    fn relations(&self, input: f64) -> Result<Vec<Relation>, Problem> {
+        Ok(self.course.relations(input))
     }
 }
 

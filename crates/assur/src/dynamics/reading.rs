@@ -7,6 +7,7 @@ use super::run::{Run, TICK};
 use super::{Body, Mesh};
 use crate::Angle;
 use crate::gears::train::Turned;
+use crate::relation::Relation;
 
 /// A mesh is told synchronous when it has not slipped for so many of its own swings.
 const SWINGS: f64 = 3.0;
@@ -82,6 +83,27 @@ impl Energy {
     pub fn imbalance(&self) -> f64 {
         let stored = self.kinetic + self.potential - self.opening;
         stored + self.dissipated + self.delivered - self.driven
+    }
+
+    /// What the source paper claims of energies, in numbers, J: the works A_d of the drives, A_u taken by loads, A_h turned
+    /// into heat, A_f that the fields gave since they were unloaded, and ΔE that the motion took up; the efficiency η = A_u/A_d,
+    /// where drives have done work.
+    pub fn relations(&self) -> Vec<Relation> {
+        let given = -self.potential;
+        let gained = self.kinetic - self.opening;
+        let needed = self.delivered + self.dissipated + gained - given;
+        let one = |item, name, value| Relation::of(item, name, value, value);
+        let mut all = vec![
+            one("004.field", "A_u", self.delivered),
+            one("004.field", "A_h", self.dissipated),
+            one("004.field", "ΔE", gained),
+            one("004.field", "A_f", given),
+            Relation::of("004.field", "A_d", self.driven, needed),
+        ];
+        if self.driven > 0.0 {
+            all.push(one("004.claim2", "η", self.delivered / self.driven));
+        }
+        all
     }
 }
 

@@ -30,6 +30,7 @@ mod layout;
 mod mobility;
 mod places;
 mod ratios;
+mod relations;
 mod suggestions;
 mod turning;
 mod velocities;

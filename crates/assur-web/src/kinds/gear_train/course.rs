@@ -3,10 +3,10 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use assur::Jet;
 use assur::dynamics::{Body, Halt, Mesh, Reading, Recording};
 use assur::gears::train::{Shaft, Turned, Turning};
 use assur::motion::Input;
+use assur::{Jet, Relation};
 use assur_draw::TrainPose;
 use assur_draw::chart::{Against, At, Axis, Chart, Kind, Sample, Series, Settings};
 use assur_file::{GearTrainDocument, Problem, View};
@@ -152,6 +152,23 @@ impl Course {
                 reading,
             },
         }
+    }
+
+    /// The relations of the paper at a time, as the ground sees it.
+    pub(crate) fn relations(&self, time: f64) -> Vec<Relation> {
+        let recording = self.recording.as_ref();
+        let reading = recording.map(|recording| recording.at(time).reading());
+        let turned = match &reading {
+            Some(reading) => reading.turned(),
+            None => self.train.turning.at(time),
+        };
+        let mut all = (self.train.layout).relations(self.train.coupling, &turned.speeds);
+        all.extend(
+            reading
+                .iter()
+                .flat_map(|reading| reading.energy.relations()),
+        );
+        all
     }
 
     fn pose(&self, known: &Known) -> TrainPose {

@@ -122,7 +122,7 @@ impl Layout {
         }
     }
 
-    /// The gaps of magnets at sun and ring; negative where the wheels would
+    /// The gaps of magnets at sun and ring, between pitch circles; negative where these would
     /// overlap. None of bevel wheels, which are moved along their axes to part.
     pub fn gaps(&self) -> Option<[f64; 2]> {
         let planar = self.train.kind() != Kind::Bevel;
@@ -131,7 +131,14 @@ impl Layout {
         planar.then_some([distance - least, most - distance])
     }
 
-    /// The distances of the axes between which no wheels touch: (d₁ + d₂)/2 and
+    /// What the [gaps](Self::gaps) leave between the tips of teeth of the standard addendum m, at sun and ring; negative
+    /// where the teeth reach into one another, and no wheel can slip past the other. None of bevel wheels.
+    pub fn tip_clearances(&self) -> Option<[f64; 2]> {
+        let teeth = 2.0 * ADDENDUM * self.module;
+        self.gaps().map(|gaps| gaps.map(|gap| gap - teeth))
+    }
+
+    /// The distances of the axes between which no pitch circles touch: (d₁ + d₂)/2 and
     /// (d₄ − d₂′)/2, the source paper's (1) and (2).
     pub(super) fn free_distances(&self) -> [f64; 2] {
         let teeth = |member| f64::from(self.train.teeth(member));

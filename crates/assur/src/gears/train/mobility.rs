@@ -11,7 +11,8 @@ pub struct Counts {
     pub satellites: u32,
     /// Moving links n: sun, carrier, ring and the satellites.
     pub links: u32,
-    /// P₁: sun, carrier and ring turn in the frame, each satellite in the carrier.
+    /// P₁, the paper's p₅: sun, carrier and ring turn in the frame, each satellite in the carrier. The paper's carrier
+    /// turns in the ring instead of in the frame: the count is the same.
     pub one_freedom: u32,
     /// P₂: each satellite meets sun and ring. A magnetic coupling counts as a pair:
     /// true in synchronism, as long as it does not slip.
@@ -27,12 +28,16 @@ impl Counts {
         let most = GearSet::MOST as f64;
         let satellites = Fault::check_count(satellites, (1.0, most))
             .map_err(|fault| TrainError::Satellites { fault })?;
-        Ok(Self {
+        Ok(Self::of(satellites))
+    }
+
+    pub(super) fn of(satellites: u32) -> Self {
+        Self {
             satellites,
             links: 3 + satellites,
             one_freedom: 3 + satellites,
             two_freedoms: 2 * satellites,
-        })
+        }
     }
 
     /// W = 3n − 2P₁ − P₂ (Chebyshev); with one satellite 3·4 − 2·4 − 2 = 2, the
