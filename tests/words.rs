@@ -325,7 +325,7 @@ fn every_language_says_everything() {
         .into_iter()
         .map(|lesson| format!("{lesson}/words.*.json"));
     let kinds = kinds::kinds().into_iter().map(|kind| kind.place());
-    let of_lessons = ["errata", "paper"].into_iter().flat_map(tables_of_lessons);
+    let of_lessons = tables_of_lessons("paper");
     let all = steps
         .chain(of_lessons)
         .chain(kinds)
@@ -479,64 +479,6 @@ fn lessons_have_their_words_and_no_more() {
         let expected: BTreeSet<&str> = expected.iter().map(String::as_str).collect();
         assert_eq!(asked(words), expected, "{name}");
     }
-}
-
-/// The sections of docs/errata.md: of each the rows of its table.
-fn errata_of_the_document(document: &str) -> Vec<Vec<[&str; 3]>> {
-    fn cells(row: &str) -> [&str; 3] {
-        let cells: Vec<&str> = row.split('|').skip(1).map(str::trim).collect();
-        [cells[0], cells[1], cells[2]]
-    }
-    fn rows(section: &str) -> Vec<[&str; 3]> {
-        let lines = section.lines().filter(|line| line.starts_with('|'));
-        lines.skip(2).map(cells).collect()
-    }
-    document.split("\n## ").skip(1).map(rows).collect()
-}
-
-/// The misprints that a lesson tells are those of a section of docs/errata.md, word by
-/// word; in the other languages formulas are the same.
-#[test]
-fn errata_are_those_of_the_document() {
-    let document = source("docs/errata.md");
-    let sections = errata_of_the_document(&document);
-    let mut told = 0;
-    let columns = ["equation", "printed", "right"];
-    let word = |cell: &str| {
-        let mut words = cell.split(|c: char| !c.is_alphabetic() && c != '′');
-        words.any(|word| word.len() > 2 && word.chars().all(|c| c.is_ascii_lowercase()))
-    };
-    for place in tables_of_lessons("errata") {
-        let tables = tables(&place);
-        let english = &tables[0].2;
-        let of_this = |rows: &&Vec<[&str; 3]>| {
-            let mut equations = (1..).zip(rows.iter().map(|row| row[0]));
-            equations.all(|(number, row)| {
-                english
-                    .get(&format!("{number}.equation"))
-                    .is_some_and(|said| said == row)
-            })
-        };
-        let rows = sections.iter().find(of_this);
-        let rows = rows.unwrap_or_else(|| panic!("{place}: no section has these equations"));
-        assert!(!rows.is_empty());
-        for (lang, _, words) in &tables {
-            assert_eq!(words.len(), 2 + 3 + 3 * rows.len(), "{place} {lang}");
-            for (number, row) in (1..).zip(rows) {
-                for (column, cell) in columns.into_iter().zip(row) {
-                    let said = &words[&format!("{number}.{column}")];
-                    let alike = *lang == "en" || !word(cell) || cell.contains("det");
-                    assert_eq!(
-                        said == cell,
-                        alike,
-                        "{place} {lang} {number}.{column}: {said}"
-                    );
-                }
-            }
-        }
-        told += rows.len();
-    }
-    assert!(told > 0);
 }
 
 /// The variants of an enum of a source, as the codes that they are written as.

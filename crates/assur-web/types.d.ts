@@ -504,7 +504,7 @@ starts: [number, number],
  */
 gap: number, 
 /**
- * ΣJ, in squares of the unit of lengths.
+ * l₀²ΣJ, in squares of the unit of lengths.
  */
 sum: number, 
 /**

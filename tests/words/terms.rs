@@ -106,9 +106,7 @@ fn texts(lang: &str) -> Vec<(String, String)> {
         .into_iter()
         .map(|lesson| format!("{lesson}/words.*.json"));
     let of_kinds = kinds::kinds().into_iter().map(|kind| kind.place());
-    let places = of_lessons
-        .chain(of_kinds)
-        .chain(["errata", "paper"].into_iter().flat_map(tables_of_lessons));
+    let places = of_lessons.chain(of_kinds).chain(tables_of_lessons("paper"));
     let places: Vec<String> = places.chain([PAGE.to_owned()]).collect();
     let of_place = |place: &String| {
         let (_, _, words) = (tables(place).into_iter())

@@ -44,11 +44,11 @@ import { holds, open } from "assur/lesson/show.js";
 /**
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
- *   kind?: K, id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, errata?: boolean, relations?: readonly string[],
+ *   kind?: K, id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, relations?: readonly string[],
  *   controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[], figure?: (engine: Engine) => Figure,
  * }>} Step
  * `kind`: of the documents that it shows and asks about, where it is not the lesson's; `formula`: one with a number in it is written with
- * the reader's decimal sign; `errata`: misprints of the lesson's paper concern the step; `relations`: items of the paper in its main line. In the step itself stand its `controls`, by their fields, its `readouts`,
+ * the reader's decimal sign; `relations`: items of the paper in its main line. In the step itself stand its `controls`, by their fields, its `readouts`,
  * by what follows `out-` in their ids, the parts of the page that it `lends`, by their ids, and a `figure` of its own.
  */
 
@@ -101,16 +101,6 @@ export class FolderLesson {
     return [...this.#lesson.steps.map((step, index) => this.#step(step, index, words)), this.#end(words)];
   }
 
-  /** @param {Words} words */
-  async openErrata({ lang }) {
-    try {
-      const { openErrata } = await import("assur/lesson/errata.js");
-      await openErrata(this.id, lang);
-    } catch {
-      this.#page.notices.tell(LOST);
-    }
-  }
-
   /**
    * The end of the lesson: what was learnt, and what comes next.
    * @param {Words} words
@@ -125,7 +115,7 @@ export class FolderLesson {
     const notes = this.#notes && served() ? [{ id: "lesson-notes", text: words.text("lesson.notes"), open() {}, href: notesOf(this.id, words.lang) }] : [];
     return {
       id: END, title: words.text("lesson.learnt"), text: words.text("learnt"), formula: "", shows: [{ id: "lesson-further", ...further }, ...notes], from: null, question: null,
-      errata: false, tools: {},
+      tools: {},
     };
   }
 
@@ -136,7 +126,7 @@ export class FolderLesson {
    * @returns {Told}
    */
   #step(step, index, words) {
-    const { id, formula, shows, question, errata = false } = step;
+    const { id, formula, shows, question } = step;
     const { choices, unit = "", within, hides = [] } = question;
     return {
       id,
@@ -150,7 +140,6 @@ export class FolderLesson {
         opened: holds(show, this.#presets, this.#page.engine),
       })),
       from: index,
-      errata,
       tools: step,
       question: {
         text: withTolerance(words.text(`${id}.question`), within, unit, words),

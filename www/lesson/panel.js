@@ -29,12 +29,12 @@ import { withView } from "assur/state/state.js";
  * nothing is typed, the question is answered as soon as this holds.
  * @typedef {{ readonly element: HTMLElement, render(snapshot: Snapshot, words: Words): void }} Figure what a step draws of its own; it is made anew with the words
  * @typedef {Readonly<{
- *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], from: number | null, question: Question | null, errata: boolean,
+ *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], from: number | null, question: Question | null,
  *   tools: import("assur/lesson/tools.js").Wanted & { figure?: (engine: import("assur/engine.js").Engine) => Figure },
  * }>} Told a step in words; steps are told apart by their ids, which progress is kept by; `from`: the index of the step whose mechanism it shows, null if it
  * shows none
  * @typedef {{
- *   readonly id: string, readonly name: string, readonly paper?: import("assur/lesson/paper.js").Printed, tell(words: Words): readonly Told[], openErrata?(words: Words): Promise<void>,
+ *   readonly id: string, readonly name: string, readonly paper?: import("assur/lesson/paper.js").Printed, tell(words: Words): readonly Told[],
  *   frame?(step: HTMLElement[], progress: Progress, renew: () => Progress): HTMLElement[], answered?(): void,
  * }} Source
  * The source of a lesson: its name in links, the name by which its progress is kept, what its paper prints, its steps, the frame around them. `answered` hears of
@@ -73,7 +73,6 @@ export class LessonPanel {
   #title = make("h2", { id: "lesson-title", tabindex: "-1" });
   #text = make("div", { class: "lesson-text" });
   #shows = make("div", { class: "segments" });
-  #errata = make("button", { id: "lesson-errata", class: "control add", type: "button", hidden: "" });
   #legend = make("legend", { id: "lesson-question" });
   #fields = make("div", { class: "choices" });
   #check = make("button", { id: "lesson-check", class: "control" });
@@ -109,11 +108,10 @@ export class LessonPanel {
     this.#on.addEventListener("click", () => this.#go(1));
     this.#own = new OwnMechanism(page, this.#tools.element);
     addEventListener("pagehide", this.#left);
-    this.#errata.addEventListener("click", () => source.openErrata?.(this.#words));
     this.#reveal.addEventListener("click", () => this.#showAnswer());
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
     const paper = this.#paper = source.paper && new Paper(page.engine, source.paper);
-    const step = [this.#title, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#drawn, this.#tools.element, ...(paper ? [paper.fold] : []), this.#errata];
+    const step = [this.#title, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#drawn, this.#tools.element, ...(paper ? [paper.fold] : [])];
     this.#body.replaceChildren(...(source.frame?.(step, this.#progress, () => this.#renew()) ?? step));
     place.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
@@ -245,7 +243,7 @@ export class LessonPanel {
   #write(number) {
     const words = this.#words;
     const step = this.#steps[number - 1];
-    const { title, text, formula, shows, question, errata } = step;
+    const { title, text, formula, shows, question } = step;
     this.#back.ariaLabel = this.#back.title = words.text("lesson.back");
     this.#on.title = words.text("lesson.on");
     write(this.#on, `${words.text("lesson.next")} ›`);
@@ -270,8 +268,6 @@ export class LessonPanel {
     this.#figure = step.tools.figure?.(this.#page.engine);
     this.#drawn.replaceChildren(...(this.#figure ? [this.#figure.element] : []));
     this.#begin(step);
-    write(this.#errata, words.text("lesson.errata"));
-    this.#errata.hidden = !errata;
     this.#form.hidden = !question;
     this.#check.hidden = question?.reached !== undefined;
     writeSubscripted(this.#legend, question?.text ?? "");

@@ -21,6 +21,9 @@ const SAME = 1e-9;
 const DECIMALS = 4;
 const IN_DEGREES = 2;
 
+/** Verdicts on what does not hold as it is printed. */
+const WRONG = Object.freeze(["misprint", "false"]);
+
 export class Paper {
   #engine;
   #items;
@@ -38,7 +41,7 @@ export class Paper {
   main = make("div", { class: "paper" });
   #summary = make("summary", { id: "lesson-paper-name" });
   #rows = make("div", { class: "paper" });
-  /** All items of the step as they are printed, with a verdict. */
+  /** All items of the step as they are printed, with a verdict; at the end of the lesson also those of all steps that do not hold. */
   fold = make("details", { id: "lesson-paper" }, [this.#summary, this.#rows]);
 
   /**
@@ -64,7 +67,11 @@ export class Paper {
     this.#written = [];
     this.#step = step;
     this.main.replaceChildren(...items.filter(({ item }) => main.includes(item)).map((item) => this.#row(item)));
-    this.#rows.replaceChildren(...items.map((item) => this.#row(item, verdict(item, words))));
+    const wrong = closes ? this.#items.filter((item) => item.step !== step && WRONG.includes(item.verdict)) : [];
+    /** @type {HTMLElement[][]} */
+    const [rows, errata] = [items, wrong].map((some) => some.map((item) => this.#row(item, verdict(item, words))));
+    if (errata.length > 0) rows.push(make("details", { id: "lesson-errata" }, [make("summary", { id: "lesson-errata-name" }, [words.text("lesson.errata")]), make("div", { class: "paper" }, errata)]));
+    this.#rows.replaceChildren(...rows);
     write(this.#summary, words.text(closes ? "lesson.paper.about" : "lesson.paper.fold"));
     this.fold.open = closes;
     this.fold.hidden = items.length === 0;

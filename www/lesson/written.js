@@ -92,7 +92,6 @@ export class WrittenLesson {
       shows: this.#shows(index),
       from: shownBy(this.#lesson, index)?.index ?? null,
       question: question ? this.#question(question, index) : null,
-      errata: false,
       tools: {},
     }));
   }

@@ -42,7 +42,7 @@ export function listed(papers, all) {
     return `## ${lesson}\n\n| item | verdict | step | engine | test |\n|---|---|---|---|---|\n${rows.join("\n")}\n`;
   });
   return `# Items of the papers\n\nWhere each equation, figure, claim and worked number of the papers stands: the step of the lesson that shows it, what of the engine computes it, the test that
-holds it. Of ${all} items ${count} are placed so; the other papers' lessons are yet to follow. Written from \`www/lessons/*/paper.json\` by the tests of the build
+holds it. Of ${all} items ${count} are placed so. Written from \`www/lessons/*/paper.json\` by the tests of the build
 (\`ASSUR_WRITE=1 node --test crates/xtask/build/papers.test.js\`).\n\n${parts.join("\n")}`;
 }
 

@@ -70,7 +70,6 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
     relations: ["004.(1)", "004.(2)"],
     shows: [{ name: "mend", preset: "not_to_be_built" }, { name: "contact", preset: "contact" }],
     controls: ["wheels", "conditions"],
-    errata: true,
     question: { within: 0, answer: pitchesEach },
   },
   {

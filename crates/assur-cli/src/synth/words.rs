@@ -167,7 +167,7 @@ pub(super) fn value(value: &Value) -> String {
         Value::Object(parts) => {
             let all = parts
                 .iter()
-                .map(|(key, part)| format!("{key} {}", value(part)));
+                .map(|(key, part)| format!("{key} {}", self::value(part)));
             all.collect::<Vec<String>>().join(", ")
         }
     }

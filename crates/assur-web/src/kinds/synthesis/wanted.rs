@@ -11,6 +11,9 @@ use serde::Serialize;
 
 use super::summary::lengths;
 
+/// From a length to a greater one, if there is a greatest.
+type Range = (f64, Option<f64>);
+
 /// A position that is wanted, with what is true of it.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -33,10 +36,10 @@ pub(crate) struct WantedSummary {
     pair: Option<LeftOutSummary>,
     /// Between which l₁ l₂ is positive, and between which l₃: null where it never is, and where there is no greatest; null
     /// altogether where (13) fails.
-    ranges: Option<[Option<(f64, Option<f64>)>; 2]>,
+    ranges: Option<[Option<Range>; 2]>,
     /// Between which l₁ all lengths are positive: null where there are none, and where there is
     /// no greatest.
-    interval: Option<(f64, Option<f64>)>,
+    interval: Option<Range>,
 }
 
 /// The least ΣJ over positive lengths with the coupler angles given.

@@ -45,7 +45,7 @@ impl Truth {
 /// their cone, so that positive lengths close the loop, where this is less than π. None where all are on one side, and where
 /// an angle is not finite.
 pub fn opening(angles: &Angles) -> Option<f64> {
-    let turns = angles.from_frame();
+    let turns = angles.off_frame();
     let left = turns.into_iter().filter(|turn| *turn > 0.0);
     let right = turns.into_iter().filter(|turn| *turn < 0.0);
     let opening = left.reduce(f64::min)? - right.reduce(f64::max)?;
@@ -59,7 +59,7 @@ pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
         return None;
     }
     let along = angles
-        .from_frame()
+        .off_frame()
         .into_iter()
         .any(|turn| turn.abs() < PARALLEL);
     Some(along || opening(angles).is_some_and(|opening| opening <= PI + PARALLEL))
@@ -67,7 +67,7 @@ pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
 
 impl Angles {
     /// φᵢ − φ₀ of coupler, output and input, from −π to π.
-    fn from_frame(&self) -> [f64; 3] {
+    fn off_frame(&self) -> [f64; 3] {
         let turns = [self.coupler, self.output, self.input];
         turns.map(|turn| near(turn, self.frame) - self.frame)
     }
