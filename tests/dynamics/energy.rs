@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::dynamics::{Body, Differential, Drive, Run, Shaft, Start};
+use assur::dynamics::{Body, Differential, Drive, Profile, Run, Shaft, Start};
 
 use super::sample::{parameters, speed, synchronous, ticks, torque, undamped};
 
@@ -63,11 +63,12 @@ fn no_drift_while_a_mesh_slips_without_damping() {
 #[test]
 fn what_is_lost_and_delivered_is_accounted_for() {
     let mut parameters = parameters();
-    parameters.sun.drive = torque(&[(0.0, 0.0), (0.3, 3.0)]);
+    parameters.sun.drive = Drive::Speed(Profile::ramp(0.0, 20.0, 0.0, 0.3).unwrap());
     parameters.ring.drive = Drive::Tied {
         to: Shaft::Sun,
         ratio: -0.4,
     };
+    parameters.carrier.drive = torque(&[(0.0, 0.0), (0.3, -0.5)]);
     parameters.carrier.load.fan = 0.02;
     parameters.carrier.load.friction = 0.2;
     parameters.carrier.load.creep = 1.0;

@@ -84,12 +84,9 @@ fn efficiency() {
         let recording = Recording::new(run, document.span_s);
         let reading = recording.at(recording.end()).reading();
         assert!(Mesh::ALL.iter().all(|mesh| reading.mesh(*mesh).synchronous));
-        let taken = reading.body(Body::Carrier).load_power();
-        let driven: f64 = reading
-            .bodies
-            .iter()
-            .filter_map(|body| body.drive_power())
-            .sum();
+        let power = |body| reading.body(body).drive_power().unwrap();
+        let taken = -power(Body::Carrier);
+        let driven = power(Body::Sun) + power(Body::Ring);
         says(&format!("{place}{:.3}", taken / driven));
         if share == 1.0 {
             says(&format!(

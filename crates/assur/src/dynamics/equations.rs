@@ -285,8 +285,15 @@ impl Equations {
     ) -> Powers {
         let v = &moment.rates;
         let torques = self.drive_torques(driving, moment, accelerations);
-        let driven = torques.iter().zip(v).map(|(torque, speed)| torque * speed);
         let loads = v.iter().enumerate();
+        // A torque that is given by time is a load.
+        let (mut driven, mut pulled) = (0.0, 0.0);
+        for (body, (torque, speed)) in torques.iter().zip(v).enumerate() {
+            match self.following[body] {
+                Following::Torques(_) => pulled += torque * speed,
+                _ => driven += torque * speed,
+            }
+        }
         let [c1, c2, c3, c4] = self.damping;
         let bearings = c1 * v[0] * v[0]
             + c2 * (v[1] - v[2]) * (v[1] - v[2])
@@ -297,11 +304,12 @@ impl Equations {
             field.damping * rate * rate
         });
         Powers {
-            driven: driven.sum(),
+            driven,
             dissipated: bearings + eddies.sum::<f64>(),
             delivered: loads
                 .map(|(body, speed)| -self.load_torque(body, *speed) * speed)
-                .sum(),
+                .sum::<f64>()
+                - pulled,
         }
     }
 

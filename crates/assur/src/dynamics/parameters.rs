@@ -76,7 +76,7 @@ pub struct Driven {
 /// What drives a shaft from the ground.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drive {
-    /// A torque over time, N·m; zero leaves it free.
+    /// A torque over time, N·m, a load in the account of energies; zero leaves it free.
     Torque(Profile),
     /// A speed over time, rad/s; zero holds it.
     Speed(Profile),

@@ -68,11 +68,11 @@ pub struct Energy {
     pub kinetic: f64,
     /// Of the fields: zero without a load.
     pub potential: f64,
-    /// Work of all drives.
+    /// Work of the drives that give a speed.
     pub driven: f64,
     /// Lost in bearings and to eddy currents.
     pub dissipated: f64,
-    /// Work taken by loads.
+    /// Work taken by loads: working members, and torques that are given by time.
     pub delivered: f64,
     /// Kinetic and potential energy when the account was opened.
     pub opening: f64,
