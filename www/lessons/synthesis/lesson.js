@@ -23,7 +23,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     formula: "J = |z₁e₁ + z₂e₂ + z₃e₃ − e₀|²",
     relations: ["000.(3)", "000.lemma", "000.(5)", "000.rank"],
     shows: [{ preset: "printed", at: first }],
-    question: { choices: ["none", "one", "two"], answer: () => "one" },
+    question: { choices: ["no", "single", "pair"], answer: () => "single" },
   },
   {
     id: "one",
@@ -85,7 +85,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     formula: "",
     shows: [{ preset: "continuity", at: first }],
     readouts: ["synthesis-grashof"],
-    question: { choices: ["one", "apart"], answer: ({ drawn: { verdict } }) => (verdict ? (verdict.passage === "continuous" ? "one" : "apart") : undefined) },
+    question: { choices: ["same", "apart"], answer: ({ drawn: { verdict } }) => (verdict ? (verdict.passage === "continuous" ? "same" : "apart") : undefined) },
   },
   {
     id: "three",
