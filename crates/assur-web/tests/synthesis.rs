@@ -93,6 +93,50 @@ fn directions_are_dragged() {
     }
 }
 
+/// A coupler angle that is given has a ring; trial lengths are drawn as they are, and the formulas of the paper are told of both positions.
+#[wasm_bindgen_test]
+fn coupler_angles_and_trial_lengths() {
+    let mut simulator = Simulator::new();
+    let given = r#"[{"output_deg":240,"input_deg":45,"coupler_deg":10},{"output_deg":253,"input_deg":60,"coupler_deg":9}]"#;
+    let summary = value(&simulator.set(state(given, r#","trial":[10,5,4]"#)).unwrap());
+    assert_eq!(summary["from"], "trial");
+    // ΣJ is a number: l₀²ΣJ is 0.1663 and 0.0361.
+    near(
+        &summary["printed"]["drawn"],
+        0.1663 / 10.4_f64.powi(2),
+        1e-6,
+    );
+    near(
+        &summary["printed"]["least"],
+        0.0361 / 10.4_f64.powi(2),
+        1e-6,
+    );
+    let handles = summary["handles"].as_array().unwrap();
+    assert!(handles.iter().any(|one| one["name"] == "coupler2"));
+    let [x, y] = [4.0 / 2.0_f64.sqrt(); 2];
+    let change = value(&simulator.drag("coupler1", 0.785, x, y + 5.0).unwrap());
+    near(
+        &change["document"]["positions"][0]["coupler_deg"],
+        90.0,
+        1e-9,
+    );
+    let relations = value(&simulator.relations(0.785).unwrap());
+    let open = relations.as_array().unwrap().iter();
+    let open: Vec<&Value> = open.filter(|one| one["item"] == "000.ex.lengths").collect();
+    assert_eq!(open.len(), 2);
+    near(&open[0]["value"], 0.3241, 5e-5);
+    near(&open[1]["value"], 0.2474, 5e-5);
+    let wrong = value(
+        &simulator
+            .set(state(given, r#","trial":[10,-5,4]"#))
+            .unwrap_err(),
+    );
+    assert_eq!(
+        (&wrong[0]["code"], &wrong[0]["field"]),
+        (&"not_positive".into(), &"trial[1]".into())
+    );
+}
+
 /// What cannot be is said, and what was shown before stays.
 #[wasm_bindgen_test]
 fn what_cannot_be_changes_nothing() {

@@ -23,7 +23,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     formula: "J = |z₁e₁ + z₂e₂ + z₃e₃ − e₀|²",
     relations: ["000.(3)", "000.lemma", "000.(5)", "000.rank"],
     shows: [{ preset: "printed", at: first }],
-    question: { choices: ["none", "single", "two"], answer: () => "single" },
+    question: { choices: ["no", "single", "pair"], answer: () => "single" },
   },
   {
     id: "one",
