@@ -1,4 +1,5 @@
 // The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
+import { fetched } from "assur/core/fetched.js";
 import { Refusal, attempt } from "assur/core/problem.js";
 import { Compared, discard } from "assur/state/compared.js";
 import { alone, contains } from "assur/state/state.js";
@@ -41,21 +42,13 @@ import init, * as module from "assur/pkg/assur_web.js";
 /** How many lists a place of the motion has. */
 const LISTS = 4;
 
-/** @returns {Promise<Response>} the wasm of the engine; in the one-file page it is packed */
-async function fetchWasm() {
-  const response = await fetch(import.meta.resolve("assur/pkg/assur_web_bg.wasm"));
-  if (response.headers.get("Content-Type") !== "application/gzip" || !response.body) return response;
-  const unpacked = response.body.pipeThrough(new DecompressionStream("gzip"));
-  return new Response(unpacked, { headers: { "Content-Type": "application/wasm" } });
-}
-
 /** @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
 
 /** @returns {Promise<WebAssembly.Module>} the engine, compiled once for the page and its workers; what did not arrive is asked for again */
 export function compiledWasm() {
   if (!compiled) {
-    compiled = fetchWasm().then(compile);
+    compiled = fetched("assur/pkg/assur_web_bg.wasm", "application/wasm").then(compile);
     compiled.catch(() => (compiled = null));
   }
   return compiled;

@@ -1,4 +1,5 @@
 // Every word of the page comes from lang/*.json, those of a lesson from its folder; this file only looks them up.
+import { fetched } from "assur/core/fetched.js";
 import { Numbers } from "assur/core/numbers.js";
 import { measured } from "assur/core/units.js";
 
@@ -138,8 +139,7 @@ function table(name) {
  * @returns {Promise<ReadonlyMap<string, string>>}
  */
 async function fetchTable(name) {
-  const response = await fetch(import.meta.resolve(`assur/${name}.json`));
-  if (!response.ok) throw new Error(`${response.status} ${name}.json`);
+  const response = await fetched(`assur/${name}.json`);
   return new Map(Object.entries(await response.json()).map(([key, text]) => [key, unbroken(text)]));
 }
 

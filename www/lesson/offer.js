@@ -1,4 +1,5 @@
 // Which lessons there are, and which is offered with a document. The list is written by the build from the folders of www/lessons.
+import { fetched } from "assur/core/fetched.js";
 import { LESSONS, SCRIPTS } from "assur/lessons/index.js";
 
 /**
@@ -74,7 +75,6 @@ export async function readPaper({ id, paper }) {
  * @param {string} file of its folder
  */
 async function fileOf(lesson, file) {
-  const response = await fetch(import.meta.resolve(`assur/lessons/${lesson}/${file}`));
-  if (!response.ok) throw new Error(`${response.status} ${lesson}`);
+  const response = await fetched(`assur/lessons/${lesson}/${file}`);
   return response.json();
 }

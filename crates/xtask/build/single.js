@@ -7,6 +7,9 @@ import { Page } from "./page.js";
 /** Not for a page from the disk: notes, which are documents of their own, what a host needs, the element for other pages. */
 const OUTSIDE = /\.html$|^offline\/|^assur-mechanism\.js$/;
 
+/** What is three times as small packed: the engine, and tables, most of them in four languages. */
+const PACKED = /\.(wasm|json)$/;
+
 /**
  * @param {import("./files.js").Files} built
  * @param {string} index the page
@@ -19,14 +22,14 @@ export function single(built, index) {
   page.putStylesInside((name) => text(built, name));
   for (const [name, content] of built) {
     if (OUTSIDE.test(name) || (name.endsWith(".css") && !name.includes("/"))) continue;
-    imports[`assur/${name}`] = name.endsWith(".wasm") ? packed(content) : dataAddress(name, content);
+    imports[`assur/${name}`] = PACKED.test(name) ? packed(content) : dataAddress(name, content);
   }
   page.setImportMap(imports);
   return page.text();
 }
 
 /**
- * The engine is most of the page, and three times as small packed: the page unpacks it by its media type.
+ * The page unpacks it by its media type.
  * @param {Buffer} content
  */
 function packed(content) {
