@@ -536,7 +536,7 @@ async fn the_chain_divides_by_zero() {
     let page = Page::open().await;
     open_lesson(&page).await;
     go_to(&page, 16).await;
-    let numbers = "return document.querySelector('.lesson-body > .paper [data-item=\"003.chain\"]').textContent";
+    let numbers = "return document.querySelector('.lesson-body > .printed [data-item=\"003.chain\"]').textContent";
     let drawn = page.ask(numbers).await.as_str().unwrap().to_owned();
     assert!(
         drawn.contains("ψ″") && !drawn.contains("divides by zero"),
@@ -568,7 +568,7 @@ async fn lessons_draw_figures_of_their_own() {
     assert_eq!(phases.matches('°').count(), 8, "{phases}");
     go_to(&page, 5).await;
     assert!(visible(&page, "#lesson .lesson-matrix").await);
-    assert_eq!(page.count("#lesson .lesson-matrix tbody tr").await, 8);
+    assert_eq!(page.count("#lesson .lesson-matrix tr").await, 13);
     go_to(&page, 2).await;
     let set = async |exponent: i32| {
         let script = format!(

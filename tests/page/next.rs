@@ -179,7 +179,7 @@ async fn what_comes_next() {
     );
     page.click("lesson-further").await;
     page.until("the next lesson", async || {
-        page.text("lesson-progress").await.contains("Step 1 of 7")
+        page.text("lesson-progress").await.contains("Step 1 of 16")
     })
     .await;
     assert_eq!(page.text("out-linkage-w").await, "1");

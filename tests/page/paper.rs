@@ -50,7 +50,12 @@ fn steps(lesson: &str) -> Vec<String> {
 
 async fn open(lesson: &str, preset: &str, lang: &'static str, step: usize) -> Page {
     let lesson = format!("v.lesson=%7B%22id%22%3A%22{lesson}%22%2C%22step%22%3A{step}%7D");
-    let url = format!("{}#{preset}&v.playing=false&v.phi_deg=40&{lesson}", home());
+    let spoken = &lang[..2];
+    let whole = format!("v.direction=1&v.speed=1&v.traces=true&v.lang={spoken}");
+    let url = format!(
+        "{}#{preset}&{whole}&v.playing=false&v.phi_deg=40&{lesson}",
+        home()
+    );
     let page = Page::open_at(&url, lang).await;
     page.until("the lesson", async || {
         page.count("#lesson-title").await == 1

@@ -84,7 +84,7 @@ async fn a_lesson_is_printed_with_its_questions() {
     let title = page.text("lesson-title").await;
     printed(&page).await;
     let titles = texts(&page, "#worksheet li > b").await;
-    assert_eq!(titles.len(), 7, "{titles:?}");
+    assert_eq!(titles.len(), 16, "{titles:?}");
     let text = &texts(&page, "#worksheet li:first-child > p").await[0];
     assert!(
         text.starts_with("The mechanism has seven moving links"),

@@ -83,7 +83,9 @@ async fn coupler_angles_and_lengths_are_tried() {
     for (n, length) in ["10", "5", "4"].into_iter().enumerate() {
         page.write(&format!("field-trial-{}", n + 1), length).await;
     }
-    let said = page.text("synthesis-printed").await;
+    // It stands in the settings, beside the solutions.
+    let said = "return document.getElementById('synthesis-printed').textContent";
+    let said = page.ask(said).await.to_string();
     assert!(
         said.contains("9.827") && said.contains("0.000334"),
         "{said}"

@@ -38,9 +38,9 @@ export class Paper {
   #written = [];
 
   /** Formulas of the main line. */
-  main = make("div", { class: "paper" });
+  main = make("div", { class: "printed" });
   #summary = make("summary", { id: "lesson-paper-name" });
-  #rows = make("div", { class: "paper" });
+  #rows = make("div", { class: "printed" });
   /** All items of the step as they are printed, with a verdict; at the end of the lesson also those of all steps that do not hold. */
   fold = make("details", { id: "lesson-paper" }, [this.#summary, this.#rows]);
 
@@ -70,7 +70,7 @@ export class Paper {
     const wrong = closes ? this.#items.filter((item) => item.step !== step && WRONG.includes(item.verdict)) : [];
     /** @type {HTMLElement[][]} */
     const [rows, errata] = [items, wrong].map((some) => some.map((item) => this.#row(item, verdict(item, words))));
-    if (errata.length > 0) rows.push(make("details", { id: "lesson-errata" }, [make("summary", { id: "lesson-errata-name" }, [words.text("lesson.errata")]), make("div", { class: "paper" }, errata)]));
+    if (errata.length > 0) rows.push(make("details", { id: "lesson-errata" }, [make("summary", { id: "lesson-errata-name" }, [words.text("lesson.errata")]), make("div", { class: "printed" }, errata)]));
     this.#rows.replaceChildren(...rows);
     write(this.#summary, words.text(closes ? "lesson.paper.about" : "lesson.paper.fold"));
     this.fold.open = closes;
@@ -87,7 +87,7 @@ export class Paper {
     if (step === this.#step) return [/** @type {HTMLElement} */ (this.#rows.cloneNode(true))];
     const items = this.#items.filter((item) => item.step === step && item.printed.length > 0);
     const rows = items.map((item) => make("div", { "data-item": item.item }, [...head(item), ...holds(item, words)]));
-    return rows.length > 0 ? [make("div", { class: "paper" }, rows)] : [];
+    return rows.length > 0 ? [make("div", { class: "printed" }, rows)] : [];
   }
 
   /** @param {Snapshot} snapshot */

@@ -22,16 +22,11 @@ const DECIMALS = 3;
 export class System {
   #engine;
   #caption = make("caption");
-  #body = make("tbody");
-  element;
+  element = make("table", { class: "course lesson-matrix" }, [this.#caption]);
 
   /** @param {Pick<import("assur/engine.js").Engine, "ask">} engine */
   constructor(engine) {
     this.#engine = engine;
-    const head = ["", ...UNKNOWNS, ...ORDERS].map((name) => make("th", { scope: "col" }, withSubscripts(name)));
-    const table = make("table", { class: "course lesson-matrix" }, [this.#caption, make("thead", {}, [make("tr", {}, head)]), this.#body]);
-    // What scrolls must be reached by keys, too.
-    this.element = make("div", { class: "lesson-window", tabindex: "0", role: "region" }, [table]);
   }
 
   /**
@@ -40,7 +35,6 @@ export class System {
    */
   render({ input, stale }, words) {
     write(this.#caption, words.text("derivatives.figure.system"));
-    this.element.ariaLabel = words.text("derivatives.figure.system");
     if (stale) return;
     const relations = attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value ?? [];
     const values = new Map(relations.map(({ item, name, value }) => [`${item} ${name}`, value]));
@@ -48,19 +42,27 @@ export class System {
       const value = values.get(key);
       return value === undefined ? "—" : value === 0 ? "0" : words.numbers.fixed(value, DECIMALS);
     };
-    const rows = LINKS.map((link) => row([link], [...UNKNOWNS, ...ORDERS].map((name) => number(`003.${link} ${name}`))));
-    const solved = ORDERS.map((order, k) => {
-      const cells = UNKNOWNS.map((name, i) => number(`${SOLVED[k][i >> 1]} ${name.replace("_", `${order}_`)}`));
-      return row([`q${order}`], [...cells, "", ""]);
-    });
-    this.#body.replaceChildren(...rows, ...solved);
+    const matrix = LINKS.map((link) => row(link, UNKNOWNS.map((name) => number(`003.${link} ${name}`))));
+    const right = ORDERS.map((order) => row(`r${order}`, LINKS.map((link) => number(`003.${link} ${order}`))));
+    const solved = ORDERS.map((order, k) => row(`q${order}`, UNKNOWNS.map((name, i) => number(`${SOLVED[k][i >> 1]} ${name.replace("_", `${order}_`)}`))));
+    this.element.replaceChildren(this.#caption, part("J", UNKNOWNS, matrix), part("", LINKS, right), part("", UNKNOWNS, solved));
   }
 }
 
 /**
- * @param {readonly (Node | string)[]} head
+ * @param {string} name
+ * @param {readonly string[]} columns
+ * @param {readonly HTMLElement[]} rows
+ */
+function part(name, columns, rows) {
+  const heads = [name, ...columns].map((one) => make("th", { scope: "col" }, withSubscripts(one)));
+  return make("tbody", {}, [make("tr", {}, heads), ...rows]);
+}
+
+/**
+ * @param {string} head
  * @param {readonly string[]} cells
  */
 function row(head, cells) {
-  return make("tr", {}, [make("th", { scope: "row" }, head), ...cells.map((cell) => make("td", {}, [cell]))]);
+  return make("tr", {}, [make("th", { scope: "row" }, [head]), ...cells.map((cell) => make("td", {}, [cell]))]);
 }
