@@ -87,7 +87,7 @@ async fn coupler_angles_and_lengths_are_tried() {
     let said = "return document.getElementById('synthesis-printed').textContent";
     let said = page.ask(said).await.to_string();
     assert!(
-        said.contains("9.827") && said.contains("0.000334"),
+        said.contains("9.827") && said.contains("0.0003336"),
         "{said}"
     );
     assert_eq!(page.text("problem").await, "");

@@ -45,7 +45,7 @@ export class System {
     const matrix = LINKS.map((link) => row(link, UNKNOWNS.map((name) => number(`003.${link} ${name}`))));
     const right = ORDERS.map((order) => row(`r${order}`, LINKS.map((link) => number(`003.${link} ${order}`))));
     const solved = ORDERS.map((order, k) => row(`q${order}`, UNKNOWNS.map((name, i) => number(`${SOLVED[k][i >> 1]} ${name.replace("_", `${order}_`)}`))));
-    this.element.replaceChildren(this.#caption, part("J", UNKNOWNS, matrix), part("", LINKS, right), part("", UNKNOWNS, solved));
+    this.element.replaceChildren(this.#caption, part("J", UNKNOWNS, matrix), part("r", LINKS, right), part("q", UNKNOWNS, solved));
   }
 }
 
