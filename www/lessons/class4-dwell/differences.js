@@ -63,7 +63,8 @@ export class Differences {
 
   #draw() {
     const words = this.#words;
-    if (!words || !this.#summary) return;
+    this.element.hidden = this.#places.length === 0;
+    if (!words || this.element.hidden) return;
     const degrees = 10 ** (Number(this.#step.value) / 10);
     const h = radians(degrees);
     const value = (/** @type {number} */ at) => attempt(() => this.#engine.plotted(at)).value?.[0];

@@ -2,7 +2,7 @@
 import "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";
-import { differences } from "assur/lessons/class4-dwell/differences.js";
+import { Differences, differences } from "assur/lessons/class4-dwell/differences.js";
 import { System } from "assur/lessons/class4-dwell/system.js";
 import { Words } from "assur/core/words.js";
 import { Page } from "assur/tests/page.js";
@@ -40,4 +40,15 @@ test("six equations with their solutions of both orders hold in numbers", () => 
       assert.ok(Math.abs(left - right[order][i]) < 0.02, `${row} ${order}: ${left}`);
     }
   }
+});
+
+test("where nothing with derivatives is plotted, the figure of differences is not shown", () => {
+  const cycle = { start: 0, end: 2 * Math.PI };
+  const shown = (/** @type {readonly number[]} */ values) => {
+    const figure = new Differences({ plotted: () => values });
+    figure.render({ kind: "linkage", summary: { cycle }, stale: false }, words);
+    return !figure.element.hidden;
+  };
+  assert.equal(shown([1]), false);
+  assert.equal(shown([]), false);
 });
