@@ -183,7 +183,7 @@ impl<const N: usize> State<N> {
     }
 
     /// How a body is turned. The angle is taken from the turn again, and only its whole turns from the pose nearby:
-    /// rounding does not add up from pose to pose. Where the outer hinges of a dyad meet, rounding tells the length of a turn.
+    /// rounding does not add up from pose to pose. Where the outer hinges of a dyad meet, rounding may leave a turn of any length.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
         let body = &self.bodies[body];
         let turn = body.turn.value();
