@@ -319,7 +319,7 @@ async fn plots_are_saved_under_a_legend() {
     let labels = texts(&drawn);
     for label in [
         "φ₃′",
-        "φ₅″",
+        "ψ₅″",
         "  angular acceleration analogue, 1/rad",
         "148.2° at 217.1°",
         "2.187 at 340.1°",
@@ -336,7 +336,7 @@ async fn plots_are_saved_under_a_legend() {
     let space = ("http://www.w3.org/XML/1998/namespace", "space");
     assert_eq!(unit.unwrap().attribute(space), Some("preserve"));
     // In the legend and in the first title.
-    for curve in ["φ₃", "φ₅"] {
+    for curve in ["φ₃", "ψ₅"] {
         let count = labels.iter().filter(|text| *text == curve).count();
         assert_eq!(count, 2, "{curve} in {labels:?}");
     }

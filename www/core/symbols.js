@@ -31,6 +31,18 @@ export function isLength(what) {
   return LENGTHS.includes(what);
 }
 
+/** The wheels of a mixer, by their names. Their angles are ψ₄, ψ₅: φ₅ is the diagonal of its contour (Smelyagin and Prikhodko, (3)). */
+const WHEEL = /^wheel\d+$/;
+
+/**
+ * @param {string} of a link
+ * @param {string | null | undefined} number its own
+ * @returns {string} the letter of its angle
+ */
+export function letterOfAngle(of, number) {
+  return number && WHEEL.test(of) ? "ψ" : "φ";
+}
+
 /**
  * The symbol of a quantity or of its derivative, as φ₃′, ω₅, ẋ; without a number an angle goes by its link or its joint.
  * @param {{ name: string, number?: string | null }} quantity by its name, as `rocker.angle`, `C2.x`
@@ -45,8 +57,9 @@ export function symbol({ name, number }, order, physical, words) {
   // A quantity of another kind of mechanism, as a lesson may still name one.
   if (!letters) return name + STROKES[order];
   const index = number ? subscript(number) : "";
+  const letter = what === "angle" ? letterOfAngle(of, number) : letters[0];
   const named = OF_POINTS.includes(what) ? ` ${calledWhole(of, what, words)}` : what === "angle" && !number ? ` ${called(of, words)}` : "";
-  return (physical ? letters[order] + index : letters[0] + index + STROKES[order]) + named;
+  return (physical && order > 0 ? letters[order] + index : letter + index + STROKES[order]) + named;
 }
 
 /**

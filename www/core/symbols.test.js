@@ -11,6 +11,9 @@ const three = (quantity, physical) => [0, 1, 2].map((order) => symbol(quantity, 
 test("derivatives have strokes by the input, and letters and dots by time", () => {
   assert.deepEqual(three({ name: "rocker.angle", number: "3" }, false), ["φ₃", "φ₃′", "φ₃″"]);
   assert.deepEqual(three({ name: "rocker.angle", number: "3" }, true), ["φ₃", "ω₃", "ε₃"]);
+  assert.deepEqual(three({ name: "wheel5.angle", number: "5" }, false), ["ψ₅", "ψ₅′", "ψ₅″"]);
+  assert.deepEqual(three({ name: "wheel5.angle", number: "5" }, true), ["ψ₅", "ω₅", "ε₅"]);
+  assert.equal(symbol({ name: "wheel5.angle" }, 0, false, en), `φ ${called("wheel5", en)}`);
   assert.deepEqual(three({ name: "C2.x" }, false), ["x", "x′", "x″"]);
   assert.deepEqual(three({ name: "C2.y" }, true), ["y", "ẏ", "ÿ"]);
 });

@@ -176,7 +176,7 @@ test("quantities are named by what their links are called in the reader’s lang
   assert.equal(named("crank-rocker", "rocker.angle′"), "φ′ коромысло");
   assert.equal(named("crank-rocker", "C.transmission"), "μ C");
   assert.equal(named("mixer-a", "rocker.angle"), "φ₃ (коромысло)");
-  assert.equal(named("mixer-a", "wheel5.angle:swing"), "размах: φ₅ (колесо 5)");
+  assert.equal(named("mixer-a", "wheel5.angle:swing"), "размах: ψ₅ (колесо 5)");
   assert.equal(named("mixer-a", "C2.x″"), "x″ (C₂)");
   // An angle swings, a length has a stroke.
   assert.equal(named("slider-crank", "C.x:swing"), "ход: x (C)");

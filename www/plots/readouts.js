@@ -2,7 +2,7 @@
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
-import { MEASURES, calledWhole, isLength, readoutOf, subscript, symbol } from "assur/core/symbols.js";
+import { MEASURES, calledWhole, isLength, letterOfAngle, readoutOf, subscript, symbol } from "assur/core/symbols.js";
 import { written } from "assur/plots/values.js";
 
 /**
@@ -153,12 +153,12 @@ export function row(role, curve, title, cells) {
 }
 
 /** @param {Listed} listed */
-function letter({ what, number }) {
+function letter({ what, of, number }) {
   if (what === "transmission") return "μ";
   if (what === "pressure") return "α";
   if (what === "distance") return "d";
   if (what === "corner" || what === "between") return "θ";
-  if (what === "angle") return `φ${subscript(number ?? "")}`;
+  if (what === "angle") return letterOfAngle(of, number) + subscript(number ?? "");
   return what === "load_angle" ? `Δ${subscript(number ?? "")}` : what;
 }
 

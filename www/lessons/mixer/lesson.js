@@ -20,7 +20,7 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
   },
   {
     id: "ratio",
-    formula: "φ₅ = u φ₃\n|u| = z₄ / z₅",
+    formula: "ψ₅ = u φ₃\n|u| = z₄ / z₅",
     shows: [{ preset: "mixer-a", at: () => Math.PI / 2 }],
     controls: ["z4", "wheels[0].z", "mesh"],
     readouts: ["rocker.angle′", "wheel5.angle′"],
@@ -35,7 +35,7 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
   },
   {
     id: "swing",
-    formula: "Δφ₅ = |u| Δφ₃",
+    formula: "Δψ₅ = |u| Δφ₃",
     shows: [{ preset: "mixer-c", at: (summary) => limits(summary)?.near.input }],
     controls: ["z4", "wheels[0].z"],
     readouts: ["rocker.angle", "wheel5.angle"],
@@ -78,7 +78,7 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
   },
   {
     id: "cases",
-    formula: "Δφ₅ = |u| Δφ₃",
+    formula: "Δψ₅ = |u| Δφ₃",
     shows: [{ name: "a", preset: "mixer-a", play: true }, { name: "b", preset: "mixer-b", play: true }, { name: "c", preset: "mixer-c", play: true }],
     question: { choices: ["a", "b", "c"], answer: () => "c" },
   },

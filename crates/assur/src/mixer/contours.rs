@@ -92,7 +92,7 @@ impl Mixer {
     /// (25), (26): the wheels, with u as the paper has it, without a sign.
     fn wheels(&self, pose: &Pose<3>) -> Vec<Relation> {
         let mut all = Vec::new();
-        let strokes = [["φ_w4", "φ_w5"], ["φ′_w4", "φ′_w5"], ["φ″_w4", "φ″_w5"]];
+        let strokes = [["ψ₄", "ψ₅"], ["ψ₄′", "ψ₅′"], ["ψ₄″", "ψ₅″"]];
         let first = self.gears.pairs().first();
         for (order, names) in strokes.into_iter().enumerate() {
             let relation = if order == 0 {
