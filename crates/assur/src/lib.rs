@@ -33,6 +33,7 @@ mod geometry;
 mod index;
 mod invalid;
 mod jet;
+pub mod linkage;
 pub mod mechanism;
 pub mod mixer;
 pub mod mobility;

@@ -1,10 +1,10 @@
 //! A linkage by its dimensions alone, drawn in one of its assemblies whatever its drawing shows.
 
-use super::check::CLOSEST;
-use super::draft::{Defect, Draft, DraftLink, extent};
-use super::resolved::Resolved;
-use super::{Mechanism, check};
 use crate::Vector;
+use crate::linkage::check::CLOSEST;
+use crate::linkage::draft::{Defect, Draft, DraftLink, extent};
+use crate::mechanism::plan::resolved::Resolved;
+use crate::mechanism::{Mechanism, check};
 
 impl Mechanism {
     /// The linkage of a draft, drawn in one of its assemblies at an input (radians, or the coordinate of a driven slide;

@@ -1,8 +1,8 @@
 //! All assemblies at an input: the links joined in every way, group by group.
 
-use super::{Defect, Mechanism, Pose, Signs};
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
+use crate::mechanism::{Defect, Mechanism, Pose, Signs};
 use crate::position::{
     Cause, Followed, Given, Method, Nearby, Orientation, Sign, State, Step, Unreal,
 };

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::{Defect, Draft, Mechanism, Pose};
 use crate::index::{BodyId, List, PointId, StepId};
+use crate::mechanism::{Defect, Draft, Mechanism, Pose};
 use crate::position::{
     Anchor, Cause, Given, Nearby, Orientation, Predictor, Sign, Solvable, State, Step, quotient,
 };
@@ -238,7 +238,7 @@ impl Mechanism {
         let joints = draft.points.len();
         let Some(moved) = draft.points.get_mut(point.index()) else {
             let tracer = &mut draft.tracers[point.index() - joints];
-            tracer.at = tracer.seen_from_its_link(self, pose, to);
+            tracer.at = self.on_link_of(tracer, pose, to);
             return draft;
         };
         moved.at = to;

@@ -3,8 +3,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::Mechanism;
 use crate::index::{BodyId, StepId};
+use crate::mechanism::Mechanism;
 use crate::position::{Anchor, Course, Solvable, Step};
 use crate::sorting::sort_by;
 use crate::{Assembly, FourBar, Grashof, Unsolved, Vector};

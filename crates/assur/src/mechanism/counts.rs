@@ -1,12 +1,12 @@
 //! The numbers of the structural formula W = 3n − 2P₁ − P₂.
 
-use super::Mechanism;
-use super::body::Bodies;
-use super::check;
-use super::draft::{Defect, Draft, DraftLink};
-use super::resolved::Resolved;
 use crate::gears::Mesh;
 use crate::index::LinkId;
+use crate::linkage::check;
+use crate::linkage::draft::{Defect, Draft, DraftLink};
+use crate::mechanism::Mechanism;
+use crate::mechanism::plan::body::Bodies;
+use crate::mechanism::plan::resolved::Resolved;
 
 /// What mobility is counted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

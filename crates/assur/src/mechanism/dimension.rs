@@ -3,9 +3,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::draft::{Draft, DraftDriver, DraftLink, DraftSlide};
-use super::{DoubledLink, Mechanism, Part, Setting};
 use crate::index::{BodyId, LinkId, PointId, SlideId};
+use crate::linkage::draft::{Draft, DraftDriver, DraftLink, DraftSlide};
+use crate::mechanism::{DoubledLink, Mechanism, Part, Setting};
 use crate::{Point, Vector};
 use nalgebra::Rotation2;
 

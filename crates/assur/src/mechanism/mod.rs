@@ -7,74 +7,59 @@
 mod assembled;
 mod assemblies;
 mod assembly;
-mod body;
-mod check;
 mod closed;
-mod constraint;
 mod counts;
 mod dimension;
-mod doubled;
-mod draft;
-mod driver;
-mod dyads;
-mod joints;
-mod measure;
-mod multiple;
-mod natural;
 mod neighbour;
 mod plan;
 mod pose;
-mod quantity;
 mod rate;
+mod readout;
 mod redundant;
 mod repeated;
-mod resolved;
 mod signed;
-mod slide;
-mod structured;
 mod tracer;
-mod train;
-mod transmitting;
-mod willis;
 
 use std::f64::consts::TAU;
 
 pub(crate) use assemblies::Found;
 pub use assemblies::{Assemblies, Following};
 pub(crate) use assembly::Signs;
-pub use check::FARTHEST;
 pub(crate) use closed::{ClosedStep, half_turns};
-pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};
 pub use counts::Counts;
 pub use dimension::Dimension;
-pub use doubled::DoubledLink;
-pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
-pub(crate) use dyads::arms_of;
-pub use dyads::{FourBarLoop, OuterJoint, RrrDyad};
-pub use joints::Joint;
-pub use multiple::Multiple;
 pub(crate) use neighbour::{Apart, Joined, NoNeighbour, Setting};
+pub use plan::doubled::DoubledLink;
 pub use pose::{Pose, Unsolved};
-pub use quantity::Quantity;
 pub(crate) use rate::NEVER;
+pub(crate) use readout::arms_of;
+pub use readout::{
+    Constraint, ConstraintKind, FourBarLoop, Joint, LinkOrFrame, Multiple, OuterJoint, Quantity,
+    RrpDyad, RrrDyad, Sides,
+};
 pub use redundant::Mobility;
 pub use signed::SignedAssemblies;
-pub use tracer::DraftTracer;
-pub use transmitting::RrpDyad;
 
 pub use crate::index::{BodyId, LinkId, PointId, SlideId, StepId};
 pub use crate::position::{Cause, Method, Singularity};
 
+pub use crate::linkage::{
+    Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, DraftTracer,
+    FARTHEST, FRAME,
+};
+
 use crate::index::{Id, List};
+use crate::linkage::check;
 use crate::position::{
     Anchor, Arm, Enclosure, Given, Nearby, Orientation, Predictor, Sign, State, Step,
 };
 use crate::structure::Structure;
 use crate::{Jet, Vector};
-use body::{Bodies, Placement};
-use plan::Drawn;
-use resolved::Resolved;
-use slide::Slide;
+use plan::body::{Bodies, Placement};
+use plan::resolved::Resolved;
+use plan::slide::Slide;
+use plan::{Drawn, structured};
+use readout::constraint;
 
 /// A linkage that can be assembled as it is drawn.
 #[derive(Clone, Debug)]
@@ -158,7 +143,7 @@ impl Mechanism {
             settled.ok_or_else(|| mechanism.locked(redundancy))?;
         } else {
             mechanism.settle().map_err(|defects| {
-                let beyond = driver::drawn_beyond_range(&resolved, &bodies);
+                let beyond = plan::driver::drawn_beyond_range(&resolved, &bodies);
                 if beyond.is_empty() { defects } else { beyond }
             })?;
         }

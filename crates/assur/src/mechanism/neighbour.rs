@@ -3,13 +3,13 @@
 
 use std::collections::BTreeSet;
 
-use super::body::Bodies;
-use super::draft::{Defect, Draft};
-use super::plan::Drawn;
-use super::resolved::Resolved;
-use super::{Mechanism, Pose};
 use crate::Point;
 use crate::index::{LinkId, List, PointId, SlideId, StepId};
+use crate::linkage::draft::{Defect, Draft};
+use crate::mechanism::plan::Drawn;
+use crate::mechanism::plan::body::Bodies;
+use crate::mechanism::plan::resolved::Resolved;
+use crate::mechanism::{Mechanism, Pose};
 use crate::position::{Cause, Sign, State, Step};
 
 /// What is set of a linkage.

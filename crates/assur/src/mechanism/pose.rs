@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::Mechanism;
 use crate::index::{LinkId, PointId, StepId};
+use crate::mechanism::Mechanism;
 use crate::position::{Anchor, Cause, Complex, State};
 use crate::{Jet, JetPoint};
 

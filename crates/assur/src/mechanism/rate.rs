@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::Mechanism;
-use super::draft::{Defect, DraftDriver};
-use super::resolved::{Driver, Resolved};
 use crate::index::{BodyId, List};
+use crate::linkage::draft::{Defect, DraftDriver};
+use crate::mechanism::Mechanism;
+use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::position::Step;
 
 /// Further drivers are back after so many turns of the first crank at most.

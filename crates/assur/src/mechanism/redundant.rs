@@ -10,11 +10,11 @@ use std::f64::consts::TAU;
 
 use nalgebra::DVector;
 
-use super::draft::Defect;
-use super::structured::Redundancy;
-use super::{ConstraintKind, FRAME, LinkOrFrame, Mechanism};
 use crate::Vector;
 use crate::index::{BodyId, StepId};
+use crate::linkage::draft::Defect;
+use crate::mechanism::plan::structured::Redundancy;
+use crate::mechanism::{ConstraintKind, FRAME, LinkOrFrame, Mechanism};
 use crate::position::{Anchor, Cause, Nearby, Predictor, Step};
 use crate::structure::{Structure, with_passive_links};
 

@@ -1,7 +1,7 @@
 //! Whether a mechanism is in the same pose as before, and which of its wheels do not matter for that.
 
-use super::{Mechanism, Pose};
 use crate::index::BodyId;
+use crate::mechanism::{Mechanism, Pose};
 use crate::position::{Predictor, State, Step};
 
 impl Mechanism {

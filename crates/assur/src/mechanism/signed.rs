@@ -1,9 +1,9 @@
 //! Assemblies by the signs of their dyads: by these, files and links of before give the number of an assembly. Nothing
 //! else does: readers number assemblies by the angle of a link, see [`Motion::assemblies_at`](crate::motion::Motion::assemblies_at).
 
-use super::{Mechanism, Signs};
 use crate::Assembly;
 use crate::index::StepId;
+use crate::mechanism::{Mechanism, Signs};
 use crate::position::{Predictor, Sign, State};
 
 /// Greatest count of assemblies, and of steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may

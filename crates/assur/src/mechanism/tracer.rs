@@ -1,56 +1,21 @@
 //! Tracer points: carried by a link, among nobody's joints. They change neither
 //! the structure nor the assemblies, and follow their link through every redraw.
 
-use std::collections::BTreeSet;
-
-use super::body::{Bodies, Placement};
-use super::draft::{Defect, Draft, FRAME};
-use super::resolved::Resolved;
-use super::{Mechanism, Pose};
 use crate::index::{BodyId, LinkId, List, PointId};
+use crate::linkage::DraftTracer;
+use crate::mechanism::plan::body::{Bodies, Placement};
+use crate::mechanism::plan::resolved::Resolved;
+use crate::mechanism::{Mechanism, Pose};
 use crate::position::{Anchor, product};
 use crate::{Point, Vector};
 
-/// A point carried by a link.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DraftTracer {
-    /// Its name, unlike that of any point and of any other tracer.
-    pub name: String,
-    /// The link that carries it, or the frame.
-    pub link: String,
-    /// Its place in the link's own coordinates: the origin at the link's first
-    /// point, x along its angle, so towards its second point; of a wheel with one
-    /// point, along its zero direction. Of the frame: those of the drawing.
-    pub at: Vector,
-}
-
-impl Draft {
-    /// With a tracer point at (x, y) in the coordinates of a link.
-    #[must_use]
-    pub fn tracer(mut self, name: &str, link: &str, x: f64, y: f64) -> Self {
-        self.tracers.push(DraftTracer {
-            name: name.to_owned(),
-            link: link.to_owned(),
-            at: Vector::new(x, y),
-        });
-        self
-    }
-}
-
-impl DraftTracer {
-    /// The place on the link that is at `place` in a pose.
-    pub(super) fn seen_from_its_link(
-        &self,
-        mechanism: &Mechanism,
-        pose: &Pose<1>,
-        place: Point,
-    ) -> Vector {
-        let link = mechanism.link(&self.link);
-        link.map_or(place.coords, |link| mechanism.on_link(pose, link, place))
-    }
-}
-
 impl Mechanism {
+    /// The place on a tracer's link that is at `place` in a pose, in the coordinates of [`DraftTracer::at`].
+    pub(super) fn on_link_of(&self, tracer: &DraftTracer, pose: &Pose<1>, place: Point) -> Vector {
+        let link = self.link(&tracer.link);
+        link.map_or(place.coords, |link| self.on_link(pose, link, place))
+    }
+
     /// The tracer that a point is; none of a point that links list.
     pub fn tracer(&self, point: PointId) -> Option<&DraftTracer> {
         let tracer = point.index().checked_sub(self.draft.points.len())?;
@@ -67,25 +32,6 @@ impl Mechanism {
         let (sin, cos) = self.angle(pose, link).value().sin_cos();
         product(place - origin, Vector::new(cos, -sin))
     }
-}
-
-/// What is wrong with the tracers of a draft; `sound` tells coordinates that can be.
-pub(super) fn defects(draft: &Draft, sound: impl Fn(f64) -> bool) -> Vec<Defect> {
-    let names = draft.points.iter().map(|point| point.name.as_str());
-    let mut names: BTreeSet<&str> = names.collect();
-    let mut found = Vec::new();
-    for DraftTracer { name, link, at } in &draft.tracers {
-        if !names.insert(name) {
-            found.push(Defect::Twice(name.clone()));
-        }
-        if link != FRAME && draft.link(link).is_none() {
-            found.push(Defect::Unknown(link.clone()));
-        }
-        if !sound(at.x) || !sound(at.y) {
-            found.push(Defect::NotFinite(name.clone()));
-        }
-    }
-    found
 }
 
 /// The places of the tracers on bodies.

@@ -1,12 +1,12 @@
 //! Doubled links: a link that shares two points or more with another body, in the same places on both, is one body with it.
 
-use super::body::Bodies;
-use super::check::CLOSEST;
-use super::dimension::along_axis;
-use super::draft::{Defect, Draft, extent};
-use super::resolved::Resolved;
-use super::{Mechanism, Part};
 use crate::index::{BodyId, Id, LinkId, PointId};
+use crate::linkage::check::CLOSEST;
+use crate::linkage::draft::{Defect, Draft, extent};
+use crate::mechanism::dimension::along_axis;
+use crate::mechanism::plan::body::Bodies;
+use crate::mechanism::plan::resolved::Resolved;
+use crate::mechanism::{Mechanism, Part};
 use crate::position::{conjugate, product};
 use crate::structure::subscript;
 use crate::{Point, Vector};
@@ -29,7 +29,7 @@ impl DoubledLink {
 
 impl Mechanism {
     /// The draft with a point of a link elsewhere on it, and on the links that are one body with it by their points.
-    pub(super) fn placed(&self, link: LinkId, point: usize, at: Point) -> Draft {
+    pub(in crate::mechanism) fn placed(&self, link: LinkId, point: usize, at: Point) -> Draft {
         let mut draft = self.draft.clone();
         let Part { body, points, .. } = &self.links[link];
         let moved = points.get(point);
@@ -89,7 +89,7 @@ impl Resolved<'_> {
     ///
     /// # Errors
     /// A link whose orientation nothing determines.
-    pub(super) fn join_doubled(&mut self) -> Result<(), Defect> {
+    pub(in crate::mechanism) fn join_doubled(&mut self) -> Result<(), Defect> {
         loop {
             let (bodies, _) = Bodies::rigid(self, None)?;
             let before = |body: BodyId| (0..body.index()).map(BodyId::at);

@@ -3,9 +3,9 @@
 
 use std::f64::consts::PI;
 
-use super::dyads::arms_of;
-use super::{LinkOrFrame, Mechanism, OuterJoint, Pose, Quantity, RrrDyad};
 use crate::index::{LinkId, PointId, StepId};
+use crate::mechanism::readout::dyads::arms_of;
+use crate::mechanism::{LinkOrFrame, Mechanism, OuterJoint, Pose, Quantity, RrrDyad};
 use crate::position::{Rrp, Step};
 use crate::{Jet, Vector};
 
@@ -59,7 +59,11 @@ impl Mechanism {
     }
 
     /// The angle from one link of a dyad to the other as it turns, not folded.
-    pub(super) fn between_links<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> Jet<N> {
+    pub(in crate::mechanism) fn between_links<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        dyad: &RrrDyad,
+    ) -> Jet<N> {
         let at = |point: PointId| self.place(pose, point).place();
         let inner = at(dyad.inner);
         let lines = dyad.outer.map(|outer| at(outer.point) - inner);
@@ -68,7 +72,11 @@ impl Mechanism {
     }
 
     /// The angle from the way of a dyad to its rod as it turns, not folded.
-    pub(super) fn off_the_way<const N: usize>(&self, pose: &Pose<N>, dyad: &RrpDyad) -> Jet<N> {
+    pub(in crate::mechanism) fn off_the_way<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        dyad: &RrpDyad,
+    ) -> Jet<N> {
         let Step::Rrp(Rrp { arm, track }) = &self.steps[dyad.step] else {
             debug_assert!(false, "a dyad of this mechanism");
             return Jet::constant(0.0);
@@ -108,13 +116,13 @@ fn turned<const N: usize>([u, v]: [Vector; 2], [a, b]: [Jet<N>; 2]) -> Jet<N> {
 }
 
 /// The acute angle between two lines of which one is turned from the other by an angle.
-pub(super) fn acute(angle: f64) -> f64 {
+pub(in crate::mechanism) fn acute(angle: f64) -> f64 {
     let turned = angle.rem_euclid(PI);
     turned.min(PI - turned)
 }
 
 /// 1 where the acute angle grows with the angle between two lines, else −1; where it is folded, as just after that.
-pub(super) fn sense<const N: usize>(angle: &Jet<N>) -> f64 {
+pub(in crate::mechanism) fn sense<const N: usize>(angle: &Jet<N>) -> f64 {
     let (sin, cos) = angle.value().sin_cos();
     if (sin * cos).abs() > FOLD {
         return (sin * cos).signum();
@@ -126,7 +134,7 @@ pub(super) fn sense<const N: usize>(angle: &Jet<N>) -> f64 {
 }
 
 /// The acute angle with its derivatives.
-pub(super) fn folded<const N: usize>(angle: Jet<N>) -> Jet<N> {
+pub(in crate::mechanism) fn folded<const N: usize>(angle: Jet<N>) -> Jet<N> {
     let folded = angle * sense(&angle);
     folded + (acute(angle.value()) - folded.value())
 }

@@ -5,13 +5,13 @@
 
 use std::f64::consts::TAU;
 
-use super::body::{Bodies, Placement};
-use super::resolved::{self, Resolved};
-use super::slide::Slide;
-use super::{Mechanism, Pose};
 use crate::Jet;
 use crate::gears::Mesh;
 use crate::index::{BodyId, LinkId, List, PointId};
+use crate::mechanism::plan::body::{Bodies, Placement};
+use crate::mechanism::plan::resolved::{self, Resolved};
+use crate::mechanism::plan::slide::Slide;
+use crate::mechanism::{Mechanism, Pose};
 use crate::position::{Orientation, conjugate, product};
 
 /// A link, or the frame: none.
@@ -82,17 +82,17 @@ impl Sides {
 }
 
 /// What a mechanism's equations are read from.
-pub(super) struct Parts<'a> {
-    pub(super) draft: &'a Resolved<'a>,
-    pub(super) bodies: &'a Bodies,
-    pub(super) placements: &'a List<LinkId, Placement>,
+pub(in crate::mechanism) struct Parts<'a> {
+    pub(in crate::mechanism) draft: &'a Resolved<'a>,
+    pub(in crate::mechanism) bodies: &'a Bodies,
+    pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,
     /// How the bodies are turned in the drawn pose: wheels are mounted there.
-    pub(super) orientations: &'a List<BodyId, Orientation>,
+    pub(in crate::mechanism) orientations: &'a List<BodyId, Orientation>,
 }
 
 impl Parts<'_> {
     /// The equations in the order of links, slides and gears.
-    pub(super) fn constraints(&self) -> Vec<Constraint> {
+    pub(in crate::mechanism) fn constraints(&self) -> Vec<Constraint> {
         let Self { draft, bodies, .. } = self;
         let links = draft.bodies.iter().flatten();
         let links = links.flat_map(|link| self.distances(*link));

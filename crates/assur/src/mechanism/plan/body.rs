@@ -6,40 +6,40 @@ use crate::index::{BodyId, LinkId, List, PointId, SlideId};
 use crate::position::{Anchor, Orientation, conjugate, product};
 use crate::structure::{self, Graph, Pair};
 
-use super::draft::{Defect, extent};
-use super::resolved::{Driver, Resolved};
-use super::slide::Slide;
-use super::willis;
+use crate::linkage::draft::{Defect, extent};
+use crate::mechanism::plan::resolved::{Driver, Resolved};
+use crate::mechanism::plan::slide::Slide;
+use crate::mechanism::plan::willis;
 
 /// Bodies with their points, in local coordinates; those of the frame are those of
 /// the drawing.
 #[derive(Clone, Debug)]
-pub(super) struct Bodies {
+pub(in crate::mechanism) struct Bodies {
     /// The points of each body, in the order of its links.
     points: List<BodyId, Vec<(PointId, Vector)>>,
     /// Where each body's origin is drawn, and its turn there.
     drawn: List<BodyId, (Vector, Vector)>,
-    pub(super) slides: List<SlideId, Slide>,
+    pub(in crate::mechanism) slides: List<SlideId, Slide>,
     /// Gear couplings without the passive ones.
-    pub(super) gears: Vec<Gear>,
+    pub(in crate::mechanism) gears: Vec<Gear>,
     /// Of each gear coupling of the draft whether it is passive.
-    pub(super) passive: Vec<bool>,
+    pub(in crate::mechanism) passive: Vec<bool>,
 }
 
 /// A gear coupling between bodies.
 #[derive(Clone, Debug)]
-pub(super) struct Gear {
-    pub(super) bodies: [BodyId; 2],
-    pub(super) carrier: BodyId,
-    pub(super) teeth: [f64; 2],
-    pub(super) mesh: Mesh,
+pub(in crate::mechanism) struct Gear {
+    pub(in crate::mechanism) bodies: [BodyId; 2],
+    pub(in crate::mechanism) carrier: BodyId,
+    pub(in crate::mechanism) teeth: [f64; 2],
+    pub(in crate::mechanism) mesh: Mesh,
 }
 
 /// Where a link is: its body, and what its angle has more than the body's.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Placement {
-    pub(super) body: BodyId,
-    pub(super) lead: f64,
+pub(in crate::mechanism) struct Placement {
+    pub(in crate::mechanism) body: BodyId,
+    pub(in crate::mechanism) lead: f64,
 }
 
 impl Bodies {
@@ -49,7 +49,7 @@ impl Bodies {
     /// # Errors
     /// A link whose orientation nothing determines; a slide by a point that its link has not, or along two points that
     /// are one on theirs.
-    pub(super) fn new(
+    pub(in crate::mechanism) fn new(
         draft: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
     ) -> Result<(Self, List<LinkId, Placement>), Defect> {
@@ -77,7 +77,7 @@ impl Bodies {
     ///
     /// # Errors
     /// A link whose orientation nothing determines.
-    pub(super) fn rigid(
+    pub(in crate::mechanism) fn rigid(
         draft: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
     ) -> Result<(Self, List<LinkId, Placement>), Defect> {
@@ -170,12 +170,12 @@ impl Bodies {
         way.y.atan2(way.x)
     }
 
-    pub(super) fn ids(&self) -> impl ExactSizeIterator<Item = BodyId> + use<> {
+    pub(in crate::mechanism) fn ids(&self) -> impl ExactSizeIterator<Item = BodyId> + use<> {
         self.points.ids()
     }
 
     /// How all bodies are turned in the drawing.
-    pub(super) fn orientations(&self) -> List<BodyId, Orientation> {
+    pub(in crate::mechanism) fn orientations(&self) -> List<BodyId, Orientation> {
         let drawn = self.ids().map(|body| Orientation {
             angle: self.drawn_angle(body),
             turn: self.drawn_turn(body),
@@ -184,12 +184,12 @@ impl Bodies {
     }
 
     /// The points of a body.
-    pub(super) fn of(&self, body: BodyId) -> &[(PointId, Vector)] {
+    pub(in crate::mechanism) fn of(&self, body: BodyId) -> &[(PointId, Vector)] {
         &self.points[body]
     }
 
     /// Where a point is on a body, if it is one of its.
-    pub(super) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
+    pub(in crate::mechanism) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
         let mut points = self.points[body].iter();
         points
             .find(|(index, _)| *index == point)
@@ -197,7 +197,7 @@ impl Bodies {
     }
 
     /// A point on the first of the bodies that has it and is accepted.
-    pub(super) fn anchor_of(
+    pub(in crate::mechanism) fn anchor_of(
         &self,
         point: PointId,
         accepted: impl Fn(BodyId) -> bool,
@@ -211,7 +211,7 @@ impl Bodies {
     }
 
     /// Which pair joins which bodies; links of the graph are bodies.
-    pub(super) fn graph(&self, points: impl Iterator<Item = PointId>) -> Graph {
+    pub(in crate::mechanism) fn graph(&self, points: impl Iterator<Item = PointId>) -> Graph {
         let hinge = |point: PointId| -> Option<Pair> {
             let joined = self.ids().filter(|body| self.local(*body, point).is_some());
             let joined: Vec<usize> = joined.map(BodyId::index).collect();
@@ -236,7 +236,7 @@ impl Bodies {
     ///
     /// # Errors
     /// A driver between links that are one body, or that nothing joins.
-    pub(super) fn driver(
+    pub(in crate::mechanism) fn driver(
         &self,
         draft: &Resolved<'_>,
         driver: &Driver,
@@ -263,18 +263,18 @@ impl Bodies {
     }
 
     /// Whether the drawing shows how a body is turned: a wheel with nothing but its hinge looks the same all round.
-    pub(super) fn shows_its_angle(&self, body: BodyId) -> bool {
+    pub(in crate::mechanism) fn shows_its_angle(&self, body: BodyId) -> bool {
         let mut slides = self.slides.iter();
         self.of(body).len() > 1 || slides.any(|slide| slide.bodies.contains(&body))
     }
 
     /// The turn of a body in the drawing.
-    pub(super) fn drawn_turn(&self, body: BodyId) -> Vector {
+    pub(in crate::mechanism) fn drawn_turn(&self, body: BodyId) -> Vector {
         self.drawn[body].1
     }
 
     /// The angle of a body in the drawing.
-    pub(super) fn drawn_angle(&self, body: BodyId) -> f64 {
+    pub(in crate::mechanism) fn drawn_angle(&self, body: BodyId) -> f64 {
         let turn = self.drawn[body].1;
         turn.y.atan2(turn.x)
     }
@@ -282,7 +282,7 @@ impl Bodies {
 
 impl Gear {
     /// The wheels and their carrier.
-    pub(super) fn all(&self) -> [BodyId; 3] {
+    pub(in crate::mechanism) fn all(&self) -> [BodyId; 3] {
         [self.bodies[0], self.bodies[1], self.carrier]
     }
 }

@@ -10,10 +10,10 @@ use crate::gears::{Mesh, TEETH};
 /// Coordinates and lengths beyond this are no drawing.
 pub const FARTHEST: f64 = 1e9;
 /// Two points of a link closer than this relative to the size of the drawing coincide.
-pub(super) const CLOSEST: f64 = 1e-9;
+pub(crate) const CLOSEST: f64 = 1e-9;
 
 /// Every reason, none where the references of the draft are sound.
-pub(super) fn defects(draft: &Draft) -> Vec<Defect> {
+pub(crate) fn defects(draft: &Draft) -> Vec<Defect> {
     let mut found = Vec::new();
     names(draft, &mut found);
     numbers(draft, &mut found);
@@ -148,7 +148,7 @@ fn points_of(draft: &Draft, link: &str, points: &[String], found: &mut Vec<Defec
     }
 }
 
-fn shape(link: &super::DraftLink, found: &mut Vec<Defect>) {
+fn shape(link: &crate::mechanism::DraftLink, found: &mut Vec<Defect>) {
     let places = link.shape.as_ref().map(Vec::len);
     if places.is_some_and(|places| places != link.points.len()) {
         found.push(Defect::Shape(link.name.clone()));

@@ -1,7 +1,7 @@
 use std::f64::consts::{PI, TAU};
 
-use super::super::{Draft, Quantity};
 use super::*;
+use crate::mechanism::{Draft, Quantity};
 use crate::motion::{Column, Input, Motion};
 use crate::{Assembly, FourBar};
 

@@ -1,25 +1,25 @@
 //! The structure of a draft's bodies, and what is wrong with it by their names.
 
-use super::body::{Bodies, Gear};
-use super::counts::counts;
-use super::draft::Defect;
-use super::resolved::Resolved;
 use crate::index::{BodyId, Id};
+use crate::linkage::draft::Defect;
+use crate::mechanism::counts::counts;
+use crate::mechanism::plan::body::{Bodies, Gear};
+use crate::mechanism::plan::resolved::Resolved;
 use crate::structure::{self, Fault, Graph, Pair, Structure, decompose, decompose_redundant};
 
 /// A structure with surplus constraints: whether they are redundant the geometry decides.
-pub(super) struct Redundancy {
-    pub(super) graph: Graph,
-    pub(super) drivers: Vec<structure::Driver>,
+pub(in crate::mechanism) struct Redundancy {
+    pub(in crate::mechanism) graph: Graph,
+    pub(in crate::mechanism) drivers: Vec<structure::Driver>,
     /// The defects if the constraints are not redundant.
-    pub(super) defects: Vec<Defect>,
+    pub(in crate::mechanism) defects: Vec<Defect>,
 }
 
 /// Driver and Assur groups of the bodies.
 ///
 /// # Errors
 /// All that is wrong with the count of pairs.
-pub(super) fn structured(
+pub(in crate::mechanism) fn structured(
     draft: &Resolved<'_>,
     bodies: &Bodies,
 ) -> Result<(Structure, Option<Redundancy>), Vec<Defect>> {

@@ -1,65 +1,65 @@
 //! A draft with names replaced by numbers: every thing that is named is there.
 
-use super::constraint::LinkOrFrame;
-use super::doubled::DoubledLink;
-use super::draft::{Defect, Draft, DraftDriver, FRAME};
-use super::tracer::DraftTracer;
 use crate::gears::Mesh;
 use crate::index::{BodyId, Id, LinkId, List, PointId, SlideId};
+use crate::linkage::DraftTracer;
+use crate::linkage::draft::{Defect, Draft, DraftDriver, FRAME};
+use crate::mechanism::plan::doubled::DoubledLink;
+use crate::mechanism::readout::constraint::LinkOrFrame;
 use crate::{Point, Vector};
 
 /// A draft without its names.
 #[derive(Debug)]
-pub(super) struct Resolved<'a> {
-    pub(super) draft: &'a Draft,
+pub(in crate::mechanism) struct Resolved<'a> {
+    pub(in crate::mechanism) draft: &'a Draft,
     /// The place from which all others are told while a mechanism is solved: far from the origin of the drawing
     /// they would lose digits. Places are moved there without rounding (Sterbenz's lemma): two of them close together
     /// may tell a direction.
-    pub(super) origin: Vector,
+    pub(in crate::mechanism) origin: Vector,
     /// Where points are drawn.
-    pub(super) places: List<PointId, Vector>,
-    pub(super) frame: Vec<PointId>,
-    pub(super) links: List<LinkId, Link>,
-    pub(super) slides: List<SlideId, Slide>,
-    pub(super) gears: Vec<Gear>,
-    pub(super) drivers: Vec<Driver>,
+    pub(in crate::mechanism) places: List<PointId, Vector>,
+    pub(in crate::mechanism) frame: Vec<PointId>,
+    pub(in crate::mechanism) links: List<LinkId, Link>,
+    pub(in crate::mechanism) slides: List<SlideId, Slide>,
+    pub(in crate::mechanism) gears: Vec<Gear>,
+    pub(in crate::mechanism) drivers: Vec<Driver>,
     /// The tracers with the links that carry them.
-    pub(super) tracers: Vec<(LinkOrFrame, &'a DraftTracer)>,
+    pub(in crate::mechanism) tracers: Vec<(LinkOrFrame, &'a DraftTracer)>,
     /// Of each body the link that it is made for; none for the frame.
-    pub(super) bodies: List<BodyId, LinkOrFrame>,
+    pub(in crate::mechanism) bodies: List<BodyId, LinkOrFrame>,
     /// Of each body the points that doubled links bring along, with their places on it.
-    pub(super) brought: List<BodyId, Vec<(PointId, Vector)>>,
+    pub(in crate::mechanism) brought: List<BodyId, Vec<(PointId, Vector)>>,
     /// The doubled links, in the order of the draft.
-    pub(super) doubled: Vec<DoubledLink>,
+    pub(in crate::mechanism) doubled: Vec<DoubledLink>,
 }
 
 #[derive(Debug)]
-pub(super) struct Link {
-    pub(super) body: BodyId,
-    pub(super) first: PointId,
-    pub(super) points: Vec<PointId>,
+pub(in crate::mechanism) struct Link {
+    pub(in crate::mechanism) body: BodyId,
+    pub(in crate::mechanism) first: PointId,
+    pub(in crate::mechanism) points: Vec<PointId>,
     /// True if it is one body with another link, or with the frame.
-    pub(super) is_fixed: bool,
+    pub(in crate::mechanism) is_fixed: bool,
 }
 
 #[derive(Debug)]
-pub(super) struct Slide {
-    pub(super) link: LinkOrFrame,
-    pub(super) point: PointId,
-    pub(super) on: LinkOrFrame,
-    pub(super) line: [PointId; 2],
+pub(in crate::mechanism) struct Slide {
+    pub(in crate::mechanism) link: LinkOrFrame,
+    pub(in crate::mechanism) point: PointId,
+    pub(in crate::mechanism) on: LinkOrFrame,
+    pub(in crate::mechanism) line: [PointId; 2],
 }
 
 #[derive(Debug)]
-pub(super) struct Gear {
-    pub(super) links: [LinkOrFrame; 2],
-    pub(super) carrier: LinkOrFrame,
-    pub(super) teeth: [f64; 2],
-    pub(super) mesh: Mesh,
+pub(in crate::mechanism) struct Gear {
+    pub(in crate::mechanism) links: [LinkOrFrame; 2],
+    pub(in crate::mechanism) carrier: LinkOrFrame,
+    pub(in crate::mechanism) teeth: [f64; 2],
+    pub(in crate::mechanism) mesh: Mesh,
 }
 
 #[derive(Debug)]
-pub(super) enum Driver {
+pub(in crate::mechanism) enum Driver {
     Crank {
         link: LinkOrFrame,
         base: LinkOrFrame,
@@ -73,7 +73,7 @@ pub(super) enum Driver {
 }
 
 impl Driver {
-    pub(super) fn rate(&self) -> f64 {
+    pub(in crate::mechanism) fn rate(&self) -> f64 {
         match self {
             Self::Crank { rate, .. } | Self::Slide { rate, .. } => *rate,
         }
@@ -83,7 +83,7 @@ impl Driver {
 impl<'a> Resolved<'a> {
     /// # Errors
     /// The first name that nothing has, and the like.
-    pub(super) fn new(draft: &'a Draft) -> Result<Self, Defect> {
+    pub(in crate::mechanism) fn new(draft: &'a Draft) -> Result<Self, Defect> {
         let names = Names(draft);
         let mut bodies: List<BodyId, LinkOrFrame> = vec![None].into();
         let bases = draft.links.iter().map(|link| {
@@ -156,7 +156,7 @@ impl<'a> Resolved<'a> {
     }
 
     /// The link that a driver turns or moves.
-    pub(super) fn driven(&self, driver: &Driver) -> LinkOrFrame {
+    pub(in crate::mechanism) fn driven(&self, driver: &Driver) -> LinkOrFrame {
         match driver {
             Driver::Crank { link, .. } => *link,
             Driver::Slide { slide, .. } => self.slides[*slide].link,
@@ -164,24 +164,28 @@ impl<'a> Resolved<'a> {
     }
 
     /// The body of a link, or of the frame.
-    pub(super) fn body(&self, link: LinkOrFrame) -> BodyId {
+    pub(in crate::mechanism) fn body(&self, link: LinkOrFrame) -> BodyId {
         link.map_or(BodyId::FRAME, |link| self.links[link].body)
     }
 
-    pub(super) fn link_name(&self, link: LinkOrFrame) -> &'a str {
+    pub(in crate::mechanism) fn link_name(&self, link: LinkOrFrame) -> &'a str {
         link.map_or(FRAME, |link| &self.draft.links[link.index()].name)
     }
 
-    pub(super) fn point_name(&self, point: PointId) -> &'a str {
+    pub(in crate::mechanism) fn point_name(&self, point: PointId) -> &'a str {
         &self.draft.points[point.index()].name
     }
 
-    pub(super) fn body_name(&self, body: BodyId) -> &'a str {
+    pub(in crate::mechanism) fn body_name(&self, body: BodyId) -> &'a str {
         self.link_name(self.bodies[body])
     }
 
     /// That two points of a link are at one place.
-    pub(super) fn coincident(&self, link: LinkOrFrame, points: [PointId; 2]) -> Defect {
+    pub(in crate::mechanism) fn coincident(
+        &self,
+        link: LinkOrFrame,
+        points: [PointId; 2],
+    ) -> Defect {
         Defect::Coincident {
             link: self.link_name(link).to_owned(),
             points: points.map(|point| self.point_name(point).to_owned()),
@@ -189,7 +193,7 @@ impl<'a> Resolved<'a> {
     }
 
     /// The places of a link's points on it, if it has a shape of its own.
-    pub(super) fn shape(&self, link: LinkId) -> Option<&'a [Point]> {
+    pub(in crate::mechanism) fn shape(&self, link: LinkId) -> Option<&'a [Point]> {
         self.draft.links[link.index()].shape.as_deref()
     }
 }

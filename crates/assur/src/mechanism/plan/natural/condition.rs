@@ -1,16 +1,16 @@
 //! The conditions between the bodies of a group, and the equations that they are.
 
-use super::super::body::Gear;
-use super::super::driver::{DrivenPair, PairKind};
-use super::super::slide::Slide;
-use super::super::willis;
 use super::Plan;
 use crate::Vector;
 use crate::index::{BodyId, SlideId};
+use crate::mechanism::plan::body::Gear;
+use crate::mechanism::plan::driver::{DrivenPair, PairKind};
+use crate::mechanism::plan::slide::Slide;
+use crate::mechanism::plan::willis;
 use crate::position::{Drive, Equation, Form, Group, Mesh, Placed, conjugate};
 
 /// One equation, or two, in forms of its own.
-pub(super) enum Condition {
+pub(in crate::mechanism) enum Condition {
     /// A direction of length 1, and the length of the link along it.
     Unit(Form, f64),
     Zero(Form),
@@ -34,7 +34,7 @@ pub(super) enum Condition {
 
 impl Plan<'_> {
     /// The conditions of the prismatic pairs.
-    pub(super) fn slides(&mut self) {
+    pub(in crate::mechanism) fn slides(&mut self) {
         let bodies = self.bodies;
         let own = |slide: &Slide| {
             slide
@@ -74,7 +74,7 @@ impl Plan<'_> {
     }
 
     /// The condition that a body stays parallel to another one, as it is drawn.
-    pub(super) fn keep_parallel(&mut self, [base, body]: [BodyId; 2]) {
+    pub(in crate::mechanism) fn keep_parallel(&mut self, [base, body]: [BodyId; 2]) {
         let turns = [base, body].map(|body| conjugate(self.orientations[body].turn));
         let condition = Condition::Line {
             direction: self.direction(base, turns[0]),
@@ -85,7 +85,7 @@ impl Plan<'_> {
     }
 
     /// The condition of wheels in mesh.
-    pub(super) fn mesh(&mut self, gear: &Gear) {
+    pub(in crate::mechanism) fn mesh(&mut self, gear: &Gear) {
         let equation = willis::Equation::of(gear);
         // In parts of a turn of the larger wheel.
         let scale = gear.teeth[0].max(gear.teeth[1]).recip();
@@ -112,7 +112,7 @@ impl Plan<'_> {
     }
 
     /// The condition of a driven pair.
-    pub(super) fn drive(&mut self, pair: &DrivenPair) -> Option<()> {
+    pub(in crate::mechanism) fn drive(&mut self, pair: &DrivenPair) -> Option<()> {
         let mesh = self.meshes.len();
         let course = pair.course;
         let mut given = Mesh {
@@ -156,7 +156,7 @@ impl Plan<'_> {
     }
 
     /// The group; none where the equations are fewer than the unknowns.
-    pub(super) fn finished(self, offset: usize) -> Option<(Group, Vec<Vector>)> {
+    pub(in crate::mechanism) fn finished(self, offset: usize) -> Option<(Group, Vec<Vector>)> {
         let mut forms: Vec<Form> = Vec::new();
         let mut index = |form: Form| {
             let known = forms.iter().position(|other| *other == form);

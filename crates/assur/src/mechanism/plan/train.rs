@@ -1,20 +1,20 @@
 //! Which wheels in mesh belong to a group, how its wheels are mounted, and the plan of a group that is nothing but an
 //! epicyclic train.
 
-use super::body::Gear;
-use super::driver::DrivenPair;
-use super::plan::Placed;
-use super::willis::{Adds, Equation, Solved};
 use crate::Vector;
 use crate::index::BodyId;
+use crate::mechanism::plan::Placed;
+use crate::mechanism::plan::body::Gear;
+use crate::mechanism::plan::driver::DrivenPair;
+use crate::mechanism::plan::willis::{Adds, Equation, Solved};
 use crate::position::{Geared, Member, Orientation};
 
 /// The meshes of a group do not determine how its bodies turn: where its mates turn alike, any angle will do.
-pub(super) struct Singular;
+pub(in crate::mechanism) struct Singular;
 
 impl Placed<'_> {
     /// The gear couplings whose equations count for a group: all their bodies are of it or solved before.
-    pub(super) fn couplings(&self, group: &[BodyId]) -> Vec<&Gear> {
+    pub(in crate::mechanism) fn couplings(&self, group: &[BodyId]) -> Vec<&Gear> {
         let inside = |body: &BodyId| group.contains(body);
         let of_it = |gear: &&Gear| {
             let all = gear.all();
@@ -25,7 +25,7 @@ impl Placed<'_> {
 
     /// Turns the wheels of a group whose angle no point and no guide shows: each from where a mate is at zero, seen
     /// from their carrier, that of the first coupling that tells. The coordinate of a driven one tells its angle.
-    pub(super) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
+    pub(in crate::mechanism) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
         let round = group.iter().copied();
         let round = round.filter(|body| {
             let is_driven = driven.iter().any(|pair| pair.turns(*body));
@@ -67,7 +67,7 @@ impl Placed<'_> {
     ///
     /// # Errors
     /// That the numbers of teeth do not determine its angles.
-    pub(super) fn train(&self, group: &[BodyId]) -> Result<Option<Geared>, Singular> {
+    pub(in crate::mechanism) fn train(&self, group: &[BodyId]) -> Result<Option<Geared>, Singular> {
         let couplings = self.couplings(group);
         let slides = self.bodies.slides.iter().any(|slide| {
             group.iter().any(|body| {

@@ -1,7 +1,7 @@
 //! The pairs of a mechanism as they join its rigid bodies, and how these move in a pose.
 
-use super::{ConstraintKind, LinkOrFrame, Mechanism, Pose};
 use crate::index::{BodyId, PointId};
+use crate::mechanism::{ConstraintKind, LinkOrFrame, Mechanism, Pose};
 use crate::position::{Anchor, Complex, conjugate, product};
 use crate::{Jet, JetPoint, Point, Vector};
 

@@ -1,18 +1,18 @@
 //! Willis's equations of wheels in mesh, in whole numbers: which of them follow from others, and how fast the
 //! bodies of a train turn (R. Willis, *Principles of Mechanism*, 1841).
 
-use super::body::Gear;
 use crate::gears::Mesh;
 use crate::index::BodyId;
+use crate::mechanism::plan::body::Gear;
 
 /// By what the angle of each body is multiplied in an equation whose other side is constant. The frame is in none:
 /// its angle is zero. By ascending bodies.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Equation(Vec<(BodyId, i128)>);
+pub(in crate::mechanism) struct Equation(Vec<(BodyId, i128)>);
 
 impl Equation {
     /// `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀)`, θ₀ that of the carrier.
-    pub(super) fn of(gear: &Gear) -> Self {
+    pub(in crate::mechanism) fn of(gear: &Gear) -> Self {
         // Numbers of teeth are whole.
         let [first, second] = gear.teeth.map(|teeth| teeth as i128);
         let second = match gear.mesh {
@@ -32,7 +32,7 @@ impl Equation {
     }
 
     /// The bodies that stand in it, with what their angles are multiplied by.
-    pub(super) fn terms(&self) -> impl Iterator<Item = (BodyId, i128)> {
+    pub(in crate::mechanism) fn terms(&self) -> impl Iterator<Item = (BodyId, i128)> {
         self.0.iter().copied()
     }
 
@@ -79,11 +79,11 @@ fn greatest(a: i128, b: i128) -> i128 {
 
 /// Independent equations, each solved for a body of its own.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Solved(Vec<(BodyId, Equation)>);
+pub(in crate::mechanism) struct Solved(Vec<(BodyId, Equation)>);
 
 /// What an equation adds to those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Adds {
+pub(in crate::mechanism) enum Adds {
     /// It determines one more angle.
     Angle,
     /// It follows from them.
@@ -94,7 +94,7 @@ pub(super) enum Adds {
 
 impl Solved {
     /// Adds an equation, to be solved for one of the bodies that are sought; none where its numbers become too large.
-    pub(super) fn add(
+    pub(in crate::mechanism) fn add(
         &mut self,
         equation: &Equation,
         sought: impl Fn(BodyId) -> bool,
@@ -123,7 +123,9 @@ impl Solved {
     }
 
     /// The bodies solved for, and by what each angle grows with those that it is left to depend on.
-    pub(super) fn ratios(&self) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {
+    pub(in crate::mechanism) fn ratios(
+        &self,
+    ) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {
         // Every equation holds the body that it is solved for.
         self.0.iter().filter_map(|(body, equation)| {
             let own = equation.factor(*body)? as f64;
@@ -136,7 +138,7 @@ impl Solved {
 
 /// Which gear couplings are passive: their equations follow from those of the couplings before them. So is what a
 /// second satellite between the same wheels adds to the first.
-pub(super) fn passive(gears: &[Gear]) -> Vec<bool> {
+pub(in crate::mechanism) fn passive(gears: &[Gear]) -> Vec<bool> {
     let mut solved = Solved::default();
     let passive = gears.iter().map(|gear| {
         let adds = solved.add(&Equation::of(gear), |_| true);

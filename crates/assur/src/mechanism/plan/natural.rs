@@ -9,15 +9,15 @@ use crate::Vector;
 use crate::index::{BodyId, List, PointId, SlideId};
 use crate::position::{Anchor, CLOSE, Form, Group, Input, Mesh, Orientation, conjugate, quotient};
 
-use super::body::Bodies;
-use super::draft::extent;
-use super::driver::DrivenPair;
-use super::plan::Placed;
+use crate::linkage::draft::extent;
+use crate::mechanism::plan::Placed;
+use crate::mechanism::plan::body::Bodies;
+use crate::mechanism::plan::driver::DrivenPair;
 use condition::Condition;
 
 /// The plan of a group and the drawn values of its unknowns; none where the equations
 /// are fewer than the unknowns.
-pub(super) fn group(
+pub(in crate::mechanism) fn group(
     placed: &Placed<'_>,
     members: &[BodyId],
     driven: &[DrivenPair],

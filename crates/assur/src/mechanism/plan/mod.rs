@@ -1,44 +1,53 @@
 //! In which order a mechanism is solved, and by which closed form each group.
 
+pub(in crate::mechanism) mod body;
+pub(in crate::mechanism) mod doubled;
+pub(in crate::mechanism) mod driver;
+mod natural;
+pub(in crate::mechanism) mod resolved;
+pub(in crate::mechanism) mod slide;
+pub(in crate::mechanism) mod structured;
+pub(in crate::mechanism) mod train;
+mod willis;
+
 use crate::Vector;
 use crate::index::{BodyId, Id, LinkId, List, PointId, StepId};
 use crate::position::{Anchor, Arm, Closed, Course, Orientation, Prp, Rpp, Rpr, Rrp, Rrr, Step};
 use crate::structure::{self, Structure};
 
-use super::body::{Bodies, Placement};
-use super::draft::Defect;
-use super::driver::DrivenPair;
-use super::natural;
-use super::resolved::{Driver, Resolved};
-use super::slide::Slide;
-use super::train::Singular;
+use crate::linkage::draft::Defect;
+use crate::mechanism::plan::body::{Bodies, Placement};
+use crate::mechanism::plan::driver::DrivenPair;
+use crate::mechanism::plan::resolved::{Driver, Resolved};
+use crate::mechanism::plan::slide::Slide;
+use crate::mechanism::plan::train::Singular;
 
 /// The plan of a mechanism.
-pub(super) struct Plan {
-    pub(super) steps: List<StepId, Step>,
+pub(in crate::mechanism) struct Plan {
+    pub(in crate::mechanism) steps: List<StepId, Step>,
     /// The drawn input: the coordinate of the first driver.
-    pub(super) home: f64,
+    pub(in crate::mechanism) home: f64,
     /// The range of the first driver, if it is a slide.
-    pub(super) range: Option<[f64; 2]>,
+    pub(in crate::mechanism) range: Option<[f64; 2]>,
     /// The drawn unknowns of groups that Newton's method solves.
-    pub(super) natural: Vec<f64>,
+    pub(in crate::mechanism) natural: Vec<f64>,
     /// How the bodies are turned in the drawing, those of wheels as they are mounted.
-    pub(super) orientations: List<BodyId, Orientation>,
+    pub(in crate::mechanism) orientations: List<BodyId, Orientation>,
 }
 
 /// A drawn pose of which more is known than the drawing tells: how often its bodies have turned.
 #[derive(Clone, Copy)]
-pub(super) struct Drawn<'a> {
-    pub(super) input: f64,
-    pub(super) orientations: &'a List<BodyId, Orientation>,
+pub(in crate::mechanism) struct Drawn<'a> {
+    pub(in crate::mechanism) input: f64,
+    pub(in crate::mechanism) orientations: &'a List<BodyId, Orientation>,
 }
 
 /// What has been placed by the steps so far.
-pub(super) struct Placed<'a> {
-    pub(super) bodies: &'a Bodies,
-    pub(super) placements: &'a List<LinkId, Placement>,
-    pub(super) solved: List<BodyId, bool>,
-    pub(super) orientations: List<BodyId, Orientation>,
+pub(in crate::mechanism) struct Placed<'a> {
+    pub(in crate::mechanism) bodies: &'a Bodies,
+    pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,
+    pub(in crate::mechanism) solved: List<BodyId, bool>,
+    pub(in crate::mechanism) orientations: List<BodyId, Orientation>,
     /// The crank on the frame that the input turns.
     crank: Option<BodyId>,
 }
@@ -48,7 +57,7 @@ pub(super) struct Placed<'a> {
 ///
 /// # Errors
 /// A group that no step can solve.
-pub(super) fn plan(
+pub(in crate::mechanism) fn plan(
     draft: &Resolved<'_>,
     bodies: &Bodies,
     placements: &List<LinkId, Placement>,

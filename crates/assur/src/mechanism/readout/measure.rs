@@ -1,8 +1,8 @@
 //! What is measured on a drawing: how far two points are apart, the angle at a point between two others, that of two links.
 
-use super::{Mechanism, Pose};
 use crate::Jet;
 use crate::index::{LinkId, PointId};
+use crate::mechanism::{Mechanism, Pose};
 
 /// Points closer than this share of the drawing coincide, and so slow a rate is none.
 const COINCIDE: f64 = 1e-12;
@@ -11,7 +11,7 @@ const RATE: f64 = 1e-9;
 impl Mechanism {
     /// How far two points are apart. Where they coincide the derivatives are those just after it; of points that stay
     /// there, none.
-    pub(super) fn between_points<const N: usize>(
+    pub(in crate::mechanism) fn between_points<const N: usize>(
         &self,
         pose: &Pose<N>,
         [from, to]: [PointId; 2],
@@ -44,7 +44,11 @@ impl Mechanism {
 
     /// The angle at the second of three points from the first to the third, counter-clockwise, within half a turn either
     /// way; 0 while one of these is at the second.
-    pub(super) fn corner<const N: usize>(&self, pose: &Pose<N>, points: [PointId; 3]) -> Jet<N> {
+    pub(in crate::mechanism) fn corner<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        points: [PointId; 3],
+    ) -> Jet<N> {
         let [a, b, c] = points.map(|point| self.place(pose, point));
         let [u, v] = [a, c].map(|end| [end.x - b.x, end.y - b.y]);
         if span(u).min(span(v)) <= COINCIDE * self.size() {
@@ -54,17 +58,17 @@ impl Mechanism {
     }
 
     /// Two points by their names with a hyphen between them.
-    pub(super) fn two_points(&self, names: &str) -> Option<[PointId; 2]> {
+    pub(in crate::mechanism) fn two_points(&self, names: &str) -> Option<[PointId; 2]> {
         two(names, |name| self.point(name))
     }
 
     /// Two links so.
-    pub(super) fn two_links(&self, names: &str) -> Option<[LinkId; 2]> {
+    pub(in crate::mechanism) fn two_links(&self, names: &str) -> Option<[LinkId; 2]> {
         two(names, |name| self.link(name))
     }
 
     /// Three points so, of which no two are the same.
-    pub(super) fn three_points(&self, names: &str) -> Option<[PointId; 3]> {
+    pub(in crate::mechanism) fn three_points(&self, names: &str) -> Option<[PointId; 3]> {
         let mut parts = names.match_indices('-');
         parts.find_map(|(at, _)| {
             let first = self.point(&names[..at])?;

@@ -1,8 +1,8 @@
 //! Angles that follow from others in a constant ratio: of wheels, and of parts
 //! fixed to links.
 
-use super::Mechanism;
 use crate::index::LinkId;
+use crate::mechanism::Mechanism;
 use crate::position::Step;
 
 /// What an angle is a multiple of.

@@ -1,8 +1,9 @@
-//! A linkage as a person gives it: anything at all. [`super::Mechanism::new`]
+//! A linkage as a person gives it: anything at all. [`crate::mechanism::Mechanism::new`]
 //! lists every reason why it is none.
 
-use super::{DraftTracer, Singularity};
+use super::DraftTracer;
 use crate::gears::Mesh;
+use crate::mechanism::Singularity;
 use crate::{Point, Vector};
 
 /// The name of the frame, a link that every draft has.
@@ -362,7 +363,7 @@ impl Draft {
     }
 
     /// Whether a link can be driven as a crank: hinged on the frame, fixed to no other.
-    pub(super) fn is_crank(&self, link: &DraftLink) -> bool {
+    pub(crate) fn is_crank(&self, link: &DraftLink) -> bool {
         let hinged = |point: &String| self.frame.contains(point);
         link.fixed_to.is_none() && link.points.iter().any(hinged)
     }
@@ -374,7 +375,7 @@ impl Draft {
     }
 
     /// The link of this name.
-    pub(super) fn link(&self, name: &str) -> Option<&DraftLink> {
+    pub(crate) fn link(&self, name: &str) -> Option<&DraftLink> {
         self.links.iter().find(|link| link.name == name)
     }
 
@@ -385,7 +386,7 @@ impl Draft {
 }
 
 /// The diagonal of the box around places.
-pub(super) fn extent(places: impl Iterator<Item = Vector>) -> f64 {
+pub(crate) fn extent(places: impl Iterator<Item = Vector>) -> f64 {
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {
         low = low.inf(&place);

@@ -2,21 +2,21 @@
 
 use std::f64::consts::TAU;
 
-use super::body::Bodies;
-use super::draft::Defect;
-use super::plan::{Drawn, Placed};
-use super::resolved::{Driver, Resolved};
 use crate::Vector;
 use crate::index::{BodyId, SlideId};
+use crate::linkage::draft::Defect;
+use crate::mechanism::plan::body::Bodies;
+use crate::mechanism::plan::resolved::{Driver, Resolved};
+use crate::mechanism::plan::{Drawn, Placed};
 use crate::position::{Anchor, Course, Crank, Slider, Step};
 
 /// A driven pair between two bodies of one group: the group is solved with its coordinate.
-pub(super) struct DrivenPair {
-    pub(super) kind: PairKind,
-    pub(super) course: Course,
+pub(in crate::mechanism) struct DrivenPair {
+    pub(in crate::mechanism) kind: PairKind,
+    pub(in crate::mechanism) course: Course,
 }
 
-pub(super) enum PairKind {
+pub(in crate::mechanism) enum PairKind {
     /// A hinge: the driven body, its base, and what the coordinate has more than the angle between them.
     Hinge { bodies: [BodyId; 2], lead: f64 },
     /// A slide, with its least and greatest coordinate.
@@ -24,7 +24,7 @@ pub(super) enum PairKind {
 }
 
 impl DrivenPair {
-    pub(super) fn new(
+    pub(in crate::mechanism) fn new(
         placed: &Placed<'_>,
         draft: &Resolved<'_>,
         driver: &Driver,
@@ -44,7 +44,7 @@ impl DrivenPair {
     }
 
     /// Whether it turns a body against another one.
-    pub(super) fn turns(&self, body: BodyId) -> bool {
+    pub(in crate::mechanism) fn turns(&self, body: BodyId) -> bool {
         match &self.kind {
             PairKind::Hinge { bodies, .. } => bodies.contains(&body),
             PairKind::Slide { .. } => false,
@@ -54,7 +54,10 @@ impl DrivenPair {
 
 impl Bodies {
     /// Where two bodies are hinged on each other: on the first and on the second.
-    pub(super) fn hinge(&self, [base, body]: [BodyId; 2]) -> Option<(Anchor, Vector)> {
+    pub(in crate::mechanism) fn hinge(
+        &self,
+        [base, body]: [BodyId; 2],
+    ) -> Option<(Anchor, Vector)> {
         self.of(body).iter().find_map(|(point, hinge)| {
             let local = self.local(base, *point)?;
             Some((Anchor { body: base, local }, *hinge))
@@ -63,7 +66,10 @@ impl Bodies {
 }
 
 /// The driven slides that are drawn outside their range.
-pub(super) fn drawn_beyond_range(draft: &Resolved<'_>, bodies: &Bodies) -> Vec<Defect> {
+pub(in crate::mechanism) fn drawn_beyond_range(
+    draft: &Resolved<'_>,
+    bodies: &Bodies,
+) -> Vec<Defect> {
     let beyond = draft.drivers.iter().filter_map(|driver| {
         let Driver::Slide { slide, range, .. } = driver else {
             return None;
@@ -93,7 +99,7 @@ impl Placed<'_> {
     }
 
     /// The drawn coordinate of a driver; that of a slide is within its range.
-    pub(super) fn drawn(&self, draft: &Resolved<'_>, driver: &Driver) -> f64 {
+    pub(in crate::mechanism) fn drawn(&self, draft: &Resolved<'_>, driver: &Driver) -> f64 {
         match driver {
             Driver::Crank { link, base, .. } => {
                 let angle = |link| self.orientations[draft.body(link)].angle;
@@ -108,7 +114,7 @@ impl Placed<'_> {
 
     /// The drawn input. An angle against a link that moves is at most half a turn; that of a known pose is told by as
     /// many whole turns as there, and so is the driven link.
-    pub(super) fn home(
+    pub(in crate::mechanism) fn home(
         &mut self,
         draft: &Resolved<'_>,
         first: &Driver,
@@ -134,7 +140,7 @@ impl Placed<'_> {
     }
 
     /// The step of a driver whose base is placed: what is placed may be either of the two that it drives.
-    pub(super) fn driven(
+    pub(in crate::mechanism) fn driven(
         &self,
         draft: &Resolved<'_>,
         driver: &Driver,

@@ -1,9 +1,9 @@
 //! RRR dyads as the plan has them, how well they transmit, and the four-bars that
 //! they close.
 
-use super::closed::ClosedStep;
-use super::{LinkOrFrame, Mechanism, Pose};
 use crate::index::{BodyId, LinkId, PointId};
+use crate::mechanism::closed::ClosedStep;
+use crate::mechanism::{LinkOrFrame, Mechanism, Pose};
 use crate::position::{Arm, Rrr, Step};
 use crate::{FourBar, Grashof, Jet, Vector};
 
@@ -62,7 +62,7 @@ impl Mechanism {
     }
 
     /// The arms of all RRR dyads; those within groups with redundant constraints come last.
-    pub(super) fn arms(&self) -> impl Iterator<Item = &[Arm; 2]> {
+    pub(in crate::mechanism) fn arms(&self) -> impl Iterator<Item = &[Arm; 2]> {
         let solved = self.steps.iter().filter_map(arms_of);
         solved.chain(&self.within)
     }
@@ -94,7 +94,7 @@ impl Mechanism {
     }
 
     /// How far two points of a link are apart.
-    pub(super) fn length_between(&self, link: LinkId, points: [PointId; 2]) -> f64 {
+    pub(in crate::mechanism) fn length_between(&self, link: LinkId, points: [PointId; 2]) -> f64 {
         let body = self.body_of(Some(link));
         let [from, to] = points.map(|point| self.local(body, point));
         debug_assert!(from.is_some() && to.is_some(), "points of the link");
@@ -102,7 +102,7 @@ impl Mechanism {
     }
 
     /// The place of a point on a body that has it.
-    pub(super) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
+    pub(in crate::mechanism) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
         let mut points = self.bodies[body].iter();
         let found = points.find(|(own, _)| *own == point);
         found.map(|(_, at)| *at)
@@ -129,7 +129,7 @@ impl Mechanism {
         self.link_of(rocker.body)
     }
 
-    pub(super) fn dyad_of(&self, arms: &[Arm; 2]) -> Option<RrrDyad> {
+    pub(in crate::mechanism) fn dyad_of(&self, arms: &[Arm; 2]) -> Option<RrrDyad> {
         let inner = self.shared([arms[0].body, arms[1].body], Some(arms[0].to))?;
         let outer = |arm: &Arm| {
             Some(OuterJoint {
@@ -178,7 +178,11 @@ impl Mechanism {
     }
 
     /// A point that two bodies share, at a place on the first if one is given.
-    pub(super) fn shared(&self, [one, other]: [BodyId; 2], at: Option<Vector>) -> Option<PointId> {
+    pub(in crate::mechanism) fn shared(
+        &self,
+        [one, other]: [BodyId; 2],
+        at: Option<Vector>,
+    ) -> Option<PointId> {
         let mut points = self.bodies[one].iter();
         let shared = points.find(|(point, local)| {
             at.is_none_or(|at| at == *local) && self.bodies[other].iter().any(|p| p.0 == *point)

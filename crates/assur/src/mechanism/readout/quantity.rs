@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
-use super::transmitting::{acute, folded, sense};
-use super::{Mechanism, Pose, RrpDyad, RrrDyad};
 use crate::Jet;
 use crate::index::{LinkId, PointId};
+use crate::mechanism::readout::transmitting::{acute, folded, sense};
+use crate::mechanism::{Mechanism, Pose, RrpDyad, RrrDyad};
 
 /// A value that changes along the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,18 +1,18 @@
 //! Prismatic pairs between rigid bodies: their lines on both.
 
-use super::body::Bodies;
-use super::check::CLOSEST;
-use super::draft::{Defect, extent};
-use super::resolved::Resolved;
 use crate::Vector;
 use crate::index::{BodyId, SlideId};
+use crate::linkage::check::CLOSEST;
+use crate::linkage::draft::{Defect, extent};
+use crate::mechanism::plan::body::Bodies;
+use crate::mechanism::plan::resolved::Resolved;
 use crate::position::{Anchor, Side, Track, conjugate, product};
 
 /// A prismatic pair between two bodies.
 #[derive(Clone, Debug)]
-pub(super) struct Slide {
+pub(in crate::mechanism) struct Slide {
     /// The body with the line and the one that slides.
-    pub(super) bodies: [BodyId; 2],
+    pub(in crate::mechanism) bodies: [BodyId; 2],
     /// The line on the first: a point and the direction, of length 1.
     start: Vector,
     heading: Vector,
@@ -28,7 +28,11 @@ pub(super) struct Slide {
 }
 
 impl Bodies {
-    pub(super) fn slide(&self, draft: &Resolved<'_>, id: SlideId) -> Result<Slide, Defect> {
+    pub(in crate::mechanism) fn slide(
+        &self,
+        draft: &Resolved<'_>,
+        id: SlideId,
+    ) -> Result<Slide, Defect> {
         let slide = &draft.slides[id];
         let on_link = |link, point| {
             let local = self.local(draft.body(link), point);
@@ -74,7 +78,7 @@ impl Bodies {
 
 impl Slide {
     /// The other body, if this is one of the two.
-    pub(super) fn joins(&self, body: BodyId) -> Option<BodyId> {
+    pub(in crate::mechanism) fn joins(&self, body: BodyId) -> Option<BodyId> {
         match self.bodies {
             [on, moving] if on == body => Some(moving),
             [on, moving] if moving == body => Some(on),
@@ -83,32 +87,32 @@ impl Slide {
     }
 
     /// The point of the body that slides.
-    pub(super) fn point(&self) -> Vector {
+    pub(in crate::mechanism) fn point(&self) -> Vector {
         self.point
     }
 
     /// The way of the point along the line in the drawing.
-    pub(super) fn drawn_way(&self) -> f64 {
+    pub(in crate::mechanism) fn drawn_way(&self) -> f64 {
         self.way
     }
 
     /// How far the point of the body that slides stays to the left of the line.
-    pub(super) fn offset(&self) -> f64 {
+    pub(in crate::mechanism) fn offset(&self) -> f64 {
         self.off
     }
 
     /// Sets that distance, whatever is drawn.
-    pub(super) fn set_offset(&mut self, off: f64) {
+    pub(in crate::mechanism) fn set_offset(&mut self, off: f64) {
         self.off = off;
     }
 
     /// How far apart the two points are that give the line.
-    pub(super) fn line_length(&self) -> f64 {
+    pub(in crate::mechanism) fn line_length(&self) -> f64 {
         self.length
     }
 
     /// The line as it lies on one of the two bodies: a point and the direction.
-    pub(super) fn line_on(&self, body: BodyId) -> (Vector, Vector) {
+    pub(in crate::mechanism) fn line_on(&self, body: BodyId) -> (Vector, Vector) {
         if body == self.bodies[0] {
             (self.start, self.heading)
         } else {
@@ -118,7 +122,7 @@ impl Slide {
     }
 
     /// How one of the two bodies slides along the line of the other, solved one.
-    pub(super) fn track(&self, body: BodyId) -> Track {
+    pub(in crate::mechanism) fn track(&self, body: BodyId) -> Track {
         let other = usize::from(body == self.bodies[0]);
         let (start, heading) = self.line_on(self.bodies[other]);
         let (point, direction) = self.line_on(body);
@@ -136,7 +140,7 @@ impl Slide {
     }
 
     /// One of the two bodies as a side of a dyad with this slide between its links.
-    pub(super) fn side(&self, body: BodyId, outer: Anchor, hinge: Vector) -> Side {
+    pub(in crate::mechanism) fn side(&self, body: BodyId, outer: Anchor, hinge: Vector) -> Side {
         let (through, direction) = self.line_on(body);
         Side::new(body, outer, hinge, through, direction)
     }
@@ -144,7 +148,7 @@ impl Slide {
 
 impl Track {
     /// The same track, kept by another point of the sliding link.
-    pub(super) fn moved(self, point: Vector) -> Self {
+    pub(in crate::mechanism) fn moved(self, point: Vector) -> Self {
         let off = self.off + product(point - self.point, conjugate(self.direction)).y;
         Self { point, off, ..self }
     }

@@ -1,0 +1,51 @@
+//! Tracer points of a specification: carried by a link, among nobody's joints.
+
+use std::collections::BTreeSet;
+
+use super::draft::{Defect, Draft, FRAME};
+use crate::Vector;
+
+/// A point carried by a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DraftTracer {
+    /// Its name, unlike that of any point and of any other tracer.
+    pub name: String,
+    /// The link that carries it, or the frame.
+    pub link: String,
+    /// Its place in the link's own coordinates: the origin at the link's first
+    /// point, x along its angle, so towards its second point; of a wheel with one
+    /// point, along its zero direction. Of the frame: those of the drawing.
+    pub at: Vector,
+}
+
+impl Draft {
+    /// With a tracer point at (x, y) in the coordinates of a link.
+    #[must_use]
+    pub fn tracer(mut self, name: &str, link: &str, x: f64, y: f64) -> Self {
+        self.tracers.push(DraftTracer {
+            name: name.to_owned(),
+            link: link.to_owned(),
+            at: Vector::new(x, y),
+        });
+        self
+    }
+}
+
+/// What is wrong with the tracers of a draft; `sound` tells coordinates that can be.
+pub(super) fn defects(draft: &Draft, sound: impl Fn(f64) -> bool) -> Vec<Defect> {
+    let names = draft.points.iter().map(|point| point.name.as_str());
+    let mut names: BTreeSet<&str> = names.collect();
+    let mut found = Vec::new();
+    for DraftTracer { name, link, at } in &draft.tracers {
+        if !names.insert(name) {
+            found.push(Defect::Twice(name.clone()));
+        }
+        if link != FRAME && draft.link(link).is_none() {
+            found.push(Defect::Unknown(link.clone()));
+        }
+        if !sound(at.x) || !sound(at.y) {
+            found.push(Defect::NotFinite(name.clone()));
+        }
+    }
+    found
+}
