@@ -10,7 +10,7 @@
 
 use std::f64::consts::PI;
 
-use super::work::Work;
+use super::group::Work;
 use super::{Anchor, Arm, Predictor, Step, Track, conjugate, product};
 use crate::Vector;
 use crate::index::{BodyId, List, StepId};

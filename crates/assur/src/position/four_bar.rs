@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::rrr::Triangle;
+use super::dyads::Triangle;
 use super::{
     Angle, Arm, Cause, Complex, Enclosure, Given, Orientation, Predictor, Sign, Singularity,
     Solvable, State,

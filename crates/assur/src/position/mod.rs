@@ -7,60 +7,42 @@
 //! to it has constant local coordinates. A group is solved from bodies that were
 //! solved before it.
 
-mod certified;
+mod assemblies;
 mod complex;
-mod course;
 mod crank;
 mod curve;
-mod elimination;
+mod drive_law;
+mod dyads;
 mod enclosure;
-mod equation;
+mod epicyclic;
 mod four_bar;
-mod geared;
 mod group;
-
 mod margin;
-mod mesh;
-mod newton;
-mod prp;
-mod rpp;
-mod rpr;
-mod rrp;
-mod rrr;
 mod slider;
 mod smooth_root;
 mod state;
 mod step;
-mod ways;
-mod work;
 
 use crate::Vector;
 use crate::index::BodyId;
+pub use assemblies::Method;
+pub(crate) use assemblies::{Followed, Unreal};
 pub(crate) use complex::{Complex, conjugate, product, quotient};
-pub(crate) use course::Course;
 pub(crate) use crank::Crank;
 pub(crate) use curve::Linearized;
-pub(crate) use elimination::power_of_two;
+pub(crate) use drive_law::Course;
+pub(crate) use dyads::{Prp, Rpp, Rpr, Rrp, Rrr, Side};
 pub(crate) use enclosure::Enclosure;
-pub(crate) use equation::{Equation, Form};
+pub(crate) use epicyclic::{Geared, Member};
 pub(crate) use four_bar::Closed;
-pub(crate) use geared::{Geared, Member};
-pub(crate) use group::{Group, Input, Placed};
+pub(crate) use group::{Drive, Equation, Form, Group, Input, Mesh, Placed, power_of_two};
 pub(crate) use margin::ROUNDING;
 use margin::{Dead, clear, crossing};
-pub(crate) use mesh::{Drive, Mesh};
-pub(crate) use prp::Prp;
-pub(crate) use rpp::Rpp;
-pub(crate) use rpr::{Rpr, Side};
-pub(crate) use rrp::Rrp;
-pub(crate) use rrr::Rrr;
 pub(crate) use slider::Slider;
 pub(crate) use smooth_root::{KNOWN, SmoothRoot};
 use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Given, Sign, Solvable, Step};
-pub use ways::Method;
-pub(crate) use ways::{Followed, Unreal};
 
 /// Two points closer together than this, relative to what they are placed by, tell a direction with fewer digits.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::group::Input;
-use super::work::Work;
+use super::group::Work;
 use super::{Anchor, Arm, Complex, SmoothRoot, Track, conjugate, quotient};
 use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector};

@@ -1,13 +1,13 @@
 //! The dyad RPP: a link hinged on a solved point and sliding on a link that
 //! slides along a solved line.
 
-use super::complex::{Complex, conjugate};
 use super::rpr::Side;
-use super::{
-    Anchor, Cause, Enclosure, Given, Predictor, Singularity, Solvable, State, Track, crossing,
-};
 use crate::Vector;
 use crate::index::{BodyId, StepId};
+use crate::position::complex::{Complex, conjugate};
+use crate::position::{
+    Anchor, Cause, Enclosure, Given, Predictor, Singularity, Solvable, State, Track, crossing,
+};
 
 /// Link i hinged at B, link j sliding (the block and the yoke of a scotch yoke).
 #[derive(Clone, Debug, PartialEq)]

@@ -1,5 +1,5 @@
 use super::bilinear::{Affine, C, Pair, System};
-use super::{apart, paths, truss};
+use super::{apart, dixon, homotopy};
 
 /// A generator of Knuth's with a fixed beginning.
 struct Dice(u64);
@@ -50,10 +50,10 @@ fn every_solution_of_general_directions() {
         let seeds = if unknowns < 4 { 40 } else { 2 };
         for seed in 0..seeds {
             let (system, place) = Dice(seed).system(unknowns);
-            let by_loops = truss::candidates(&system, seed as usize).unwrap();
+            let by_loops = dixon::candidates(&system, seed as usize).unwrap();
             for found in [
                 all(&system, by_loops),
-                all(&system, paths::candidates(&system, seed)),
+                all(&system, homotopy::candidates(&system, seed)),
             ] {
                 assert_eq!(found.len(), count, "{unknowns} {seed}");
                 let known = found.iter().any(|one| apart(one, &place) < 1e-9);

@@ -7,11 +7,11 @@
 //! there is just one solution in it (Kantorovich), it depends continuously on the input, and J is regular: the
 //! determinant keeps its sign, so that the step has no singular pose, no other assembly and no flight to infinity.
 
-use super::enclosure::{AT_ONCE, Bounds, Enclosure, REGULAR};
 use super::equation::{Equation, MOST_FORMS};
-use super::group::{Group, Input};
-use super::{Predictor, Vector};
+use super::{Group, Input};
 use crate::index::StepId;
+use crate::position::enclosure::{AT_ONCE, Bounds, Enclosure, REGULAR};
+use crate::position::{Predictor, Vector};
 
 /// What is known of a form: value and derivative where the step begins, what its second derivative is at most by what
 /// is solved, and how much it changes with the unknowns.
@@ -37,7 +37,12 @@ impl Known {
 
 impl Group {
     /// See [`super::Solvable::enclose`].
-    pub(super) fn certified(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
+    pub(in crate::position) fn certified(
+        &self,
+        step: StepId,
+        from: &Predictor,
+        cell: &mut Enclosure,
+    ) -> bool {
         cell.work.fit(self);
         self.linearize(from, cell);
         if !self.invert(cell) {

@@ -3,9 +3,9 @@
 
 use std::f64::consts::TAU;
 
-use super::{Cause, Course, Nearby, Orientation, State};
 use crate::Jet;
 use crate::index::BodyId;
+use crate::position::{Cause, Course, Nearby, Orientation, State};
 
 use super::equation::MOST_FORMS;
 
@@ -49,16 +49,16 @@ impl Drive {
 
 /// What is given of a mesh while its group is solved.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Given<const N: usize> {
+pub(in crate::position) struct Given<const N: usize> {
     /// What the solved bodies contribute, less the constant and the driven coordinate; of a driven slide a length.
-    pub(super) angle: Jet<N>,
+    pub(in crate::position) angle: Jet<N>,
     /// How the others are turned nearby: their angles are less than half a turn from there.
-    pub(super) near: [Orientation; MOST_FORMS],
+    pub(in crate::position) near: [Orientation; MOST_FORMS],
 }
 
 impl<const N: usize> Given<N> {
     /// Nothing yet.
-    pub(super) fn nothing() -> Self {
+    pub(in crate::position) fn nothing() -> Self {
         Self {
             angle: Jet::constant(0.0),
             near: [Orientation::default(); MOST_FORMS],
@@ -69,7 +69,7 @@ impl<const N: usize> Given<N> {
 impl Mesh {
     /// # Errors
     /// That a driven coordinate is out of its range.
-    pub(super) fn given<const N: usize>(
+    pub(in crate::position) fn given<const N: usize>(
         &self,
         state: &State<N>,
         near: Nearby<'_>,

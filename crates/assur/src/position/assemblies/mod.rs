@@ -1,22 +1,20 @@
 //! All ways to join an Assur group at known places of what it hangs on.
 
 mod bilinear;
-mod follow;
-mod known;
+mod dixon;
+mod homotopy;
 mod newton;
-mod paths;
 mod solutions;
-mod truss;
+mod tracker;
+mod tracking;
 
-use super::equation::Equation;
-use super::group::Group;
-use super::{Cause, Course, Given, State};
+use super::{Cause, Course, Equation, Given, Group, State};
 use crate::Vector;
 use crate::index::BodyId;
 use bilinear::{Affine, C, Moving, Pair, System};
-pub(crate) use known::Followed;
 use newton::Room;
 use solutions::{ONE, REAL, Solutions, apart, apart_from_conjugate, conjugate, mean};
+pub(crate) use tracker::Followed;
 
 /// So many bundles of paths are followed, until one finds nothing new.
 const MOST_BUNDLES: u64 = 6;
@@ -309,7 +307,7 @@ impl System {
     fn directions_tried(&self, found: &mut Vec<Vec<C>>) -> usize {
         let mut agreed = 0;
         for hidden in 0..2 * self.unknowns {
-            let Some(candidates) = truss::candidates(self, hidden) else {
+            let Some(candidates) = dixon::candidates(self, hidden) else {
                 return hidden;
             };
             let before = found.len();
@@ -339,7 +337,7 @@ impl System {
     fn add_by_paths(&self, found: &mut Vec<Vec<C>>) {
         for beginning in 0..MOST_BUNDLES {
             let before = found.len();
-            self.add(paths::candidates(self, beginning), found);
+            self.add(homotopy::candidates(self, beginning), found);
             if beginning > 0 && found.len() == before {
                 return;
             }

@@ -1,11 +1,11 @@
 //! The dyad RRR: two links hinged on each other and on two solved points.
 
-use super::complex::Complex;
-use super::{
+use crate::index::{BodyId, StepId};
+use crate::position::complex::Complex;
+use crate::position::{
     Arm, CLOSE, Cause, Dead, Enclosure, Given, NEAR, Predictor, ROUNDING, Singularity, Solvable,
     State, clear,
 };
-use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
 /// Links i and j with the joint C between them, i hinged at B, j at D.
@@ -15,7 +15,7 @@ pub(crate) struct Rrr {
 }
 
 /// The triangle BCD of two arms, before it is known on which side of BD their joint C is.
-pub(super) struct Triangle<const N: usize> {
+pub(in crate::position) struct Triangle<const N: usize> {
     b: Complex<N>,
     d: Complex<N>,
     diagonal: Complex<N>,
@@ -25,12 +25,12 @@ pub(super) struct Triangle<const N: usize> {
     sum: f64,
     difference: f64,
     /// P = (l₂ + l₃)² − r² and Q = r² − (l₂ − l₃)².
-    pub(super) margins: [Jet<N>; 2],
+    pub(in crate::position) margins: [Jet<N>; 2],
 }
 
 impl<const N: usize> Triangle<N> {
     #[inline(always)]
-    pub(super) fn of(state: &State<N>, [i, j]: &[Arm; 2]) -> Self {
+    pub(in crate::position) fn of(state: &State<N>, [i, j]: &[Arm; 2]) -> Self {
         let [l2, l3] = [i.length(), j.length()];
         let [b, d] = [state.place(i.outer), state.place(j.outer)];
         let diagonal = d - b;
@@ -50,7 +50,7 @@ impl<const N: usize> Triangle<N> {
 
     /// √(P Q) with the joint to the left of BD (1) or to its right (−1).
     #[inline(always)]
-    pub(super) fn root(&self, side: f64) -> Jet<N> {
+    pub(in crate::position) fn root(&self, side: f64) -> Jet<N> {
         let [p, q] = self.margins;
         (p * q).sqrt() * side
     }
@@ -60,7 +60,7 @@ impl<const N: usize> Triangle<N> {
     /// With d = D − B: C − B = d (a + 2iσS) / r², a = (r² + l₂² − l₃²)/2 and 16 S² = P Q, S
     /// the area of BCD with the sign σ of the side.
     #[inline(always)]
-    pub(super) fn lay(&self, state: &mut State<N>, [i, j]: &[Arm; 2], root: Jet<N>) {
+    pub(in crate::position) fn lay(&self, state: &mut State<N>, [i, j]: &[Arm; 2], root: Jet<N>) {
         let along = (self.square + (self.sum * self.difference)) * 0.5;
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
         let mut to_c = to_c.scaled(self.square.recip());

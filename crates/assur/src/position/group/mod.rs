@@ -5,21 +5,29 @@
 //! are quadratic equations, and those of wheels in mesh, linear in angles. Derivatives follow order by order from the
 //! same Jacobian at the solution: J x⁽ᵏ⁾ = −(what the lower orders leave).
 
+mod certified;
+mod elimination;
+mod equation;
+mod mesh;
+mod newton;
+mod work;
+
+pub(crate) use elimination::power_of_two;
+pub(crate) use equation::{Equation, Form};
+pub(crate) use mesh::{Drive, Mesh};
 use std::f64::consts::TAU;
 use std::ops::Range;
+pub(super) use work::Work;
 
-use super::complex::product;
-use super::elimination::{Elimination, power_of_two};
-use super::equation::MOST_FORMS;
-use super::mesh::Mesh;
-use super::step::finite;
-use super::work::Work;
-use super::{
-    Anchor, Cause, Enclosure, Equation, Form, Given, Nearby, Orientation, Predictor, Solvable,
-    State,
-};
 use crate::index::{BodyId, List, StepId};
+use crate::position::complex::product;
+use crate::position::step::finite;
+use crate::position::{
+    Anchor, Cause, Enclosure, Given, Nearby, Orientation, Predictor, Solvable, State,
+};
 use crate::{Jet, Vector};
+use elimination::Elimination;
+use equation::MOST_FORMS;
 
 /// What a group takes from what is solved.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,27 +54,27 @@ pub(crate) struct Placed {
 pub(crate) struct Group {
     pub(crate) inputs: Vec<Input>,
     /// How many complex unknowns, and where theirs begin among those of all groups.
-    pub(super) unknowns: usize,
+    pub(in crate::position) unknowns: usize,
     offset: usize,
     /// Of each form what does not change; so many of them, the first, stand in
     /// equations.
-    pub(super) constants: Vec<Vector>,
-    pub(super) equated: usize,
+    pub(in crate::position) constants: Vec<Vector>,
+    pub(in crate::position) equated: usize,
     /// The terms of all forms one after the other: inputs, then unknowns where the
     /// form stands in an equation, and where it does not.
-    pub(super) taken: Vec<Term>,
-    pub(super) sought: Vec<Term>,
+    pub(in crate::position) taken: Vec<Term>,
+    pub(in crate::position) sought: Vec<Term>,
     further: Vec<Term>,
-    pub(super) equations: Vec<Equation>,
-    pub(super) meshes: Vec<Mesh>,
+    pub(in crate::position) equations: Vec<Equation>,
+    pub(in crate::position) meshes: Vec<Mesh>,
     /// Of each unknown what it is measured by: the size of the group for a place, 1 for a direction; and by how much
     /// each form changes where all unknowns change by their units.
-    pub(super) units: Vec<f64>,
-    pub(super) by_unknowns: Vec<f64>,
+    pub(in crate::position) units: Vec<f64>,
+    pub(in crate::position) by_unknowns: Vec<f64>,
     /// What an equation is left with becomes a length by this; none for angles.
-    pub(super) lengths: Vec<f64>,
+    pub(in crate::position) lengths: Vec<f64>,
     /// The body that each equation constrains.
-    pub(super) constrained: Vec<BodyId>,
+    pub(in crate::position) constrained: Vec<BodyId>,
     pub(crate) bodies: Vec<Placed>,
     /// Where the Jacobian can be other than zero, row by row, what of it comes from
     /// which unknown of which equation, and its elimination.
@@ -79,10 +87,10 @@ pub(crate) struct Group {
 
 /// A form's input or unknown with its coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Term {
-    pub(super) form: usize,
-    pub(super) of: usize,
-    pub(super) by: Vector,
+pub(in crate::position) struct Term {
+    pub(in crate::position) form: usize,
+    pub(in crate::position) of: usize,
+    pub(in crate::position) by: Vector,
 }
 
 /// Two neighbouring places of the Jacobian, by real and imaginary part of an
@@ -220,7 +228,7 @@ impl Group {
     }
 
     /// Takes what is solved into its forms.
-    pub(super) fn receive<const N: usize>(
+    pub(in crate::position) fn receive<const N: usize>(
         &self,
         state: &mut State<N>,
         given: &Given<'_, N>,
@@ -264,7 +272,7 @@ impl Group {
     }
 
     /// The unknowns as they are guessed.
-    pub(super) fn guess<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) {
+    pub(in crate::position) fn guess<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) {
         let own = near.natural[2 * self.offset..].chunks_exact(2);
         for (place, guess) in work.unknowns.iter_mut().zip(own) {
             place[0] = Vector::new(guess[0], guess[1]);
@@ -272,7 +280,7 @@ impl Group {
     }
 
     /// What all forms have of what is solved.
-    pub(super) fn take<const N: usize>(&self, work: &mut Work<N>) {
+    pub(in crate::position) fn take<const N: usize>(&self, work: &mut Work<N>) {
         for (value, constant) in work.values.iter_mut().zip(&self.constants) {
             value.set_constant(*constant);
         }
@@ -290,12 +298,12 @@ impl Group {
     }
 
     /// Its own of the unknowns of all groups.
-    pub(super) fn own<'a, T>(&self, natural: &'a [T]) -> impl Iterator<Item = &'a T> {
+    pub(in crate::position) fn own<'a, T>(&self, natural: &'a [T]) -> impl Iterator<Item = &'a T> {
         natural[self.offset..].iter().take(self.unknowns)
     }
 
     /// What the second derivatives of all forms are at most by those of what is solved.
-    pub(super) fn bends(&self, inputs: &[f64], forms: &mut Vec<f64>) {
+    pub(in crate::position) fn bends(&self, inputs: &[f64], forms: &mut Vec<f64>) {
         forms.clear();
         forms.resize(self.constants.len(), 0.0);
         for term in &self.taken {
@@ -304,7 +312,7 @@ impl Group {
     }
 
     /// The values of the forms that stand in equations.
-    pub(super) fn evaluate<const N: usize>(&self, work: &mut Work<N>) {
+    pub(in crate::position) fn evaluate<const N: usize>(&self, work: &mut Work<N>) {
         for (value, known) in work.values.iter_mut().zip(&work.known) {
             value[0] = *known;
         }
@@ -313,7 +321,7 @@ impl Group {
 
     /// Eliminates the Jacobian, as planned or, where that does not suit it, as it
     /// must be; its determinant as [`Self::told`] has it, none where it is singular.
-    pub(super) fn factor<const N: usize>(&self, work: &mut Work<N>) -> Option<f64> {
+    pub(in crate::position) fn factor<const N: usize>(&self, work: &mut Work<N>) -> Option<f64> {
         self.jacobian(work);
         let planned = self.elimination.factor(&mut work.jacobian);
         work.planned = planned.is_some();
@@ -326,7 +334,11 @@ impl Group {
 
     /// A determinant of the elimination that was done, and the exponent of the power of two of which it is a multiple: the
     /// same in all poses of a group that was planned.
-    pub(super) fn told<const N: usize>(&self, work: &Work<N>, determinant: f64) -> [Jet<N>; 2] {
+    pub(in crate::position) fn told<const N: usize>(
+        &self,
+        work: &Work<N>,
+        determinant: f64,
+    ) -> [Jet<N>; 2] {
         let done = self.suited(work.planned, &work.spare).exponent();
         let own = if self.elimination.is_planned() {
             self.elimination.exponent()
@@ -347,28 +359,32 @@ impl Group {
     }
 
     /// The elimination that was done: as planned for the group, or for this pose.
-    pub(super) fn suited<'a>(&'a self, planned: bool, spare: &'a Elimination) -> &'a Elimination {
+    pub(in crate::position) fn suited<'a>(
+        &'a self,
+        planned: bool,
+        spare: &'a Elimination,
+    ) -> &'a Elimination {
         if planned { &self.elimination } else { spare }
     }
 
     /// Adds to the forms that stand in equations what the unknowns contribute to a
     /// coefficient.
     #[inline(always)]
-    pub(super) fn add<const N: usize>(&self, work: &mut Work<N>, order: usize) {
+    pub(in crate::position) fn add<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         for term in &self.sought {
             work.values[term.form][order] += product(work.unknowns[term.of][order], term.by);
         }
     }
 
     /// Adds to all other forms what the unknowns contribute.
-    pub(super) fn add_further<const N: usize>(&self, work: &mut Work<N>) {
+    pub(in crate::position) fn add_further<const N: usize>(&self, work: &mut Work<N>) {
         for term in &self.further {
             work.values[term.form] = work.values[term.form] + work.unknowns[term.of].by(term.by);
         }
     }
 
     /// The derivatives of the equations by the unknowns, row by row.
-    pub(super) fn jacobian<const N: usize>(&self, work: &mut Work<N>) {
+    pub(in crate::position) fn jacobian<const N: usize>(&self, work: &mut Work<N>) {
         let slopes = work.slopes.chunks_exact_mut(MOST_FORMS);
         for (slopes, equation) in slopes.zip(&self.equations) {
             equation.slopes(&work.values, slopes);

@@ -1,13 +1,13 @@
 //! The dyad RRP: a link hinged on a solved point and on a link that slides along
 //! a solved line.
 
-use super::complex::Complex;
-use super::{
+use crate::Vector;
+use crate::index::{BodyId, StepId};
+use crate::position::complex::Complex;
+use crate::position::{
     Anchor, Arm, Cause, Dead, Enclosure, Given, Predictor, Singularity, Solvable, State, Track,
     product,
 };
-use crate::Vector;
-use crate::index::{BodyId, StepId};
 
 /// Link i hinged at B, joint C, link j sliding (the connecting rod and the slider
 /// of a slider-crank).

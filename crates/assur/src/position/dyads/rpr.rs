@@ -1,8 +1,10 @@
 //! The dyad RPR: two links hinged on solved points and sliding on each other.
 
-use super::complex::{Complex, conjugate, product};
-use super::{Anchor, Cause, Dead, Enclosure, Given, NEAR, Predictor, Singularity, Solvable, State};
 use crate::index::{BodyId, StepId};
+use crate::position::complex::{Complex, conjugate, product};
+use crate::position::{
+    Anchor, Cause, Dead, Enclosure, Given, NEAR, Predictor, Singularity, Solvable, State,
+};
 use crate::{Jet, Vector};
 
 /// Links i and j hinged at B and D (the slotted lever and the block of an

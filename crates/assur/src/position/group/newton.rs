@@ -1,11 +1,11 @@
 //! Newton's method for the equations of a group. It ends where the changes are nothing relative to the group, or where
 //! rounding is all that the equations are left with.
 
-use super::group::{Group, Term};
 use super::work::Work;
-use super::{Cause, Complex, Equation, Nearby, State};
+use super::{Group, Term};
 use crate::Vector;
 use crate::index::StepId;
+use crate::position::{Cause, Complex, Equation, Nearby, State};
 
 /// Newton's method goes on until a step is this small relative to the unknowns.
 const CONVERGED: f64 = 1e-14;
@@ -19,7 +19,7 @@ const REDUNDANT: f64 = 1e-10;
 
 impl Group {
     #[inline(never)]
-    pub(super) fn newton<const N: usize>(
+    pub(in crate::position) fn newton<const N: usize>(
         &self,
         state: &mut State<N>,
         near: Nearby<'_>,
@@ -50,7 +50,7 @@ impl Group {
 
     /// One turn of it: finds the step that the equations ask for, and how large it is.
     #[inline(always)]
-    pub(super) fn turn<const N: usize>(
+    pub(in crate::position) fn turn<const N: usize>(
         &self,
         state: &mut State<N>,
         step: StepId,
@@ -90,7 +90,7 @@ impl Group {
 
     /// Takes the step that was found.
     #[inline(always)]
-    pub(super) fn correct<const N: usize>(&self, work: &mut Work<N>) {
+    pub(in crate::position) fn correct<const N: usize>(&self, work: &mut Work<N>) {
         for (place, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
             place[0] -= Vector::new(step[0][0], step[1][0]);
         }
@@ -112,7 +112,7 @@ impl Group {
     /// Whether rounding is all that the equations are left with. A short link between places far off has few digits
     /// of its direction. Redundant equations that are left out have more than rounding of their own: [`Self::locked`]
     /// judges them.
-    pub(super) fn is_closed<const N: usize>(&self, work: &mut Work<N>) -> bool {
+    pub(in crate::position) fn is_closed<const N: usize>(&self, work: &mut Work<N>) -> bool {
         let terms = |inputs: &[Complex<N>], terms: &[Term], noise: &mut [f64]| {
             for term in terms {
                 noise[term.form] += inputs[term.of][0].norm() * term.by.norm();

@@ -5,12 +5,11 @@
 //! two has a square that goes through zero evenly: from two places before it tells how far they are apart behind it.
 
 use super::bilinear::{C, System};
-use super::known::{Ahead, FAR, Followed, Sample};
 use super::newton::{Room, is_exact};
 use super::solutions::{ONE, REAL, Solutions, apart, apart_either_way, apart_from_conjugate, mean};
+use super::tracker::{Ahead, FAR, Followed, Sample};
 use crate::Vector;
-use crate::position::group::Group;
-use crate::position::{Given, State};
+use crate::position::{Given, Group, State};
 
 /// Newton's method takes no more turns.
 const MOST_TURNS: usize = 8;

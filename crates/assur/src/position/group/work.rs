@@ -1,44 +1,44 @@
 //! Room for the sums of Newton's method, so that a pose allocates nothing.
 
-use super::complex::Complex;
+use super::Group;
 use super::elimination::Elimination;
 use super::equation::MOST_FORMS;
-use super::group::Group;
 use super::mesh::Given;
 use crate::Vector;
+use crate::position::complex::Complex;
 
 /// Room for the sums of a group, made once and used for every sample.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Work<const N: usize> {
     /// The counts of inputs, unknowns, equations, forms and meshes that there is room for.
     fits: [usize; 6],
-    pub(super) inputs: Vec<Complex<N>>,
+    pub(in crate::position) inputs: Vec<Complex<N>>,
     /// What is given of wheels in mesh.
-    pub(super) given: Vec<Given<N>>,
-    pub(super) unknowns: Vec<Complex<N>>,
+    pub(in crate::position) given: Vec<Given<N>>,
+    pub(in crate::position) unknowns: Vec<Complex<N>>,
     /// Of the forms that stand in equations what is known of their value; and all
     /// forms: of orders not solved yet what is known.
-    pub(super) known: Vec<Vector>,
-    pub(super) values: Vec<Complex<N>>,
+    pub(in crate::position) known: Vec<Vector>,
+    pub(in crate::position) values: Vec<Complex<N>>,
     /// The derivatives of the equations by their forms, as many for each equation as can stand in one.
-    pub(super) slopes: Vec<Vector>,
+    pub(in crate::position) slopes: Vec<Vector>,
     /// What is left of the equations, and the step that this asks for; then the same
     /// for the first derivative.
-    pub(super) left: Vec<[f64; 2]>,
-    pub(super) step: Vec<[f64; 2]>,
+    pub(in crate::position) left: Vec<[f64; 2]>,
+    pub(in crate::position) step: Vec<[f64; 2]>,
     /// The same for a further derivative.
-    pub(super) lack: Vec<[f64; 1]>,
-    pub(super) gain: Vec<[f64; 1]>,
-    pub(super) jacobian: Vec<f64>,
+    pub(in crate::position) lack: Vec<[f64; 1]>,
+    pub(in crate::position) gain: Vec<[f64; 1]>,
+    pub(in crate::position) jacobian: Vec<f64>,
     /// What rounding may leave of each form.
-    pub(super) noise: Vec<f64>,
+    pub(in crate::position) noise: Vec<f64>,
     /// Whether it was eliminated as planned for the group; else as planned here.
-    pub(super) planned: bool,
-    pub(super) spare: Elimination,
+    pub(in crate::position) planned: bool,
+    pub(in crate::position) spare: Elimination,
 }
 
 impl<const N: usize> Work<N> {
-    pub(super) fn fit(&mut self, group: &Group) {
+    pub(in crate::position) fn fit(&mut self, group: &Group) {
         let fits = [
             group.inputs.len(),
             group.unknowns,

@@ -1,9 +1,9 @@
 //! What a group's equations are made of: complex-linear forms of what is solved and
 //! of the unknowns, and the quadratic equations between them.
 
-use super::complex::{Complex, conjugate, product};
 use super::mesh::Given;
 use crate::Vector;
+use crate::position::complex::{Complex, conjugate, product};
 
 /// A complex-linear form of solved quantities and of the unknowns.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -57,7 +57,7 @@ impl Form {
 }
 
 /// The most forms that stand in an equation.
-pub(super) const MOST_FORMS: usize = 3;
+pub(in crate::position) const MOST_FORMS: usize = 3;
 
 /// An equation between forms, by their indices.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,7 +88,7 @@ pub(crate) enum Equation {
 
 impl Equation {
     /// The forms that stand in it.
-    pub(super) fn forms(&self) -> impl Iterator<Item = usize> + use<> {
+    pub(in crate::position) fn forms(&self) -> impl Iterator<Item = usize> + use<> {
         let forms = match *self {
             Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None, None],
             Self::Line { direction, way } | Self::Along { direction, way, .. } => {
@@ -100,7 +100,11 @@ impl Equation {
     }
 
     /// What is left of it.
-    pub(super) fn left<const N: usize>(&self, values: &[Complex<N>], given: &[Given<N>]) -> f64 {
+    pub(in crate::position) fn left<const N: usize>(
+        &self,
+        values: &[Complex<N>],
+        given: &[Given<N>],
+    ) -> f64 {
         match self {
             Self::Unit(_) => self.coefficient(values, given, 0) - 0.5,
             Self::Real(_) | Self::Imaginary(_) | Self::Line { .. } | Self::Along { .. } => {
@@ -118,7 +122,7 @@ impl Equation {
     }
 
     /// Its coefficient of an order; of wheels in mesh those of derivatives only.
-    pub(super) fn coefficient<const N: usize>(
+    pub(in crate::position) fn coefficient<const N: usize>(
         &self,
         values: &[Complex<N>],
         given: &[Given<N>],
@@ -163,7 +167,11 @@ impl Equation {
     /// Its derivatives by the forms that stand in it, each as the vector whose scalar
     /// product with a change of the form is the change of the equation.
     #[inline(always)]
-    pub(super) fn slopes<const N: usize>(&self, values: &[Complex<N>], slopes: &mut [Vector]) {
+    pub(in crate::position) fn slopes<const N: usize>(
+        &self,
+        values: &[Complex<N>],
+        slopes: &mut [Vector],
+    ) {
         let value = |form: usize| values[form][0];
         match *self {
             Self::Unit(form) => slopes[0] = value(form),

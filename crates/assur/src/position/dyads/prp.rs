@@ -1,11 +1,11 @@
 //! The dyad PRP: two links that slide along solved lines and are hinged on each
 //! other.
 
-use super::{
-    Anchor, Cause, Enclosure, Given, Predictor, Singularity, Solvable, State, Track, crossing,
-};
 use crate::Vector;
 use crate::index::{BodyId, StepId};
+use crate::position::{
+    Anchor, Cause, Enclosure, Given, Predictor, Singularity, Solvable, State, Track, crossing,
+};
 
 /// Links i and j; the point of both tracks is the joint C between them.
 #[derive(Clone, Debug, PartialEq)]

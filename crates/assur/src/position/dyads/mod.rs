@@ -1,0 +1,14 @@
+//! The dyads, a file each, in closed form.
+
+mod prp;
+mod rpp;
+mod rpr;
+mod rrp;
+mod rrr;
+
+pub(crate) use prp::Prp;
+pub(crate) use rpp::Rpp;
+pub(crate) use rpr::{Rpr, Side};
+pub(crate) use rrp::Rrp;
+pub(crate) use rrr::Rrr;
+pub(super) use rrr::Triangle;
