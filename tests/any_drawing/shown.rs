@@ -2,7 +2,7 @@
 
 use assur::Vector;
 use assur::mechanism::{Mechanism, Pose};
-use assur::motion::Placed;
+use assur::motion::PoseOrder;
 
 /// What is read off a pose: of each point its place, of each link its angle, with two
 /// derivatives; those that the pose does not carry are zero.
@@ -15,7 +15,7 @@ pub(crate) struct Shown {
 impl Shown {
     pub(crate) fn of<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>) -> Self
     where
-        Pose<N>: Placed,
+        Pose<N>: PoseOrder,
     {
         let orders = [0, 1, 2];
         let points = mechanism.point_ids().map(|point| {

@@ -95,12 +95,12 @@ fn plates_satellites_and_ties() {
 #[test]
 fn too_little_inertia_for_the_torques() {
     let found = defects(|parameters| parameters.satellites.inertia = 1e-12);
-    assert_eq!(found, [Defect::TooQuick(Body::Satellite)]);
+    assert_eq!(found, [Defect::TooStiff(Body::Satellite)]);
     let found = defects(|parameters| {
         parameters.sun.damping = 1e9;
         parameters.sun_mesh.damping = 0.0;
     });
-    assert_eq!(found, [Defect::TooQuick(Body::Sun)]);
+    assert_eq!(found, [Defect::TooStiff(Body::Sun)]);
     // The same on a shaft that is held does no harm.
     let mut held = parameters();
     held.sun.damping = 1e9;

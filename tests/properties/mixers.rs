@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use assur::gears::Mesh;
 use assur::mechanism::{Multiple, Pose, Quantity};
 use assur::mixer::{Carrier, Case, Mixer, Tracer};
-use assur::motion::{Motion, OutputProfile, Placed, Unjoinable};
+use assur::motion::{Motion, OutputProfile, PoseOrder, Unjoinable};
 use assur::{Assembly, FourBar, Jet, Link, Offset, Swing};
 use assur_tests::scaled;
 use proptest::prelude::*;
@@ -41,7 +41,7 @@ fn agree<const N: usize>(
     size: f64,
 ) -> Result<(), TestCaseError>
 where
-    Pose<N>: Placed,
+    Pose<N>: PoseOrder,
 {
     let (Ok(exact), Ok(pose)) = (
         mixer.linkage.pose_along::<N>(mixer.assembly, crank),

@@ -23,7 +23,7 @@ const MIXERS: [(&str, Case); 3] = [
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
-pub enum Group {
+pub enum GalleryCategory {
     /// Up to four links, the frame among them.
     FourBars,
     /// More links than four.
@@ -57,7 +57,7 @@ pub struct Shelf {
     /// Its name.
     pub id: &'static str,
     /// What it is shown among.
-    pub group: Group,
+    pub group: GalleryCategory,
     /// The highest class of its Assur groups, in Roman numerals; of what is no linkage none.
     pub class: Option<String>,
 }
@@ -67,7 +67,7 @@ struct File {
     name: &'static str,
     text: &'static str,
     /// What it is shown among, where its structure does not tell.
-    group: Option<Group>,
+    group: Option<GalleryCategory>,
 }
 
 /// Files by their names, of each a group where one has to be told.
@@ -79,7 +79,7 @@ macro_rules! catalogued {
             group: catalogued!(@ $($group)?),
         },)+]
     };
-    (@ $group:ident) => { Some(Group::$group) };
+    (@ $group:ident) => { Some(GalleryCategory::$group) };
     (@) => { None };
 }
 
@@ -198,8 +198,8 @@ pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
     presets().map(|preset| {
         let Preset { id, document } = preset?;
         let other = match document {
-            Document::Scheme(_) => Some(Group::Schemes),
-            Document::GearTrain(_) => Some(Group::Geared),
+            Document::Scheme(_) => Some(GalleryCategory::Schemes),
+            Document::GearTrain(_) => Some(GalleryCategory::Geared),
             Document::Draft(_)
             | Document::Linkage(_)
             | Document::Mixer(_)
@@ -213,7 +213,7 @@ pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
         let told = file(id).and_then(|file| file.group);
         Ok(Shelf {
             id,
-            group: told.unwrap_or_else(|| Group::of(&mechanism)),
+            group: told.unwrap_or_else(|| GalleryCategory::of(&mechanism)),
             class: Some(roman(mechanism.structure().class())),
         })
     })
@@ -244,7 +244,7 @@ pub fn document(name: &str) -> Option<Result<Document, Vec<Problem>>> {
     Some(linkage(file(name)?).map(Document::Linkage))
 }
 
-impl Group {
+impl GalleryCategory {
     /// What the structure of a mechanism tells.
     fn of(mechanism: &Mechanism) -> Self {
         /// The moving links of a four-bar.

@@ -15,8 +15,8 @@ mod unit;
 mod view;
 
 pub use catalogue::{
-    Group, Preset, Shelf, catalogue, document, document_of, from_catalogue, from_text, gallery,
-    presets, schemes, shelves, trains,
+    GalleryCategory, Preset, Shelf, catalogue, document, document_of, from_catalogue, from_text,
+    gallery, presets, schemes, shelves, trains,
 };
 pub use kinds::draft::DraftDocument;
 pub use kinds::gear_train::{

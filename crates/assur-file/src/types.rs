@@ -26,7 +26,9 @@ use crate::lesson::{
     StepDocument, VariedDocument,
 };
 use crate::view::{Against, Axes, Only, OpenLesson, SpeedUnit};
-use crate::{Document, Group, LengthUnit, LinkageDocument, PictureDocument, Preset, Shelf, View};
+use crate::{
+    Document, GalleryCategory, LengthUnit, LinkageDocument, PictureDocument, Preset, Shelf, View,
+};
 
 #[test]
 fn the_scripts_know_what_is_saved() {
@@ -83,7 +85,7 @@ fn the_scripts_know_what_is_saved() {
         NumberField::decl(&config),
         Preset::decl(&config),
         Shelf::decl(&config),
-        Group::decl(&config),
+        GalleryCategory::decl(&config),
     ];
     let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n";
     let text: String = types

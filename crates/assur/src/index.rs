@@ -109,7 +109,7 @@ impl<I: Id, T> List<I, T> {
     }
 
     /// A list as long as another that has the same numbers.
-    pub(crate) fn alike<U: Clone>(&self, item: U) -> List<I, U> {
+    pub(crate) fn same_len<U: Clone>(&self, item: U) -> List<I, U> {
         vec![item; self.len()].into()
     }
 }

@@ -13,7 +13,7 @@ use super::domain::Domain;
 use super::meetings::{Met, folds};
 use crate::mechanism::{Found, Mechanism, Pose};
 use crate::motion::Motion;
-use crate::position::{Group, Step, Unreal};
+use crate::position::{ComplexPair, Group, Step};
 use crate::sorting::sort_by;
 
 /// So many inputs are looked at in a turn, or a slide's range, whatever is found there: of dyads alone, where a look costs
@@ -46,8 +46,8 @@ const EARLY: f64 = 0.8;
 struct Look {
     input: f64,
     assemblies: usize,
-    unreal: Vec<Unreal>,
-    parallel: Vec<Unreal>,
+    unreal: Vec<ComplexPair>,
+    parallel: Vec<ComplexPair>,
 }
 
 /// A place in the turn between which and the next one something may be missed.
@@ -312,7 +312,7 @@ impl Look {
 }
 
 /// How far on squares come to zero, by their slopes, within a way.
-fn zeros(squares: &[Unreal], sense: f64, within: f64) -> impl Iterator<Item = f64> {
+fn zeros(squares: &[ComplexPair], sense: f64, within: f64) -> impl Iterator<Item = f64> {
     let times = squares
         .iter()
         .map(move |one| -one.square / (one.slope * sense));

@@ -1,7 +1,7 @@
 //! Curves that are known place by place over a motion.
 
 use crate::mechanism::Pose;
-use crate::motion::{Motion, Placed, Sampling, Shown, Spacing};
+use crate::motion::{Motion, PoseOrder, Sampling, Shown, Spacing};
 
 /// Where places are looked for. Over very many turns the first ones stand for all.
 const PLACES: Sampling = Sampling {
@@ -20,7 +20,7 @@ pub(super) fn along<const N: usize, T>(
     mut at: impl FnMut(f64, &Pose<N>) -> Option<(T, f64)>,
 ) -> Vec<Vec<T>>
 where
-    Pose<N>: Placed,
+    Pose<N>: PoseOrder,
 {
     let mut pieces: Vec<Vec<T>> = Vec::new();
     let mut pose = motion.mechanism().blank::<N>();

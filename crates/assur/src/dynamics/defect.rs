@@ -32,7 +32,7 @@ pub enum Defect {
         to: Shaft,
     },
     /// The inertia of this body is too small for the torques on it: it would swing or stop more quickly than can be followed.
-    TooQuick(Body),
+    TooStiff(Body),
 }
 
 /// A number among the parameters.

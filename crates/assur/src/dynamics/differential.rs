@@ -22,8 +22,8 @@ impl Differential {
             return Err(defects);
         }
         let equations = Equations::new(parameters);
-        if let Some(body) = equations.too_quick() {
-            return Err(vec![Defect::TooQuick(body)]);
+        if let Some(body) = equations.too_stiff() {
+            return Err(vec![Defect::TooStiff(body)]);
         }
         Ok(Self {
             parameters: parameters.clone(),

@@ -34,10 +34,10 @@ mod equations;
 mod gauss;
 mod parameters;
 mod profile;
-mod quickness;
 mod reading;
 mod recording;
 mod run;
+mod stiffness;
 
 pub use crate::gears::train::Shaft;
 pub use body::{Body, Mesh};

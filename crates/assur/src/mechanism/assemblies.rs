@@ -2,9 +2,9 @@
 
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
-use crate::mechanism::{Defect, Mechanism, Pose, Signs};
+use crate::mechanism::{AssemblySigns, Defect, Mechanism, Pose};
 use crate::position::{
-    Cause, Followed, Given, Method, Nearby, Orientation, Sign, State, Step, Unreal,
+    Cause, ComplexPair, Method, Nearby, Orientation, Sign, State, Step, StepContext, Tracker,
 };
 
 /// No more ways are found, and no more steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may close.
@@ -33,7 +33,7 @@ pub struct Assemblies {
 #[derive(Clone, Debug)]
 pub struct Following {
     mechanism: Mechanism,
-    groups: List<StepId, Followed>,
+    groups: List<StepId, Tracker>,
     /// Room for what is solved.
     room: State<1>,
 }
@@ -46,7 +46,7 @@ impl Following {
             groups,
             room,
         } = self;
-        groups.iter_mut().for_each(Followed::begin);
+        groups.iter_mut().for_each(Tracker::begin);
         let found = mechanism.found_with(input, Method::Usual, Some(groups), room);
         found.into()
     }
@@ -56,13 +56,13 @@ impl Following {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Found<const N: usize> {
     /// Of each assembly a pose, and which way its dyads are joined.
-    pub(crate) ways: Vec<(Pose<N>, Signs)>,
+    pub(crate) ways: Vec<(Pose<N>, AssemblySigns)>,
     complex: Vec<usize>,
     /// What is not real, where derivatives tell it: of solutions of groups, and of dyads that do not reach.
-    pub(crate) unreal: Vec<Unreal>,
+    pub(crate) unreal: Vec<ComplexPair>,
     /// The square of the sine between two guides that must cross: links that hang on what goes off to infinity where they
     /// are parallel may reach it just beside there.
-    pub(crate) parallel: Vec<Unreal>,
+    pub(crate) parallel: Vec<ComplexPair>,
     pub(crate) whole: bool,
 }
 
@@ -80,7 +80,7 @@ impl Mechanism {
     pub fn following(&self) -> Following {
         Following {
             mechanism: self.clone(),
-            groups: self.steps.iter().map(|_| Followed::default()).collect(),
+            groups: self.steps.iter().map(|_| Tracker::default()).collect(),
             room: self.blank_state(),
         }
     }
@@ -94,7 +94,7 @@ impl Mechanism {
         &self,
         input: f64,
         method: Method,
-        following: Option<&mut List<StepId, Followed>>,
+        following: Option<&mut List<StepId, Tracker>>,
         state: &mut State<N>,
     ) -> Found<N> {
         let mut search = Search {
@@ -121,7 +121,7 @@ impl Mechanism {
     pub(crate) fn in_assembly(
         &self,
         input: f64,
-        (pose, signs): &(Pose<4>, Signs),
+        (pose, signs): &(Pose<4>, AssemblySigns),
     ) -> Result<Self, Vec<Defect>> {
         let mut other = self.clone();
         other.draft = self.drawn_by(&pose.state);
@@ -148,14 +148,14 @@ impl From<Found<1>> for Assemblies {
 struct Search<'a, const N: usize> {
     mechanism: &'a Mechanism,
     input: Jet<N>,
-    signs: Signs,
+    signs: AssemblySigns,
     /// Where bodies are turned to, about: angles are told near it.
     orientations: List<BodyId, Orientation>,
     natural: Vec<f64>,
     tries: usize,
     work: usize,
     method: Method,
-    following: Option<&'a mut List<StepId, Followed>>,
+    following: Option<&'a mut List<StepId, Tracker>>,
     found: Found<N>,
 }
 
@@ -213,7 +213,7 @@ impl<const N: usize> Search<'_, N> {
                 let crosses = matches!(self.mechanism.steps[step], Step::Prp(_) | Step::Rpp(_));
                 if N > 1 && crosses {
                     let [square, _] = state.margins[step];
-                    self.found.parallel.push(Unreal {
+                    self.found.parallel.push(ComplexPair {
                         square: square.value(),
                         slope: square.derivative(1),
                     });
@@ -225,7 +225,7 @@ impl<const N: usize> Search<'_, N> {
             Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
                 let negative = state.margins[step].into_iter();
                 let negative = negative.filter(|margin| margin.value() < 0.0);
-                self.found.unreal.extend(negative.map(|margin| Unreal {
+                self.found.unreal.extend(negative.map(|margin| ComplexPair {
                     square: -margin.value(),
                     slope: -margin.derivative(1),
                 }));
@@ -242,8 +242,8 @@ impl<const N: usize> Search<'_, N> {
         }
     }
 
-    fn given(&self, step: StepId) -> Given<'_, N> {
-        Given {
+    fn given(&self, step: StepId) -> StepContext<'_, N> {
+        StepContext {
             step,
             input: self.input,
             sign: self.signs[step],

@@ -5,12 +5,13 @@ use std::f64::consts::TAU;
 use crate::index::{BodyId, List, PointId, StepId};
 use crate::mechanism::{Defect, Draft, Mechanism, Pose};
 use crate::position::{
-    Anchor, Cause, Given, Nearby, Orientation, Predictor, Sign, Solvable, State, Step, quotient,
+    BodyPoint, Cause, Nearby, Orientation, Predictor, Sign, Solvable, State, Step, StepContext,
+    quotient,
 };
 use crate::{Jet, Point};
 
 /// Of each step which of two ways its links are joined; plus where there is one.
-pub(crate) type Signs = List<StepId, Sign>;
+pub(crate) type AssemblySigns = List<StepId, Sign>;
 
 /// A point may be drawn this far, relative to the size, from where the links put it.
 const MISDRAWN: f64 = 0.3;
@@ -44,8 +45,8 @@ impl Mechanism {
         self.steps[step].put(state, &given)
     }
 
-    fn given(&self, step: StepId, home: f64, sign: Sign) -> Given<'_, 1> {
-        Given {
+    fn given(&self, step: StepId, home: f64, sign: Sign) -> StepContext<'_, 1> {
+        StepContext {
             step,
             input: Jet::constant(home),
             sign,
@@ -114,7 +115,7 @@ impl Mechanism {
         let mut state: State<1> = self.blank_state();
         for step in before.ids() {
             // Where φ₁ passes a change point, a whole turn of it is the other assembly.
-            if let Step::Closed(closed) = &mut self.steps[step]
+            if let Step::FourBar(closed) = &mut self.steps[step]
                 && closed.linkage.changes()
             {
                 closed.lead += turned;
@@ -137,13 +138,13 @@ impl Mechanism {
         let drawn = &self.orientations;
         match &mut self.steps[step] {
             Step::Group(group) => group.count_turns(drawn, state),
-            Step::Geared(train) => {
+            Step::Epicyclic(train) => {
                 let near = Nearby {
                     orientations: drawn,
                     natural: &self.natural,
                     smooth_roots: &[],
                 };
-                let given = Given {
+                let given = StepContext {
                     step,
                     input: Jet::constant(home),
                     sign: Sign::Plus,
@@ -202,7 +203,7 @@ impl Mechanism {
         for body in self.steps[step].bodies() {
             for (point, local) in &self.bodies[body] {
                 let local = *local;
-                let at = state.place(Anchor { body, local }).value();
+                let at = state.place(BodyPoint { body, local }).value();
                 let by = (at + self.origin - self.draft.points[point.index()].at.coords).norm();
                 if farthest.is_none_or(|(_, most)| by > most) {
                     farthest = Some((*point, by));
@@ -259,18 +260,18 @@ impl Mechanism {
     }
 
     /// Input, signs and pose from which the motion is followed.
-    pub(crate) fn start(&self) -> (f64, &Signs, &Predictor) {
+    pub(crate) fn start(&self) -> (f64, &AssemblySigns, &Predictor) {
         let (input, state) = &self.start;
         (*input, &self.signs, state)
     }
 
     /// Which way the groups are joined as drawn, and how the bodies are turned.
-    pub(crate) fn as_drawn(&self) -> (&Signs, &List<BodyId, Orientation>) {
+    pub(crate) fn as_drawn(&self) -> (&AssemblySigns, &List<BodyId, Orientation>) {
         (&self.signs, &self.orientations)
     }
 
     /// The input at, or next to, the drawn one where the pose has derivatives.
-    pub(super) fn entry(&self, signs: &Signs, state: &mut Predictor) -> Option<f64> {
+    pub(super) fn entry(&self, signs: &AssemblySigns, state: &mut Predictor) -> Option<f64> {
         let mut inputs = self.entries().into_iter();
         inputs.find(|input| self.solve(*input, signs, self.drawn(), state).is_ok())
     }

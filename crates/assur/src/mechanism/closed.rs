@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::index::{BodyId, StepId};
 use crate::mechanism::Mechanism;
-use crate::position::{Anchor, Course, Solvable, Step};
+use crate::position::{BodyPoint, DriveLaw, Solvable, Step};
 use crate::sorting::sort_by;
 use crate::{Assembly, FourBar, Grashof, Unsolved, Vector};
 
@@ -14,7 +14,7 @@ const ROUNDED: f64 = 1e-12;
 
 /// A step that is a four-bar on the driven crank and the frame.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ClosedStep<'a> {
+pub(crate) struct DrivenFourBar<'a> {
     /// Which step of the plan.
     pub(crate) step: StepId,
     pub(crate) linkage: &'a FourBar,
@@ -30,7 +30,7 @@ pub(crate) fn half_turns(lead: f64, [from, to]: [f64; 2]) -> impl Iterator<Item 
     (first..=last).map(move |half| f64::from(half) * PI - lead)
 }
 
-impl ClosedStep<'_> {
+impl DrivenFourBar<'_> {
     /// The arc of inputs on which `input` lies, or the nearest; none where the crank
     /// turns fully.
     pub(crate) fn arc(&self, input: f64) -> Option<[f64; 2]> {
@@ -90,7 +90,7 @@ impl ClosedStep<'_> {
 
 impl Mechanism {
     /// The steps solved by the closed form of a four-bar.
-    pub(crate) fn closed_steps(&self) -> impl Iterator<Item = ClosedStep<'_>> {
+    pub(crate) fn closed_steps(&self) -> impl Iterator<Item = DrivenFourBar<'_>> {
         let lead = |body: BodyId| {
             self.steps.iter().find_map(|step| match step {
                 Step::Crank(crank) if crank.body == body => Some(crank.lead),
@@ -99,7 +99,7 @@ impl Mechanism {
         };
         let steps = self.steps.enumerate();
         steps.filter_map(move |(step, placing)| match placing {
-            Step::Closed(closed) => Some(ClosedStep {
+            Step::FourBar(closed) => Some(DrivenFourBar {
                 step,
                 linkage: &closed.linkage,
                 lead: closed.lead - lead(closed.crank)?,
@@ -122,7 +122,7 @@ impl Mechanism {
 
     /// Lead over the input of the angle of a crank that carries one of two hinges, the angle counted from the line of
     /// its pivot and the other hinge; none if the other hinge moves.
-    fn lead_of(&self, hinges: [Anchor; 2]) -> Option<f64> {
+    fn lead_of(&self, hinges: [BodyPoint; 2]) -> Option<f64> {
         let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
             [true, false] => hinges,
             [false, true] => [hinges[1], hinges[0]],
@@ -132,7 +132,7 @@ impl Mechanism {
             Step::Crank(crank) if crank.body == driven.body => Some(crank),
             _ => None,
         })?;
-        let is_first = crank.at.body == BodyId::FRAME && crank.course == Course::FIRST;
+        let is_first = crank.at.body == BodyId::FRAME && crank.course == DriveLaw::FIRST;
         let angle = |way: Vector| way.y.atan2(way.x);
         let base = angle(fixed.local - crank.at.local);
         is_first.then(|| angle(driven.local - crank.hinge) - crank.lead - base)
@@ -142,8 +142,8 @@ impl Mechanism {
     /// else: then the closed form tells all of its motion.
     pub(crate) fn whole_closed_form(&self) -> bool {
         let known = |step: &Step| match step {
-            Step::Crank(_) | Step::Closed(_) => true,
-            Step::Geared(train) => train
+            Step::Crank(_) | Step::FourBar(_) => true,
+            Step::Epicyclic(train) => train
                 .bodies()
                 .all(|body| !self.carries(body) && self.returns(body)),
             _ => false,
@@ -158,7 +158,7 @@ impl Mechanism {
             return true;
         };
         let multiple = self.multiple_of(link);
-        let swings = |closed: ClosedStep<'_>| {
+        let swings = |closed: DrivenFourBar<'_>| {
             let turns = matches!(
                 closed.linkage.grashof(),
                 Grashof::DoubleCrank | Grashof::ChangePoint

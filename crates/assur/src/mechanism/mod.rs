@@ -10,7 +10,7 @@ mod assembly;
 mod closed;
 mod counts;
 mod dimension;
-mod neighbour;
+mod perturbation;
 mod plan;
 mod pose;
 mod rate;
@@ -24,11 +24,11 @@ use std::f64::consts::TAU;
 
 pub(crate) use assemblies::Found;
 pub use assemblies::{Assemblies, Following};
-pub(crate) use assembly::Signs;
-pub(crate) use closed::{ClosedStep, half_turns};
+pub(crate) use assembly::AssemblySigns;
+pub(crate) use closed::{DrivenFourBar, half_turns};
 pub use counts::Counts;
 pub use dimension::Dimension;
-pub(crate) use neighbour::{Apart, Joined, NoNeighbour, Setting};
+pub(crate) use perturbation::{Assembled, LoopOpen, NoNeighbour, Setting};
 pub use plan::doubled::DoubledLink;
 pub use pose::{Pose, Unsolved};
 pub(crate) use rate::NEVER;
@@ -51,7 +51,7 @@ pub use crate::linkage::{
 use crate::index::{Id, List};
 use crate::linkage::check;
 use crate::position::{
-    Anchor, Arm, Enclosure, Given, Nearby, Orientation, Predictor, Sign, State, Step,
+    Arm, BodyPoint, Enclosure, Nearby, Orientation, Predictor, Sign, State, Step, StepContext,
 };
 use crate::structure::Structure;
 use crate::{Jet, Vector};
@@ -67,7 +67,7 @@ pub struct Mechanism {
     draft: Draft,
     /// From where places are told while it is solved.
     origin: Vector,
-    points: List<PointId, Anchor>,
+    points: List<PointId, BodyPoint>,
     links: List<LinkId, Part>,
     /// Of each body the link that it is made for, none for the frame, and its points
     /// with their places on it.
@@ -99,7 +99,7 @@ pub struct Mechanism {
     /// The drawn pose: the input, which way the groups are joined, how the bodies
     /// are turned, and the unknowns of groups that Newton's method solves.
     home: f64,
-    signs: Signs,
+    signs: AssemblySigns,
     orientations: List<BodyId, Orientation>,
     natural: Vec<f64>,
     /// The input and pose from which the motion is followed: the drawn ones, or
@@ -196,7 +196,7 @@ impl Mechanism {
         let plan = plan.map_err(|defect| vec![defect])?;
         let points = resolved.places.enumerate().map(|(point, at)| {
             // A point that no link has stays where it is drawn.
-            let still = || Anchor {
+            let still = || BodyPoint {
                 body: BodyId::FRAME,
                 local: *at,
             };
@@ -209,7 +209,7 @@ impl Mechanism {
             lead: placement.lead,
             points: link.points.clone(),
         });
-        let mut placed_by = resolved.bodies.alike(None);
+        let mut placed_by = resolved.bodies.same_len(None);
         for (step, placing) in plan.steps.enumerate() {
             for body in placing.bodies() {
                 placed_by[body] = Some(step);
@@ -228,7 +228,7 @@ impl Mechanism {
             solved_by: structure.clone(),
             structure,
             parallel: parallel.to_vec(),
-            signs: plan.steps.alike(Sign::Plus),
+            signs: plan.steps.same_len(Sign::Plus),
             steps: plan.steps,
             within: Vec::new(),
             placed_by,
@@ -411,7 +411,7 @@ impl Mechanism {
     pub(crate) fn solve<const N: usize>(
         &self,
         input: f64,
-        signs: &Signs,
+        signs: &AssemblySigns,
         near: Nearby<'_>,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
@@ -423,7 +423,7 @@ impl Mechanism {
         &self,
         end: StepId,
         input: f64,
-        signs: &Signs,
+        signs: &AssemblySigns,
         near: Nearby<'_>,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
@@ -436,11 +436,11 @@ impl Mechanism {
         &'a self,
         steps: impl Iterator<Item = (StepId, &'a Step)>,
         input: f64,
-        signs: &Signs,
+        signs: &AssemblySigns,
         near: Nearby<'_>,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
-        let mut given = Given {
+        let mut given = StepContext {
             step: StepId::FIRST,
             input: Jet::linear(input, 1.0),
             sign: Sign::Plus,

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::index::{LinkId, PointId, StepId};
 use crate::mechanism::Mechanism;
-use crate::position::{Anchor, Cause, Complex, State};
+use crate::position::{BodyPoint, Cause, Complex, State};
 use crate::{Jet, JetPoint};
 
 /// Why a mechanism has no pose at an input.
@@ -86,7 +86,7 @@ impl Mechanism {
         let body = self.links[link].body;
         let mut joints = self.bodies[body].iter();
         let joint = joints.find(|(other, _)| *other == point);
-        let joint = joint.map(|(_, local)| Anchor {
+        let joint = joint.map(|(_, local)| BodyPoint {
             body,
             local: *local,
         });

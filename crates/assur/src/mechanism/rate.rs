@@ -126,7 +126,7 @@ impl Mechanism {
     /// Of each body by how much its angle grows with the input, where that is constant by the drivers and the
     /// numbers of teeth.
     fn rates_of_bodies(&self) -> List<BodyId, Option<f64>> {
-        let mut rates = self.placed_by.alike(None);
+        let mut rates = self.placed_by.same_len(None);
         rates[BodyId::FRAME] = Some(0.0);
         for step in self.steps.iter() {
             match step {
@@ -135,7 +135,7 @@ impl Mechanism {
                     rates[crank.body] = base.map(|base| base + crank.course.rate);
                 }
                 Step::Slider(slider) => rates[slider.track.body] = rates[slider.track.line.body],
-                Step::Geared(train) => {
+                Step::Epicyclic(train) => {
                     for member in &train.members {
                         let terms = member.ratios.iter();
                         let terms = terms.map(|(body, ratio)| Some(rates[*body]? * ratio));
@@ -202,7 +202,7 @@ impl Mechanism {
     /// and of one that takes more than can be told.
     pub(crate) fn turns_of_wheels(&self) -> Option<usize> {
         let mut steps = self.steps.iter();
-        let alone = steps.all(|step| matches!(step, Step::Crank(_) | Step::Geared(_)));
+        let alone = steps.all(|step| matches!(step, Step::Crank(_) | Step::Epicyclic(_)));
         self.rounds.filter(|turns| alone && *turns < NEVER)
     }
 

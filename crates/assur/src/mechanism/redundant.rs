@@ -15,7 +15,7 @@ use crate::index::{BodyId, StepId};
 use crate::linkage::draft::Defect;
 use crate::mechanism::plan::structured::Redundancy;
 use crate::mechanism::{ConstraintKind, FRAME, LinkOrFrame, Mechanism};
-use crate::position::{Anchor, Cause, Nearby, Predictor, Step};
+use crate::position::{BodyPoint, Cause, Nearby, Predictor, Step};
 use crate::structure::{Structure, with_passive_links};
 
 /// Inputs on either side of the drawn one at which the constraints are checked, radians of a crank.
@@ -121,7 +121,7 @@ impl Mechanism {
     /// The constraints of the pairs on the twists of the bodies, with the names of the pairs. A twist is the velocity at
     /// the origin, per size, and the angular velocity.
     fn rows(&self, pose: &Predictor) -> Rows {
-        let place = |anchor: Anchor| pose.place(anchor).value() / self.size;
+        let place = |anchor: BodyPoint| pose.place(anchor).value() / self.size;
         let blank = || DVector::zeros(3 * self.bodies.len());
         // A part of a velocity at a place, of a body against another one.
         let along = |at: Vector, way: Vector, [body, base]: [BodyId; 2]| {
@@ -143,7 +143,7 @@ impl Mechanism {
             });
             let having: Vec<(BodyId, Vector)> = having.collect();
             for (body, local) in having.iter().skip(1) {
-                let at = place(Anchor {
+                let at = place(BodyPoint {
                     body: *body,
                     local: *local,
                 });

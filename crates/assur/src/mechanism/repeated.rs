@@ -52,7 +52,7 @@ impl Mechanism {
 
     fn is_idle_wheel(&self, body: BodyId) -> bool {
         let placing = self.placed_by[body].map(|step| &self.steps[step]);
-        matches!(placing, Some(Step::Geared(_))) && !self.carries(body)
+        matches!(placing, Some(Step::Epicyclic(_))) && !self.carries(body)
     }
 
     /// Whether a body has more than its hinge, so that one sees how it is turned.
@@ -63,7 +63,7 @@ impl Mechanism {
 
     /// Whether anything else is solved by the place or the angle of a body.
     pub(super) fn carries(&self, body: BodyId) -> bool {
-        self.steps.iter().any(|step| step.rests_on(body))
+        self.steps.iter().any(|step| step.depends_on(body))
     }
 }
 

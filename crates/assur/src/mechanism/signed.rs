@@ -3,7 +3,7 @@
 
 use crate::Assembly;
 use crate::index::StepId;
-use crate::mechanism::{Mechanism, Signs};
+use crate::mechanism::{AssemblySigns, Mechanism};
 use crate::position::{Predictor, Sign, State};
 
 /// Greatest count of assemblies, and of steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may
@@ -16,7 +16,7 @@ const MOST_TRIES: usize = 1 << 14;
 #[derive(Clone, Debug)]
 pub struct SignedAssemblies<'a> {
     mechanism: &'a Mechanism,
-    all: Vec<Signs>,
+    all: Vec<AssemblySigns>,
 }
 
 impl SignedAssemblies<'_> {
@@ -45,7 +45,7 @@ impl Mechanism {
     pub fn signed_assemblies(&self) -> SignedAssemblies<'_> {
         let mut search = Search {
             mechanism: self,
-            signs: self.steps.alike(Sign::Plus),
+            signs: self.steps.same_len(Sign::Plus),
             found: Vec::new(),
             tries: MOST_TRIES,
         };
@@ -77,7 +77,7 @@ impl Mechanism {
         self.with_signs(&signs)
     }
 
-    fn with_signs(&self, signs: &Signs) -> Option<Self> {
+    fn with_signs(&self, signs: &AssemblySigns) -> Option<Self> {
         let mut state: Predictor = self.blank_state();
         self.entries().into_iter().find_map(|input| {
             let solved = self.solve(input, signs, self.drawn(), &mut state);
@@ -90,8 +90,8 @@ impl Mechanism {
 /// A search for all ways to join the groups.
 struct Search<'a> {
     mechanism: &'a Mechanism,
-    signs: Signs,
-    found: Vec<Signs>,
+    signs: AssemblySigns,
+    found: Vec<AssemblySigns>,
     /// How many steps may still be solved.
     tries: usize,
 }

@@ -6,7 +6,7 @@ use crate::linkage::DraftTracer;
 use crate::mechanism::plan::body::{Bodies, Placement};
 use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Mechanism, Pose};
-use crate::position::{Anchor, product};
+use crate::position::{BodyPoint, product};
 use crate::{Point, Vector};
 
 impl Mechanism {
@@ -39,9 +39,9 @@ pub(super) fn anchored<'a>(
     draft: &'a Resolved<'_>,
     bodies: &'a Bodies,
     placements: &'a List<LinkId, Placement>,
-) -> impl Iterator<Item = Anchor> + 'a {
+) -> impl Iterator<Item = BodyPoint> + 'a {
     draft.tracers.iter().map(move |(link, tracer)| match *link {
-        None => Anchor {
+        None => BodyPoint {
             body: BodyId::FRAME,
             local: tracer.at - draft.origin,
         },
@@ -51,7 +51,7 @@ pub(super) fn anchored<'a>(
             debug_assert!(origin.is_some(), "a link's body has its first point");
             let (sin, cos) = lead.sin_cos();
             let local = origin.unwrap_or_default() + product(tracer.at, Vector::new(cos, sin));
-            Anchor { body, local }
+            BodyPoint { body, local }
         }
     })
 }

@@ -6,8 +6,8 @@ use super::{Motion, TooManyTurns};
 use crate::Point;
 use crate::index::{LinkId, PointId};
 use crate::mechanism::{
-    Apart, Cause, Defect, Dimension, Draft, DraftDriver, DraftSlide, FRAME, Joined, Mechanism,
-    NoNeighbour, Pose, Setting,
+    Assembled, Cause, Defect, Dimension, Draft, DraftDriver, DraftSlide, FRAME, LoopOpen,
+    Mechanism, NoNeighbour, Pose, Setting,
 };
 
 /// A linkage after a change.
@@ -33,7 +33,7 @@ pub enum Refusal {
     /// There is no pose to begin with.
     Unposed,
     /// Links come apart on the way.
-    Apart {
+    LoopOpen {
         /// The last value that works, cut to the digits that tell it.
         last: f64,
         /// How far beyond it the value lies.
@@ -117,7 +117,7 @@ impl Motion {
             }
         }
         let apart = match stopped {
-            NoNeighbour::Apart(apart) => apart,
+            NoNeighbour::LoopOpen(apart) => apart,
             NoNeighbour::Defects(defects) => return Err(Refusal::Defects(defects)),
         };
         let last = if (last - from) * sense > 0.0 {
@@ -125,7 +125,7 @@ impl Motion {
         } else {
             from
         };
-        Err(Refusal::Apart {
+        Err(Refusal::LoopOpen {
             last,
             by: (value - last).abs(),
             links: apart.links,
@@ -146,7 +146,7 @@ impl Motion {
         let cosine = (a * a + b * b - value * value) / (2.0 * a * b);
         let corner = cosine.clamp(-1.0, 1.0).acos().copysign(drawn);
         let (last, links, cause) = match self.changed(dimension, corner, input) {
-            Err(Refusal::Apart {
+            Err(Refusal::LoopOpen {
                 last, links, cause, ..
             }) => {
                 let side = (a * a + b * b - 2.0 * a * b * last.cos()).sqrt();
@@ -162,7 +162,7 @@ impl Motion {
                 (last, vec![link], Cause::OutOfReach { by })
             }
         };
-        Err(Refusal::Apart {
+        Err(Refusal::LoopOpen {
             last,
             by: (value - last).abs(),
             links,
@@ -319,11 +319,11 @@ impl Motion {
     }
 
     /// The pose at an input, or else the drawn one.
-    fn at_hand(&self, input: f64) -> Result<Joined, Refusal> {
+    fn at_hand(&self, input: f64) -> Result<Assembled, Refusal> {
         let inputs = [input, self.home].into_iter();
         let mut poses = inputs.filter_map(|input| Some((input, self.pose::<1>(input).ok()?)));
         let (input, pose) = poses.next().ok_or(Refusal::Unposed)?;
-        Joined::new(&self.mechanism, &pose, input).map_err(|_| Refusal::Unposed)
+        Assembled::new(&self.mechanism, &pose, input).map_err(|_| Refusal::Unposed)
     }
 
     /// What was followed as a motion of its own.
@@ -346,7 +346,7 @@ impl Motion {
 /// A change as far as it was followed. What it has gone is told in ranges of the
 /// dimension: a shorter change goes the same way as a longer one.
 struct Way {
-    here: Joined,
+    here: Assembled,
     gone: f64,
     gave_way: bool,
     /// What stopped it, if it has not gone the whole way.
@@ -355,7 +355,7 @@ struct Way {
 
 impl Way {
     /// Goes the whole way, or as far as it can.
-    fn follow(start: Joined, setting: impl Fn(f64) -> Setting, whole: f64) -> Self {
+    fn follow(start: Assembled, setting: impl Fn(f64) -> Setting, whole: f64) -> Self {
         let mut tries = 0;
         let wanted = start.input();
         let mut way = Self {
@@ -373,7 +373,7 @@ impl Way {
                 Ok(there) => (way.here, way.gone, step) = (there, next, 2.0 * step),
                 Err(none) if step <= LEAST_STEP || tries > MOST_TRIES => {
                     let beside = match &none {
-                        NoNeighbour::Apart(apart) => aside(&way.here, setting(next), apart),
+                        NoNeighbour::LoopOpen(apart) => aside(&way.here, setting(next), apart),
                         NoNeighbour::Defects(_) => None,
                     };
                     match beside {
@@ -398,10 +398,10 @@ impl Way {
 
 /// The neighbour at another input: of those there are, the one whose links that came
 /// apart are farthest from it; and on the same way for as long as they get farther.
-fn aside(here: &Joined, setting: Setting, apart: &Apart) -> Option<Joined> {
-    let margin = |one: &Joined| one.margin(apart.step);
-    let better = |a: &Joined, b: &Joined| margin(a).total_cmp(&margin(b));
-    let next = |from: &Joined, way: f64| {
+fn aside(here: &Assembled, setting: Setting, apart: &LoopOpen) -> Option<Assembled> {
+    let margin = |one: &Assembled| one.margin(apart.step);
+    let better = |a: &Assembled, b: &Assembled| margin(a).total_cmp(&margin(b));
+    let next = |from: &Assembled, way: f64| {
         let input = from.input() + way * from.span();
         from.neighbour(setting, input).ok()
     };
@@ -419,7 +419,7 @@ fn aside(here: &Joined, setting: Setting, apart: &Apart) -> Option<Joined> {
 }
 
 /// As near to the wanted input as it comes.
-fn returned(here: Joined, setting: Setting, wanted: f64) -> Joined {
+fn returned(here: Assembled, setting: Setting, wanted: f64) -> Assembled {
     let mut here = here;
     let mut step = 1.0_f64;
     while here.input() != wanted {

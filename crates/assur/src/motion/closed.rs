@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::interpolation::Knots;
 use super::{DeadPoint, DeadPointKind, Motion};
-use crate::mechanism::{ClosedStep, Mechanism, Quantity};
+use crate::mechanism::{DrivenFourBar, Mechanism, Quantity};
 use crate::sorting::sort_by;
 use crate::{Assembly, Cycle};
 
@@ -55,7 +55,7 @@ impl Motion {
 
 /// A rocker of a four-bar in closed form, or what turns in a constant ratio to it.
 struct Rocker<'a> {
-    closed: ClosedStep<'a>,
+    closed: DrivenFourBar<'a>,
     assembly: Assembly,
     ratio: f64,
 }
@@ -110,7 +110,11 @@ impl Motion {
 
 /// The dead point of a four-bar at an end of an arc: towards φ₁ = 0 the diagonal is
 /// shortest, so coupler and rocker are folded there, and stretched towards π.
-pub(super) fn dead_point(closed: &ClosedStep<'_>, [from, to]: [f64; 2], input: f64) -> DeadPoint {
+pub(super) fn dead_point(
+    closed: &DrivenFourBar<'_>,
+    [from, to]: [f64; 2],
+    input: f64,
+) -> DeadPoint {
     let open = |input: f64| -(input + closed.lead).cos();
     let kind = if open(input) < open(0.5 * (from + to)) {
         DeadPointKind::Folded

@@ -7,7 +7,7 @@ use super::dead_point::{DeadPoint, DeadPointKind};
 use super::interpolation::{Knots, MOST_TURNED};
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
-use crate::mechanism::{Cause, Mechanism, NEVER, Signs};
+use crate::mechanism::{AssemblySigns, Cause, Mechanism, NEVER};
 use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, State, Step};
 
 /// Samples a turn.
@@ -44,7 +44,7 @@ pub(super) fn longest_step(mechanism: &Mechanism) -> f64 {
 /// How a motion ended.
 pub(super) enum End {
     /// It repeats after so many turns.
-    Closed(usize),
+    FourBarStep(usize),
     /// The driver can go no further, or is followed no further.
     Dead(DeadPoint),
 }
@@ -52,7 +52,7 @@ pub(super) enum End {
 /// A motion that is being followed from the drawn pose.
 pub(super) struct Continuation<'a> {
     pub(super) mechanism: &'a Mechanism,
-    pub(super) signs: Signs,
+    pub(super) signs: AssemblySigns,
     pub(super) input: f64,
     /// The pose at the input, and a second one to try the next.
     pub(super) here: Predictor,
@@ -108,9 +108,9 @@ impl<'a> Prediction<'a> {
 impl<'a> Continuation<'a> {
     pub(super) fn new(mechanism: &'a Mechanism) -> Self {
         let (input, signs, here) = mechanism.start();
-        let winds = |body: &BodyId| {
+        let tracks_turns = |body: &BodyId| {
             let step = mechanism.placed_by(*body);
-            step.is_some_and(|step| mechanism.steps()[step].winds())
+            step.is_some_and(|step| mechanism.steps()[step].tracks_turns())
         };
         let mut begun = Self {
             mechanism,
@@ -120,7 +120,7 @@ impl<'a> Continuation<'a> {
             here: here.clone(),
             cell: mechanism.enclosure(),
             orientations: here.orientations(),
-            winding: mechanism.bodies().filter(winds).collect(),
+            winding: mechanism.bodies().filter(tracks_turns).collect(),
             smooth_roots: Vec::new(),
             repeats: input,
             work: MOST_WORK,
@@ -145,7 +145,7 @@ impl<'a> Continuation<'a> {
             if self.mechanism.period().is_some()
                 && self.mechanism.is_same_pose(&start, &self.here, SAME)
             {
-                return End::Closed(turns);
+                return End::FourBarStep(turns);
             }
         }
     }

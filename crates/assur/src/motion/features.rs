@@ -278,7 +278,7 @@ pub(super) fn turning_points(
         }
     });
     let sweeps: Vec<Vec<Option<Sample>>> = sweeps.collect();
-    let Course::Varied = course(&sweeps, Tolerance::of(0, unit)) else {
+    let Variation::Varied = course(&sweeps, Tolerance::of(0, unit)) else {
         return Ok(Vec::new());
     };
     let turns = ordered_roots(cycle, &sweeps, &sample, 1);
@@ -293,7 +293,7 @@ fn features_of(
     sample: &dyn Fn(f64) -> Option<Sample>,
     tolerance: Tolerance,
 ) -> Features {
-    if let Course::Level(level) = course(sweeps, tolerance) {
+    if let Variation::Level(level) = course(sweeps, tolerance) {
         return Features {
             level,
             ..Features::default()
@@ -308,7 +308,7 @@ fn features_of(
 }
 
 /// Whether a function changes.
-enum Course {
+enum Variation {
     /// It does.
     Varied,
     /// It does not; its value, if there are any samples.
@@ -334,7 +334,7 @@ impl Tolerance {
     }
 }
 
-fn course(sweeps: &[Vec<Option<Sample>>], tolerance: Tolerance) -> Course {
+fn course(sweeps: &[Vec<Option<Sample>>], tolerance: Tolerance) -> Variation {
     let values = sweeps.iter().flatten().flatten().map(|s| s.f[0]);
     let [least, most] = values.fold(
         [f64::INFINITY, f64::NEG_INFINITY],
@@ -343,14 +343,14 @@ fn course(sweeps: &[Vec<Option<Sample>>], tolerance: Tolerance) -> Course {
     let largest = least.abs().max(most.abs());
     let rounding = tolerance.absolute.max(tolerance.relative * largest);
     if most - least > rounding {
-        return Course::Varied;
+        return Variation::Varied;
     }
     let value = if largest > rounding {
         least.midpoint(most)
     } else {
         0.0
     };
-    Course::Level((least <= most).then_some(value))
+    Variation::Level((least <= most).then_some(value))
 }
 
 /// [`all_roots`] within the cycle, in ascending order.

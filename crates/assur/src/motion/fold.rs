@@ -14,7 +14,7 @@ use super::continuation::{Continuation, Prediction};
 use super::root::root;
 use crate::Jet;
 use crate::index::StepId;
-use crate::position::{Given, Group, Linearized, Predictor, Step};
+use crate::position::{Group, Linearized, Predictor, Step, StepContext};
 
 /// Newton's method takes no more steps, and ends where they are this small or rounding is all that is left.
 const MOST_STEPS: usize = 12;
@@ -144,7 +144,7 @@ impl Curve<'_> {
                 left,
                 slopes,
                 is_redundant,
-                is_closed,
+                residual_is_rounding,
             } = self.linearized(&at)?;
             let mut bordered = slopes.resize_vertically(rows, 0.0);
             bordered.row_mut(rows - 1).tr_copy_from(tangent);
@@ -160,7 +160,7 @@ impl Curve<'_> {
                 return None;
             }
             at -= solved.column(0);
-            if change <= CONVERGED || change >= 0.5 * last && is_closed {
+            if change <= CONVERGED || change >= 0.5 * last && residual_is_rounding {
                 let tangent = solved.column(1).normalize();
                 // Of redundant equations others may be left out next: their determinant keeps no sign.
                 let side = if is_redundant {
@@ -196,7 +196,7 @@ impl Curve<'_> {
         let state = &mut *self.state.borrow_mut();
         let before = mechanism.solve_before(self.step, input, signs, near, state);
         before.ok()?;
-        let given = Given {
+        let given = StepContext {
             step: self.step,
             input: Jet::linear(input, 1.0),
             sign: signs[self.step],

@@ -98,7 +98,7 @@ impl Continuation<'_> {
 
     /// Whether a step whose links pass through in line goes on joined the other way.
     fn turns_over(&self, step: StepId) -> bool {
-        self.mechanism.steps()[step].passes()
+        self.mechanism.steps()[step].passes_change_point()
     }
 
     fn square(&self, step: StepId, state: &State<KNOWN>) -> Jet<KNOWN> {
@@ -120,11 +120,11 @@ impl Continuation<'_> {
         let window = WITHIN * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let placing = &self.mechanism.steps()[step];
-        if let Step::Closed(_) = placing {
+        if let Step::FourBar(_) = placing {
             let around = [self.input - 2.0 * window, self.input + 2.0 * window];
             return self.change_points(step, around).into_iter().find(ahead);
         }
-        if !placing.passes() {
+        if !placing.passes_change_point() {
             return None;
         }
         let margins = [0, 1].map(|which| {
@@ -151,7 +151,7 @@ impl Continuation<'_> {
     fn is_in_line(&self, step: StepId, input: f64, state: &State<KNOWN>) -> bool {
         let same = SAME * self.mechanism.span();
         let placing = &self.mechanism.steps()[step];
-        if let Step::Closed(_) = placing {
+        if let Step::FourBar(_) = placing {
             let around = [input - same, input + same];
             return !self.change_points(step, around).is_empty();
         }
@@ -160,7 +160,7 @@ impl Continuation<'_> {
             bend > 0.0 && value.abs() <= ZERO * scale && slope.abs() <= same * bend
         };
         let mut margins = state.margins[step].into_iter().zip(placing.scales());
-        placing.passes() && margins.any(touches)
+        placing.passes_change_point() && margins.any(touches)
     }
 
     /// Those of a four-bar in closed form.

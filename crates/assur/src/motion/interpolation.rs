@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use crate::Cycle;
 use crate::Vector;
 use crate::index::{BodyId, List, StepId};
-use crate::mechanism::Signs;
+use crate::mechanism::AssemblySigns;
 use crate::position::{Nearby, Orientation, Predictor, Sign, SmoothRoot};
 use crate::sorting::sort_by;
 
@@ -43,7 +43,7 @@ pub(super) struct Knots {
 #[derive(Clone, Debug)]
 struct Knot {
     input: f64,
-    signs: Signs,
+    signs: AssemblySigns,
     /// How far bodies turn at most on the way from the knot before it.
     turned: f64,
     /// The first margin of each step: of a group its determinant, in all knots a multiple of the same power of two.
@@ -65,7 +65,7 @@ impl Knots {
     pub(super) fn push(
         &mut self,
         input: f64,
-        signs: &Signs,
+        signs: &AssemblySigns,
         (state, orientations): (&Predictor, List<BodyId, Orientation>),
         turned: f64,
     ) {
@@ -84,7 +84,7 @@ impl Knots {
         self.span(knot.margins.iter().map(|margin| [*margin; 2]));
         self.list.push(knot);
         while let [.., a, b, c] = &self.list[..]
-            && b.is_told_by(a, c, self.longest)
+            && b.is_redundant_between(a, c, self.longest)
         {
             let turned = b.turned + c.turned;
             self.list.swap_remove(self.list.len() - 2);
@@ -108,7 +108,7 @@ impl Knots {
     /// The one knot that a motion in closed form needs.
     pub(super) fn alone(
         input: f64,
-        signs: &Signs,
+        signs: &AssemblySigns,
         orientations: &List<BodyId, Orientation>,
     ) -> Self {
         Self {
@@ -116,7 +116,7 @@ impl Knots {
                 input,
                 signs: signs.clone(),
                 turned: 0.0,
-                margins: signs.alike(1.0),
+                margins: signs.same_len(1.0),
                 orientations: orientations.clone(),
                 natural: Vec::new(),
             }],
@@ -125,7 +125,7 @@ impl Knots {
             first: 0.0,
             smooth_roots: Vec::new(),
             longest: 0.0,
-            margins: signs.alike([1.0; 2]),
+            margins: signs.same_len([1.0; 2]),
         }
     }
 
@@ -228,7 +228,7 @@ impl Knots {
         &'a self,
         input: f64,
         guess: &'a mut Vec<f64>,
-    ) -> (&'a Signs, Nearby<'a>) {
+    ) -> (&'a AssemblySigns, Nearby<'a>) {
         let at = self.before(input);
         let knot = &self.list[at];
         guess.clear();
@@ -282,7 +282,7 @@ impl Knots {
 
 impl Knot {
     /// Whether the two knots beside it tell what it tells.
-    fn is_told_by(&self, before: &Self, after: &Self, longest: f64) -> bool {
+    fn is_redundant_between(&self, before: &Self, after: &Self, longest: f64) -> bool {
         let ways = [before, after].map(|knot| (knot.input - self.input).abs());
         let even = ways[0] <= UNEVEN * ways[1] && ways[1] <= UNEVEN * ways[0];
         let few = self.turned + after.turned <= MOST_TURNED;

@@ -37,7 +37,7 @@ pub use grid::{At, Grid};
 pub use input::Input;
 pub use joined::Unjoinable;
 pub use limits::LimitPosition;
-pub use placed::Placed;
+pub use placed::PoseOrder;
 pub use profile::{Dwell, OutputProfile};
 pub use sampling::{Sampling, Shown, Spacing};
 pub use table::{Column, Row};
@@ -49,7 +49,7 @@ use std::sync::Arc;
 
 use crate::Cycle;
 use crate::index::StepId;
-use crate::mechanism::{Mechanism, Pose, Signs, Unsolved};
+use crate::mechanism::{AssemblySigns, Mechanism, Pose, Unsolved};
 use crate::position::Step;
 use continuation::{Continuation, End, longest_step};
 use counted::range_between;
@@ -94,7 +94,7 @@ impl Motion {
         let longest = longest_step(&mechanism);
         let mut knots = Knots::new(longest);
         let full = match forth.go(1.0, &mut knots) {
-            End::Closed(turns) => {
+            End::FourBarStep(turns) => {
                 knots.begin_at_zero(TAU * turns as f64);
                 Ok(Cycle::turning(turns))
             }
@@ -104,7 +104,7 @@ impl Motion {
                 let first = match back.go(-1.0, &mut before) {
                     End::Dead(first) => first,
                     // It cannot turn fully one way only.
-                    End::Closed(_) => DeadPoint {
+                    End::FourBarStep(_) => DeadPoint {
                         input: mechanism.home(),
                         ..last
                     },
@@ -227,7 +227,7 @@ impl Motion {
     }
 
     /// Which way the groups are joined at an input.
-    pub(crate) fn signs_at(&self, input: f64) -> Signs {
+    pub(crate) fn signs_at(&self, input: f64) -> AssemblySigns {
         let mut guess = Vec::new();
         let (signs, _) = self.knots.near(self.cycle.wrap(input), &mut guess);
         signs.clone()
@@ -287,7 +287,7 @@ impl Motion {
     /// Which links find no place, and why.
     pub fn pose<const N: usize>(&self, input: f64) -> Result<Pose<N>, Unsolved>
     where
-        Pose<N>: Placed,
+        Pose<N>: PoseOrder,
     {
         let mut pose = self.mechanism.blank();
         self.place(input, &mut pose)?;
@@ -303,7 +303,7 @@ impl Motion {
         of: impl Fn(&Pose<N>) -> T,
     ) -> impl Fn(f64) -> Result<T, Unsolved>
     where
-        Pose<N>: Placed,
+        Pose<N>: PoseOrder,
     {
         let room = RefCell::new(self.mechanism.blank());
         move |input| {
@@ -317,7 +317,7 @@ impl Motion {
     ///
     /// # Errors
     /// Which links find no place, and why; `pose` is then of no use.
-    pub fn place(&self, input: f64, pose: &mut impl Placed) -> Result<(), Unsolved> {
+    pub fn place(&self, input: f64, pose: &mut impl PoseOrder) -> Result<(), Unsolved> {
         pose.put(self, input)
     }
 }

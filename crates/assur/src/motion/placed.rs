@@ -6,7 +6,7 @@ use crate::index::StepId;
 use crate::mechanism::{Cause, Pose, Unsolved};
 
 /// A pose that can be asked for, with none to five derivatives by the input.
-pub trait Placed {
+pub trait PoseOrder {
     /// Makes it the pose of a motion at an input; see [`Motion::place`].
     ///
     /// # Errors
@@ -16,7 +16,7 @@ pub trait Placed {
 
 macro_rules! placed {
     ($($orders:literal),+) => {
-        $(impl Placed for Pose<$orders> {
+        $(impl PoseOrder for Pose<$orders> {
             fn put(&mut self, motion: &Motion, input: f64) -> Result<(), Unsolved> {
                 motion.solve(input, self)
             }

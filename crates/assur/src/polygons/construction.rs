@@ -76,7 +76,7 @@ fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
 /// The equations of a step; none of a group that is no dyad, and of a body that shows no further point.
 pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     match &mechanism.steps()[step] {
-        Step::Geared(geared) => {
+        Step::Epicyclic(geared) => {
             let wheels = geared.members.iter();
             let found = wheels
                 .filter_map(|wheel| driven(mechanism, [wheel.at.body, wheel.body], wheel.hinge));

@@ -121,7 +121,10 @@ impl<const N: usize> Sheet<'_, N> {
                         .any(|point| point == node.point)
             })
         };
-        let driven = matches!(placing, Step::Crank(_) | Step::Slider(_) | Step::Geared(_));
+        let driven = matches!(
+            placing,
+            Step::Crank(_) | Step::Slider(_) | Step::Epicyclic(_)
+        );
         let mut stages = Vec::new();
         let mut known: Vec<(Node, Vector)> = Vec::new();
         for equations in equations(self.mechanism, step) {

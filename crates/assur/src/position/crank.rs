@@ -1,6 +1,6 @@
 //! The driven crank: the mechanism of Class I.
 
-use super::{Anchor, Cause, Course, Enclosure, Given, Predictor, Solvable, State};
+use super::{BodyPoint, Cause, DriveLaw, Enclosure, Predictor, Solvable, State, StepContext};
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 
@@ -9,18 +9,18 @@ use crate::index::{BodyId, StepId};
 pub(crate) struct Crank {
     pub(crate) body: BodyId,
     /// The hinge, on the base and on the body.
-    pub(crate) at: Anchor,
+    pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
     /// What the driven angle has more than the body's against its base: links may lie turned on their bodies.
     pub(crate) lead: f64,
-    pub(crate) course: Course,
+    pub(crate) course: DriveLaw,
 }
 
 impl Solvable for Crank {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let angle = self.course.at(given.input) + -self.lead;
         let base = state.angle(self.at.body);
@@ -40,11 +40,11 @@ impl Solvable for Crank {
         [self.body].into_iter()
     }
 
-    fn rests_on(&self, body: BodyId) -> bool {
+    fn depends_on(&self, body: BodyId) -> bool {
         self.at.body == body
     }
 
-    fn winds(&self) -> bool {
+    fn tracks_turns(&self) -> bool {
         false
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::group::Group;
-use super::{Cause, Complex, Given, Predictor};
+use super::{Cause, Complex, Predictor, StepContext};
 use crate::Vector;
 
 /// The equations of a group at a place: what is left of them, and row by row their derivatives by the unknowns and,
@@ -14,7 +14,7 @@ pub(crate) struct Linearized {
     /// Whether redundant equations have been left out.
     pub(crate) is_redundant: bool,
     /// Whether rounding is all that is left.
-    pub(crate) is_closed: bool,
+    pub(crate) residual_is_rounding: bool,
 }
 
 impl Group {
@@ -36,7 +36,7 @@ impl Group {
     pub(crate) fn linearized(
         &self,
         state: &mut Predictor,
-        given: &Given<'_, 4>,
+        given: &StepContext<'_, 4>,
         at: &DVector<f64>,
     ) -> Result<Linearized, Cause> {
         self.receive(state, given)?;
@@ -58,7 +58,7 @@ impl Group {
             _ if column == size => self.equations[row].coefficient(&work.values, &work.given, 1),
             _ => work.jacobian[row * size + column] * self.units[column / 2],
         });
-        let is_closed = self.is_closed(work);
+        let residual_is_rounding = self.residual_is_rounding(work);
         let is_redundant = self.is_redundant();
         if is_redundant {
             // The pivots come first, in as many rows as are independent.
@@ -72,7 +72,7 @@ impl Group {
             left,
             slopes,
             is_redundant,
-            is_closed,
+            residual_is_rounding,
         })
     }
 }

@@ -4,12 +4,12 @@ use crate::Jet;
 
 /// The coordinate is `rate` times the input, plus `offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Course {
+pub(crate) struct DriveLaw {
     pub(crate) rate: f64,
     pub(crate) offset: f64,
 }
 
-impl Course {
+impl DriveLaw {
     /// Of the first driver, whose coordinate is the input.
     pub(crate) const FIRST: Self = Self {
         rate: 1.0,

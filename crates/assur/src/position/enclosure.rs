@@ -11,7 +11,7 @@
 use std::f64::consts::PI;
 
 use super::group::Work;
-use super::{Anchor, Arm, Predictor, Step, Track, conjugate, product};
+use super::{Arm, BodyPoint, Predictor, Step, Track, conjugate, product};
 use crate::Vector;
 use crate::index::{BodyId, List, StepId};
 
@@ -191,7 +191,7 @@ impl Enclosure {
     }
 
     /// The way of a place on a body.
-    pub(crate) fn place(&self, from: &Predictor, anchor: Anchor) -> Way {
+    pub(crate) fn place(&self, from: &Predictor, anchor: BodyPoint) -> Way {
         let place = from.place(anchor);
         let Bound { places, .. } = &self.bodies[anchor.body];
         let sway = self.sway(from, anchor.body);
@@ -209,7 +209,7 @@ impl Enclosure {
             at - from.bodies[body].origin.value(),
             conjugate(from.bodies[body].turn.value()),
         );
-        self.place(from, Anchor { body, local })
+        self.place(from, BodyPoint { body, local })
     }
 
     /// How fast it goes at most.

@@ -1,13 +1,13 @@
 //! An epicyclic train: wheels and carriers whose angles follow from those of others by the numbers of teeth.
 
-use super::{Anchor, Cause, Enclosure, Given, Predictor, Solvable, State};
+use super::{BodyPoint, Cause, Enclosure, Predictor, Solvable, State, StepContext};
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
-/// Bodies each of which is hinged on one that is placed before it, and whose meshes determine all their angles: a
+/// Bodies each of which is hinged on one that is placed before it, and whose angle_constraints determine all their angles: a
 /// wheel in mesh with a solved one, or the carrier between sun and ring with its planet.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Geared {
+pub(crate) struct EpicyclicStep {
     /// In the order in which they are placed.
     pub(crate) members: Vec<Member>,
 }
@@ -17,7 +17,7 @@ pub(crate) struct Geared {
 pub(crate) struct Member {
     pub(crate) body: BodyId,
     /// The hinge, on what is placed before it and on itself.
-    pub(crate) at: Anchor,
+    pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
     /// The solved bodies that turn it: dθ/dθ of each.
     pub(crate) ratios: Vec<(BodyId, f64)>,
@@ -33,8 +33,12 @@ impl Member {
     }
 }
 
-impl Solvable for Geared {
-    fn solve<const N: usize>(&self, state: &mut State<N>, _: &Given<'_, N>) -> Result<(), Cause> {
+impl Solvable for EpicyclicStep {
+    fn solve<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        _: &StepContext<'_, N>,
+    ) -> Result<(), Cause> {
         for member in &self.members {
             let angle = member.angle(|body| state.angle(body));
             state.pin(member.body, angle, member.at, member.hinge);
@@ -59,13 +63,13 @@ impl Solvable for Geared {
     }
 
     /// A carrier is needed by its own planets.
-    fn rests_on(&self, body: BodyId) -> bool {
+    fn depends_on(&self, body: BodyId) -> bool {
         self.members.iter().any(|member| {
             member.at.body == body || member.ratios.iter().any(|(other, _)| *other == body)
         })
     }
 
-    fn winds(&self) -> bool {
+    fn tracks_turns(&self) -> bool {
         false
     }
 }

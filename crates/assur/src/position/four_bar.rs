@@ -1,12 +1,12 @@
 //! The dyad RRR between a crank on the frame and the frame: a four-bar, whose
-//! closed form passes change points smoothly and needs no history.
+//! closed form passes_change_point change points smoothly and needs no history.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::dyads::Triangle;
 use super::{
-    Angle, Arm, Cause, Complex, Enclosure, Given, Orientation, Predictor, Sign, Singularity,
-    Solvable, State,
+    Angle, Arm, Cause, Complex, Enclosure, Orientation, Predictor, Sign, Singularity, Solvable,
+    State, StepContext,
 };
 use crate::index::{BodyId, StepId};
 use crate::{Assembly, FourBar, Unsolved, Vector};
@@ -19,7 +19,7 @@ const LONG: f64 = 1.0 / 64.0;
 
 /// A four-bar within a mechanism.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Closed {
+pub(crate) struct FourBarStep {
     pub(crate) linkage: FourBar,
     /// The body of the crank, and what its angle lacks to φ₁ from the line AD.
     pub(crate) crank: BodyId,
@@ -34,7 +34,7 @@ pub(crate) struct Closed {
     across: [(f64, Vector); 2],
 }
 
-impl Closed {
+impl FourBarStep {
     /// The four-bar of a crank, hinged at a place of the frame and on itself, and of
     /// the coupler and rocker that join it to the frame.
     pub(crate) fn new(
@@ -130,15 +130,15 @@ impl From<Sign> for Assembly {
     }
 }
 
-impl Solvable for Closed {
+impl Solvable for FourBarStep {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let triangle = Triangle::of(state, &self.arms);
         let [p, q] = triangle.margins.map(|margin| margin.value());
-        // Told for the kind of a dead point, and where there is none how far off one is; the closed form passes by itself.
+        // Told for the kind of a dead point, and where there is none how far off one is; the closed form passes_change_point by itself.
         state.margins[given.step] = triangle.margins;
         if p.min(q) > self.clear {
             self.lay(state, given.sign, &triangle);
@@ -155,11 +155,11 @@ impl Solvable for Closed {
         self.arms.each_ref().map(|arm| arm.body).into_iter()
     }
 
-    fn rests_on(&self, body: BodyId) -> bool {
+    fn depends_on(&self, body: BodyId) -> bool {
         self.arms.iter().any(|arm| arm.outer.body == body)
     }
 
-    fn winds(&self) -> bool {
+    fn tracks_turns(&self) -> bool {
         false
     }
 

@@ -26,23 +26,25 @@ mod step;
 use crate::Vector;
 use crate::index::BodyId;
 pub use assemblies::Method;
-pub(crate) use assemblies::{Followed, Unreal};
+pub(crate) use assemblies::{ComplexPair, Tracker};
 pub(crate) use complex::{Complex, conjugate, product, quotient};
 pub(crate) use crank::Crank;
 pub(crate) use curve::Linearized;
-pub(crate) use drive_law::Course;
+pub(crate) use drive_law::DriveLaw;
 pub(crate) use dyads::{Prp, Rpp, Rpr, Rrp, Rrr, Side};
 pub(crate) use enclosure::Enclosure;
-pub(crate) use epicyclic::{Geared, Member};
-pub(crate) use four_bar::Closed;
-pub(crate) use group::{Drive, Equation, Form, Group, Input, Mesh, Placed, power_of_two};
+pub(crate) use epicyclic::{EpicyclicStep, Member};
+pub(crate) use four_bar::FourBarStep;
+pub(crate) use group::{
+    AngleConstraint, BodyForms, Drive, Equation, Form, Group, KnownTerm, power_of_two,
+};
 pub(crate) use margin::ROUNDING;
 use margin::{Dead, clear, crossing};
 pub(crate) use slider::Slider;
 pub(crate) use smooth_root::{KNOWN, SmoothRoot};
 use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
-pub(crate) use step::{Given, Sign, Solvable, Step};
+pub(crate) use step::{Sign, Solvable, Step, StepContext};
 
 /// Two points closer together than this, relative to what they are placed by, tell a direction with fewer digits.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
@@ -52,7 +54,7 @@ const NEAR: f64 = 1e-3;
 
 /// A place on a body, in its local coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Anchor {
+pub(crate) struct BodyPoint {
     pub(crate) body: BodyId,
     pub(crate) local: Vector,
 }
@@ -62,7 +64,7 @@ pub(crate) struct Anchor {
 pub(crate) struct Arm {
     pub(crate) body: BodyId,
     /// The solved point it is hinged at.
-    pub(crate) outer: Anchor,
+    pub(crate) outer: BodyPoint,
     /// The hinges on the link.
     pub(crate) from: Vector,
     pub(crate) to: Vector,
@@ -72,7 +74,7 @@ pub(crate) struct Arm {
 }
 
 impl Arm {
-    pub(crate) fn new(body: BodyId, outer: Anchor, [from, to]: [Vector; 2]) -> Self {
+    pub(crate) fn new(body: BodyId, outer: BodyPoint, [from, to]: [Vector; 2]) -> Self {
         Self {
             body,
             outer,
@@ -93,7 +95,7 @@ impl Arm {
 pub(crate) struct Track {
     pub(crate) body: BodyId,
     /// A point of the line and its direction, of length 1, on the solved body.
-    pub(crate) line: Anchor,
+    pub(crate) line: BodyPoint,
     pub(crate) heading: Vector,
     /// The direction of the line on the link, of length 1.
     pub(crate) direction: Vector,

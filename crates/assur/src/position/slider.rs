@@ -1,6 +1,8 @@
 //! The driven slide.
 
-use super::{Anchor, Cause, Complex, Course, Enclosure, Given, Predictor, Solvable, State, Track};
+use super::{
+    BodyPoint, Cause, Complex, DriveLaw, Enclosure, Predictor, Solvable, State, StepContext, Track,
+};
 use crate::Jet;
 use crate::index::{BodyId, StepId};
 
@@ -10,14 +12,14 @@ pub(crate) struct Slider {
     pub(crate) track: Track,
     /// Least and greatest coordinate.
     pub(crate) range: [f64; 2],
-    pub(crate) course: Course,
+    pub(crate) course: DriveLaw,
 }
 
 impl Solvable for Slider {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let Self {
             track,
@@ -42,7 +44,7 @@ impl Solvable for Slider {
         } = self;
         let line = track.line.body;
         let at = from
-            .place(Anchor {
+            .place(BodyPoint {
                 body: track.body,
                 local: track.point,
             })
@@ -65,7 +67,7 @@ impl Solvable for Slider {
         [self.track.body].into_iter()
     }
 
-    fn rests_on(&self, body: BodyId) -> bool {
+    fn depends_on(&self, body: BodyId) -> bool {
         self.track.line.body == body
     }
 }

@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::group::Input;
+use super::group::KnownTerm;
 use super::group::Work;
-use super::{Anchor, Arm, Complex, SmoothRoot, Track, conjugate, quotient};
+use super::{Arm, BodyPoint, Complex, SmoothRoot, Track, conjugate, quotient};
 use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector};
 
@@ -119,16 +119,16 @@ impl<const N: usize> State<N> {
     }
 
     /// What a group takes from what is solved.
-    pub(crate) fn taken(&self, input: Input) -> Complex<N> {
+    pub(crate) fn taken(&self, input: KnownTerm) -> Complex<N> {
         match input {
-            Input::Place(anchor) => self.place(anchor),
-            Input::Direction(anchor) => self.bodies[anchor.body].turn.by(anchor.local),
+            KnownTerm::Place(anchor) => self.place(anchor),
+            KnownTerm::Direction(anchor) => self.bodies[anchor.body].turn.by(anchor.local),
         }
     }
 
     /// Where a place on a solved body is.
     #[inline(always)]
-    pub(crate) fn place(&self, anchor: Anchor) -> Complex<N> {
+    pub(crate) fn place(&self, anchor: BodyPoint) -> Complex<N> {
         let body = &self.bodies[anchor.body];
         body.origin + body.turn.by(anchor.local)
     }
@@ -171,7 +171,7 @@ impl<const N: usize> State<N> {
     }
 
     /// The angle of a body is that of its turn, near what it was there.
-    pub(crate) fn winds(&mut self, body: BodyId, near: Nearby<'_>) {
+    pub(crate) fn tracks_turns(&mut self, body: BodyId, near: Nearby<'_>) {
         self.turned_near(body, near.orientations[body]);
     }
 
@@ -215,7 +215,7 @@ impl<const N: usize> State<N> {
 
     /// Puts a body that turns by a known angle with a hinge of it to a place.
     #[inline(always)]
-    pub(crate) fn pin(&mut self, body: BodyId, angle: Jet<N>, at: Anchor, hinge: Vector) {
+    pub(crate) fn pin(&mut self, body: BodyId, angle: Jet<N>, at: BodyPoint, hinge: Vector) {
         self.put(body, Complex::turn(angle), hinge, self.place(at));
         self.bodies[body].angle = Angle::Known(angle);
     }

@@ -2,8 +2,8 @@
 
 use super::margin::root;
 use super::{
-    Cause, Closed, Crank, Dead, Enclosure, Geared, Group, Nearby, Predictor, Prp, Rpp, Rpr, Rrp,
-    Rrr, Singularity, Slider, SmoothRoot, State,
+    Cause, Crank, Dead, Enclosure, EpicyclicStep, FourBarStep, Group, Nearby, Predictor, Prp, Rpp,
+    Rpr, Rrp, Rrr, Singularity, Slider, SmoothRoot, State,
 };
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
@@ -37,14 +37,14 @@ impl Sign {
 
 /// What a step is solved by, besides the bodies solved before it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Given<'a, const N: usize> {
+pub(crate) struct StepContext<'a, const N: usize> {
     pub(crate) step: StepId,
     pub(crate) input: Jet<N>,
     pub(crate) sign: Sign,
     pub(crate) near: Nearby<'a>,
 }
 
-impl<const N: usize> Given<'_, N> {
+impl<const N: usize> StepContext<'_, N> {
     /// The root of a square with the sign that tells how the links are joined; `scale` is the size of what the square
     /// is made of.
     #[inline(always)]
@@ -71,7 +71,7 @@ pub(crate) trait Solvable {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause>;
 
     /// Bounds the motion of its bodies over a step of the input from a pose; whether it is certain that it stays
@@ -82,10 +82,10 @@ pub(crate) trait Solvable {
     fn bodies(&self) -> impl Iterator<Item = BodyId>;
 
     /// Whether it needs the place of a body solved before.
-    fn rests_on(&self, body: BodyId) -> bool;
+    fn depends_on(&self, body: BodyId) -> bool;
 
     /// Whether the angles of its bodies come from their turns, to a whole turn.
-    fn winds(&self) -> bool {
+    fn tracks_turns(&self) -> bool {
         true
     }
 
@@ -96,7 +96,7 @@ pub(crate) trait Solvable {
 
     /// Whether a margin that touches zero lets the links pass through in line: the
     /// smooth motion goes on with the other sign.
-    fn passes(&self) -> bool {
+    fn passes_change_point(&self) -> bool {
         false
     }
 
@@ -117,12 +117,16 @@ pub(crate) trait Solvable {
 
     /// Solves it, with the angles; what is not finite is an error.
     #[inline(always)]
-    fn put<const N: usize>(&self, state: &mut State<N>, given: &Given<'_, N>) -> Result<(), Cause> {
+    fn put<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        given: &StepContext<'_, N>,
+    ) -> Result<(), Cause> {
         self.solve(state, given)?;
         let mut sum = Vector::zeros();
         for body in self.bodies() {
-            if self.winds() {
-                state.winds(body, given.near);
+            if self.tracks_turns() {
+                state.tracks_turns(body, given.near);
             }
             sum += state.bodies[body].origin.nought() + state.bodies[body].turn.nought();
         }
@@ -144,8 +148,8 @@ pub(super) fn finite(sum: Vector) -> Result<(), Cause> {
 pub(crate) enum Step {
     Crank(Crank),
     Slider(Slider),
-    Geared(Geared),
-    Closed(Closed),
+    Epicyclic(EpicyclicStep),
+    FourBar(FourBarStep),
     Rrr(Rrr),
     Rrp(Rrp),
     Rpr(Rpr),
@@ -160,8 +164,8 @@ macro_rules! ask {
         match $step {
             Step::Crank($kind) => $answer,
             Step::Slider($kind) => $answer,
-            Step::Geared($kind) => $answer,
-            Step::Closed($kind) => $answer,
+            Step::Epicyclic($kind) => $answer,
+            Step::FourBar($kind) => $answer,
             Step::Rrr($kind) => $answer,
             Step::Rrp($kind) => $answer,
             Step::Rpr($kind) => $answer,
@@ -178,7 +182,7 @@ impl Step {
     pub(crate) fn put<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         ask!(self, kind => kind.put(state, given))
     }
@@ -193,20 +197,20 @@ impl Step {
         ask!(self, kind => kind.bodies().collect())
     }
 
-    pub(crate) fn rests_on(&self, body: BodyId) -> bool {
-        ask!(self, kind => kind.rests_on(body))
+    pub(crate) fn depends_on(&self, body: BodyId) -> bool {
+        ask!(self, kind => kind.depends_on(body))
     }
 
-    pub(crate) fn winds(&self) -> bool {
-        ask!(self, kind => kind.winds())
+    pub(crate) fn tracks_turns(&self) -> bool {
+        ask!(self, kind => kind.tracks_turns())
     }
 
     pub(crate) fn has_sign(&self) -> bool {
         ask!(self, kind => kind.has_sign())
     }
 
-    pub(crate) fn passes(&self) -> bool {
-        ask!(self, kind => kind.passes())
+    pub(crate) fn passes_change_point(&self) -> bool {
+        ask!(self, kind => kind.passes_change_point())
     }
 
     pub(crate) fn singularity(&self) -> Singularity {
@@ -223,13 +227,16 @@ impl Step {
 }
 
 macro_rules! kinds {
-    ($($kind:ident)*) => {$(
+    ($($name:ident($kind:ident))*) => {$(
         impl From<$kind> for Step {
             fn from(kind: $kind) -> Self {
-                Self::$kind(kind)
+                Self::$name(kind)
             }
         }
     )*};
 }
 
-kinds! { Crank Slider Geared Closed Rrr Rrp Rpr Prp Rpp Group }
+kinds! {
+    Crank(Crank) Slider(Slider) Epicyclic(EpicyclicStep) FourBar(FourBarStep)
+    Rrr(Rrr) Rrp(Rrp) Rpr(Rpr) Prp(Prp) Rpp(Rpp) Group(Group)
+}

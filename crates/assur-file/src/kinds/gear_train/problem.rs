@@ -207,7 +207,7 @@ pub(super) fn of_load(defect: Defect) -> Problem {
         Defect::Tie { shaft, .. } => GearTrainProblem::TiedTogether {
             shaft: shaft.into(),
         },
-        Defect::TooQuick(body) => GearTrainProblem::TooQuick {
+        Defect::TooStiff(body) => GearTrainProblem::TooQuick {
             field: of_body("inertia", body),
         },
     };

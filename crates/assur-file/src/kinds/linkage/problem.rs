@@ -296,7 +296,7 @@ impl LinkageProblem {
             Refusal::Absent => Self::NoDimension { name: field.into() }.into(),
             Refusal::Unposed => Self::Unreached.into(),
             Refusal::Defects(defects) => return Self::all(defects),
-            Refusal::Apart {
+            Refusal::LoopOpen {
                 last, by, links, ..
             } => {
                 let [last, by] = [last, by].map(|value| in_field(dimension, value));

@@ -3,7 +3,7 @@
 use crate::Vector;
 use crate::gears::Mesh;
 use crate::index::{BodyId, LinkId, List, PointId, SlideId};
-use crate::position::{Anchor, Orientation, conjugate, product};
+use crate::position::{BodyPoint, Orientation, conjugate, product};
 use crate::structure::{self, Graph, Pair};
 
 use crate::linkage::draft::{Defect, extent};
@@ -201,9 +201,9 @@ impl Bodies {
         &self,
         point: PointId,
         accepted: impl Fn(BodyId) -> bool,
-    ) -> Option<Anchor> {
+    ) -> Option<BodyPoint> {
         self.ids().filter(|body| accepted(*body)).find_map(|body| {
-            Some(Anchor {
+            Some(BodyPoint {
                 body,
                 local: self.local(body, point)?,
             })

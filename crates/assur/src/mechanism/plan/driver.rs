@@ -8,12 +8,12 @@ use crate::linkage::draft::Defect;
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::mechanism::plan::{Drawn, Placed};
-use crate::position::{Anchor, Course, Crank, Slider, Step};
+use crate::position::{BodyPoint, Crank, DriveLaw, Slider, Step};
 
 /// A driven pair between two bodies of one group: the group is solved with its coordinate.
 pub(in crate::mechanism) struct DrivenPair {
     pub(in crate::mechanism) kind: PairKind,
-    pub(in crate::mechanism) course: Course,
+    pub(in crate::mechanism) course: DriveLaw,
 }
 
 pub(in crate::mechanism) enum PairKind {
@@ -28,7 +28,7 @@ impl DrivenPair {
         placed: &Placed<'_>,
         draft: &Resolved<'_>,
         driver: &Driver,
-        course: Course,
+        course: DriveLaw,
     ) -> Self {
         let kind = match driver {
             Driver::Crank { link, base, .. } => PairKind::Hinge {
@@ -57,10 +57,10 @@ impl Bodies {
     pub(in crate::mechanism) fn hinge(
         &self,
         [base, body]: [BodyId; 2],
-    ) -> Option<(Anchor, Vector)> {
+    ) -> Option<(BodyPoint, Vector)> {
         self.of(body).iter().find_map(|(point, hinge)| {
             let local = self.local(base, *point)?;
-            Some((Anchor { body: base, local }, *hinge))
+            Some((BodyPoint { body: base, local }, *hinge))
         })
     }
 }
@@ -145,7 +145,7 @@ impl Placed<'_> {
         draft: &Resolved<'_>,
         driver: &Driver,
         [base, body]: [BodyId; 2],
-        course: Course,
+        course: DriveLaw,
     ) -> Option<Step> {
         match driver {
             Driver::Crank { link, .. } => {

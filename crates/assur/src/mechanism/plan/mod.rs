@@ -12,7 +12,9 @@ mod willis;
 
 use crate::Vector;
 use crate::index::{BodyId, Id, LinkId, List, PointId, StepId};
-use crate::position::{Anchor, Arm, Closed, Course, Orientation, Prp, Rpp, Rpr, Rrp, Rrr, Step};
+use crate::position::{
+    Arm, BodyPoint, DriveLaw, FourBarStep, Orientation, Prp, Rpp, Rpr, Rrp, Rrr, Step,
+};
 use crate::structure::{self, Structure};
 
 use crate::linkage::draft::Defect;
@@ -101,9 +103,9 @@ pub(in crate::mechanism) fn plan(
                 let first = *driver == 0;
                 let driver = &draft.drivers[*driver];
                 let course = if first {
-                    Course::FIRST
+                    DriveLaw::FIRST
                 } else {
-                    Course::through(driver.rate(), [home, placed.drawn(draft, driver)])
+                    DriveLaw::through(driver.rate(), [home, placed.drawn(draft, driver)])
                 };
                 if let (true, Driver::Slide { range, .. }) = (first, driver) {
                     plan.range = Some(*range);
@@ -161,7 +163,7 @@ pub(in crate::mechanism) fn plan(
 
 /// How a link of a dyad is joined to what is solved.
 enum Outer<'a> {
-    Hinge { at: Anchor, hinge: Vector },
+    Hinge { at: BodyPoint, hinge: Vector },
     Slide(&'a Slide),
 }
 
@@ -183,7 +185,7 @@ impl Placed<'_> {
     }
 
     /// A point on the solved body that has it.
-    fn anchor(&self, point: PointId) -> Option<Anchor> {
+    fn anchor(&self, point: PointId) -> Option<BodyPoint> {
         self.bodies.anchor_of(point, |body| self.solved[body])
     }
 
@@ -262,7 +264,7 @@ impl Placed<'_> {
 
     /// The closed form of a four-bar where the dyad joins the driven crank and the
     /// frame: exact next to change points, and it tells arcs and dead points as well.
-    fn four_bar(&self, arms: &[Arm; 2]) -> Option<Closed> {
+    fn four_bar(&self, arms: &[Arm; 2]) -> Option<FourBarStep> {
         let crank = self.crank?;
         let [first, second] = arms.each_ref().map(|arm| arm.outer.body);
         let arms = if [first, second] == [crank, BodyId::FRAME] {
@@ -273,6 +275,6 @@ impl Placed<'_> {
             return None;
         };
         let (on_frame, hinge) = self.bodies.hinge([BodyId::FRAME, crank])?;
-        Closed::new(crank, (on_frame.local, hinge), arms)
+        FourBarStep::new(crank, (on_frame.local, hinge), arms)
     }
 }

@@ -7,7 +7,9 @@ use std::collections::BTreeMap;
 
 use crate::Vector;
 use crate::index::{BodyId, List, PointId, SlideId};
-use crate::position::{Anchor, CLOSE, Form, Group, Input, Mesh, Orientation, conjugate, quotient};
+use crate::position::{
+    AngleConstraint, BodyPoint, CLOSE, Form, Group, KnownTerm, Orientation, conjugate, quotient,
+};
 
 use crate::linkage::draft::extent;
 use crate::mechanism::plan::Placed;
@@ -37,7 +39,7 @@ pub(in crate::mechanism) fn group(
         placed: BTreeMap::new(),
         by_slide: Vec::new(),
         conditions: Vec::new(),
-        meshes: Vec::new(),
+        angle_constraints: Vec::new(),
         home: Vec::new(),
         units: Vec::new(),
         close: BTreeMap::new(),
@@ -49,7 +51,7 @@ pub(in crate::mechanism) fn group(
     for body in members {
         for (point, _) in bodies.of(*body) {
             if let Some(anchor) = bodies.anchor_of(*point, |other| solved[other]) {
-                let form = plan.input(Input::Place(anchor));
+                let form = plan.input(KnownTerm::Place(anchor));
                 plan.points.insert(*point, form);
             }
         }
@@ -100,7 +102,7 @@ struct Plan<'a> {
     bodies: &'a Bodies,
     solved: &'a List<BodyId, bool>,
     orientations: &'a List<BodyId, Orientation>,
-    inputs: Vec<Input>,
+    inputs: Vec<KnownTerm>,
     /// Where points are.
     points: BTreeMap<PointId, Form>,
     /// Origin and turn of the bodies placed so far.
@@ -109,7 +111,7 @@ struct Plan<'a> {
     by_slide: Vec<SlideId>,
     /// The conditions, each with the body that it constrains.
     conditions: Vec<(BodyId, Condition)>,
-    meshes: Vec<Mesh>,
+    angle_constraints: Vec<AngleConstraint>,
     /// The drawn values of the unknowns, and what each is measured by.
     home: Vec<Vector>,
     units: Vec<f64>,
@@ -120,9 +122,9 @@ struct Plan<'a> {
 }
 
 impl Plan<'_> {
-    fn input(&mut self, input: Input) -> Form {
+    fn input(&mut self, input: KnownTerm) -> Form {
         // The frame does not move.
-        let (Input::Place(anchor) | Input::Direction(anchor)) = input;
+        let (KnownTerm::Place(anchor) | KnownTerm::Direction(anchor)) = input;
         if anchor.body == BodyId::FRAME {
             return Form {
                 constant: anchor.local,
@@ -319,7 +321,7 @@ impl Plan<'_> {
     fn direction(&mut self, body: BodyId, heading: Vector) -> Form {
         match self.placed.get(&body) {
             Some([_, turn]) => turn.by(heading),
-            None => self.input(Input::Direction(Anchor {
+            None => self.input(KnownTerm::Direction(BodyPoint {
                 body,
                 local: heading,
             })),
@@ -330,7 +332,7 @@ impl Plan<'_> {
     fn place_on(&mut self, body: BodyId, local: Vector) -> Form {
         match self.placed.get(&body) {
             Some([origin, turn]) => origin.plus(&turn.by(local)),
-            None => self.input(Input::Place(Anchor { body, local })),
+            None => self.input(KnownTerm::Place(BodyPoint { body, local })),
         }
     }
 }

@@ -148,7 +148,7 @@ impl<'a> Resolved<'a> {
             gears: gears.collect::<Result<_, Defect>>()?,
             drivers: drivers.collect::<Result<_, Defect>>()?,
             tracers: tracers.collect::<Result<_, Defect>>()?,
-            brought: bodies.alike(Vec::new()),
+            brought: bodies.same_len(Vec::new()),
             bodies,
         };
         resolved.join_doubled()?;

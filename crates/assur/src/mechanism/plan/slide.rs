@@ -6,7 +6,7 @@ use crate::linkage::check::CLOSEST;
 use crate::linkage::draft::{Defect, extent};
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
-use crate::position::{Anchor, Side, Track, conjugate, product};
+use crate::position::{BodyPoint, Side, Track, conjugate, product};
 
 /// A prismatic pair between two bodies.
 #[derive(Clone, Debug)]
@@ -128,7 +128,7 @@ impl Slide {
         let (point, direction) = self.line_on(body);
         Track {
             body,
-            line: Anchor {
+            line: BodyPoint {
                 body: self.bodies[other],
                 local: start,
             },
@@ -140,7 +140,7 @@ impl Slide {
     }
 
     /// One of the two bodies as a side of a dyad with this slide between its links.
-    pub(in crate::mechanism) fn side(&self, body: BodyId, outer: Anchor, hinge: Vector) -> Side {
+    pub(in crate::mechanism) fn side(&self, body: BodyId, outer: BodyPoint, hinge: Vector) -> Side {
         let (through, direction) = self.line_on(body);
         Side::new(body, outer, hinge, through, direction)
     }

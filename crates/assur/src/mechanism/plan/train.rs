@@ -7,7 +7,7 @@ use crate::mechanism::plan::Placed;
 use crate::mechanism::plan::body::Gear;
 use crate::mechanism::plan::driver::DrivenPair;
 use crate::mechanism::plan::willis::{Adds, Equation, Solved};
-use crate::position::{Geared, Member, Orientation};
+use crate::position::{EpicyclicStep, Member, Orientation};
 
 /// The meshes of a group do not determine how its bodies turn: where its mates turn alike, any angle will do.
 pub(in crate::mechanism) struct Singular;
@@ -67,7 +67,10 @@ impl Placed<'_> {
     ///
     /// # Errors
     /// That the numbers of teeth do not determine its angles.
-    pub(in crate::mechanism) fn train(&self, group: &[BodyId]) -> Result<Option<Geared>, Singular> {
+    pub(in crate::mechanism) fn train(
+        &self,
+        group: &[BodyId],
+    ) -> Result<Option<EpicyclicStep>, Singular> {
         let couplings = self.couplings(group);
         let slides = self.bodies.slides.iter().any(|slide| {
             group.iter().any(|body| {
@@ -115,6 +118,6 @@ impl Placed<'_> {
                 shift,
             });
         }
-        Ok(Some(Geared { members }))
+        Ok(Some(EpicyclicStep { members }))
     }
 }

@@ -2,7 +2,7 @@
 //! they close.
 
 use crate::index::{BodyId, LinkId, PointId};
-use crate::mechanism::closed::ClosedStep;
+use crate::mechanism::closed::DrivenFourBar;
 use crate::mechanism::{LinkOrFrame, Mechanism, Pose};
 use crate::position::{Arm, Rrr, Step};
 use crate::{FourBar, Grashof, Jet, Vector};
@@ -115,7 +115,7 @@ impl Mechanism {
     }
 
     /// The closed form of a dyad, where it has one.
-    pub(crate) fn closed_form_of(&self, dyad: &RrrDyad) -> Option<ClosedStep<'_>> {
+    pub(crate) fn closed_form_of(&self, dyad: &RrrDyad) -> Option<DrivenFourBar<'_>> {
         let mut closed = self.closed_steps();
         closed.find(|closed| {
             let arms = arms_of(&self.steps[closed.step]);
@@ -124,7 +124,7 @@ impl Mechanism {
     }
 
     /// The rocker of a four-bar in closed form.
-    pub(crate) fn rocker_of(&self, closed: &ClosedStep<'_>) -> Option<LinkId> {
+    pub(crate) fn rocker_of(&self, closed: &DrivenFourBar<'_>) -> Option<LinkId> {
         let [_, rocker] = arms_of(&self.steps[closed.step])?;
         self.link_of(rocker.body)
     }
@@ -195,7 +195,7 @@ impl Mechanism {
 pub(crate) fn arms_of(step: &Step) -> Option<&[Arm; 2]> {
     match step {
         Step::Rrr(Rrr { arms }) => Some(arms),
-        Step::Closed(closed) => Some(&closed.arms),
+        Step::FourBar(closed) => Some(&closed.arms),
         _ => None,
     }
 }

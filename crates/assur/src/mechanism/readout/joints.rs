@@ -2,7 +2,7 @@
 
 use crate::index::{BodyId, PointId};
 use crate::mechanism::{ConstraintKind, LinkOrFrame, Mechanism, Pose};
-use crate::position::{Anchor, Complex, conjugate, product};
+use crate::position::{BodyPoint, Complex, conjugate, product};
 use crate::{Jet, JetPoint, Point, Vector};
 
 /// A pair and the bodies that it joins.
@@ -109,7 +109,7 @@ impl Mechanism {
         let (origin, turn) = (&of.origin, &of.turn);
         let way = place.coords - self.origin - origin.value();
         let local = product(way, conjugate(turn.value()));
-        let place = pose.state.place(Anchor { body, local });
+        let place = pose.state.place(BodyPoint { body, local });
         (place + Complex::constant(self.origin)).into()
     }
 

@@ -31,7 +31,7 @@ impl Mechanism {
         // A train of wheels ends after as many as there are steps.
         for _ in 0..self.steps.len() {
             let trains = self.steps.iter().filter_map(|step| match step {
-                Step::Geared(train) => Some(&train.members),
+                Step::Epicyclic(train) => Some(&train.members),
                 _ => None,
             });
             let member = trains.flatten().find(|member| member.body == body);

@@ -4,7 +4,7 @@ use crate::Jet;
 use crate::gears::Mate;
 use crate::mechanism::{Cause, Pose, Quantity};
 use crate::mixer::{Carrier, Case, Mixer, Tracer};
-use crate::motion::{Column, Motion, Placed, Row};
+use crate::motion::{Column, Motion, PoseOrder, Row};
 
 fn motion() -> Motion {
     let mixer = Mixer::new(&Case::A.dimensions()).unwrap();
@@ -30,7 +30,7 @@ fn full() -> Motion {
 /// Quantities at a crank angle.
 fn jets<const N: usize>(motion: &Motion, names: &[&str], crank: f64) -> Vec<Jet<N>>
 where
-    Pose<N>: Placed,
+    Pose<N>: PoseOrder,
 {
     let mechanism = motion.mechanism();
     let pose = motion.pose::<N>(crank).unwrap();

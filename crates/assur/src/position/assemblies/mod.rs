@@ -8,13 +8,13 @@ mod solutions;
 mod tracker;
 mod tracking;
 
-use super::{Cause, Course, Equation, Given, Group, State};
+use super::{Cause, DriveLaw, Equation, Group, State, StepContext};
 use crate::Vector;
 use crate::index::BodyId;
 use bilinear::{Affine, C, Moving, Pair, System};
 use newton::Room;
 use solutions::{ONE, REAL, Solutions, apart, apart_from_conjugate, conjugate, mean};
-pub(crate) use tracker::Followed;
+pub(crate) use tracker::Tracker;
 
 /// So many bundles of paths are followed, until one finds nothing new.
 const MOST_BUNDLES: u64 = 6;
@@ -32,7 +32,7 @@ pub enum Method {
 
 /// A way to join a group.
 #[derive(Clone, Debug)]
-pub(crate) struct Way {
+pub(crate) struct GroupAssembly {
     /// Its unknowns.
     pub(crate) own: Vec<Vector>,
     /// How those bodies are turned that are driven against each other: their angles are told near it.
@@ -41,21 +41,21 @@ pub(crate) struct Way {
 
 /// All ways to join a group.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Ways {
+pub(crate) struct GroupAssemblies {
     /// The real ones.
-    pub(crate) real: Vec<Way>,
+    pub(crate) real: Vec<GroupAssembly>,
     /// Whether they are exact already, as those are that are followed, and nothing but places is asked for.
     pub(crate) solved: bool,
     /// How many there are over the complex numbers, the real ones among them.
     pub(crate) complex: usize,
     /// Of each that is not real how far it is from it.
-    pub(crate) unreal: Vec<Unreal>,
+    pub(crate) unreal: Vec<ComplexPair>,
 }
 
 /// How far a way to join links is from a real one: a square that goes through zero where two ways meet and become real,
 /// about in proportion to the distance of the input from there; with its derivative by the input.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Unreal {
+pub(crate) struct ComplexPair {
     pub(crate) square: f64,
     pub(crate) slope: f64,
 }
@@ -63,12 +63,19 @@ pub(crate) struct Unreal {
 impl Group {
     /// Whether all ways to join it can be found: no wheels are in mesh within it, and no equation is redundant.
     pub(crate) fn is_algebraic(&self) -> bool {
-        !self.is_redundant() && self.meshes.iter().all(|mesh| mesh.drive.is_some())
+        !self.is_redundant()
+            && self
+                .angle_constraints
+                .iter()
+                .all(|mesh| mesh.drive.is_some())
     }
 
     /// The ranges of pairs that are driven within it, and how these go with the input.
-    pub(crate) fn ranges(&self) -> impl Iterator<Item = (Course, [f64; 2])> {
-        let drives = self.meshes.iter().filter_map(|mesh| mesh.drive.as_ref());
+    pub(crate) fn ranges(&self) -> impl Iterator<Item = (DriveLaw, [f64; 2])> {
+        let drives = self
+            .angle_constraints
+            .iter()
+            .filter_map(|mesh| mesh.drive.as_ref());
         drives.filter_map(|drive| Some((drive.course, drive.range?)))
     }
 
@@ -78,10 +85,10 @@ impl Group {
     pub(crate) fn ways<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
         (method, left): (Method, &mut usize),
-        mut followed: Option<&mut Followed>,
-    ) -> Result<Option<Ways>, Cause> {
+        mut followed: Option<&mut Tracker>,
+    ) -> Result<Option<GroupAssemblies>, Cause> {
         self.receive(state, given)?;
         let kept = followed
             .as_deref_mut()
@@ -111,7 +118,7 @@ impl Group {
         // Without derivatives of what it hangs on there are none of how far a way is from a real one.
         let unreal = found.unreal().filter(|_| N > 1);
         let unreal = unreal.filter_map(|at| system.unreal(&system.reduced(at)));
-        let real = found.real().map(|own| Way {
+        let real = found.real().map(|own| GroupAssembly {
             own: own
                 .iter()
                 .zip(&self.units)
@@ -122,7 +129,7 @@ impl Group {
                 .map(|(body, turn)| (*body, vector(turn.at(own))))
                 .collect(),
         });
-        let ways = Ways {
+        let ways = GroupAssemblies {
             solved,
             complex: found.complex(),
             // Each is as far from it as its conjugate.
@@ -197,22 +204,28 @@ impl Group {
                 } => {
                     pairs.push(Pair::Along(form(direction), form(way), angles[mesh]));
                 }
-                Equation::Mesh {
+                Equation::Angle {
                     turns: [Some((link, 1.0)), Some((base, -1.0)), None],
                     mesh,
-                } if self.meshes[mesh].drive.is_some() => {
+                } if self.angle_constraints[mesh].drive.is_some() => {
                     let [angle, rate] = angles[mesh];
                     let turn = C::from_polar(1.0, angle);
                     let spin = turn * C::new(0.0, rate);
                     let turns = [form(link), form(base)].map(|[turn, _]| turn);
-                    turning.extend(self.meshes[mesh].turning.iter().copied().zip(turns));
+                    turning.extend(
+                        self.angle_constraints[mesh]
+                            .turning
+                            .iter()
+                            .copied()
+                            .zip(turns),
+                    );
                     let ([mut zero, mut rates], [base, base_rates]) = (form(link), form(base));
                     zero.add(-turn, &base);
                     rates.add(-turn, &base_rates);
                     rates.add(-spin, &base);
                     zeros.push([zero, rates]);
                 }
-                Equation::Mesh { .. } => return None,
+                Equation::Angle { .. } => return None,
             }
         }
         let system = System::new(self.units.len(), pairs, zeros)?;
@@ -278,18 +291,18 @@ impl System {
     }
 
     /// How far a solution is from a real one: from its conjugate, which is one as well.
-    fn unreal(&self, at: &[C]) -> Option<Unreal> {
+    fn unreal(&self, at: &[C]) -> Option<ComplexPair> {
         let rate = self.rate(at)?;
         let off = |all: &[C]| -> Vec<C> {
             let (z, w) = all.split_at(self.unknowns);
             z.iter().zip(w).map(|(z, w)| z - w.conj()).collect()
         };
         let ways = off(at).into_iter().zip(off(&rate));
-        let nothing = Unreal {
+        let nothing = ComplexPair {
             square: 0.0,
             slope: 0.0,
         };
-        Some(ways.fold(nothing, |sum, (off, rate)| Unreal {
+        Some(ways.fold(nothing, |sum, (off, rate)| ComplexPair {
             square: sum.square + off.norm_sqr(),
             slope: sum.slope + 2.0 * (off.conj() * rate).re,
         }))

@@ -15,8 +15,8 @@ const MOST_CHAINS: usize = 64;
 
 /// What is known of the ways to join a group, wherever it hangs.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Followed {
-    pub(super) chains: Vec<Chain>,
+pub(crate) struct Tracker {
+    pub(super) chains: Vec<Branch>,
     /// How many ways there are at most, over the complex numbers, as far as is known: at a general place. Whether a second
     /// place agreed.
     pub(super) general: usize,
@@ -27,7 +27,7 @@ pub(crate) struct Followed {
 
 /// What was found where the group hung on one way of those before it.
 #[derive(Clone, Debug)]
-pub(super) struct Chain {
+pub(super) struct Branch {
     pub(super) last: Sample,
     /// Up to two before, the newer first, with the same ways in the same order.
     pub(super) before: Vec<Sample>,
@@ -41,15 +41,15 @@ pub(super) struct Sample {
 }
 
 /// Where something is expected, by the last samples.
-pub(super) struct Ahead<'a> {
-    pub(super) chain: &'a Chain,
+pub(super) struct Extrapolation<'a> {
+    pub(super) chain: &'a Branch,
     /// How far ahead it is, in ways between the last two.
     times: f64,
     /// What each sample counts, the last one first.
     weights: [f64; 3],
 }
 
-impl Followed {
+impl Tracker {
     /// All ways are asked for once more.
     pub(crate) fn begin(&mut self) {
         self.chains.retain(|chain| chain.used);
@@ -81,7 +81,7 @@ impl Followed {
         } else {
             return;
         }
-        let chain = Chain {
+        let chain = Branch {
             last: Sample {
                 given,
                 found: found.clone(),
@@ -97,10 +97,10 @@ impl Followed {
     }
 }
 
-impl Ahead<'_> {
+impl Extrapolation<'_> {
     /// Where all are, by where they were.
     pub(super) fn expected(&self) -> Solutions {
-        let Chain { last, before, .. } = self.chain;
+        let Branch { last, before, .. } = self.chain;
         let mut expected = last.found.clone();
         let [by, rest @ ..] = self.weights;
         let all = expected.real.iter_mut().chain(&mut expected.unreal);
@@ -123,10 +123,10 @@ impl Ahead<'_> {
     }
 }
 
-impl Chain {
+impl Branch {
     /// What is expected at a place: by a line through the last two samples, or a parabola through three.
-    pub(super) fn ahead(&self, place: &[Vector]) -> Ahead<'_> {
-        let mut ahead = Ahead {
+    pub(super) fn ahead(&self, place: &[Vector]) -> Extrapolation<'_> {
+        let mut ahead = Extrapolation {
             chain: self,
             times: 0.0,
             weights: [1.0, 0.0, 0.0],

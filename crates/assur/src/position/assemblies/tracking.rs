@@ -7,9 +7,9 @@
 use super::bilinear::{C, System};
 use super::newton::{Room, is_exact};
 use super::solutions::{ONE, REAL, Solutions, apart, apart_either_way, apart_from_conjugate, mean};
-use super::tracker::{Ahead, FAR, Followed, Sample};
+use super::tracker::{Extrapolation, FAR, Sample, Tracker};
 use crate::Vector;
-use crate::position::{Given, Group, State};
+use crate::position::{Group, State, StepContext};
 
 /// Newton's method takes no more turns.
 const MOST_TURNS: usize = 8;
@@ -18,10 +18,10 @@ impl Group {
     /// All ways where they can be followed to here, as the group has received what it hangs on.
     pub(super) fn followed<const N: usize>(
         &self,
-        followed: &mut Followed,
+        followed: &mut Tracker,
         system: &System,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Option<Solutions> {
         let place = self.place(state);
         if !followed.agreed {
@@ -67,10 +67,10 @@ impl Group {
     /// All that is where it is expected, none twice, and whether it is of the same kind as it was.
     fn all_ahead<const N: usize>(
         &self,
-        ahead: &Ahead<'_>,
+        ahead: &Extrapolation<'_>,
         system: &System,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Option<(Solutions, bool)> {
         let last = &ahead.chain.last.found;
         let expected = ahead.expected();
@@ -153,7 +153,7 @@ impl Group {
         grown: f64,
         system: &System,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Option<()> {
         let by = grown.abs().sqrt();
         let both = || middle.iter().zip(half);
@@ -182,7 +182,7 @@ impl Group {
         &self,
         at: &mut [C],
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Option<()> {
         let units = || self.units.iter();
         for (place, (at, unit)) in state.work.unknowns.iter_mut().zip(at.iter().zip(units())) {

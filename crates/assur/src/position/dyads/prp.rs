@@ -4,7 +4,8 @@
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::{
-    Anchor, Cause, Enclosure, Given, Predictor, Singularity, Solvable, State, Track, crossing,
+    BodyPoint, Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track,
+    crossing,
 };
 
 /// Links i and j; the point of both tracks is the joint C between them.
@@ -18,7 +19,7 @@ impl Solvable for Prp {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let [i, j] = &self.tracks;
         let lines = [i, j].map(|track| {
@@ -35,7 +36,7 @@ impl Solvable for Prp {
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let [i, j] = &self.tracks;
         let at = from
-            .place(Anchor {
+            .place(BodyPoint {
                 body: i.body,
                 local: i.point,
             })
@@ -53,7 +54,7 @@ impl Solvable for Prp {
         self.tracks.each_ref().map(|track| track.body).into_iter()
     }
 
-    fn rests_on(&self, body: BodyId) -> bool {
+    fn depends_on(&self, body: BodyId) -> bool {
         self.tracks.iter().any(|track| track.line.body == body)
     }
 

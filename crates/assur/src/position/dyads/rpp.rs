@@ -6,7 +6,8 @@ use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::complex::{Complex, conjugate};
 use crate::position::{
-    Anchor, Cause, Enclosure, Given, Predictor, Singularity, Solvable, State, Track, crossing,
+    BodyPoint, Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track,
+    crossing,
 };
 
 /// Link i hinged at B, link j sliding (the block and the yoke of a scotch yoke).
@@ -26,7 +27,7 @@ impl Solvable for Rpp {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let Self { side, track, .. } = self;
         let (start, direction) = state.line(track);
@@ -52,7 +53,7 @@ impl Solvable for Rpp {
         let hinge = cell.place(from, side.outer).bend;
         cell.set(side.body, spin, [(side.hinge, hinge); 2]);
         let at = from
-            .place(Anchor {
+            .place(BodyPoint {
                 body: track.body,
                 local: track.point,
             })
@@ -72,7 +73,7 @@ impl Solvable for Rpp {
         [self.side.body, self.track.body].into_iter()
     }
 
-    fn rests_on(&self, body: BodyId) -> bool {
+    fn depends_on(&self, body: BodyId) -> bool {
         self.side.outer.body == body || self.track.line.body == body
     }
 

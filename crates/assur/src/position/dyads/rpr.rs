@@ -3,7 +3,7 @@
 use crate::index::{BodyId, StepId};
 use crate::position::complex::{Complex, conjugate, product};
 use crate::position::{
-    Anchor, Cause, Dead, Enclosure, Given, NEAR, Predictor, Singularity, Solvable, State,
+    BodyPoint, Cause, Dead, Enclosure, NEAR, Predictor, Singularity, Solvable, State, StepContext,
 };
 use crate::{Jet, Vector};
 
@@ -18,7 +18,7 @@ pub(crate) struct Rpr {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Side {
     pub(crate) body: BodyId,
-    pub(crate) outer: Anchor,
+    pub(crate) outer: BodyPoint,
     /// The hinge on the link.
     pub(crate) hinge: Vector,
     /// The direction of sliding on the link, of length 1.
@@ -34,7 +34,7 @@ impl Solvable for Rpr {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let [i, j] = &self.sides;
         let [b, d] = [state.place(i.outer), state.place(j.outer)];
@@ -95,7 +95,7 @@ impl Solvable for Rpr {
         self.sides.each_ref().map(|side| side.body).into_iter()
     }
 
-    fn rests_on(&self, body: BodyId) -> bool {
+    fn depends_on(&self, body: BodyId) -> bool {
         self.sides.iter().any(|side| side.outer.body == body)
     }
 
@@ -103,7 +103,7 @@ impl Solvable for Rpr {
         true
     }
 
-    fn passes(&self) -> bool {
+    fn passes_change_point(&self) -> bool {
         true
     }
 
@@ -121,7 +121,7 @@ impl Side {
     /// The side with a line through `through` on the link.
     pub(crate) fn new(
         body: BodyId,
-        outer: Anchor,
+        outer: BodyPoint,
         hinge: Vector,
         through: Vector,
         direction: Vector,

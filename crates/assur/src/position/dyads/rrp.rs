@@ -5,8 +5,8 @@ use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::complex::Complex;
 use crate::position::{
-    Anchor, Arm, Cause, Dead, Enclosure, Given, Predictor, Singularity, Solvable, State, Track,
-    product,
+    Arm, BodyPoint, Cause, Dead, Enclosure, Predictor, Singularity, Solvable, State, StepContext,
+    Track, product,
 };
 
 /// Link i hinged at B, joint C, link j sliding (the connecting rod and the slider
@@ -24,7 +24,7 @@ impl Solvable for Rrp {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let length = self.arm.length();
         let b = state.place(self.arm.outer);
@@ -50,7 +50,7 @@ impl Solvable for Rrp {
         let Self { arm, track } = self;
         let (length, line) = (arm.length(), track.line.body);
         let at = from
-            .place(Anchor {
+            .place(BodyPoint {
                 body: track.body,
                 local: track.point,
             })
@@ -102,7 +102,7 @@ impl Solvable for Rrp {
         [self.arm.body, self.track.body].into_iter()
     }
 
-    fn rests_on(&self, body: BodyId) -> bool {
+    fn depends_on(&self, body: BodyId) -> bool {
         self.arm.outer.body == body || self.track.line.body == body
     }
 
@@ -110,7 +110,7 @@ impl Solvable for Rrp {
         true
     }
 
-    fn passes(&self) -> bool {
+    fn passes_change_point(&self) -> bool {
         true
     }
 

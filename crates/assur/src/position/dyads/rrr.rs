@@ -3,8 +3,8 @@
 use crate::index::{BodyId, StepId};
 use crate::position::complex::Complex;
 use crate::position::{
-    Arm, CLOSE, Cause, Dead, Enclosure, Given, NEAR, Predictor, ROUNDING, Singularity, Solvable,
-    State, clear,
+    Arm, CLOSE, Cause, Dead, Enclosure, NEAR, Predictor, ROUNDING, Singularity, Solvable, State,
+    StepContext, clear,
 };
 use crate::{Jet, Vector};
 
@@ -95,7 +95,7 @@ impl Solvable for Rrr {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let triangle = Triangle::of(state, &self.arms);
         let Triangle {
@@ -140,7 +140,7 @@ impl Solvable for Rrr {
         self.arms.each_ref().map(|arm| arm.body).into_iter()
     }
 
-    fn rests_on(&self, body: BodyId) -> bool {
+    fn depends_on(&self, body: BodyId) -> bool {
         self.arms.iter().any(|arm| arm.outer.body == body)
     }
 
@@ -148,7 +148,7 @@ impl Solvable for Rrr {
         true
     }
 
-    fn passes(&self) -> bool {
+    fn passes_change_point(&self) -> bool {
         true
     }
 

@@ -8,7 +8,7 @@
 //! determinant keeps its sign, so that the step has no singular pose, no other assembly and no flight to infinity.
 
 use super::equation::{Equation, MOST_FORMS};
-use super::{Group, Input};
+use super::{Group, KnownTerm};
 use crate::index::StepId;
 use crate::position::enclosure::{AT_ONCE, Bounds, Enclosure, REGULAR};
 use crate::position::{Predictor, Vector};
@@ -53,7 +53,7 @@ impl Group {
         // What the equations are left with on the tangent, by t²/2; how the Jacobian changes along it; and how with
         // the distance from it.
         let spins = |mesh: usize, cell: &Enclosure| -> f64 {
-            let known = self.meshes[mesh].known.iter();
+            let known = self.angle_constraints[mesh].known.iter();
             known.map(|(body, by)| cell.spin(*body) * by.abs()).sum()
         };
         for (row, equation) in self.equations.iter().enumerate() {
@@ -80,7 +80,7 @@ impl Group {
                     let changes = u.by_unknowns * travels(&v) + v.by_unknowns * travels(&u);
                     [defect, changes, 2.0 * u.by_unknowns * v.by_unknowns]
                 }
-                Equation::Mesh { turns, mesh } => {
+                Equation::Angle { turns, mesh } => {
                     // The angle of f has the gradient 1/|f|; |f| stays above ½.
                     let turns = turns.into_iter().flatten();
                     turns.fold(
@@ -127,7 +127,7 @@ impl Group {
                         + reach * u.bend * (v.value.norm() + off(&v))
                         + reach * v.bend * (u.value.norm() + off(&u))
                 }
-                Equation::Mesh { turns, mesh } => {
+                Equation::Angle { turns, mesh } => {
                     let turns = turns.into_iter().flatten();
                     turns.fold(reach * spins(mesh, cell), |sum, (form, by)| {
                         let f = known(form);
@@ -157,7 +157,7 @@ impl Group {
                         + u.bend * (v.value.norm() + off(&v))
                         + v.bend * (u.value.norm() + off(&u))
                 }
-                Equation::Mesh { turns, mesh } => {
+                Equation::Angle { turns, mesh } => {
                     let turns = turns.into_iter().flatten();
                     turns.fold(spins(mesh, cell), |sum, (form, by)| {
                         sum + by.abs() * known(form).bend
@@ -183,8 +183,8 @@ impl Group {
     fn linearize(&self, from: &Predictor, cell: &mut Enclosure) {
         for (k, input) in self.inputs.iter().enumerate() {
             let bend = match input {
-                Input::Place(anchor) => cell.place(from, *anchor).bend,
-                Input::Direction(anchor) => cell.sway(from, anchor.body) * anchor.local.norm(),
+                KnownTerm::Place(anchor) => cell.place(from, *anchor).bend,
+                KnownTerm::Direction(anchor) => cell.sway(from, anchor.body) * anchor.local.norm(),
             };
             cell.work.inputs[k] = from.taken(*input).truncated();
             cell.bounds.inputs.resize(self.inputs.len(), 0.0);
@@ -265,7 +265,7 @@ impl Group {
     /// Whether the turns of wheels in mesh stay near enough to where they are for what is said of their angles.
     fn turns_little(&self, cell: &Enclosure, radius: f64) -> bool {
         let meshed = self.equations.iter().filter_map(|equation| match equation {
-            Equation::Mesh { turns, .. } => Some(turns),
+            Equation::Angle { turns, .. } => Some(turns),
             _ => None,
         });
         let mut turns =

@@ -1,7 +1,7 @@
 //! What a group's equations are made of: complex-linear forms of what is solved and
 //! of the unknowns, and the quadratic equations between them.
 
-use super::mesh::Given;
+use super::mesh::KnownAngle;
 use crate::Vector;
 use crate::position::complex::{Complex, conjugate, product};
 
@@ -80,7 +80,7 @@ pub(crate) enum Equation {
     },
     /// Wheels in mesh, or a driven hinge: the angles of turns, each multiplied by its number, add up to
     /// what the mesh says.
-    Mesh {
+    Angle {
         turns: [Option<(usize, f64)>; MOST_FORMS],
         mesh: usize,
     },
@@ -94,7 +94,7 @@ impl Equation {
             Self::Line { direction, way } | Self::Along { direction, way, .. } => {
                 [Some(direction), Some(way), None]
             }
-            Self::Mesh { turns, .. } => turns.map(|turn| turn.map(|(form, _)| form)),
+            Self::Angle { turns, .. } => turns.map(|turn| turn.map(|(form, _)| form)),
         };
         forms.into_iter().flatten()
     }
@@ -103,14 +103,14 @@ impl Equation {
     pub(in crate::position) fn left<const N: usize>(
         &self,
         values: &[Complex<N>],
-        given: &[Given<N>],
+        given: &[KnownAngle<N>],
     ) -> f64 {
         match self {
             Self::Unit(_) => self.coefficient(values, given, 0) - 0.5,
             Self::Real(_) | Self::Imaginary(_) | Self::Line { .. } | Self::Along { .. } => {
                 self.coefficient(values, given, 0)
             }
-            Self::Mesh { turns, mesh } => {
+            Self::Angle { turns, mesh } => {
                 let given = &given[*mesh];
                 let near = turns.iter().flatten().zip(given.near);
                 near.fold(given.angle.value(), |sum, ((form, by), near)| {
@@ -125,7 +125,7 @@ impl Equation {
     pub(in crate::position) fn coefficient<const N: usize>(
         &self,
         values: &[Complex<N>],
-        given: &[Given<N>],
+        given: &[KnownAngle<N>],
         order: usize,
     ) -> f64 {
         match *self {
@@ -149,7 +149,7 @@ impl Equation {
                 let along: f64 = (0..=order).map(|k| u[k].dot(&v[order - k])).sum();
                 along + given[mesh].angle.coefficient(order)
             }
-            Self::Mesh { turns, mesh } => {
+            Self::Angle { turns, mesh } => {
                 // θ′ = u × u′ of a turn u, whose length is 1.
                 let rate = |form: usize| -> f64 {
                     let u = &values[form];
@@ -187,7 +187,7 @@ impl Equation {
                 [slopes[0], slopes[1]] = [way, direction].map(value);
             }
             // dθ = u × du / |u|².
-            Self::Mesh { turns, .. } => {
+            Self::Angle { turns, .. } => {
                 for (slope, (form, by)) in slopes.iter_mut().zip(turns.into_iter().flatten()) {
                     let u = value(form);
                     *slope = Vector::new(-u.y, u.x) * (by / u.norm_squared());

@@ -5,14 +5,14 @@ use std::f64::consts::TAU;
 
 use crate::Jet;
 use crate::index::BodyId;
-use crate::position::{Cause, Course, Nearby, Orientation, State};
+use crate::position::{Cause, DriveLaw, Nearby, Orientation, State};
 
 use super::equation::MOST_FORMS;
 
 /// A mesh of which not all bodies are solved: the sum of their angles, each multiplied by its number, is constant.
 /// Of a driven pair the angle between its two bodies, or the way along its line, is what the input makes it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Mesh {
+pub(crate) struct AngleConstraint {
     /// The bodies of the group, in the order in which their turns stand in the equation.
     pub(crate) turning: Vec<BodyId>,
     /// The solved ones with their numbers.
@@ -26,7 +26,7 @@ pub(crate) struct Mesh {
 /// How a pair between links of a group is driven.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Drive {
-    pub(crate) course: Course,
+    pub(crate) course: DriveLaw,
     /// Least and greatest coordinate, of a slide.
     pub(crate) range: Option<[f64; 2]>,
 }
@@ -49,14 +49,14 @@ impl Drive {
 
 /// What is given of a mesh while its group is solved.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::position) struct Given<const N: usize> {
+pub(in crate::position) struct KnownAngle<const N: usize> {
     /// What the solved bodies contribute, less the constant and the driven coordinate; of a driven slide a length.
     pub(in crate::position) angle: Jet<N>,
     /// How the others are turned nearby: their angles are less than half a turn from there.
     pub(in crate::position) near: [Orientation; MOST_FORMS],
 }
 
-impl<const N: usize> Given<N> {
+impl<const N: usize> KnownAngle<N> {
     /// Nothing yet.
     pub(in crate::position) fn nothing() -> Self {
         Self {
@@ -66,7 +66,7 @@ impl<const N: usize> Given<N> {
     }
 }
 
-impl Mesh {
+impl AngleConstraint {
     /// # Errors
     /// That a driven coordinate is out of its range.
     pub(in crate::position) fn given<const N: usize>(
@@ -74,7 +74,7 @@ impl Mesh {
         state: &State<N>,
         near: Nearby<'_>,
         input: Jet<N>,
-    ) -> Result<Given<N>, Cause> {
+    ) -> Result<KnownAngle<N>, Cause> {
         let known = self.known.iter().map(|(body, by)| state.angle(*body) * *by);
         let mut turning = [Orientation::default(); MOST_FORMS];
         for (orientation, body) in turning.iter_mut().zip(&self.turning) {
@@ -91,7 +91,7 @@ impl Mesh {
                 angle = angle + -TAU * ((link - base + angle.value()) / TAU).round();
             }
         }
-        Ok(Given {
+        Ok(KnownAngle {
             angle,
             near: turning,
         })

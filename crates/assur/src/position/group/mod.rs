@@ -14,7 +14,7 @@ mod work;
 
 pub(crate) use elimination::power_of_two;
 pub(crate) use equation::{Equation, Form};
-pub(crate) use mesh::{Drive, Mesh};
+pub(crate) use mesh::{AngleConstraint, Drive};
 use std::f64::consts::TAU;
 use std::ops::Range;
 pub(super) use work::Work;
@@ -23,7 +23,7 @@ use crate::index::{BodyId, List, StepId};
 use crate::position::complex::product;
 use crate::position::step::finite;
 use crate::position::{
-    Anchor, Cause, Enclosure, Given, Nearby, Orientation, Predictor, Solvable, State,
+    BodyPoint, Cause, Enclosure, Nearby, Orientation, Predictor, Solvable, State, StepContext,
 };
 use crate::{Jet, Vector};
 use elimination::Elimination;
@@ -31,16 +31,16 @@ use equation::MOST_FORMS;
 
 /// What a group takes from what is solved.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Input {
+pub(crate) enum KnownTerm {
     /// Where a point of a solved body is.
-    Place(Anchor),
+    Place(BodyPoint),
     /// A direction of a solved body.
-    Direction(Anchor),
+    Direction(BodyPoint),
 }
 
 /// A body of a group.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Placed {
+pub(crate) struct BodyForms {
     pub(crate) body: BodyId,
     /// The forms of its origin and its turn.
     pub(crate) forms: [usize; 2],
@@ -52,7 +52,7 @@ pub(crate) struct Placed {
 /// A group of bodies solved together.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Group {
-    pub(crate) inputs: Vec<Input>,
+    pub(crate) inputs: Vec<KnownTerm>,
     /// How many complex unknowns, and where theirs begin among those of all groups.
     pub(in crate::position) unknowns: usize,
     offset: usize,
@@ -66,7 +66,7 @@ pub(crate) struct Group {
     pub(in crate::position) sought: Vec<Term>,
     further: Vec<Term>,
     pub(in crate::position) equations: Vec<Equation>,
-    pub(in crate::position) meshes: Vec<Mesh>,
+    pub(in crate::position) angle_constraints: Vec<AngleConstraint>,
     /// Of each unknown what it is measured by: the size of the group for a place, 1 for a direction; and by how much
     /// each form changes where all unknowns change by their units.
     pub(in crate::position) units: Vec<f64>,
@@ -75,7 +75,7 @@ pub(crate) struct Group {
     pub(in crate::position) lengths: Vec<f64>,
     /// The body that each equation constrains.
     pub(in crate::position) constrained: Vec<BodyId>,
-    pub(crate) bodies: Vec<Placed>,
+    pub(crate) bodies: Vec<BodyForms>,
     /// Where the Jacobian can be other than zero, row by row, what of it comes from
     /// which unknown of which equation, and its elimination.
     pattern: Vec<bool>,
@@ -108,11 +108,11 @@ impl Group {
     pub(crate) fn new(
         offset: usize,
         units: Vec<f64>,
-        inputs: Vec<Input>,
+        inputs: Vec<KnownTerm>,
         forms: &[Form],
         equations: Vec<(Equation, f64, BodyId)>,
-        meshes: Vec<Mesh>,
-        bodies: Vec<Placed>,
+        angle_constraints: Vec<AngleConstraint>,
+        bodies: Vec<BodyForms>,
     ) -> Option<Self> {
         let unknowns = units.len();
         let size = 2 * unknowns;
@@ -171,7 +171,7 @@ impl Group {
             sought: terms(|form| &form.unknowns, 0..equated),
             further: terms(|form| &form.unknowns, equated..forms.len()),
             equations,
-            meshes,
+            angle_constraints,
             lengths,
             constrained,
             bodies,
@@ -184,7 +184,7 @@ impl Group {
 
     /// Whether wheels are in mesh within it.
     pub(crate) fn has_meshes(&self) -> bool {
-        !self.meshes.is_empty()
+        !self.angle_constraints.is_empty()
     }
 
     /// Whether anything is unknown of it. If not, its bodies follow from what is solved, and its equations are only checked.
@@ -203,7 +203,7 @@ impl Group {
     fn solve_near<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let near = given.near;
         self.receive(state, given)?;
@@ -219,7 +219,7 @@ impl Group {
     pub(crate) fn put_solved<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         self.receive(state, given)?;
         self.guess(&mut state.work, given.near);
@@ -231,13 +231,13 @@ impl Group {
     pub(in crate::position) fn receive<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         state.work.fit(self);
         for (k, input) in self.inputs.iter().enumerate() {
             state.work.inputs[k] = state.taken(*input);
         }
-        for (k, mesh) in self.meshes.iter().enumerate() {
+        for (k, mesh) in self.angle_constraints.iter().enumerate() {
             state.work.given[k] = mesh.given(state, given.near, given.input)?;
         }
         let work = &mut state.work;
@@ -248,9 +248,9 @@ impl Group {
         Ok(())
     }
 
-    /// Counts the turns of solved bodies that its meshes take from where they are drawn.
+    /// Counts the turns of solved bodies that its angle_constraints take from where they are drawn.
     pub(crate) fn count_turns(&mut self, drawn: &List<BodyId, Orientation>, state: &State<1>) {
-        for mesh in &mut self.meshes {
+        for mesh in &mut self.angle_constraints {
             let known = mesh.known.iter().map(|(body, by)| {
                 let off = state.angle(*body).value() - drawn[*body].angle;
                 by * TAU * (off / TAU).round()
@@ -259,9 +259,9 @@ impl Group {
         }
     }
 
-    /// The solved bodies whose angles, with all their turns, its meshes take.
+    /// The solved bodies whose angles, with all their turns, its angle_constraints take.
     pub(crate) fn turned_by(&self) -> impl Iterator<Item = BodyId> {
-        let known = self.meshes.iter().flat_map(|mesh| &mesh.known);
+        let known = self.angle_constraints.iter().flat_map(|mesh| &mesh.known);
         known.map(|(body, _)| *body)
     }
 
@@ -435,7 +435,7 @@ impl Group {
             *place = *found;
             sum += found.nought();
         }
-        for Placed {
+        for BodyForms {
             body,
             forms: [origin, turn],
             close,
@@ -449,7 +449,7 @@ impl Group {
             }
             let pose = &mut state.bodies[*body];
             (pose.origin, pose.turn) = (origin, turn);
-            state.winds(*body, near);
+            state.tracks_turns(*body, near);
         }
         finite(sum)
     }
@@ -460,14 +460,18 @@ impl Solvable for Group {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &Given<'_, N>,
+        given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         self.solve_near(state, given)
     }
 
     /// The angles are told, and what is not finite found, with the unknowns.
     #[inline(always)]
-    fn put<const N: usize>(&self, state: &mut State<N>, given: &Given<'_, N>) -> Result<(), Cause> {
+    fn put<const N: usize>(
+        &self,
+        state: &mut State<N>,
+        given: &StepContext<'_, N>,
+    ) -> Result<(), Cause> {
         self.solve(state, given)
     }
 
@@ -479,9 +483,9 @@ impl Solvable for Group {
         self.bodies.iter().map(|placed| placed.body)
     }
 
-    fn rests_on(&self, body: BodyId) -> bool {
+    fn depends_on(&self, body: BodyId) -> bool {
         self.inputs.iter().any(|input| match input {
-            Input::Place(anchor) | Input::Direction(anchor) => anchor.body == body,
+            KnownTerm::Place(anchor) | KnownTerm::Direction(anchor) => anchor.body == body,
         }) || self.turned_by().any(|other| other == body)
     }
 }

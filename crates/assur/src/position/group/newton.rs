@@ -34,7 +34,7 @@ impl Group {
             }
             // The last step is not taken where rounding is all it mends: the
             // Jacobian is then that of the solution.
-            if change <= CONVERGED || change >= 0.5 * last && self.is_closed(work) {
+            if change <= CONVERGED || change >= 0.5 * last && self.residual_is_rounding(work) {
                 return self.locked(work).map_or(Ok(()), Err);
             }
             if turn + 1 == MOST_STEPS {
@@ -112,7 +112,10 @@ impl Group {
     /// Whether rounding is all that the equations are left with. A short link between places far off has few digits
     /// of its direction. Redundant equations that are left out have more than rounding of their own: [`Self::locked`]
     /// judges them.
-    pub(in crate::position) fn is_closed<const N: usize>(&self, work: &mut Work<N>) -> bool {
+    pub(in crate::position) fn residual_is_rounding<const N: usize>(
+        &self,
+        work: &mut Work<N>,
+    ) -> bool {
         let terms = |inputs: &[Complex<N>], terms: &[Term], noise: &mut [f64]| {
             for term in terms {
                 noise[term.form] += inputs[term.of][0].norm() * term.by.norm();
@@ -135,7 +138,7 @@ impl Group {
                 Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
                     size(direction) * noise[way] + size(way) * noise[direction]
                 }
-                Equation::Mesh { turns, mesh } => {
+                Equation::Angle { turns, mesh } => {
                     let given = &work.given[mesh];
                     let turns = turns.iter().flatten().zip(given.near);
                     turns.fold(given.angle.value().abs(), |sum, ((form, by), near)| {

@@ -3,18 +3,18 @@
 use super::Group;
 use super::elimination::Elimination;
 use super::equation::MOST_FORMS;
-use super::mesh::Given;
+use super::mesh::KnownAngle;
 use crate::Vector;
 use crate::position::complex::Complex;
 
 /// Room for the sums of a group, made once and used for every sample.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Work<const N: usize> {
-    /// The counts of inputs, unknowns, equations, forms and meshes that there is room for.
+    /// The counts of inputs, unknowns, equations, forms and angle_constraints that there is room for.
     fits: [usize; 6],
     pub(in crate::position) inputs: Vec<Complex<N>>,
     /// What is given of wheels in mesh.
-    pub(in crate::position) given: Vec<Given<N>>,
+    pub(in crate::position) given: Vec<KnownAngle<N>>,
     pub(in crate::position) unknowns: Vec<Complex<N>>,
     /// Of the forms that stand in equations what is known of their value; and all
     /// forms: of orders not solved yet what is known.
@@ -45,7 +45,7 @@ impl<const N: usize> Work<N> {
             group.equations.len(),
             group.equated,
             group.constants.len(),
-            group.meshes.len(),
+            group.angle_constraints.len(),
         ];
         if self.fits == fits {
             return;
@@ -54,7 +54,8 @@ impl<const N: usize> Work<N> {
         let [rows, size] = [group.equations.len(), 2 * group.unknowns];
         let nothing = Complex::constant(Vector::zeros());
         self.inputs.resize(group.inputs.len(), nothing);
-        self.given.resize(group.meshes.len(), Given::nothing());
+        self.given
+            .resize(group.angle_constraints.len(), KnownAngle::nothing());
         self.unknowns.resize(group.unknowns, nothing);
         self.known.resize(group.equated, Vector::zeros());
         self.values.resize(group.constants.len(), nothing);

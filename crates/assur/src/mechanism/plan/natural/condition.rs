@@ -7,22 +7,22 @@ use crate::mechanism::plan::body::Gear;
 use crate::mechanism::plan::driver::{DrivenPair, PairKind};
 use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::plan::willis;
-use crate::position::{Drive, Equation, Form, Group, Mesh, Placed, conjugate};
+use crate::position::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, conjugate};
 
 /// One equation, or two, in forms of its own.
 pub(in crate::mechanism) enum Condition {
     /// A direction of length 1, and the length of the link along it.
     Unit(Form, f64),
     Zero(Form),
-    /// The way along a direction of length 1; and which of the meshes says how far.
+    /// The way along a direction of length 1; and which of the angle_constraints says how far.
     Along {
         direction: Form,
         way: Form,
         mesh: usize,
     },
     /// The turns of bodies, with what their angles are multiplied by; and which of the
-    /// meshes says what they add up to.
-    Mesh(Vec<(Form, f64)>, usize),
+    /// angle_constraints says what they add up to.
+    AngleConstraint(Vec<(Form, f64)>, usize),
     /// The length of the direction, if the way has one too; none where both are
     /// directions.
     Line {
@@ -100,9 +100,9 @@ impl Plan<'_> {
         let forms = turns
             .iter()
             .map(|(body, by)| (self.placed[body][1].clone(), *by));
-        let condition = Condition::Mesh(forms.collect(), self.meshes.len());
+        let condition = Condition::AngleConstraint(forms.collect(), self.angle_constraints.len());
         self.conditions.push((gear.bodies[1], condition));
-        self.meshes.push(Mesh {
+        self.angle_constraints.push(AngleConstraint {
             turning: turns.into_iter().map(|(body, _)| body).collect(),
             known,
             constant,
@@ -113,9 +113,9 @@ impl Plan<'_> {
 
     /// The condition of a driven pair.
     pub(in crate::mechanism) fn drive(&mut self, pair: &DrivenPair) -> Option<()> {
-        let mesh = self.meshes.len();
+        let mesh = self.angle_constraints.len();
         let course = pair.course;
-        let mut given = Mesh {
+        let mut given = AngleConstraint {
             turning: Vec::new(),
             known: Vec::new(),
             constant: 0.0,
@@ -131,7 +131,7 @@ impl Plan<'_> {
                 let turns = vec![(link?[1].clone(), 1.0), (base?[1].clone(), -1.0)];
                 given.turning = bodies.to_vec();
                 given.constant = -lead;
-                (bodies[0], Condition::Mesh(turns, mesh))
+                (bodies[0], Condition::AngleConstraint(turns, mesh))
             }
             PairKind::Slide { slide, range } => {
                 let slide = &self.bodies.slides[slide];
@@ -151,7 +151,7 @@ impl Plan<'_> {
             }
         };
         self.conditions.push((driven, condition));
-        self.meshes.push(given);
+        self.angle_constraints.push(given);
         Some(())
     }
 
@@ -176,10 +176,10 @@ impl Plan<'_> {
                     let both = [Equation::Real(form), Equation::Imaginary(form)];
                     equations.extend(both.map(|equation| (equation, 1.0, body)));
                 }
-                Condition::Mesh(turns, mesh) => {
+                Condition::AngleConstraint(turns, mesh) => {
                     let mut turns = turns.into_iter();
                     let turns = [(); 3].map(|()| turns.next().map(|(form, by)| (index(form), by)));
-                    equations.push((Equation::Mesh { turns, mesh }, 0.0, body));
+                    equations.push((Equation::Angle { turns, mesh }, 0.0, body));
                 }
                 Condition::Along {
                     direction,
@@ -205,19 +205,19 @@ impl Plan<'_> {
             }
         }
         let close = self.close;
-        let bodies = self.placed.into_iter().map(|(body, forms)| Placed {
+        let bodies = self.placed.into_iter().map(|(body, forms)| BodyForms {
             body,
             forms: forms.map(&mut index),
             close: close.get(&body).copied(),
         });
-        let bodies: Vec<Placed> = bodies.collect();
+        let bodies: Vec<BodyForms> = bodies.collect();
         let group = Group::new(
             offset,
             self.units,
             self.inputs,
             &forms,
             equations,
-            self.meshes,
+            self.angle_constraints,
             bodies,
         );
         group.map(|group| (group, self.home))

@@ -25,7 +25,7 @@ pub(crate) enum Setting {
 
 /// A linkage joined at an input: its draft is drawn in that pose.
 #[derive(Clone, Debug)]
-pub(crate) struct Joined {
+pub(crate) struct Assembled {
     mechanism: Mechanism,
     state: State<1>,
     /// Of each step on which side its links are joined: ±1.
@@ -34,7 +34,7 @@ pub(crate) struct Joined {
 
 /// Where links come apart on the way to a neighbour.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Apart {
+pub(crate) struct LoopOpen {
     pub(crate) step: StepId,
     pub(crate) links: Vec<LinkId>,
     pub(crate) cause: Cause,
@@ -44,7 +44,7 @@ pub(crate) struct Apart {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NoNeighbour {
     /// Its links cannot be joined.
-    Apart(Apart),
+    LoopOpen(LoopOpen),
     /// With this setting it is no mechanism, however it is joined.
     Defects(Vec<Defect>),
 }
@@ -62,7 +62,7 @@ const CORRECTED: f64 = 0.03;
 /// solutions that are about to meet are not taken for each other.
 const CHANGED: f64 = 2.0;
 
-impl Joined {
+impl Assembled {
     /// A mechanism in one of its poses, with a shape for every link.
     pub(crate) fn new(
         mechanism: &Mechanism,
@@ -76,7 +76,7 @@ impl Joined {
             orientations,
         };
         let mut joined = mechanism.laid_out(&draft, None, drawn, input)?;
-        let state = joined.join(None).map_err(NoNeighbour::Apart)?;
+        let state = joined.join(None).map_err(NoNeighbour::LoopOpen)?;
         Ok(joined.joined(state))
     }
 
@@ -122,9 +122,9 @@ impl Joined {
             .mechanism
             .laid_out(&draft, Some(setting), drawn, input)?;
         let state = next.join(Some(&self.sides));
-        let state = state.map_err(NoNeighbour::Apart)?;
+        let state = state.map_err(NoNeighbour::LoopOpen)?;
         if let Some(step) = next.lost(&self.state, &state) {
-            return Err(NoNeighbour::Apart(next.apart(step, Cause::DeadPoint)));
+            return Err(NoNeighbour::LoopOpen(next.apart(step, Cause::DeadPoint)));
         }
         Ok(next.joined(state))
     }
@@ -189,7 +189,7 @@ impl Mechanism {
     }
 
     /// Joins the links on these sides, else as they are drawn.
-    fn join(&mut self, sides: Option<&List<StepId, f64>>) -> Result<State<1>, Apart> {
+    fn join(&mut self, sides: Option<&List<StepId, f64>>) -> Result<State<1>, LoopOpen> {
         let mut state = self.blank_state();
         for step in self.steps.ids() {
             let side = sides.map(|sides| sides[step]);
@@ -213,7 +213,7 @@ impl Mechanism {
     /// On which side a sign joins the links of a step.
     fn side(&self, step: StepId, sign: Sign, state: &State<1>) -> f64 {
         match &self.steps[step] {
-            Step::Closed(closed) => closed.side(sign, state),
+            Step::FourBar(closed) => closed.side(sign, state),
             _ => sign.factor(),
         }
     }
@@ -245,19 +245,19 @@ impl Mechanism {
         lost.map(|(step, _)| step)
     }
 
-    fn apart(&self, step: StepId, cause: Cause) -> Apart {
+    fn apart(&self, step: StepId, cause: Cause) -> LoopOpen {
         let bodies = self.steps[step].bodies().into_iter();
         let links = bodies.filter_map(|body| self.made_for[body]).collect();
-        Apart { step, links, cause }
+        LoopOpen { step, links, cause }
     }
 
     /// As it is joined in a state.
-    fn joined(mut self, state: State<1>) -> Joined {
+    fn joined(mut self, state: State<1>) -> Assembled {
         let sides = self.steps.ids();
         let sides = sides.map(|step| self.side(step, self.signs[step], &state));
         let sides = sides.collect();
         self.draft = self.drawn_by(&state);
-        Joined {
+        Assembled {
             mechanism: self,
             state,
             sides,

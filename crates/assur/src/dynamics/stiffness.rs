@@ -8,14 +8,14 @@ use crate::Angle;
 
 /// How quickly a body can swing, and be stopped.
 #[derive(Clone, Copy, Debug)]
-struct Quickness {
+struct Stiffness {
     /// The square of the rate of swings, (rad/s)².
     swings: f64,
     /// The rate of damping, 1/s.
     damping: f64,
 }
 
-impl Quickness {
+impl Stiffness {
     fn sum(each: &[Self; N]) -> Self {
         Self {
             swings: each.iter().map(|each| each.swings).sum(),
@@ -52,7 +52,7 @@ impl Equations {
 
     /// How quick each body can be at these speeds: by the traces of all stiffnesses and dampings, which are bounds of
     /// what they are together.
-    fn quickness(&self, speeds: &[f64; N]) -> [Quickness; N] {
+    fn stiffness_terms(&self, speeds: &[f64; N]) -> [Stiffness; N] {
         let mut squares = [0.0; N];
         let mut rates = [0.0; N];
         let mut damp = |damping: f64, factors: &[f64; N]| {
@@ -75,7 +75,7 @@ impl Equations {
                 *square += field.energy * share;
             }
         }
-        std::array::from_fn(|body| Quickness {
+        std::array::from_fn(|body| Stiffness {
             swings: squares[body],
             damping: rates[body],
         })
@@ -83,7 +83,7 @@ impl Equations {
 
     /// The quickest rate in a state, rad/s: of swings, of damping, of phases running through.
     pub(super) fn rate(&self, angles: &[Angle; N], speeds: &[f64; N]) -> f64 {
-        let own = Quickness::sum(&self.quickness(speeds)).rate();
+        let own = Stiffness::sum(&self.stiffness_terms(speeds)).rate();
         let passing = Mesh::ALL.map(|mesh| {
             let field = self.mesh(mesh);
             let rate = field.phase(speeds);
@@ -95,10 +95,10 @@ impl Equations {
     }
 
     /// The body that is too quick to be followed, if any.
-    pub(super) fn too_quick(&self) -> Option<Body> {
-        let each = self.quickness(&[0.0; N]);
+    pub(super) fn too_stiff(&self) -> Option<Body> {
+        let each = self.stiffness_terms(&[0.0; N]);
         let bodies = Body::ALL.into_iter().zip(&each);
-        (Quickness::sum(&each).rate() * TICK > QUICKEST)
+        (Stiffness::sum(&each).rate() * TICK > QUICKEST)
             .then(|| bodies.max_by(|a, b| a.1.rate().total_cmp(&b.1.rate())))
             .flatten()
             .map(|(body, _)| body)
