@@ -85,7 +85,7 @@ fn every_dimension_of_the_catalogue() {
                             gave += usize::from(changed.gave_way);
                             returns(&changed, dimension, [was, value], &before, &at);
                         }
-                        Err(Refusal::Apart {
+                        Err(Refusal::LoopOpen {
                             last, by, links, ..
                         }) => {
                             // One length of a linkage with redundant constraints cannot change alone.
@@ -246,7 +246,7 @@ fn a_slider_keeps_off_its_guide() {
     }
     // The guide as high as crank and rod are long together, and 1 below A.
     match motion.changed(offset, 6.0, 1.0).unwrap_err() {
-        Refusal::Apart { last, by, .. } => {
+        Refusal::LoopOpen { last, by, .. } => {
             assert!(last <= 5.0 && last > 5.0 - 0.01, "{last}");
             assert!((by - (6.0 - last)).abs() < 1e-12);
         }
@@ -311,7 +311,7 @@ fn offset_of_one_of_two_points_of_a_block() {
     let mechanism = motion.mechanism();
     for offset in offsets(mechanism) {
         match motion.changed(offset, 0.1, motion.home()).unwrap_err() {
-            Refusal::Apart { last, .. } => assert!(last.abs() < 1e-3, "{last}"),
+            Refusal::LoopOpen { last, .. } => assert!(last.abs() < 1e-3, "{last}"),
             other => panic!("{other:?}"),
         }
     }
@@ -349,7 +349,7 @@ fn refusals() {
         .find(|point| point.name == "F");
     let most = guide.unwrap().at.y + 4.0;
     match motion.changed(height, most + 1.0, 1.0).unwrap_err() {
-        Refusal::Apart {
+        Refusal::LoopOpen {
             last, by, links, ..
         } => {
             assert!(last <= most && last > most - 0.01, "{last} {most}");
