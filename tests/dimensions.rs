@@ -20,7 +20,7 @@ fn motion(name: &str) -> Motion {
 fn inputs(motion: &Motion) -> [f64; 3] {
     let [from, to] = motion.cycle().arcs()[0];
     [
-        motion.home(),
+        motion.drawn_input(),
         from + 0.15 * (to - from),
         from + 0.65 * (to - from),
     ]
@@ -125,7 +125,7 @@ fn returns(changed: &Changed, of: Dimension, [was, value]: [f64; 2], before: &[P
     let pose = motion.pose(*input).unwrap_or_else(|e| {
         panic!(
             "{at}: {e} home {} {:?} draft {:?}",
-            motion.home(),
+            motion.drawn_input(),
             motion.cycle(),
             mechanism.draft()
         )
@@ -310,7 +310,7 @@ fn offset_of_one_of_two_points_of_a_block() {
     let motion = Motion::new(Mechanism::new(&draft).unwrap());
     let mechanism = motion.mechanism();
     for offset in offsets(mechanism) {
-        match motion.changed(offset, 0.1, motion.home()).unwrap_err() {
+        match motion.changed(offset, 0.1, motion.drawn_input()).unwrap_err() {
             Refusal::LoopOpen { last, .. } => assert!(last.abs() < 1e-3, "{last}"),
             other => panic!("{other:?}"),
         }
@@ -372,7 +372,7 @@ fn a_hinge_is_moved() {
     let h = mechanism.point("H").unwrap();
     let from = mechanism.draft().points[h.index()].at;
     for to in [from + Vector::new(0.05, 0.1), from + Vector::new(20.0, 5.0)] {
-        let moved = motion.hinge_moved(h, to, motion.home()).unwrap();
+        let moved = motion.hinge_moved(h, to, motion.drawn_input()).unwrap();
         let after = moved.motion.mechanism();
         let at = after.draft().points[h.index()].at;
         let way = (to - from).normalize();
@@ -451,7 +451,7 @@ fn every_assembly_of_the_catalogue() {
             let others = other.signed_assemblies();
             let found = (others.drawn(), others.count());
             assert_eq!(found, (number, all.count()), "{name}");
-            assert_eq!(other.home(), mechanism.home(), "{name}");
+            assert_eq!(other.drawn_input(), mechanism.drawn_input(), "{name}");
         }
     }
 }

@@ -108,7 +108,7 @@ fn no_rows_are_lost() {
     let far = motion("offset-10000");
     assert!(far.cycle().is_full() && far.dead_points().is_empty());
     let gear = motion("reduction");
-    assert!(gear.cycle().contains(0.0) && gear.home() == 0.0);
+    assert!(gear.cycle().contains(0.0) && gear.drawn_input() == 0.0);
 }
 
 /// Hunting teeth: the angle of a link agrees with the places of its points in every row of 31 turns.
@@ -180,7 +180,7 @@ fn what_never_comes_back_is_said() {
 fn the_drawing_is_the_row_at_its_input() {
     let motion = motion("drawn-turns-off");
     let mechanism = motion.mechanism();
-    assert_eq!(motion.home(), 0.0);
+    assert_eq!(motion.drawn_input(), 0.0);
     let kinds = motion.dead_points().iter().map(|dead| dead.kind);
     assert!(kinds.eq([DeadPointKind::Unfollowed; 2]));
     let [from, to] = motion.cycle().arcs()[0];
@@ -222,8 +222,8 @@ fn a_drawing_over_more_than_a_turn_is_its_row() {
         let drawn = over.mechanism().drawn_in(&pose);
         let motion = Motion::new(Mechanism::new(&drawn).unwrap());
         let mechanism = motion.mechanism();
-        assert!((motion.home() - input).abs() < 1e-9, "{k} {input}");
-        let pose = motion.pose::<1>(motion.home()).unwrap();
+        assert!((motion.drawn_input() - input).abs() < 1e-9, "{k} {input}");
+        let pose = motion.pose::<1>(motion.drawn_input()).unwrap();
         for (point, drawn) in mechanism.point_ids().zip(&drawn.points) {
             let off = (mechanism.place(&pose, point).place() - drawn.at).norm();
             assert!(off < 1e-9, "{k} {input} {}: {off:e}", drawn.name);
@@ -293,7 +293,7 @@ fn no_angle_is_told_of_nothing() {
 #[test]
 fn a_wheel_on_a_link_of_a_group() {
     let motion = motion("gear-outside-group-refused");
-    let pose = motion.pose::<3>(motion.home()).unwrap();
+    let pose = motion.pose::<3>(motion.drawn_input()).unwrap();
     let mechanism = motion.mechanism();
     for link in mechanism.link_ids() {
         let angle = mechanism.angle(&pose, link);
@@ -311,7 +311,7 @@ fn a_wheel_on_a_link_of_a_group() {
 #[test]
 fn a_deltoid_is_told_by_two_turns() {
     let motion = motion("deltoid-in-part");
-    let (mechanism, home) = (motion.mechanism(), motion.home());
+    let (mechanism, home) = (motion.mechanism(), motion.drawn_input());
     assert_eq!(motion.cycle().period(), Some(2.0 * TAU));
     for input in [home, home + 2.0 * TAU, home - 2.0 * TAU] {
         let pose = motion.pose::<1>(input).unwrap();

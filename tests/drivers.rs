@@ -108,11 +108,11 @@ fn two_cranks_at_a_rate() {
 fn the_drawing_tells_the_phase() {
     let motion = motion(&five_bar(-0.75));
     let mechanism = motion.mechanism();
-    let pose = motion.pose::<1>(motion.home()).unwrap();
+    let pose = motion.pose::<1>(motion.drawn_input()).unwrap();
     let c = mechanism.point("C").unwrap();
     let [_, _, drawn] = closed_form(DRAWN);
     assert!((mechanism.place(&pose, c).place() - drawn).norm() < 1e-12);
-    assert!((motion.home() - DRAWN[0]).abs() < 1e-15);
+    assert!((motion.drawn_input() - DRAWN[0]).abs() < 1e-15);
 }
 
 #[test]
@@ -143,7 +143,7 @@ fn either_crank_may_be_the_input() {
     let rate = 0.5;
     let one = motion(&five_bar(rate));
     let driver = one.driver("ED").unwrap().unwrap();
-    let other = one.driven_by(&driver, one.home()).unwrap();
+    let other = one.driven_by(&driver, one.drawn_input()).unwrap();
     let mechanism = other.motion.mechanism();
     assert_eq!(mechanism.rates().collect::<Vec<f64>>(), [1.0, 1.0 / rate]);
     assert_eq!(other.motion.cycle().period(), Some(TAU));

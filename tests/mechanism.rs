@@ -108,7 +108,7 @@ fn slider_crank() {
 fn swings_between_dead_points() {
     let lengths = [0.6, 0.85, 0.3, 0.85];
     let linkage = FourBar::new(lengths).unwrap();
-    let home = linkage.cycle().home();
+    let home = linkage.cycle().drawn_input();
     let mechanism = Mechanism::new(&four_bar(lengths, home, Assembly::First)).unwrap();
     let motion = Motion::new(mechanism.signed_assemblies().assembly(0).unwrap());
     assert!(!motion.cycle().is_full());
@@ -161,7 +161,7 @@ fn the_search_for_assemblies_is_bounded() {
     assert!((1..=256).contains(&mechanism.signed_assemblies().count()));
     let motion = Motion::new(mechanism);
     let mechanism = motion.mechanism();
-    let pose = motion.pose::<1>(motion.home()).unwrap();
+    let pose = motion.pose::<1>(motion.drawn_input()).unwrap();
     for (point, drawn) in mechanism.point_ids().zip(&draft.points) {
         let at = mechanism.place(&pose, point).place();
         assert!((at - drawn.at).norm() < 1e-9, "{}", drawn.name);
@@ -409,7 +409,7 @@ fn readings_of_a_four_bar_that_is_followed() {
         let home = if cycle.is_full() {
             1.0
         } else {
-            cycle.home() + 0.1
+            cycle.drawn_input() + 0.1
         };
         let mut draft = four_bar(lengths, home, Assembly::First)
             .point("G", -1.0, 0.0)
@@ -622,7 +622,7 @@ fn assembled_by_dimensions_alone() {
     }
     assert!(Mechanism::new(&draft).is_err());
     let mechanism = Mechanism::assembled(&draft, Some(1.0)).unwrap().unwrap();
-    assert!((mechanism.home() - 1.0).abs() < 1e-14);
+    assert!((mechanism.drawn_input() - 1.0).abs() < 1e-14);
     let output = mechanism.link("rocker").unwrap();
     let found = Motion::new(mechanism.clone()).assemblies_at(1.0, output);
     assert!(found.whole && found.poses.len() == 2);
@@ -635,7 +635,7 @@ fn assembled_by_dimensions_alone() {
     // Each of them is a drawing of its own.
     for pose in &found.poses {
         let drawn = Mechanism::new(&mechanism.drawn_in(pose)).unwrap();
-        assert!((drawn.home() - 1.0).abs() < 1e-14);
+        assert!((drawn.drawn_input() - 1.0).abs() < 1e-14);
     }
     // The coupler is too short to reach over here.
     draft.links[1].shape = Some(vec![Point::origin(), Point::new(2.5, 0.0)]);
@@ -659,7 +659,7 @@ fn counted_by_another_turn_the_assembly_is_the_drawn_one() {
         let motion = Motion::new(mechanism);
         let again = Motion::new(motion.mechanism().clone());
         for motion in [motion, again] {
-            let pose = motion.pose::<1>(motion.home()).unwrap();
+            let pose = motion.pose::<1>(motion.drawn_input()).unwrap();
             let off = motion.mechanism().place(&pose, c).place() - draft.points[2].at;
             assert!(off.norm() < 1e-12, "{assembly:?}: {off:?}");
         }

@@ -446,7 +446,7 @@ fn groups_in_any_unit_can_be_changed() {
                 .find(|one| matches!(one, Dimension::Length(_)))
                 .unwrap();
             let value = motion.mechanism().value(length).unwrap();
-            let changed = motion.changed(length, 1.001 * value, motion.home());
+            let changed = motion.changed(length, 1.001 * value, motion.drawn_input());
             assert!(changed.is_ok(), "{name} {unit:e}: {:?}", changed.err());
         }
     }

@@ -45,7 +45,7 @@ pub(crate) fn hold(subject: &Subject, seed: u64, tally: &mut Tally) {
 fn drawn(subject: &Subject, tally: &mut Tally) {
     let (motion, equations) = (&subject.motion, &subject.equations);
     let drawn = equations.drawn_input();
-    let home = motion.home();
+    let home = motion.drawn_input();
     let off = match motion.mechanism().turns() {
         true => modulo_turn(home - drawn).abs(),
         false => (home - drawn).abs() / equations.size(),
@@ -115,7 +115,7 @@ fn given_up(subject: &Subject, tally: &mut Tally) {
 /// Rows fulfil the equations.
 fn equations(subject: &Subject, tally: &mut Tally) {
     let motion = &subject.motion;
-    let Ok(home) = motion.pose::<3>(motion.home()) else {
+    let Ok(home) = motion.pose::<3>(motion.drawn_input()) else {
         return tally.open("derivatives at home");
     };
     let home = Shown::of(motion.mechanism(), &home);

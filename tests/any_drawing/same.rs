@@ -91,11 +91,11 @@ impl Comparison<'_> {
         };
         let motion = Motion::new(mechanism);
         let home = self.redrawn.angle(self.drawn_at.input);
-        let off = modulo_turn(motion.home() - home);
+        let off = modulo_turn(motion.drawn_input() - home);
         // Of an angle of many turns so many digits fewer are told.
-        let told = f64::EPSILON * (home.abs() + motion.home().abs());
+        let told = f64::EPSILON * (home.abs() + motion.drawn_input().abs());
         if motion.mechanism().turns() && off.abs() > ADDED * (error + told) {
-            let text = format!("home is {}, drawn at {home}", motion.home());
+            let text = format!("home is {}, drawn at {home}", motion.drawn_input());
             return self.fail("drawn input", text);
         }
         if !self.same_range(&motion) {
@@ -110,12 +110,12 @@ impl Comparison<'_> {
 
     /// The input of the redrawn motion that is one of the original.
     fn input(&self, motion: &Motion, original: f64) -> f64 {
-        motion.home() + self.redrawn.input_rate() * (original - self.drawn_at.input)
+        motion.drawn_input() + self.redrawn.input_rate() * (original - self.drawn_at.input)
     }
 
     /// And back.
     fn original(&self, motion: &Motion, input: f64) -> f64 {
-        self.drawn_at.input + (input - motion.home()) / self.redrawn.input_rate()
+        self.drawn_at.input + (input - motion.drawn_input()) / self.redrawn.input_rate()
     }
 
     fn same_range(&mut self, motion: &Motion) -> bool {
@@ -284,7 +284,7 @@ impl Comparison<'_> {
     fn same_pose(&mut self, motion: &Motion, known: &Known) -> bool {
         // Of angles of many turns so many digits fewer are told, here and there.
         let input = self.input(motion, known.input);
-        let told = [known.input, self.drawn_at.input, input, motion.home()].map(f64::abs);
+        let told = [known.input, self.drawn_at.input, input, motion.drawn_input()].map(f64::abs);
         let told = f64::EPSILON * told.iter().sum::<f64>();
         let error = self.error(&known.shown) + self.error(&self.drawn_at.shown) + told;
         if !determined(known.condition, error) {

@@ -74,9 +74,9 @@ fn a_pair_counted_the_other_way() {
     let draft = turned(turned(arm(), FRAME, "a", 1.0), "b", "c", 1.0);
     let draft = turned(draft, "a", "b", 0.0);
     let motion = motion(&draft);
-    assert!(reduced(motion.home() + drawn[0]).abs() < 1e-14);
-    for input in [-2.0, motion.home(), 0.4, 3.0] {
-        let off = input - motion.home();
+    assert!(reduced(motion.drawn_input() + drawn[0]).abs() < 1e-14);
+    for input in [-2.0, motion.drawn_input(), 0.4, 3.0] {
+        let off = input - motion.drawn_input();
         // θ_a = −φ; θ_a − θ_b stays; θ_b − θ_c grows with φ.
         assert_angle(
             angle(&motion, "a", input),
@@ -168,7 +168,7 @@ fn a_planet_turned_against_its_carrier() {
         mesh: Mesh::External,
     });
     let motion = motion(&turned(draft, "planet", "carrier", 1.0));
-    let home = motion.home();
+    let home = motion.drawn_input();
     assert!((home - 0.5 * PI).abs() < 1e-15);
     assert_eq!(motion.cycle().period(), Some(2.0 * TAU));
     for off in [-9.0, -2.0, 0.0, 1.0, 7.0] {

@@ -54,7 +54,7 @@ fn any_pair_of_the_catalogue_drives() {
 fn regular(motion: &Motion) -> Option<f64> {
     let [from, to] = motion.cycle().axis();
     let input = if motion.dead_points().is_empty() {
-        motion.home() + 0.3
+        motion.drawn_input() + 0.3
     } else {
         0.45 * from + 0.55 * to
     };
@@ -99,7 +99,7 @@ fn drives(
     }
     for off in [0.0, 0.01, -0.01] {
         let by = coordinate(input + off) - coordinate(input);
-        let pose = now.pose::<1>(now.home() + by);
+        let pose = now.pose::<1>(now.drawn_input() + by);
         let pose = pose.unwrap_or_else(|why| panic!("{what} {off}: {why}"));
         for point in was.mechanism().points() {
             let found = now
@@ -113,6 +113,6 @@ fn drives(
             );
         }
     }
-    assert_smooth(&now, now.home(), 1e-4);
+    assert_smooth(&now, now.drawn_input(), 1e-4);
     true
 }

@@ -53,7 +53,7 @@ fn a_cylinder_as_the_input_or_not() {
         motion.mechanism().drivable(),
         ["boom", "lower", "piston", "plunger"]
     );
-    let input = motion.home() + 0.1;
+    let input = motion.drawn_input() + 0.1;
     let driver = motion.driver("plunger").unwrap().unwrap();
     let other = motion.driven_by(&driver, input).unwrap();
     assert_eq!(

@@ -50,7 +50,7 @@ fn a_cylinder_turns_a_lever() {
         [to_a - angle, -rate, -change]
     };
     let within = motion(&cylinder([2.7, 4.5]));
-    assert!((within.home() - 3.0).abs() < 1e-15);
+    assert!((within.drawn_input() - 3.0).abs() < 1e-15);
     for k in 0..=18 {
         let s = 2.7 + 0.1 * f64::from(k);
         assert_angle(angle(&within, "lever", s), lever(s), 1e-11, &format!("{s}"));
@@ -94,7 +94,7 @@ fn a_coupler_turned_against_its_crank() {
     let motion = motion(&turned(draft, "b", "a", 1.0));
     assert!(motion.cycle().is_full());
     assert_eq!(motion.cycle().period(), Some(TAU));
-    assert!((motion.home() - f64::atan2(3.0, 1.5)).abs() < 1e-15);
+    assert!((motion.drawn_input() - f64::atan2(3.0, 1.5)).abs() < 1e-15);
     let (a, b) = (1.0, 1.5_f64.hypot(3.0));
     for k in 0..72 {
         let input = TAU * f64::from(k) / 72.0 + 0.01;
@@ -119,6 +119,6 @@ fn a_coupler_turned_against_its_crank() {
         assert!(reduced(b - a - input).abs() < 1e-13);
     }
     // The row of the drawn input is the drawing.
-    assert!((place(&motion, "B", motion.home())[0] - Vector::new(1.0, 0.0)).norm() < 1e-13);
+    assert!((place(&motion, "B", motion.drawn_input())[0] - Vector::new(1.0, 0.0)).norm() < 1e-13);
     assert_eq!(motion.mechanism().formula(), "I(a,b) → II₂(a+b,c)");
 }

@@ -60,7 +60,7 @@ fn cylinders_of_excavators() {
     for case in 0..40 {
         let rate = random.within(-0.5, 0.5);
         let motion = motion(&excavator(&mut random, rate));
-        let home = motion.home();
+        let home = motion.drawn_input();
         let [_, off] = on_line(&motion, ["A", "U", "B"], home);
         let [start, off_above] = on_line(&motion, ["E", "V", "F"], home);
         for part in [-0.8, -0.3, 0.0, 0.4, 0.7] {
@@ -106,7 +106,7 @@ fn the_drawn_row_is_the_drawing() {
         let draft = excavator(&mut random, 0.2);
         let motion = motion(&draft);
         for point in &draft.points {
-            let off = place(&motion, &point.name, motion.home())[0] - point.at.coords;
+            let off = place(&motion, &point.name, motion.drawn_input())[0] - point.at.coords;
             assert!(off.norm() < 1e-12, "{point:?}");
         }
     }
@@ -145,7 +145,7 @@ fn a_platform_on_three_cylinders() {
     }
     let motion = motion(&draft);
     assert_eq!(motion.mechanism().structure().class(), 3);
-    let home = motion.home();
+    let home = motion.drawn_input();
     let lengths =
         [0, 1, 2].map(|leg: usize| (feet[leg].1 - top[leg].1).hypot(feet[leg].2 - top[leg].2));
     assert!((home - lengths[0]).abs() < 1e-15);

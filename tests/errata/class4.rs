@@ -165,7 +165,7 @@ fn class4_chain_fails_where_hl_is_hg() {
     let l = draft.points.iter_mut().find(|point| point.name == "L");
     l.unwrap().at = equal;
     let motion = Motion::new(Mechanism::new(&draft).unwrap());
-    let all = relations(&motion, motion.mechanism().home());
+    let all = relations(&motion, motion.mechanism().drawn_input());
     let chain = all.iter().filter(|one| one.item == "003.chain");
     let chain: Vec<&Relation> = chain.collect();
     let by_chain = chain.iter().map(|one| one.printed.is_some());

@@ -306,7 +306,7 @@ fn all_move_and_close() {
             motion.dead_points()
         );
         assert_eq!(motion.dead_points().is_empty(), full, "{name}");
-        let drawn = motion.pose::<1>(motion.home()).unwrap();
+        let drawn = motion.pose::<1>(motion.drawn_input()).unwrap();
         let [from, to] = motion.cycle().arcs()[0];
         // At a dead point Peaucellier's rhombus is folded flat: anything closes it.
         let ends = if full { 0..=720 } else { 1..=719 };

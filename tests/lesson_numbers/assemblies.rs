@@ -66,8 +66,8 @@ fn drawn(circuits: &Circuits, name: &str) -> (usize, f64) {
         let pose = motion.pose::<1>(input).unwrap();
         output.of(motion.mechanism(), &pose).value()
     };
-    let wanted = psi(&drawn, drawn.home());
-    let mut found = circuits.at(drawn.home()).into_iter().filter(|one| {
+    let wanted = psi(&drawn, drawn.drawn_input());
+    let mut found = circuits.at(drawn.drawn_input()).into_iter().filter(|one| {
         let branch = &circuits.branches()[one.branch];
         let off = psi(&branch.motion, one.input) - wanted;
         (off - TAU * (off / TAU).round()).abs() < 1e-9
@@ -112,7 +112,7 @@ fn its_mechanisms_are_drawn_otherwise_only() {
                 }
             }
         }
-        let home = mechanism(name).home().to_degrees().rem_euclid(360.0);
+        let home = mechanism(name).drawn_input().to_degrees().rem_euclid(360.0);
         assert_near(home, 275.0, 1e-12, name);
     }
 }
@@ -179,12 +179,12 @@ fn ten_of_fourteen() {
     let mechanism = mechanism(CLASS_IV);
     let [six, ten] = [CLASS_IV, "ten"].map(|name| {
         let one = self::mechanism(name);
-        let found = one.assemblies_at(one.home(), Method::Usual);
+        let found = one.assemblies_at(one.drawn_input(), Method::Usual);
         assert_eq!(found.complex, [14], "{name}");
         found.poses.len()
     });
     assert_eq!((six, ten), (6, 10));
-    tells("ten.show.zero", &[mechanism.home()]);
+    tells("ten.show.zero", &[mechanism.drawn_input()]);
     let folds: Vec<f64> = (of_class_iv().meetings().iter())
         .map(|one| one.inputs[0].to_degrees().rem_euclid(360.0))
         .collect();

@@ -6,7 +6,7 @@ use assur_file::{LinkageDocument, catalogue, from_catalogue};
 fn of(document: &LinkageDocument) -> (assur::mechanism::Mechanism, SchemeDraft) {
     let motion = document.motion().unwrap();
     let mechanism = motion.mechanism().clone();
-    let near = |by: f64| motion.pose::<1>(motion.home() + by).ok();
+    let near = |by: f64| motion.pose::<1>(motion.drawn_input() + by).ok();
     // Some linkages are drawn at the end of their motion.
     let pose = near(0.3)
         .or_else(|| near(-0.3))

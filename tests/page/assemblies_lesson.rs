@@ -40,7 +40,7 @@ fn mechanism(name: &str) -> Mechanism {
 /// How many assemblies there are at the drawn input.
 fn real(name: &str) -> String {
     let mechanism = mechanism(name);
-    let found = mechanism.assemblies_at(mechanism.home(), Method::Usual);
+    let found = mechanism.assemblies_at(mechanism.drawn_input(), Method::Usual);
     assert!(found.whole);
     found.poses.len().to_string()
 }

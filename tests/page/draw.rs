@@ -137,14 +137,14 @@ impl<'a> Sheet<'a> {
         let size = 2.0
             * points
                 .iter()
-                .map(|(_, one)| place(&known, known.home(), one).coords.norm())
+                .map(|(_, one)| place(&known, known.drawn_input(), one).coords.norm())
                 .fold(0.0, f64::max);
         for k in 0..72 {
             let by = f64::from(k) * 5_f64.to_radians();
             for (one, other) in points {
                 let [at, wanted] = [
-                    place(&drawn, drawn.home() + by, one),
-                    place(&known, known.home() + by, other),
+                    place(&drawn, drawn.drawn_input() + by, one),
+                    place(&known, known.drawn_input() + by, other),
                 ];
                 let off = (at - wanted).norm();
                 assert!(

@@ -52,7 +52,7 @@ async fn an_epicyclic_train_is_drawn_by_presses() {
     for degrees in [30.0_f64, 90.0, 200.0, 720.0] {
         let carrier = (degrees / 4.0).to_radians();
         let wanted = assur::Point::new(2.0 * carrier.cos(), 2.0 * carrier.sin());
-        let off = place(&motion, motion.home() + degrees.to_radians(), "B") - wanted;
+        let off = place(&motion, motion.drawn_input() + degrees.to_radians(), "B") - wanted;
         assert!(off.norm() < 1e-12, "{degrees}: {off}");
     }
     sheet.tell("epicyclic train");

@@ -30,7 +30,7 @@ async fn motion(sheet: &Sheet<'_>) -> (LinkageDocument, Motion) {
 /// Compares points at 72 inputs with closed forms of the input angle; in millimetres.
 fn compare(motion: &Motion, names: &[&str], wanted: impl Fn(f64) -> Vec<[f64; 2]>) {
     for k in 0..72 {
-        let input = motion.home() + f64::from(k) * 5_f64.to_radians();
+        let input = motion.drawn_input() + f64::from(k) * 5_f64.to_radians();
         for (name, at) in names.iter().zip(wanted(input)) {
             let off = place(motion, input, name) - assur::Point::from(at);
             assert!(off.norm() < 1e-9 * 200.0, "{name} at {k}·5°: {off}");
@@ -198,8 +198,8 @@ async fn a_platform_of_class_three() {
         let by = f64::from(k) * 5_f64.to_radians();
         for (own, other) in [("C", "P"), ("D", "Q"), ("F", "R")] {
             let [at, wanted] = [
-                place(&motion, motion.home() + by, own),
-                place(&known, known.home() + by, other),
+                place(&motion, motion.drawn_input() + by, own),
+                place(&known, known.drawn_input() + by, other),
             ];
             let off = at.coords - 10.0 * wanted.coords;
             assert!(off.norm() < 1e-8, "{own} at {k}·5°: {off}");

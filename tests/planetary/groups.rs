@@ -62,7 +62,7 @@ fn an_inversion_moves_as_the_linkage_it_is_made_of() {
         assert_eq!(original.mechanism().structure().class(), 2);
         let [from, to] = original.cycle().arcs()[0];
         // The angle of BC in the drawing, where it is the frame.
-        let fixed = angle(&original, "BC", original.home())[0];
+        let fixed = angle(&original, "BC", original.drawn_input())[0];
         let mut compared = 0;
         for k in 1..200 {
             let crank = from + (to - from) * f64::from(k) / 200.0;

@@ -151,7 +151,7 @@ fn dead_points_of_a_sun_and_planet() {
     };
     let (before, after) = (folds[1], folds[0] + TAU);
     let expected = [sun(at, before), sun(at, after)];
-    let shift = motion.home() - FRAC_PI_2;
+    let shift = motion.drawn_input() - FRAC_PI_2;
     let found: Vec<_> = motion.dead_points().iter().collect();
     assert_eq!(found.len(), 2);
     for (found, expected) in found.into_iter().zip(expected) {

@@ -40,7 +40,7 @@ fn two_methods_find_the_same_assemblies() {
     for (kind, _) in KINDS {
         for seed in 0..scaled(GROUPS) {
             let mechanism = Mechanism::new(&drawn(kind, seed)).unwrap();
-            for input in [mechanism.home(), mechanism.home() + TAU / 3.0] {
+            for input in [mechanism.drawn_input(), mechanism.drawn_input() + TAU / 3.0] {
                 let at = format!("{kind:?} {seed} at {input}");
                 let methods = [Method::Usual, Method::Paths];
                 let [usual, paths] = methods.map(|method| mechanism.assemblies_at(input, method));
@@ -53,7 +53,7 @@ fn two_methods_find_the_same_assemblies() {
                     assert_eq!(same, 1, "{at}");
                     assert!(!one[..k].iter().any(|other| alike(assembly, other)), "{at}");
                 }
-                if input == mechanism.home() {
+                if input == mechanism.drawn_input() {
                     // A drawing may stand at a dead point.
                     let motion = Motion::new(mechanism.clone());
                     let Ok(pose) = motion.pose::<1>(input) else {
@@ -130,7 +130,7 @@ fn special_dimensions() {
                 let Some(mechanism) = chosen(kind, choice, seed) else {
                     continue;
                 };
-                for input in [mechanism.home() + 0.37, mechanism.home() + 2.3] {
+                for input in [mechanism.drawn_input() + 0.37, mechanism.drawn_input() + 2.3] {
                     let methods = [Method::Usual, Method::Paths];
                     let found = methods.map(|method| mechanism.assemblies_at(input, method));
                     let [one, other] = found.each_ref().map(|found| angles(&mechanism, found));
@@ -185,7 +185,7 @@ fn followed_ones_are_all() {
     for (name, draft) in groups.chain(chains) {
         let mechanism = Mechanism::new(&draft).unwrap();
         let mut following = mechanism.following();
-        let mut input = mechanism.home();
+        let mut input = mechanism.drawn_input();
         for step in 0..60 {
             let width = 10_f64.powf(-0.3 * f64::from(step % 7)) * 3.0_f64.to_radians();
             input += if step % 10 < 8 { width } else { -width };

@@ -75,7 +75,7 @@ fn every_assembly_of_groups() {
 
 fn four_bar([l1, l2, l3, l4]: [f64; 4]) -> Option<(FourBar, Draft)> {
     let linkage = FourBar::new([l1, l2, l3, l4]).ok()?;
-    let crank = linkage.cycle().home() + 0.1;
+    let crank = linkage.cycle().drawn_input() + 0.1;
     let pose = linkage.pose::<1>(Assembly::First, crank).ok()?;
     let (b, coupler) = ([l1 * crank.cos(), l1 * crank.sin()], pose.coupler.value());
     let draft = Draft::default()

@@ -165,7 +165,7 @@ impl Closure {
         steps: usize,
         mut tell: impl FnMut(f64, &dyn Fn(usize) -> Point),
     ) {
-        let home = self.home();
+        let home = self.drawn_input();
         let mut here = self.own(&self.drawn);
         let mut input = home;
         for step in 1..=steps {

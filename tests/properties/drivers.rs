@@ -103,8 +103,8 @@ fn any_pair_leads_to_the_same_poses() {
         let Some(Driven { was, now, pair, .. }) = driven(seed) else {
             continue;
         };
-        let (home, size) = (was.home(), was.mechanism().size());
-        let poses = (was.pose::<4>(home), now.pose::<4>(now.home()));
+        let (home, size) = (was.drawn_input(), was.mechanism().size());
+        let poses = (was.pose::<4>(home), now.pose::<4>(now.drawn_input()));
         let (Ok(before), Ok(after)) = poses else {
             continue;
         };
@@ -118,7 +118,7 @@ fn any_pair_leads_to_the_same_poses() {
             let Ok(pose) = was.pose::<1>(home + off) else {
                 continue;
             };
-            let same = now.pose::<1>(now.home() + coordinate(&pose) - from);
+            let same = now.pose::<1>(now.drawn_input() + coordinate(&pose) - from);
             let same = same.unwrap_or_else(|why| panic!("{seed} {off}: {why} {:?}", pair.driver()));
             for point in was.mechanism().point_ids() {
                 let one = was.mechanism().place(&pose, point).place();

@@ -180,7 +180,7 @@ fn small_steps_lead_the_same_way() {
             let mechanism = motion.mechanism();
             // Where the crank goes to and fro over more than a turn, whole turns count.
             let cycle = motion.cycle();
-            let home = motion.home();
+            let home = motion.drawn_input();
             let [from, to] = cycle.arcs()[0];
             for turn in [TAU, -TAU] {
                 Closure::new(&draft).follow(turn, 3_600, |gone, place| {

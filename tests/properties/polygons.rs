@@ -223,7 +223,7 @@ fn polygons_of_higher_groups_have_all_points() {
             let (_, motion) = groups::moving(kind, seed);
             poses += checked(seed, &motion, &mut random)[0];
             let order = Order::Velocity;
-            if let Ok(pose) = motion.pose::<3>(motion.home()) {
+            if let Ok(pose) = motion.pose::<3>(motion.drawn_input()) {
                 let polygon = motion.mechanism().polygon(&pose, order, Input::ANALOGUES);
                 assert!(polygon.stages.iter().any(|stage| stage.of_group));
                 assert_eq!(polygon.stages[0].nodes[0].1, Vector::zeros());

@@ -475,7 +475,7 @@ fn a_dimension_is_set_on_all_doubled_links() {
                 let at = format!("{seed} {dimension:?} {was} → {value}: {draft:?}");
                 // A side of a straight plate is the greatest or the least that there is.
                 let is_end = matches!(dimension, Dimension::Side(_, [1, _]));
-                let changed = match motion.changed(dimension, value, motion.home()) {
+                let changed = match motion.changed(dimension, value, motion.drawn_input()) {
                     Err(Refusal::LoopOpen { .. }) if is_end => continue,
                     changed => changed.unwrap_or_else(|refusal| panic!("{at}: {refusal:?}")),
                 };
@@ -522,7 +522,7 @@ fn points_of_a_doubled_link_are_those_of_its_shape() {
         draft.points[4].at = b + (c - b) / 2.0 + across * random.within(2.001, 2.02);
         let motion = Motion::new(Mechanism::new(&draft).unwrap());
         let mechanism = motion.mechanism();
-        for input in [motion.home(), random.within(0.0, TAU)] {
+        for input in [motion.drawn_input(), random.within(0.0, TAU)] {
             let pose = motion.pose::<1>(input).unwrap();
             let place = |name| {
                 mechanism

@@ -38,7 +38,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     let output = moved.output(&asked.name)?;
     let motion = &moved.motion;
     let mechanism = motion.mechanism();
-    let input = at(mechanism.turns())?.unwrap_or(motion.home());
+    let input = at(mechanism.turns())?.unwrap_or(motion.drawn_input());
     let found = motion.assemblies_at(input, output);
     if let Some(number) = asked.assemble {
         let pose = number.checked_sub(1).and_then(|k| found.poses.get(k));

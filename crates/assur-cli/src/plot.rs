@@ -36,7 +36,7 @@ pub(crate) fn svg(moved: &Moved, name: &Name) -> Result<String, Failure> {
         ..View::default()
     };
     let figure = Figure::new(motion, &view).map_err(unsolved)?;
-    let home = motion.pose::<1>(motion.home()).map_err(unsolved)?;
+    let home = motion.pose::<1>(motion.drawn_input()).map_err(unsolved)?;
 
     let mut sheet = Svg::new(WIDTH);
     sheet.drawing(
@@ -46,7 +46,7 @@ pub(crate) fn svg(moved: &Moved, name: &Name) -> Result<String, Failure> {
             rigid: figure.rigid(),
             frame: &figure.frame(&home),
             names: figure.names(),
-            values: &|what| (what == "input").then(|| motion.home()),
+            values: &|what| (what == "input").then(|| motion.drawn_input()),
         },
     );
     let (angles, lengths) = document

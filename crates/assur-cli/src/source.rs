@@ -191,7 +191,7 @@ pub(crate) fn in_assembly(
     let output = drawn.output(name)?;
     let Moved { document, motion } = drawn;
     let mechanism = motion.mechanism();
-    let input = input.unwrap_or(motion.home());
+    let input = input.unwrap_or(motion.drawn_input());
     let none = |none: NoAssembly| no_assembly(name, mechanism, number, none, input);
     let index = number.checked_sub(1).unwrap_or(usize::MAX);
     let other = motion.in_assembly(input, output, index);
@@ -249,7 +249,7 @@ pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
     let draft = match whole.motion() {
         Ok(motion) => {
             let mechanism = motion.mechanism();
-            let pose = motion.pose::<1>(motion.home()).map_err(|reason| {
+            let pose = motion.pose::<1>(motion.drawn_input()).map_err(|reason| {
                 refuse(vec![LinkageProblem::unsolved(&reason, mechanism).into()])
             })?;
             SchemeDraft::of(mechanism, &pose)

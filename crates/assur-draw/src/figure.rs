@@ -108,7 +108,7 @@ impl Figure {
     /// Why there is no pose to draw it in.
     pub fn new(motion: &Motion, view: &View) -> Result<Self, Unsolved> {
         let mechanism = motion.mechanism();
-        let home = motion.pose::<1>(motion.home())?;
+        let home = motion.pose::<1>(motion.drawn_input())?;
         let layout = Layout::new(mechanism, &home, view);
         let gearing = Gearing::new(&layout, mechanism, &home, view);
         let mut names = Names::new(mechanism);

@@ -178,7 +178,7 @@ fn beyond_dead_points_nothing_is_drawn() {
     let motion = Motion::new(Mechanism::new(&draft).unwrap());
     assert!(!motion.cycle().is_full());
     let figure = Figure::new(&motion, &View::default()).unwrap();
-    let home = motion.pose::<3>(motion.home()).unwrap();
+    let home = motion.pose::<3>(motion.drawn_input()).unwrap();
     assert!(figure.frame(&home).iter().all(|x| x.is_finite()));
     assert!(motion.pose::<1>(3.0).is_err());
 }

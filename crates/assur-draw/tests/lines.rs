@@ -63,7 +63,7 @@ fn centres_and_their_lines() {
         ..Lines::default()
     };
     let figure = drawn(&motion, lines);
-    let frame = figure.frame(&motion.pose::<3>(motion.home()).unwrap());
+    let frame = figure.frame(&motion.pose::<3>(motion.drawn_input()).unwrap());
     let records = moving(&figure, &frame);
     let labels = records.iter().filter(|record| record[0] == LABEL);
     let mut names: Vec<&str> = labels
@@ -94,7 +94,7 @@ fn centres_and_their_lines() {
         ..lines
     };
     let of_pair = drawn(&motion, pair);
-    let frame = of_pair.frame(&motion.pose::<3>(motion.home()).unwrap());
+    let frame = of_pair.frame(&motion.pose::<3>(motion.drawn_input()).unwrap());
     let records = moving(&of_pair, &frame);
     let marks = in_role(&records, CIRCLE, Role::Velocity);
     assert!((point(marks[0][3], marks[0][4]) - Point::new(-1.0, 0.0)).norm() < 1e-5);
@@ -105,7 +105,7 @@ fn centres_and_their_lines() {
         ..lines
     };
     let of_crank = drawn(&motion, crank);
-    let frame = of_crank.frame(&motion.pose::<3>(motion.home()).unwrap());
+    let frame = of_crank.frame(&motion.pose::<3>(motion.drawn_input()).unwrap());
     // Its centre is a hinge: no lines lead to it.
     let records = moving(&of_crank, &frame);
     assert!(in_role(&records, POLYLINE, Role::Velocity).is_empty());

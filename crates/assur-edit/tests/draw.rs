@@ -465,7 +465,7 @@ fn what_is_pasted_moves_alike() {
     let motion = Motion::new(Mechanism::new(&both.draft()).unwrap());
     let mechanism = motion.mechanism();
     for k in 0..36 {
-        let input = motion.home() + f64::from(k) * 0.17;
+        let input = motion.drawn_input() + f64::from(k) * 0.17;
         let pose = motion.pose::<1>(input).unwrap();
         let [c, g] = ["C", "G"].map(|name| {
             mechanism
@@ -586,7 +586,7 @@ fn numbers_are_set() {
     let mechanism =
         Mechanism::new(&done(&drawn, &[Edit::Drive { link: text("ABE") }]).draft()).unwrap();
     let motion = Motion::new(mechanism);
-    let pose = motion.pose::<1>(motion.home()).unwrap();
+    let pose = motion.pose::<1>(motion.drawn_input()).unwrap();
     let traced = motion.mechanism().point("P1").unwrap();
     let at = motion.mechanism().place(&pose, traced).place();
     assert!((at.x - 1.0).abs() < 1e-14 && (at.y - 1.0).abs() < 1e-14);

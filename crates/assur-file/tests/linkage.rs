@@ -315,7 +315,7 @@ fn the_catalogue_moves() {
             .mechanism()
             .unwrap_or_else(|problems| panic!("{name}: {problems:?}"));
         let motion = Motion::new(mechanism);
-        assert!(motion.pose::<3>(motion.home()).is_ok(), "{name}");
+        assert!(motion.pose::<3>(motion.drawn_input()).is_ok(), "{name}");
         assert!(!names.contains(&name), "{name}");
         names.push(name);
     }
@@ -430,7 +430,7 @@ fn an_assembly_is_chosen() {
     let place = |document: &LinkageDocument| {
         let motion = document.motion().unwrap();
         let mechanism = motion.mechanism();
-        let pose = motion.pose::<1>(motion.home()).unwrap();
+        let pose = motion.pose::<1>(motion.drawn_input()).unwrap();
         let last = mechanism.point_ids().next_back().unwrap();
         mechanism.place(&pose, last).place()
     };

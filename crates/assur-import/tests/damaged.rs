@@ -93,7 +93,7 @@ fn moves(document: &LinkageDocument) -> bool {
     let mechanism = motion.mechanism();
     let finite = |value: f64, what: &str| assert!(value.is_finite(), "{what}: {value}");
     let [from, to] = motion.cycle().axis();
-    finite(motion.home(), "home");
+    finite(motion.drawn_input(), "home");
     finite(motion.singularity_margin(), "margin");
     let grid = Grid {
         unit: 1.0,

@@ -153,7 +153,7 @@ fn issue_91_of_pmks_ends_where_its_links_are_in_line() {
         [place.x.value(), place.y.value()]
     };
     let far = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-    let home = motion.home();
+    let home = motion.drawn_input();
     let [coupler, rocker] = [("B", "C"), ("C", "D")].map(|(a, b)| far(at(a, home), at(b, home)));
     let [[from, to]] = motion.cycle().arcs()[..] else {
         panic!("{:?}", motion.cycle());

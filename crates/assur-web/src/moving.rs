@@ -264,7 +264,7 @@ impl Moving {
     pub(crate) fn drawn(&self, input: f64) -> Result<LinkageDocument, Problem> {
         let own = |link: &LinkDocument| link.length.is_some() || link.shape.is_some();
         let document = &self.document;
-        if input == self.motion.home() && !document.links.iter().any(own) {
+        if input == self.motion.drawn_input() && !document.links.iter().any(own) {
             return Ok(document.clone());
         }
         let pose = self.pose(input)?;

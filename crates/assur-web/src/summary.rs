@@ -302,7 +302,7 @@ impl<'a> MotionSummary<'a> {
             moves: if mechanism.turns() { "angle" } else { "length" },
             input: moving.input_number(),
             cycle: CycleSummary::new(motion.cycle()),
-            home: motion.home(),
+            home: motion.drawn_input(),
             dead_points: dead_points.collect(),
             change_points: motion.change_points(),
             outputs: (profiles.iter())

@@ -173,7 +173,7 @@ impl SweepDimension {
     /// Of each link the distances of its points from the first, then where the points of the frame are.
     fn all(moving: &Moving) -> Vec<Self> {
         let (motion, mechanism) = (moving.motion(), moving.mechanism());
-        let Ok(pose) = motion.pose::<1>(motion.home()) else {
+        let Ok(pose) = motion.pose::<1>(motion.drawn_input()) else {
             return Vec::new();
         };
         let draft = mechanism.draft();

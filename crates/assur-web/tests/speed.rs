@@ -269,7 +269,7 @@ struct Full {
 impl Full {
     fn new(motion: &Motion, places: bool) -> Self {
         let mechanism = motion.mechanism();
-        let pose = motion.pose::<3>(motion.cycle().home()).unwrap();
+        let pose = motion.pose::<3>(motion.cycle().drawn_input()).unwrap();
         let moves = |point: &PointId| mechanism.place(&pose, *point).derivative(1).norm() > 0.0;
         let points = mechanism.point_ids().filter(|point| places && moves(point));
         let points: Vec<PointId> = points.collect();

@@ -128,8 +128,8 @@ fn placed(mechanism: &Mechanism, input: f64) -> (&'static str, f64) {
 fn described(moved: &Moved, output: LinkId) -> Value {
     let motion = &moved.motion;
     let mechanism = motion.mechanism();
-    let assemblies = motion.assemblies_at(motion.home(), output);
-    let drawn = motion.pose::<1>(motion.home()).ok();
+    let assemblies = motion.assemblies_at(motion.drawn_input(), output);
+    let drawn = motion.pose::<1>(motion.drawn_input()).ok();
     let drawn = drawn.and_then(|pose| mechanism.number_of(&pose, &assemblies.poses));
     let structure = mechanism.structure();
     let names = |links: &[usize]| -> Vec<String> {
@@ -201,7 +201,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "passive": passive.collect::<Vec<_>>(),
         // Those that are known at the drawn input, numbered as `assur assemblies` numbers them, and whether these are all.
         "assemblies": assemblies.poses.len(),
-        "assemblies_at": at(motion.home()),
+        "assemblies_at": at(motion.drawn_input()),
         "assemblies_whole": assemblies.whole,
         "drawn_assembly": drawn.map(|number| number + 1),
         "steps": steps.chain(doubled).collect::<Vec<_>>(),

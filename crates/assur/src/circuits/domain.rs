@@ -33,12 +33,12 @@ impl Domain {
             None => {
                 let ends = mechanism.within_ranges();
                 let known = ends.iter().all(|end| end.is_finite());
-                let home = mechanism.home();
+                let drawn_input = mechanism.drawn_input();
                 let period = None;
                 let ends = if known {
                     ends
                 } else {
-                    [home - TAU, home + TAU]
+                    [drawn_input - TAU, drawn_input + TAU]
                 };
                 (Self { ends, period }, known)
             }

@@ -118,7 +118,7 @@ impl Cycle {
     }
 
     /// A crank angle far from the ends: the middle of the first arc.
-    pub fn home(&self) -> f64 {
+    pub fn drawn_input(&self) -> f64 {
         0.5 * (self.arcs[0][0] + self.arcs[0][1])
     }
 

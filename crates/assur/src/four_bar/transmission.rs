@@ -31,7 +31,7 @@ impl FourBar {
             .filter(|crank| cycle.contains(*crank))
             .filter_map(|crank| Some((self.transmission_angle(crank).ok()?, crank)))
             // No transmission angle exceeds 90°.
-            .fold((FRAC_PI_2, cycle.home()), |worst, next| {
+            .fold((FRAC_PI_2, cycle.drawn_input()), |worst, next| {
                 if next.0 < worst.0 { next } else { worst }
             })
     }

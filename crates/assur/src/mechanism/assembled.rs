@@ -21,7 +21,7 @@ impl Mechanism {
         }
         let resolved = Resolved::new(&draft).map_err(|defect| vec![defect])?;
         let (planned, ..) = Self::planned(&resolved)?;
-        let found = planned.found_at::<1>(input.unwrap_or(planned.home));
+        let found = planned.found_at::<1>(input.unwrap_or(planned.drawn_input));
         let mut poses = found.ways.iter();
         Ok(poses.find_map(|(pose, _)| Self::new(&planned.drawn_in(pose)).ok()))
     }

@@ -125,7 +125,7 @@ impl Mechanism {
     ) -> Result<Self, Vec<Defect>> {
         let mut other = self.clone();
         other.draft = self.drawn_by(&pose.state);
-        other.home = input;
+        other.drawn_input = input;
         other.signs.clone_from(signs);
         other.orientations = pose.state.orientations();
         let places = pose.state.natural.iter().map(|place| place.value());

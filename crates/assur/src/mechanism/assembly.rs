@@ -41,14 +41,14 @@ impl Mechanism {
         sign: Sign,
         state: &mut State<1>,
     ) -> Result<(), Cause> {
-        let given = self.given(step, self.home, sign);
+        let given = self.given(step, self.drawn_input, sign);
         self.steps[step].put(state, &given)
     }
 
-    fn given(&self, step: StepId, home: f64, sign: Sign) -> StepContext<'_, 1> {
+    fn given(&self, step: StepId, drawn_input: f64, sign: Sign) -> StepContext<'_, 1> {
         StepContext {
             step,
-            input: Jet::constant(home),
+            input: Jet::constant(drawn_input),
             sign,
             near: self.drawn(),
         }
@@ -58,7 +58,7 @@ impl Mechanism {
     pub(super) fn settle(&mut self) -> Result<(), Vec<Defect>> {
         let mut state: State<1> = self.blank_state();
         for step in self.steps.ids() {
-            self.mount(step, self.home, &mut state);
+            self.mount(step, self.drawn_input, &mut state);
             let sign = self.drawn_sign(step, &mut state);
             let sign = sign.map_err(|cause| vec![self.open(step, Some(cause))])?;
             self.signs[step] = sign;
@@ -98,43 +98,43 @@ impl Mechanism {
 
     /// Counts the drawn input by other whole turns, with the wheels mounted and four-bars joined as they are drawn. False,
     /// and nothing is changed, where the links do not close at an input given so.
-    pub(crate) fn rebase_turns(&mut self, home: f64) -> bool {
+    pub(crate) fn rebase_turns(&mut self, drawn_input: f64) -> bool {
         // Drawn at a dead point an input is rounded anew, and may then lie just beyond it.
-        let unit = f64::EPSILON * home.abs().max(self.span());
+        let unit = f64::EPSILON * drawn_input.abs().max(self.span());
         let aside = (0..BACK).flat_map(|doubled| {
             let off = unit * f64::from((1_u32 << doubled) - 1);
             [off, -off]
         });
-        let mut inputs = aside.map(|off| home + off);
+        let mut inputs = aside.map(|off| drawn_input + off);
         inputs.any(|input| self.rebase_at(input))
     }
 
-    fn rebase_at(&mut self, home: f64) -> bool {
+    fn rebase_at(&mut self, drawn_input: f64) -> bool {
         let before = self.steps.clone();
-        let turned = TAU * ((self.home - home) / TAU).round();
+        let turned = TAU * ((self.drawn_input - drawn_input) / TAU).round();
         let mut state: State<1> = self.blank_state();
         for step in before.ids() {
             // Where φ₁ passes a change point, a whole turn of it is the other assembly.
             if let Step::FourBar(closed) = &mut self.steps[step]
                 && closed.linkage.changes()
             {
-                closed.lead += turned;
+                closed.angle_offset += turned;
             }
-            self.mount(step, home, &mut state);
-            let given = self.given(step, home, self.signs[step]);
+            self.mount(step, drawn_input, &mut state);
+            let given = self.given(step, drawn_input, self.signs[step]);
             if self.steps[step].put(&mut state, &given).is_err() {
                 self.steps = before;
                 return false;
             }
         }
-        self.home = home;
+        self.drawn_input = drawn_input;
         self.start.0 -= turned;
         true
     }
 
     /// Mounts the wheels of a step as they are drawn. What turns them may be told by other whole turns than it is
     /// drawn by, of which a wheel makes a part of a turn.
-    fn mount(&mut self, step: StepId, home: f64, state: &mut State<1>) {
+    fn mount(&mut self, step: StepId, drawn_input: f64, state: &mut State<1>) {
         let drawn = &self.orientations;
         match &mut self.steps[step] {
             Step::Group(group) => group.count_turns(drawn, state),
@@ -146,7 +146,7 @@ impl Mechanism {
                 };
                 let given = StepContext {
                     step,
-                    input: Jet::constant(home),
+                    input: Jet::constant(drawn_input),
                     sign: Sign::Plus,
                     near,
                 };
@@ -278,7 +278,7 @@ impl Mechanism {
 
     /// The drawn input and those next to it.
     pub(super) fn entries(&self) -> [f64; 3] {
-        [0.0, ASIDE, -ASIDE].map(|aside| self.home + aside * self.span() / TAU)
+        [0.0, ASIDE, -ASIDE].map(|aside| self.drawn_input + aside * self.span() / TAU)
     }
 }
 
@@ -313,10 +313,10 @@ mod tests {
             mesh: Mesh::External,
         });
         let mut mechanism = Mechanism::new(&draft).unwrap();
-        let (home, steps) = (mechanism.home, mechanism.steps.clone());
+        let (drawn_input, steps) = (mechanism.drawn_input, mechanism.steps.clone());
         // The crank goes from −90° to 90° of the frame.
-        assert!(!mechanism.rebase_turns(home + 0.5 * TAU));
+        assert!(!mechanism.rebase_turns(drawn_input + 0.5 * TAU));
         assert!(mechanism.steps == steps);
-        assert!(mechanism.rebase_turns(home + TAU));
+        assert!(mechanism.rebase_turns(drawn_input + TAU));
     }
 }

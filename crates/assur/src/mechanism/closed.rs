@@ -19,15 +19,15 @@ pub(crate) struct DrivenFourBar<'a> {
     pub(crate) step: StepId,
     pub(crate) linkage: &'a FourBar,
     /// What φ₁ has more than the input.
-    pub(crate) lead: f64,
+    pub(crate) angle_offset: f64,
 }
 
 /// The inputs within an arc at which φ₁, which leads the input, is a whole multiple of π: there the diagonal is longest or
 /// shortest.
-pub(crate) fn half_turns(lead: f64, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
-    let first = ((from + lead) / PI).ceil() as i32;
-    let last = ((to + lead) / PI).floor() as i32;
-    (first..=last).map(move |half| f64::from(half) * PI - lead)
+pub(crate) fn half_turns(angle_offset: f64, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+    let first = ((from + angle_offset) / PI).ceil() as i32;
+    let last = ((to + angle_offset) / PI).floor() as i32;
+    (first..=last).map(move |half| f64::from(half) * PI - angle_offset)
 }
 
 impl DrivenFourBar<'_> {
@@ -35,12 +35,12 @@ impl DrivenFourBar<'_> {
     /// turns fully.
     pub(crate) fn arc(&self, input: f64) -> Option<[f64; 2]> {
         let cycle = self.linkage.cycle();
-        let crank = input + self.lead;
+        let crank = input + self.angle_offset;
         let near = |[from, to]: &[f64; 2]| {
             let turns = TAU * ((crank - 0.5 * (from + to)) / TAU).round();
             let arc = [from + turns, to + turns];
             let off = (arc[0] - crank).max(crank - arc[1]).max(0.0);
-            (off, arc.map(|end| end - self.lead))
+            (off, arc.map(|end| end - self.angle_offset))
         };
         let arcs = cycle.arcs().iter().map(near);
         let nearest = arcs.reduce(|best, next| if next.0 < best.0 { next } else { best });
@@ -56,7 +56,7 @@ impl DrivenFourBar<'_> {
     /// The input at which coupler and rocker of a kite lie upon each other and swing freely about the frame's hinge.
     pub(crate) fn free_swing(&self) -> Option<f64> {
         let pose = self.linkage.pose::<1>(Assembly::First, 0.0);
-        matches!(pose, Err(Unsolved::Undetermined { .. })).then_some(-self.lead)
+        matches!(pose, Err(Unsolved::Undetermined { .. })).then_some(-self.angle_offset)
     }
 
     /// The inputs of its change points within an arc, its end excluded, ascending: where motions cross in one pose, and
@@ -65,7 +65,7 @@ impl DrivenFourBar<'_> {
         let turns = self.turns();
         let period = TAU * turns as f64;
         let crossings = self.linkage.change_points().into_iter();
-        let crossings = crossings.map(|point| point.crank - self.lead);
+        let crossings = crossings.map(|point| point.crank - self.angle_offset);
         let swing = self.free_swing().into_iter();
         let swings = swing.flat_map(|input| (0..turns).map(move |turn| input + TAU * turn as f64));
         let mut found = Vec::new();
@@ -91,9 +91,9 @@ impl DrivenFourBar<'_> {
 impl Mechanism {
     /// The steps solved by the closed form of a four-bar.
     pub(crate) fn closed_steps(&self) -> impl Iterator<Item = DrivenFourBar<'_>> {
-        let lead = |body: BodyId| {
+        let angle_offset = |body: BodyId| {
             self.steps.iter().find_map(|step| match step {
-                Step::Crank(crank) if crank.body == body => Some(crank.lead),
+                Step::Crank(crank) if crank.body == body => Some(crank.angle_offset),
                 _ => None,
             })
         };
@@ -102,7 +102,7 @@ impl Mechanism {
             Step::FourBar(closed) => Some(DrivenFourBar {
                 step,
                 linkage: &closed.linkage,
-                lead: closed.lead - lead(closed.crank)?,
+                angle_offset: closed.angle_offset - angle_offset(closed.crank)?,
             }),
             _ => None,
         })
@@ -111,13 +111,13 @@ impl Mechanism {
     /// Inputs within an arc at which the crank is in line with the outer hinges of a dyad RRR or RPR, one of them on the
     /// crank and the other fixed. There the distance of the hinges is least or greatest.
     pub(crate) fn in_line(&self, arc: [f64; 2]) -> Vec<f64> {
-        let closed = self.closed_steps().map(|closed| closed.lead);
+        let closed = self.closed_steps().map(|closed| closed.angle_offset);
         let guided = self.steps.iter().filter_map(|step| match step {
             Step::Rpr(dyad) => self.lead_of(dyad.sides.each_ref().map(|side| side.outer)),
             _ => None,
         });
         let leads = closed.chain(guided);
-        leads.flat_map(|lead| half_turns(lead, arc)).collect()
+        leads.flat_map(|angle_offset| half_turns(angle_offset, arc)).collect()
     }
 
     /// Lead over the input of the angle of a crank that carries one of two hinges, the angle counted from the line of
@@ -135,7 +135,7 @@ impl Mechanism {
         let is_first = crank.at.body == BodyId::FRAME && crank.course == DriveLaw::FIRST;
         let angle = |way: Vector| way.y.atan2(way.x);
         let base = angle(fixed.local - crank.at.local);
-        is_first.then(|| angle(driven.local - crank.hinge) - crank.lead - base)
+        is_first.then(|| angle(driven.local - crank.hinge) - crank.angle_offset - base)
     }
 
     /// Whether it is one crank, at most one four-bar, and wheels that drive nothing

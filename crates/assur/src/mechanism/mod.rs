@@ -93,12 +93,12 @@ pub struct Mechanism {
     size: f64,
     range: Option<[f64; 2]>,
     /// After how many turns of the crank all drivers are back; none of a slide, and where one goes on.
-    rounds: Option<usize>,
+    period_turns: Option<usize>,
     /// After how many turns the assemblies are the same again, whatever wheels show that carry nothing.
     turns_of_assemblies: Option<usize>,
     /// The drawn pose: the input, which way the groups are joined, how the bodies
     /// are turned, and the unknowns of groups that Newton's method solves.
-    home: f64,
+    drawn_input: f64,
     signs: AssemblySigns,
     orientations: List<BodyId, Orientation>,
     natural: Vec<f64>,
@@ -112,7 +112,7 @@ pub struct Mechanism {
 struct Part {
     body: BodyId,
     /// What its angle has more than its body's.
-    lead: f64,
+    angle_offset: f64,
     points: Vec<PointId>,
 }
 
@@ -191,7 +191,7 @@ impl Mechanism {
         parallel: &[[BodyId; 2]],
         drawn: Option<Drawn<'_>>,
     ) -> Result<Self, Vec<Defect>> {
-        let rounds = rate::rounds(resolved)?;
+        let period_turns = rate::period_turns(resolved)?;
         let plan = plan::plan(resolved, bodies, placements, &structure, parallel, drawn);
         let plan = plan.map_err(|defect| vec![defect])?;
         let points = resolved.places.enumerate().map(|(point, at)| {
@@ -206,7 +206,7 @@ impl Mechanism {
         let links = placements.iter().zip(resolved.links.iter());
         let links = links.map(|(placement, link)| Part {
             body: placement.body,
-            lead: placement.lead,
+            angle_offset: placement.angle_offset,
             points: link.points.clone(),
         });
         let mut placed_by = resolved.bodies.same_len(None);
@@ -239,10 +239,10 @@ impl Mechanism {
             passive: bodies.passive.clone(),
             size,
             range: plan.range,
-            rounds,
-            turns_of_assemblies: rounds,
-            home: plan.home,
-            start: (plan.home, blank),
+            period_turns,
+            turns_of_assemblies: period_turns,
+            drawn_input: plan.drawn_input,
+            start: (plan.drawn_input, blank),
             orientations: plan.orientations,
             natural: plan.natural,
         };
@@ -390,8 +390,8 @@ impl Mechanism {
     }
 
     /// The drawn input.
-    pub fn home(&self) -> f64 {
-        self.home
+    pub fn drawn_input(&self) -> f64 {
+        self.drawn_input
     }
 
     /// True where the first driver is a crank; else it is a slide.

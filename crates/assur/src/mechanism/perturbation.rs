@@ -86,7 +86,7 @@ impl Assembled {
     }
 
     pub(crate) fn input(&self) -> f64 {
-        self.mechanism.home
+        self.mechanism.drawn_input
     }
 
     /// What its input can go over: a turn, or the range of a slide.
@@ -115,7 +115,7 @@ impl Assembled {
             Setting::Hinge(..) | Setting::Offset(..) => self.mechanism.draft.clone(),
         };
         let drawn = Drawn {
-            input: self.mechanism.home,
+            input: self.mechanism.drawn_input,
             orientations: &self.state.orientations(),
         };
         let mut next = self
@@ -184,7 +184,7 @@ impl Mechanism {
             )
         };
         let mut mechanism = laid_out().map_err(NoNeighbour::Defects)?;
-        mechanism.home = input;
+        mechanism.drawn_input = input;
         Ok(mechanism)
     }
 

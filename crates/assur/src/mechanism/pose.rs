@@ -65,7 +65,7 @@ impl Mechanism {
     #[inline]
     pub fn angle<const N: usize>(&self, pose: &Pose<N>, link: LinkId) -> Jet<N> {
         let part = &self.links[link];
-        pose.state.angle(part.body) + part.lead
+        pose.state.angle(part.body) + part.angle_offset
     }
 
     /// Where a point is in a pose.

@@ -22,7 +22,7 @@ const WHOLE: f64 = 1e-11;
 ///
 /// # Errors
 /// Each driver with a rate that will not do.
-pub(super) fn rounds(draft: &Resolved<'_>) -> Result<Option<usize>, Vec<Defect>> {
+pub(super) fn period_turns(draft: &Resolved<'_>) -> Result<Option<usize>, Vec<Defect>> {
     let defect = |driver: &Driver| Defect::Rate {
         link: draft.link_name(draft.driven(driver)).to_owned(),
         rate: driver.rate(),
@@ -35,20 +35,20 @@ pub(super) fn rounds(draft: &Resolved<'_>) -> Result<Option<usize>, Vec<Defect>>
     if first.rate() != 1.0 {
         found.push(defect(first));
     }
-    let mut rounds = turns.then_some(1);
+    let mut period_turns = turns.then_some(1);
     for driver in further {
         let rate = driver.rate();
         let back = match driver {
             _ if !rate.is_finite() => None,
             _ if !turns => Some(None),
             Driver::Crank { .. } => {
-                let all = rounds.unwrap_or(1);
+                let all = period_turns.unwrap_or(1);
                 let mut together = (1..=MOST_TURNS).filter(|turns| turns % all == 0);
                 together
                     .find(|turns| is_whole(rate, *turns))
-                    .map(|turns| rounds.map(|_| turns))
+                    .map(|turns| period_turns.map(|_| turns))
             }
-            Driver::Slide { .. } if rate == 0.0 => Some(rounds),
+            Driver::Slide { .. } if rate == 0.0 => Some(period_turns),
             // It comes to an end of its range before the motion is cut.
             Driver::Slide { range, .. } => {
                 let way = (range[1] - range[0]) / rate.abs();
@@ -56,12 +56,12 @@ pub(super) fn rounds(draft: &Resolved<'_>) -> Result<Option<usize>, Vec<Defect>>
             }
         };
         match back {
-            Some(back) => rounds = back,
+            Some(back) => period_turns = back,
             None => found.push(defect(driver)),
         }
     }
     if found.is_empty() {
-        Ok(rounds)
+        Ok(period_turns)
     } else {
         Err(found)
     }
@@ -110,16 +110,16 @@ impl Mechanism {
         let [carrying, seen] = [false, true].map(|seen| {
             self.together(|body| self.carries(body) || seen && self.shows_its_angle(body))
         });
-        (self.rounds, self.turns_of_assemblies) = (seen, carrying);
+        (self.period_turns, self.turns_of_assemblies) = (seen, carrying);
     }
 
     /// After how many turns the drivers are back, and those bodies that turn in proportion to the input.
     fn together(&self, counts: impl Fn(BodyId) -> bool) -> Option<usize> {
-        let rounds = self.rounds?;
+        let period_turns = self.period_turns?;
         let rates = self.rates_of_bodies();
         let bodies = self.bodies().filter(|body| counts(*body));
         let mut turns = bodies.filter_map(|body| rates[body]).map(denominator);
-        let together = turns.try_fold(rounds, |all, turns| common(all, turns?));
+        let together = turns.try_fold(period_turns, |all, turns| common(all, turns?));
         Some(together.unwrap_or(NEVER))
     }
 
@@ -166,7 +166,7 @@ impl Mechanism {
     /// What the input grows by until all drivers are back: whole turns of a crank. None of a slide, and where a
     /// further driver is a slide that goes on with the crank.
     pub(crate) fn period(&self) -> Option<f64> {
-        self.rounds.map(|rounds| TAU * rounds as f64)
+        self.period_turns.map(|period_turns| TAU * period_turns as f64)
     }
 
     /// After how many turns of the crank the assemblies are the same again: those after which drivers are back, and
@@ -194,8 +194,8 @@ impl Mechanism {
     }
 
     /// The same in turns; 1 where there is none.
-    pub(crate) fn rounds(&self) -> usize {
-        self.rounds.unwrap_or(1)
+    pub(crate) fn period_turns(&self) -> usize {
+        self.period_turns.unwrap_or(1)
     }
 
     /// After how many turns a mechanism of cranks and wheels alone repeats, by the numbers of teeth; none of another,
@@ -203,14 +203,14 @@ impl Mechanism {
     pub(crate) fn turns_of_wheels(&self) -> Option<usize> {
         let mut steps = self.steps.iter();
         let alone = steps.all(|step| matches!(step, Step::Crank(_) | Step::Epicyclic(_)));
-        self.rounds.filter(|turns| alone && *turns < NEVER)
+        self.period_turns.filter(|turns| alone && *turns < NEVER)
     }
 
     /// After how many turns a motion may repeat, and no sooner: as the drivers and wheels do, and each four-bar in
     /// closed form, one that is in its other assembly after a turn after two; none where that is never over.
     pub(crate) fn least_turns(&self) -> Option<usize> {
         let turns = self.closed_steps().map(|closed| closed.turns());
-        common(turns.max().unwrap_or(1), self.rounds())
+        common(turns.max().unwrap_or(1), self.period_turns())
     }
 
     /// What the input can be told by without another pose, where the motion does not repeat: the turns after which
@@ -223,6 +223,6 @@ impl Mechanism {
         });
         let counts_turns = counted.any(|body| rates[body].is_some_and(|rate| rate != 0.0));
         let turns = self.least_turns().filter(|_| !counts_turns)?;
-        self.rounds.map(|_| TAU * turns as f64)
+        self.period_turns.map(|_| TAU * turns as f64)
     }
 }

@@ -228,7 +228,7 @@ impl Mechanism {
     /// constraints in the drawn pose, that they are mobile for an instant only.
     pub(super) fn locked(&self, redundancy: &Redundancy) -> Vec<Defect> {
         let mut state: Predictor = self.blank_state();
-        let solved = self.solve(self.home, &self.signs, self.drawn(), &mut state);
+        let solved = self.solve(self.drawn_input, &self.signs, self.drawn(), &mut state);
         let drivers = self.draft.drivers.len() as isize;
         let is_mobile = solved.is_ok() && self.mobility_by(&[self.rows(&state)]).rank == drivers;
         let told = |defect: Defect| match defect {
@@ -253,7 +253,7 @@ impl Mechanism {
                     natural: &natural,
                     smooth_roots: &[],
                 };
-                let input = self.home + sense * step;
+                let input = self.drawn_input + sense * step;
                 match self.solve(input, &self.signs, near, &mut state) {
                     Ok(()) => {}
                     Err((_, Cause::Locked { .. })) => return Vec::new(),

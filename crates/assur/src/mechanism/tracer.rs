@@ -46,10 +46,10 @@ pub(super) fn anchored<'a>(
             local: tracer.at - draft.origin,
         },
         Some(link) => {
-            let Placement { body, lead } = placements[link];
+            let Placement { body, angle_offset } = placements[link];
             let origin = bodies.local(body, draft.links[link].first);
             debug_assert!(origin.is_some(), "a link's body has its first point");
-            let (sin, cos) = lead.sin_cos();
+            let (sin, cos) = angle_offset.sin_cos();
             let local = origin.unwrap_or_default() + product(tracer.at, Vector::new(cos, sin));
             BodyPoint { body, local }
         }

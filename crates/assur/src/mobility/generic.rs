@@ -41,7 +41,7 @@ impl Scheme {
     /// # Errors
     /// What is missing for it.
     pub fn generic(&self, space: Space) -> Result<Generic, NoRank> {
-        let verdict = self.judged(space)?;
+        let verdict = self.ranked(space)?;
         let mut contacts: Vec<usize> = verdict
             .redundancies
             .iter()

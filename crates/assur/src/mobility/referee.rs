@@ -66,7 +66,7 @@ impl Scheme {
     ///
     /// # Errors
     /// What is missing for it.
-    pub fn judged(&self, space: Space) -> Result<Verdict, NoRank> {
+    pub fn ranked(&self, space: Space) -> Result<Verdict, NoRank> {
         let forms = self.forms(space)?;
         let constraints = Constraints::new(self, &forms, space);
         let equilibrium = constraints.equilibrium(self).eliminated(None);
@@ -115,8 +115,8 @@ impl Scheme {
         while !apart {
             apart = true;
             for pair in 0..count {
-                let own = |free: usize| parts.lead(constraints.pair_of(free)) == pair;
-                if parts.lead(pair) == pair && equilibrium.free().any(own) {
+                let own = |free: usize| parts.angle_offset(constraints.pair_of(free)) == pair;
+                if parts.angle_offset(pair) == pair && equilibrium.free().any(own) {
                     let stressed = constraints.stressed(&equilibrium.mixture(own));
                     apart &= !parts.join(&stressed);
                 }
@@ -124,15 +124,15 @@ impl Scheme {
         }
         let mut counts = vec![0; count];
         for free in equilibrium.free() {
-            counts[parts.lead(constraints.pair_of(free))] += 1;
+            counts[parts.angle_offset(constraints.pair_of(free))] += 1;
         }
-        let parts = (0..count).filter(|lead| counts[*lead] > 0).map(|lead| {
+        let parts = (0..count).filter(|angle_offset| counts[*angle_offset] > 0).map(|angle_offset| {
             let mut pairs: Vec<usize> = (0..count)
-                .filter(|pair| parts.lead(*pair) == lead)
+                .filter(|pair| parts.angle_offset(*pair) == angle_offset)
                 .collect();
             sort_by_key(&mut pairs, |pair| &self.pairs()[*pair].name);
             Redundancy {
-                count: counts[lead],
+                count: counts[angle_offset],
                 pairs,
             }
         });
@@ -155,7 +155,7 @@ impl Parts {
         Self((0..count).collect())
     }
 
-    fn lead(&self, mut pair: usize) -> usize {
+    fn angle_offset(&self, mut pair: usize) -> usize {
         while self.0[pair] != pair {
             pair = self.0[pair];
         }
@@ -166,7 +166,7 @@ impl Parts {
     fn join(&mut self, pairs: &[usize]) -> bool {
         let mut joined = false;
         for two in pairs.windows(2) {
-            let [one, other] = [two[0], two[1]].map(|pair| self.lead(pair));
+            let [one, other] = [two[0], two[1]].map(|pair| self.angle_offset(pair));
             self.0[one.max(other)] = one.min(other);
             joined |= one != other;
         }

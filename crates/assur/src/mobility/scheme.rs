@@ -355,7 +355,7 @@ fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefec
 /// Links that no chain of pairs joins to the ground.
 fn apart(draft: &SchemeDraft, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
     let mut leader: Vec<usize> = (0..numbers.len()).collect();
-    fn lead(leader: &mut [usize], mut link: usize) -> usize {
+    fn angle_offset(leader: &mut [usize], mut link: usize) -> usize {
         while leader[link] != link {
             leader[link] = leader[leader[link]];
             link = leader[link];
@@ -366,11 +366,11 @@ fn apart(draft: &SchemeDraft, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
         let mut links = pair.links.iter().map(|link| numbers[link.as_str()]);
         let Some(first) = links.next() else { continue };
         for other in links {
-            let ends = [first, other].map(|link| lead(&mut leader, link));
+            let ends = [first, other].map(|link| angle_offset(&mut leader, link));
             // The ground, number 0, leads what it is joined to.
             leader[ends[0].max(ends[1])] = ends[0].min(ends[1]);
         }
     }
     let links = 0..numbers.len();
-    links.filter(|link| lead(&mut leader, *link) != 0).collect()
+    links.filter(|link| angle_offset(&mut leader, *link) != 0).collect()
 }

@@ -250,7 +250,7 @@ impl Motion {
         // At a dead point there is a place, but no derivative.
         let ends = self.cycle.arcs().iter().flatten().copied();
         let ends = ends.chain(self.change_points.iter().copied());
-        let ends = ends.chain([self.home]).filter_map(|input| {
+        let ends = ends.chain([self.drawn_input]).filter_map(|input| {
             let pose = self.pose::<1>(input).ok()?;
             Some((mechanism.place(&pose, point).place() - from).dot(&along))
         });
@@ -267,7 +267,7 @@ impl Motion {
     /// # Errors
     /// Why it cannot go so.
     pub fn at_rate(&self, driver: usize, rate: f64, input: f64) -> Result<Changed, Vec<Defect>> {
-        let pose = self.pose::<1>(input).or_else(|_| self.pose::<1>(self.home));
+        let pose = self.pose::<1>(input).or_else(|_| self.pose::<1>(self.drawn_input));
         let mut draft = match pose {
             Ok(pose) => self.mechanism.shaped_in(&pose),
             Err(_) => self.mechanism.draft().clone(),
@@ -277,7 +277,7 @@ impl Motion {
         }
         let motion = Self::new(Mechanism::new(&draft)?);
         Ok(Changed {
-            input: motion.home,
+            input: motion.drawn_input,
             gave_way: false,
             motion,
         })
@@ -300,7 +300,7 @@ impl Motion {
             match Mechanism::new(&draft) {
                 Ok(mechanism) => {
                     let motion = Self::new(mechanism);
-                    let (input, gave_way) = (motion.home, part != 0.0);
+                    let (input, gave_way) = (motion.drawn_input, part != 0.0);
                     let moves = motion.pose::<3>(input).is_ok();
                     let changed = Changed {
                         motion,
@@ -320,7 +320,7 @@ impl Motion {
 
     /// The pose at an input, or else the drawn one.
     fn at_hand(&self, input: f64) -> Result<Assembled, Refusal> {
-        let inputs = [input, self.home].into_iter();
+        let inputs = [input, self.drawn_input].into_iter();
         let mut poses = inputs.filter_map(|input| Some((input, self.pose::<1>(input).ok()?)));
         let (input, pose) = poses.next().ok_or(Refusal::Unposed)?;
         Assembled::new(&self.mechanism, &pose, input).map_err(|_| Refusal::Unposed)
@@ -332,8 +332,8 @@ impl Motion {
         let motion = Self::new(mechanism);
         // Where the crank goes over more than a turn, its angle alone does not tell which.
         let input = way.here.input();
-        let told = (motion.cycle.wrap(input) - motion.home).abs() <= TOLD * motion.mechanism.span();
-        let input = if told { input } else { motion.home };
+        let told = (motion.cycle.wrap(input) - motion.drawn_input).abs() <= TOLD * motion.mechanism.span();
+        let input = if told { input } else { motion.drawn_input };
         let gave_way = way.gave_way;
         Ok(Changed {
             motion,

@@ -14,11 +14,11 @@ impl Motion {
     /// cannot turn fully, over the arc that is drawn.
     pub(super) fn in_closed_form(mut mechanism: Mechanism) -> Self {
         let arc = mechanism.closed_steps().next();
-        let arc = arc.and_then(|closed| closed.arc(mechanism.home()));
+        let arc = arc.and_then(|closed| closed.arc(mechanism.drawn_input()));
         // The arc is shifted by whole turns to begin within [−π, π).
         let turned = arc.map_or(0.0, |[from, _]| TAU * ((from + PI) / TAU).floor());
-        let home = mechanism.home();
-        let turned = if turned != 0.0 && mechanism.rebase_turns(home - turned) {
+        let drawn_input = mechanism.drawn_input();
+        let turned = if turned != 0.0 && mechanism.rebase_turns(drawn_input - turned) {
             turned
         } else {
             0.0
@@ -35,10 +35,10 @@ impl Motion {
                 (Cycle::turning(turns), Vec::new())
             }
         };
-        let home = cycle.wrap(home - turned);
+        let drawn_input = cycle.wrap(drawn_input - turned);
         let (signs, orientations) = mechanism.as_drawn();
-        let knots = Knots::alone(home, signs, orientations);
-        Self::of(mechanism, cycle, knots, dead_points, home)
+        let knots = Knots::alone(drawn_input, signs, orientations);
+        Self::of(mechanism, cycle, knots, dead_points, drawn_input)
     }
 }
 
@@ -46,10 +46,10 @@ impl Motion {
     /// The motion of cranks and wheels alone, which repeats after so many turns.
     pub(super) fn of_wheels(mechanism: Mechanism, turns: usize) -> Self {
         let cycle = Cycle::turning(turns);
-        let home = cycle.wrap(mechanism.home());
+        let drawn_input = cycle.wrap(mechanism.drawn_input());
         let (signs, orientations) = mechanism.as_drawn();
-        let knots = Knots::alone(home, signs, orientations);
-        Self::of(mechanism, cycle, knots, Vec::new(), home)
+        let knots = Knots::alone(drawn_input, signs, orientations);
+        Self::of(mechanism, cycle, knots, Vec::new(), drawn_input)
     }
 }
 
@@ -69,7 +69,7 @@ impl Motion {
         } = self.rocker(quantity)?;
         let limits = closed.linkage.limits(assembly).into_iter();
         let mut inputs: Vec<f64> = limits
-            .map(|limit| self.cycle.wrap(limit.crank - closed.lead))
+            .map(|limit| self.cycle.wrap(limit.crank - closed.angle_offset))
             .filter(|input| self.cycle.contains(*input))
             .collect();
         sort_by(&mut inputs, f64::total_cmp);
@@ -99,7 +99,7 @@ impl Motion {
             return None;
         }
         let mut guess = Vec::new();
-        let (signs, _) = self.knots.near(self.home, &mut guess);
+        let (signs, _) = self.knots.near(self.drawn_input, &mut guess);
         Some(Rocker {
             closed,
             assembly: signs[closed.step].into(),
@@ -115,7 +115,7 @@ pub(super) fn dead_point(
     [from, to]: [f64; 2],
     input: f64,
 ) -> DeadPoint {
-    let open = |input: f64| -(input + closed.lead).cos();
+    let open = |input: f64| -(input + closed.angle_offset).cos();
     let kind = if open(input) < open(0.5 * (from + to)) {
         DeadPointKind::Folded
     } else {

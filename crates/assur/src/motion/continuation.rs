@@ -133,12 +133,12 @@ impl<'a> Continuation<'a> {
     pub(super) fn go(&mut self, sense: f64, knots: &mut Knots) -> End {
         let start = self.here.clone();
         self.leave(knots, 0.0);
-        let home = self.input;
+        let drawn_input = self.input;
         let least = self.mechanism.least_turns().unwrap_or(NEVER);
         let mut turns = 0;
         loop {
             turns += least;
-            self.repeats = home + sense * self.mechanism.span() * turns as f64;
+            self.repeats = drawn_input + sense * self.mechanism.span() * turns as f64;
             if let Some(dead) = self.go_to(self.repeats, knots) {
                 return End::Dead(dead);
             }

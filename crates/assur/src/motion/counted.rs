@@ -20,8 +20,8 @@ pub(super) fn range_between(mechanism: &mut Mechanism, ends: [DeadPoint; 2]) -> 
         .period_of_arcs()
         .filter(|period| !given_up || *period == TAU && last - first <= TAU);
     let turned = period.map_or(0.0, |period| period * (first / period + 0.5).floor());
-    let home = mechanism.home() - turned;
-    let turned = if turned == 0.0 || mechanism.rebase_turns(home) {
+    let drawn_input = mechanism.drawn_input() - turned;
+    let turned = if turned == 0.0 || mechanism.rebase_turns(drawn_input) {
         turned
     } else {
         0.0

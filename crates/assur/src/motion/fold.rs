@@ -141,7 +141,7 @@ impl Curve<'_> {
         let mut last = f64::INFINITY;
         for _ in 0..MOST_STEPS {
             let Linearized {
-                left,
+                residual,
                 slopes,
                 is_redundant,
                 residual_is_rounding,
@@ -150,7 +150,7 @@ impl Curve<'_> {
             bordered.row_mut(rows - 1).tr_copy_from(tangent);
             // What is to be mended, and the new tangent.
             let mut asked = DMatrix::zeros(rows, 2);
-            asked.view_mut((0, 0), (rows - 1, 1)).copy_from(&left);
+            asked.view_mut((0, 0), (rows - 1, 1)).copy_from(&residual);
             asked[(rows - 1, 0)] = tangent.dot(&(&at - &foot));
             asked[(rows - 1, 1)] = 1.0;
             let bordered = bordered.lu();

@@ -31,7 +31,7 @@ impl Motion {
         }
         let joined = self.cycle.joined(&other.cycle);
         let (cycle, shift) = joined.ok_or(Unjoinable::Overlap)?;
-        let theirs = other.home;
+        let theirs = other.drawn_input;
         let mut knots = Knots::clone(&other.knots);
         knots.shift(shift);
         let both = self.mechanism.steps().enumerate();

@@ -95,7 +95,7 @@ impl OutputProfile<'_> {
         let ends = [from, to].into_iter().filter(|_| !cycle.is_full());
         let mut inputs: Vec<f64> = limits.chain(passed).filter(within).chain(ends).collect();
         if inputs.is_empty() {
-            inputs.push(self.motion.home());
+            inputs.push(self.motion.drawn_input());
         }
         sort_by(&mut inputs, f64::total_cmp);
         self.valued(inputs.into_iter())

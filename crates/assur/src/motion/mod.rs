@@ -73,7 +73,7 @@ pub struct Motion {
     knots: Arc<Knots>,
     dead_points: Vec<DeadPoint>,
     change_points: Vec<f64>,
-    home: f64,
+    drawn_input: f64,
 }
 
 impl Motion {
@@ -105,7 +105,7 @@ impl Motion {
                     End::Dead(first) => first,
                     // It cannot turn fully one way only.
                     End::FourBarStep(_) => DeadPoint {
-                        input: mechanism.home(),
+                        input: mechanism.drawn_input(),
                         ..last
                     },
                 };
@@ -127,8 +127,8 @@ impl Motion {
                 (cycle, turned, counted.to_vec())
             }
         };
-        let home = cycle.wrap(mechanism.home());
-        let mut motion = Self::of(mechanism, cycle, knots, dead_points, home);
+        let drawn_input = cycle.wrap(mechanism.drawn_input());
+        let mut motion = Self::of(mechanism, cycle, knots, dead_points, drawn_input);
         let passed = passed.iter();
         motion.smooth(passed.map(|one| (one.step, one.input - turned)).collect());
         motion
@@ -140,7 +140,7 @@ impl Motion {
         cycle: Cycle,
         mut knots: Knots,
         dead_points: Vec<DeadPoint>,
-        home: f64,
+        drawn_input: f64,
     ) -> Self {
         knots.index();
         let arcs = cycle.arcs().iter();
@@ -154,11 +154,11 @@ impl Motion {
             cycle,
             knots: Arc::new(knots),
             dead_points,
-            home,
+            drawn_input,
         };
         motion.end_in_poses();
-        if motion.pose::<1>(home).is_err() {
-            motion.home = motion.cycle.home();
+        if motion.pose::<1>(drawn_input).is_err() {
+            motion.drawn_input = motion.cycle.drawn_input();
         }
         motion
     }
@@ -240,8 +240,8 @@ impl Motion {
 
     /// The input of the drawn pose, told by as many whole turns as the cycle is; where
     /// there is no pose at it, one far from the ends.
-    pub fn home(&self) -> f64 {
-        self.home
+    pub fn drawn_input(&self) -> f64 {
+        self.drawn_input
     }
 
     /// Where the driver must turn back; none where it turns fully.

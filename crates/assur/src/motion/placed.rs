@@ -51,7 +51,7 @@ impl Motion {
     fn is_given_up_before(&self, input: f64) -> bool {
         let mut ends = self.dead_points.iter();
         ends.any(|end| {
-            end.kind.is_given_up() && (input - end.input) * (end.input - self.home) > 0.0
+            end.kind.is_given_up() && (input - end.input) * (end.input - self.drawn_input) > 0.0
         })
     }
 }

@@ -93,12 +93,12 @@ impl<'a> OutputProfile<'a> {
         let inputs = extrema.iter().copied();
         // Of several arcs the one of the drawn pose.
         let mut arcs = motion.cycle().arcs().iter();
-        let drawn = arcs.find(|[from, to]| (*from..=*to).contains(&motion.home()));
+        let drawn = arcs.find(|[from, to]| (*from..=*to).contains(&motion.drawn_input()));
         if let Some(period) = profile.period {
             profile.gain = motion.seam(period).gain(quantity);
             profile.stations = if profile.monotone {
                 // Where a deltoid's links lie on each other there is no pose.
-                let mut starts = [0.0, motion.home()].into_iter();
+                let mut starts = [0.0, motion.drawn_input()].into_iter();
                 profile.valued(
                     starts
                         .find(|input| profile.value(*input).is_some())
@@ -109,7 +109,7 @@ impl<'a> OutputProfile<'a> {
             };
         } else {
             debug_assert!(drawn.is_some(), "the drawn pose is on an arc");
-            let [from, to] = drawn.copied().unwrap_or([motion.home(); 2]);
+            let [from, to] = drawn.copied().unwrap_or([motion.drawn_input(); 2]);
             let inputs = inputs.filter(|input| (from..=to).contains(input));
             profile.stations = profile.valued([from].into_iter().chain(inputs).chain([to]));
         }

@@ -73,9 +73,9 @@ impl Motion {
         if let Some(closed) = mechanism.closed_form_of(dyad) {
             let arcs = self.cycle().arcs().iter();
             let inputs =
-                arcs.flat_map(|arc| arc.iter().copied().chain(half_turns(closed.lead, *arc)));
+                arcs.flat_map(|arc| arc.iter().copied().chain(half_turns(closed.angle_offset, *arc)));
             let found = inputs.filter_map(|input| {
-                let angle = closed.linkage.transmission_angle(input + closed.lead);
+                let angle = closed.linkage.transmission_angle(input + closed.angle_offset);
                 let angle = angle.ok()?;
                 Some(WorstTransmission { angle, input })
             });
@@ -132,7 +132,7 @@ impl Motion {
             .chain(ends)
             .chain(self.change_points().iter().copied());
         let angle = self.telling(move |pose: &Pose<1>| angle.of(self.mechanism(), pose).value());
-        Ok(inputs.chain([self.home()]).filter_map(move |input| {
+        Ok(inputs.chain([self.drawn_input()]).filter_map(move |input| {
             let angle = angle(input).ok()?;
             Some(WorstTransmission { angle, input })
         }))

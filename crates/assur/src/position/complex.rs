@@ -114,7 +114,7 @@ impl<const N: usize> Complex<N> {
 
     /// Zero where it is finite in all orders, else not: sums of it take the place
     /// of 2N questions.
-    pub(crate) fn nought(&self) -> Vector {
+    pub(crate) fn finite_probe(&self) -> Vector {
         self.0.iter().fold(Vector::zeros(), |sum, c| sum + c * 0.0)
     }
 }

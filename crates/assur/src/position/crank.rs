@@ -12,7 +12,7 @@ pub(crate) struct Crank {
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
     /// What the driven angle has more than the body's against its base: links may lie turned on their bodies.
-    pub(crate) lead: f64,
+    pub(crate) angle_offset: f64,
     pub(crate) course: DriveLaw,
 }
 
@@ -22,17 +22,17 @@ impl Solvable for Crank {
         state: &mut State<N>,
         given: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
-        let angle = self.course.at(given.input) + -self.lead;
+        let angle = self.course.at(given.input) + -self.angle_offset;
         let base = state.angle(self.at.body);
         state.pin(self.body, base + angle, self.at, self.hinge);
         Ok(())
     }
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
-        let at = cell.place(from, self.at).bend;
+        let at = cell.place(from, self.at).acceleration;
         // Against its base it turns evenly.
-        let spin = cell.spin(self.at.body);
-        cell.set(self.body, spin, [(self.hinge, at); 2]);
+        let angular_acceleration = cell.angular_acceleration(self.at.body);
+        cell.set(self.body, angular_acceleration, [(self.hinge, at); 2]);
         true
     }
 

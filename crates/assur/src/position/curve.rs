@@ -9,7 +9,7 @@ use crate::Vector;
 /// The equations of a group at a place: what is left of them, and row by row their derivatives by the unknowns and,
 /// last, by the input.
 pub(crate) struct Linearized {
-    pub(crate) left: DVector<f64>,
+    pub(crate) residual: DVector<f64>,
     pub(crate) slopes: DMatrix<f64>,
     /// Whether redundant equations have been left out.
     pub(crate) is_redundant: bool,
@@ -49,10 +49,10 @@ impl Group {
         work.jacobian.fill(0.0);
         self.jacobian(work);
         let size = at.len();
-        let left = self.equations.iter();
-        let left = left.map(|equation| equation.left(&work.values, &work.given));
+        let residual = self.equations.iter();
+        let residual = residual.map(|equation| equation.residual(&work.values, &work.given));
         let rows = self.equations.len();
-        let mut left = DVector::from_iterator(rows, left);
+        let mut residual = DVector::from_iterator(rows, residual);
         let mut slopes = DMatrix::from_fn(rows, size + 1, |row, column| match column {
             // The unknowns stand: what changes is what is given.
             _ if column == size => self.equations[row].coefficient(&work.values, &work.given, 1),
@@ -64,12 +64,12 @@ impl Group {
             // The pivots come first, in as many rows as are independent.
             let pivots = slopes.clone().full_piv_lu();
             pivots.p().permute_rows(&mut slopes);
-            pivots.p().permute_rows(&mut left);
+            pivots.p().permute_rows(&mut residual);
             slopes = slopes.rows(0, size).into_owned();
-            left = left.rows(0, size).into_owned();
+            residual = residual.rows(0, size).into_owned();
         }
         Ok(Linearized {
-            left,
+            residual,
             slopes,
             is_redundant,
             residual_is_rounding,

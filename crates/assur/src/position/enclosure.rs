@@ -20,12 +20,12 @@ use crate::index::{BodyId, List, StepId};
 pub(crate) struct Enclosure {
     /// How far the input goes, with its sense, and without.
     pub(super) width: f64,
-    pub(super) reach: f64,
+    pub(super) step_len: f64,
     bodies: List<BodyId, Bound>,
     /// How far the solution of a group may be from where its tangent leads, in units of its unknowns.
-    pub(super) strays: List<StepId, f64>,
+    pub(super) deviations: List<StepId, f64>,
     /// By how much the Jacobian of any group changes at most, relative to itself.
-    pub(super) changed: f64,
+    pub(super) jacobian_change: f64,
     pub(super) work: Work<2>,
     pub(super) bounds: Bounds,
 }
@@ -52,7 +52,7 @@ pub(super) struct Bounds {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Bound {
     /// The second derivative of its angle.
-    pub(crate) spin: f64,
+    pub(crate) angular_acceleration: f64,
     /// How far it turns at most, where that is known otherwise.
     turned: f64,
     /// That of two places on it.
@@ -61,18 +61,18 @@ pub(crate) struct Bound {
 
 /// Where a place is when the step begins, how it moves there, and what its second derivative is at most.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Way {
+pub(crate) struct PointBound {
     pub(crate) at: Vector,
     pub(crate) rate: Vector,
-    pub(crate) bend: f64,
+    pub(crate) acceleration: f64,
 }
 
-impl Way {
+impl PointBound {
     pub(crate) fn minus(&self, other: &Self) -> Self {
         Self {
             at: self.at - other.at,
             rate: self.rate - other.rate,
-            bend: self.bend + other.bend,
+            acceleration: self.acceleration + other.acceleration,
         }
     }
 }
@@ -81,10 +81,10 @@ impl Enclosure {
     pub(crate) fn new(bodies: usize, steps: usize) -> Self {
         Self {
             width: 0.0,
-            reach: 0.0,
+            step_len: 0.0,
             bodies: vec![Bound::default(); bodies].into(),
-            strays: vec![0.0; steps].into(),
-            changed: 0.0,
+            deviations: vec![0.0; steps].into(),
+            jacobian_change: 0.0,
             work: Work::default(),
             bounds: Bounds::default(),
         }
@@ -112,8 +112,8 @@ impl Enclosure {
         width: f64,
         (passing, to): (&[StepId], &Predictor),
     ) -> Result<(), StepId> {
-        (self.width, self.reach) = (width, width.abs());
-        self.changed = 0.0;
+        (self.width, self.step_len) = (width, width.abs());
+        self.jacobian_change = 0.0;
         for (step, placing) in steps.enumerate() {
             if passing.contains(&step) {
                 self.take_over(placing, from, to);
@@ -127,16 +127,16 @@ impl Enclosure {
     /// How many times as long as the step that was certified last one may be at most, as far as groups tell: their
     /// Jacobians change at least in proportion.
     pub(crate) fn ease(&self) -> f64 {
-        REGULAR / self.changed
+        REGULAR / self.jacobian_change
     }
 
     /// Twice what the second derivatives are at both ends, whichever is more.
     fn take_over(&mut self, placing: &Step, from: &Predictor, to: &Predictor) {
         for body in placing.bodies() {
             let most = |of: &dyn Fn(&Predictor) -> f64| 2.0 * f64::max(of(from), of(to));
-            let spin = most(&|state| state.angle(body).derivative(2).abs());
-            let bend = most(&|state| 2.0 * state.bodies[body].origin[2].norm());
-            self.set(body, spin, [(Vector::zeros(), bend); 2]);
+            let angular_acceleration = most(&|state| state.angle(body).derivative(2).abs());
+            let acceleration = most(&|state| 2.0 * state.bodies[body].origin[2].norm());
+            self.set(body, angular_acceleration, [(Vector::zeros(), acceleration); 2]);
         }
     }
 
@@ -149,23 +149,23 @@ impl Enclosure {
         to: &Predictor,
     ) -> bool {
         match placing {
-            Step::Group(group) => group.is_certified(from, to, self.width, self.strays[step]),
+            Step::Group(group) => group.is_certified(from, to, self.width, self.deviations[step]),
             _ => true,
         }
     }
 
-    pub(crate) fn set(&mut self, body: BodyId, spin: f64, places: [(Vector, f64); 2]) {
+    pub(crate) fn set(&mut self, body: BodyId, angular_acceleration: f64, places: [(Vector, f64); 2]) {
         let turned = f64::INFINITY;
         self.bodies[body] = Bound {
-            spin,
+            angular_acceleration,
             turned,
             places,
         };
     }
 
     /// What the second derivative of a body's angle is at most.
-    pub(crate) fn spin(&self, body: BodyId) -> f64 {
-        self.bodies[body].spin
+    pub(crate) fn angular_acceleration(&self, body: BodyId) -> f64 {
+        self.bodies[body].angular_acceleration
     }
 
     /// How fast a body turns when the step begins.
@@ -175,36 +175,36 @@ impl Enclosure {
     }
 
     /// How fast a body turns at most.
-    pub(crate) fn pace(&self, from: &Predictor, body: BodyId) -> f64 {
-        self.turning(from, body).abs() + self.reach * self.spin(body)
+    pub(crate) fn max_turn_rate(&self, from: &Predictor, body: BodyId) -> f64 {
+        self.turning(from, body).abs() + self.step_len * self.angular_acceleration(body)
     }
 
     /// How far a body turns at most.
     pub(crate) fn turned(&self, from: &Predictor, body: BodyId) -> f64 {
-        let turned = self.reach * self.pace(from, body);
+        let turned = self.step_len * self.max_turn_rate(from, body);
         turned.min(self.bodies[body].turned)
     }
 
     /// What the second derivative of a direction of a body is at most.
-    pub(crate) fn sway(&self, from: &Predictor, body: BodyId) -> f64 {
-        Vector::new(self.spin(body), self.pace(from, body).powi(2)).norm()
+    pub(crate) fn direction_acceleration(&self, from: &Predictor, body: BodyId) -> f64 {
+        Vector::new(self.angular_acceleration(body), self.max_turn_rate(from, body).powi(2)).norm()
     }
 
     /// The way of a place on a body.
-    pub(crate) fn place(&self, from: &Predictor, anchor: BodyPoint) -> Way {
+    pub(crate) fn place(&self, from: &Predictor, anchor: BodyPoint) -> PointBound {
         let place = from.place(anchor);
         let Bound { places, .. } = &self.bodies[anchor.body];
-        let sway = self.sway(from, anchor.body);
-        let bends = places.map(|(local, bend)| bend + (anchor.local - local).norm() * sway);
-        Way {
+        let direction_acceleration = self.direction_acceleration(from, anchor.body);
+        let accelerations = places.map(|(local, acceleration)| acceleration + (anchor.local - local).norm() * direction_acceleration);
+        PointBound {
             at: place[0],
             rate: place[1],
-            bend: bends[0].min(bends[1]),
+            acceleration: accelerations[0].min(accelerations[1]),
         }
     }
 
     /// The way of the place of a body that is at a point when the step begins.
-    pub(crate) fn place_at(&self, from: &Predictor, body: BodyId, at: Vector) -> Way {
+    pub(crate) fn place_at(&self, from: &Predictor, body: BodyId, at: Vector) -> PointBound {
         let local = product(
             at - from.bodies[body].origin.value(),
             conjugate(from.bodies[body].turn.value()),
@@ -213,20 +213,20 @@ impl Enclosure {
     }
 
     /// How fast it goes at most.
-    pub(crate) fn speed(&self, way: &Way) -> f64 {
-        way.rate.norm() + self.reach * way.bend
+    pub(crate) fn speed(&self, way: &PointBound) -> f64 {
+        way.rate.norm() + self.step_len * way.acceleration
     }
 
     /// The least and the greatest distance from the origin.
-    pub(crate) fn distances(&self, way: &Way) -> [f64; 2] {
-        let Way { at, rate, bend } = way;
-        let room = 0.5 * self.reach * self.reach * bend;
+    pub(crate) fn distances(&self, way: &PointBound) -> [f64; 2] {
+        let PointBound { at, rate, acceleration } = way;
+        let room = 0.5 * self.step_len * self.step_len * acceleration;
         let end = at + rate * self.width;
         let most = at.norm().max(end.norm());
         // Where the straight way comes nearest.
         let nearest = -at.dot(rate) / rate.norm_squared() * self.width.signum();
         let least = if nearest.is_finite() {
-            let nearest = nearest.clamp(0.0, self.reach) * self.width.signum();
+            let nearest = nearest.clamp(0.0, self.step_len) * self.width.signum();
             (at + rate * nearest).norm()
         } else {
             at.norm()
@@ -236,9 +236,9 @@ impl Enclosure {
 
     /// A speed v that obeys v ≤ v₀ + h (a v² + c) all along, v₀ when the step begins: it is continuous and cannot come
     /// over the lesser root. None where there is no root.
-    pub(crate) fn settled(&self, v0: f64, a: f64, c: f64) -> Option<f64> {
-        let start = v0 + self.reach * c;
-        let rest = 1.0 - 4.0 * self.reach * a * start;
+    pub(crate) fn bounded_speed(&self, v0: f64, a: f64, c: f64) -> Option<f64> {
+        let start = v0 + self.step_len * c;
+        let rest = 1.0 - 4.0 * self.step_len * a * start;
         (rest >= 0.0).then(|| 2.0 * start / (1.0 + rest.sqrt()))
     }
 
@@ -265,21 +265,21 @@ impl Enclosure {
         });
         let v0 = v0[0].max(v0[1]);
         let crude = self.speed(&base) / sine;
-        let v = self.settled(v0, lengths / sine, base.bend / sine);
+        let v = self.bounded_speed(v0, lengths / sine, base.acceleration / sine);
         let v = v.map_or(crude, |v| v.min(crude));
-        let bend = (v * v * lengths + base.bend) / sine;
-        if !bend.is_finite() {
+        let acceleration = (v * v * lengths + base.acceleration) / sine;
+        if !acceleration.is_finite() {
             return false;
         }
-        let joint = b.bend.min(d.bend) + bend;
+        let joint = b.acceleration.min(d.acceleration) + acceleration;
         for (arm, outer) in arms.iter().zip([b, d]) {
-            let places = [(arm.from, outer.bend), (arm.to, joint)];
-            self.set(arm.body, bend / arm.length(), places);
+            let places = [(arm.from, outer.acceleration), (arm.to, joint)];
+            self.set(arm.body, acceleration / arm.length(), places);
         }
         // Where the base is short or the links are nearly in line the triangle tells better how far they turn.
         for (arm, other) in [(&arms[0], l3), (&arms[1], l2)] {
             if self.turned(from, arm.body) > FAR {
-                let turned = self.swept(&base) + opened([arm.length(), other], [least, most]);
+                let turned = self.max_direction_turn(&base) + opened([arm.length(), other], [least, most]);
                 self.bodies[arm.body].turned = turned;
             }
         }
@@ -287,11 +287,11 @@ impl Enclosure {
     }
 
     /// How far a direction turns at most that keeps from vanishing.
-    fn swept(&self, way: &Way) -> f64 {
+    fn max_direction_turn(&self, way: &PointBound) -> f64 {
         let end = way.at + way.rate * self.width;
         let straight = way.at.perp(&end).atan2(way.at.dot(&end)).abs();
         let [least, _] = self.distances(way);
-        let room = 0.5 * self.reach * self.reach * way.bend;
+        let room = 0.5 * self.step_len * self.step_len * way.acceleration;
         straight + (room / (least + room)).asin()
     }
 
@@ -310,30 +310,30 @@ impl Enclosure {
         let [q1, q2] = bodies.map(|body| self.place_at(from, body, at));
         let [u, v] = lines.map(|(body, heading)| product(from.bodies[body].turn.value(), heading));
         let turning = bodies.map(|body| self.turning(from, body));
-        let spins = bodies.map(|body| self.spin(body));
+        let spins = bodies.map(|body| self.angular_acceleration(body));
         let apart = u.perp(&v).abs().atan2(u.dot(&v).abs());
-        let turned = (turning[0] - turning[1]).abs() + self.reach * (spins[0] + spins[1]);
+        let turned = (turning[0] - turning[1]).abs() + self.step_len * (spins[0] + spins[1]);
         // What turns together stays apart.
         let turned = if bodies[0] == bodies[1] { 0.0 } else { turned };
-        let least = apart - self.reach * turned;
+        let least = apart - self.step_len * turned;
         if least <= 0.0 {
             return None;
         }
         let sine = least.sin();
-        let paces = bodies.map(|body| self.pace(from, body));
+        let paces = bodies.map(|body| self.max_turn_rate(from, body));
         let way = q2.minus(&q1);
         let speed = self.speed(&way);
-        let slid = self.reach * speed / sine;
+        let slid = self.step_len * speed / sine;
         let along = (speed + slid * (paces[0] + paces[1])) / sine + speed;
-        let each = |k: usize| 2.0 * along * paces[k] + (slid + self.reach * speed) * spins[k];
-        let bend = q1.bend + (each(0) + each(1) + way.bend) / sine;
-        bend.is_finite().then_some(bend)
+        let each = |k: usize| 2.0 * along * paces[k] + (slid + self.step_len * speed) * spins[k];
+        let acceleration = q1.acceleration + (each(0) + each(1) + way.acceleration) / sine;
+        acceleration.is_finite().then_some(acceleration)
     }
 
     /// A body that slides along a line, by what bounds the second derivative of its point.
-    pub(crate) fn slid(&mut self, track: &Track, bend: f64) {
-        let spin = self.spin(track.line.body);
-        self.set(track.body, spin, [(track.point, bend); 2]);
+    pub(crate) fn slid(&mut self, track: &Track, acceleration: f64) {
+        let angular_acceleration = self.angular_acceleration(track.line.body);
+        self.set(track.body, angular_acceleration, [(track.point, acceleration); 2]);
     }
 }
 

@@ -48,12 +48,12 @@ impl Solvable for EpicyclicStep {
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         for member in &self.members {
-            let at = cell.place(from, member.at).bend;
+            let at = cell.place(from, member.at).acceleration;
             let ratios = member.ratios.iter();
-            let spin = ratios
-                .map(|(body, ratio)| cell.spin(*body) * ratio.abs())
+            let angular_acceleration = ratios
+                .map(|(body, ratio)| cell.angular_acceleration(*body) * ratio.abs())
                 .sum();
-            cell.set(member.body, spin, [(member.hinge, at); 2]);
+            cell.set(member.body, angular_acceleration, [(member.hinge, at); 2]);
         }
         true
     }

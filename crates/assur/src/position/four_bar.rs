@@ -23,7 +23,7 @@ pub(crate) struct FourBarStep {
     pub(crate) linkage: FourBar,
     /// The body of the crank, and what its angle lacks to φ₁ from the line AD.
     pub(crate) crank: BodyId,
-    pub(crate) lead: f64,
+    pub(crate) angle_offset: f64,
     /// Coupler and rocker, and what the angles of their bodies lack to φ₂ and φ₃.
     pub(crate) arms: [Arm; 2],
     pub(crate) leads: [f64; 2],
@@ -61,7 +61,7 @@ impl FourBarStep {
         Some(Self {
             linkage,
             crank,
-            lead: out - frame,
+            angle_offset: out - frame,
             arms,
             leads,
             clear: if plain {
@@ -69,8 +69,8 @@ impl FourBarStep {
             } else {
                 f64::INFINITY
             },
-            across: leads.map(|lead| {
-                let angle = FRAC_PI_2 + lead;
+            across: leads.map(|angle_offset| {
+                let angle = FRAC_PI_2 + angle_offset;
                 (angle, Vector::new(angle.cos(), angle.sin()))
             }),
         })
@@ -96,7 +96,7 @@ impl FourBarStep {
     /// Turns each link by its own angle: laid between the joints, a short link would be
     /// turned by their rounding.
     fn turn<const N: usize>(&self, state: &mut State<N>, sign: Sign) -> Result<(), Cause> {
-        let crank = state.angle(self.crank).value() + self.lead;
+        let crank = state.angle(self.crank).value() + self.angle_offset;
         let pose = self.linkage.pose_along::<N>(sign.into(), crank);
         let pose = pose.map_err(|unsolved| match unsolved {
             Unsolved::NotAnAngle => Cause::Input,
@@ -116,7 +116,7 @@ impl FourBarStep {
     /// On which side of the diagonal the joint of coupler and rocker is, to the left
     /// (1) or to the right (−1), with the crank where it is.
     pub(crate) fn side(&self, sign: Sign, state: &State<1>) -> f64 {
-        let crank = state.angle(self.crank).value() + self.lead;
+        let crank = state.angle(self.crank).value() + self.angle_offset;
         self.linkage.side(sign.into(), crank)
     }
 }

@@ -128,7 +128,7 @@ pub(crate) trait Solvable {
             if self.tracks_turns() {
                 state.tracks_turns(body, given.near);
             }
-            sum += state.bodies[body].origin.nought() + state.bodies[body].turn.nought();
+            sum += state.bodies[body].origin.finite_probe() + state.bodies[body].turn.finite_probe();
         }
         finite(sum)
     }

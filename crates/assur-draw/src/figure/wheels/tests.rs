@@ -55,7 +55,7 @@ fn teeth_meet_gaps_all_along_a_train() {
     let draft = draft();
     let motion = Motion::new(Mechanism::new(&draft).unwrap());
     let mechanism = motion.mechanism();
-    let home = motion.pose::<1>(motion.home()).unwrap();
+    let home = motion.pose::<1>(motion.drawn_input()).unwrap();
     let view = View::default();
     let layout = Layout::new(mechanism, &home, &view);
     let gearing = Gearing::new(&layout, mechanism, &home, &view);

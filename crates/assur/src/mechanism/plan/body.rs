@@ -39,7 +39,7 @@ pub(in crate::mechanism) struct Gear {
 #[derive(Clone, Copy, Debug)]
 pub(in crate::mechanism) struct Placement {
     pub(in crate::mechanism) body: BodyId,
-    pub(in crate::mechanism) lead: f64,
+    pub(in crate::mechanism) angle_offset: f64,
 }
 
 impl Bodies {
@@ -101,7 +101,7 @@ impl Bodies {
         }
         let placements = draft.links.iter().map(|link| Placement {
             body: link.body,
-            lead: if link.is_fixed {
+            angle_offset: if link.is_fixed {
                 bodies.fix(draft, link.body, &link.points)
             } else {
                 0.0

@@ -18,7 +18,7 @@ pub(in crate::mechanism) struct DrivenPair {
 
 pub(in crate::mechanism) enum PairKind {
     /// A hinge: the driven body, its base, and what the coordinate has more than the angle between them.
-    Hinge { bodies: [BodyId; 2], lead: f64 },
+    Hinge { bodies: [BodyId; 2], angle_offset: f64 },
     /// A slide, with its least and greatest coordinate.
     Slide { slide: SlideId, range: [f64; 2] },
 }
@@ -33,7 +33,7 @@ impl DrivenPair {
         let kind = match driver {
             Driver::Crank { link, base, .. } => PairKind::Hinge {
                 bodies: [*link, *base].map(|link| draft.body(link)),
-                lead: placed.lead(driver),
+                angle_offset: placed.angle_offset(driver),
             },
             Driver::Slide { slide, range, .. } => PairKind::Slide {
                 slide: *slide,
@@ -87,11 +87,11 @@ pub(in crate::mechanism) fn drawn_beyond_range(
 
 impl Placed<'_> {
     /// What the angle of a driven link against its base's has more than that of their bodies.
-    fn lead(&self, driver: &Driver) -> f64 {
+    fn angle_offset(&self, driver: &Driver) -> f64 {
         match driver {
             Driver::Crank { link, base, .. } => {
                 let [link, base] =
-                    [link, base].map(|link| link.map_or(0.0, |link| self.placements[link].lead));
+                    [link, base].map(|link| link.map_or(0.0, |link| self.placements[link].angle_offset));
                 link - base
             }
             Driver::Slide { .. } => 0.0,
@@ -103,7 +103,7 @@ impl Placed<'_> {
         match driver {
             Driver::Crank { link, base, .. } => {
                 let angle = |link| self.orientations[draft.body(link)].angle;
-                angle(*link) - angle(*base) + self.lead(driver)
+                angle(*link) - angle(*base) + self.angle_offset(driver)
             }
             Driver::Slide { slide, range, .. } => {
                 let way = self.bodies.slides[*slide].drawn_way();
@@ -114,7 +114,7 @@ impl Placed<'_> {
 
     /// The drawn input. An angle against a link that moves is at most half a turn; that of a known pose is told by as
     /// many whole turns as there, and so is the driven link.
-    pub(in crate::mechanism) fn home(
+    pub(in crate::mechanism) fn drawn_input(
         &mut self,
         draft: &Resolved<'_>,
         first: &Driver,
@@ -150,17 +150,17 @@ impl Placed<'_> {
         match driver {
             Driver::Crank { link, .. } => {
                 let (at, hinge) = self.bodies.hinge([base, body])?;
-                let lead = self.lead(driver);
-                let (lead, course) = if draft.body(*link) == body {
-                    (lead, course)
+                let angle_offset = self.angle_offset(driver);
+                let (angle_offset, course) = if draft.body(*link) == body {
+                    (angle_offset, course)
                 } else {
-                    (-lead, course.reversed())
+                    (-angle_offset, course.reversed())
                 };
                 let crank = Crank {
                     body,
                     at,
                     hinge,
-                    lead,
+                    angle_offset,
                     course,
                 };
                 Some(crank.into())

@@ -28,7 +28,7 @@ use crate::mechanism::plan::train::Singular;
 pub(in crate::mechanism) struct Plan {
     pub(in crate::mechanism) steps: List<StepId, Step>,
     /// The drawn input: the coordinate of the first driver.
-    pub(in crate::mechanism) home: f64,
+    pub(in crate::mechanism) drawn_input: f64,
     /// The range of the first driver, if it is a slide.
     pub(in crate::mechanism) range: Option<[f64; 2]>,
     /// The drawn unknowns of groups that Newton's method solves.
@@ -77,10 +77,10 @@ pub(in crate::mechanism) fn plan(
         crank: None,
     };
     let first = draft.drivers.first();
-    let home = first.map_or(0.0, |first| placed.home(draft, first, known));
+    let drawn_input = first.map_or(0.0, |first| placed.drawn_input(draft, first, known));
     let mut plan = Plan {
         steps: List::default(),
-        home,
+        drawn_input,
         range: None,
         natural: Vec::new(),
         orientations: List::default(),
@@ -105,7 +105,7 @@ pub(in crate::mechanism) fn plan(
                 let course = if first {
                     DriveLaw::FIRST
                 } else {
-                    DriveLaw::through(driver.rate(), [home, placed.drawn(draft, driver)])
+                    DriveLaw::through(driver.rate(), [drawn_input, placed.drawn(draft, driver)])
                 };
                 if let (true, Driver::Slide { range, .. }) = (first, driver) {
                     plan.range = Some(*range);

@@ -40,7 +40,7 @@ pub(in crate::mechanism) fn group(
         by_slide: Vec::new(),
         conditions: Vec::new(),
         angle_constraints: Vec::new(),
-        home: Vec::new(),
+        drawn_input: Vec::new(),
         units: Vec::new(),
         close: BTreeMap::new(),
         // A group drawn in one place is as large as anything.
@@ -113,7 +113,7 @@ struct Plan<'a> {
     conditions: Vec<(BodyId, Condition)>,
     angle_constraints: Vec<AngleConstraint>,
     /// The drawn values of the unknowns, and what each is measured by.
-    home: Vec<Vector>,
+    drawn_input: Vec<Vector>,
     units: Vec<f64>,
     /// The bodies turned by two points close together, with the place of the first on them.
     close: BTreeMap<BodyId, Vector>,
@@ -142,11 +142,11 @@ impl Plan<'_> {
         }
     }
 
-    fn unknown(&mut self, home: Vector, unit: f64) -> Form {
-        self.home.push(home);
+    fn unknown(&mut self, drawn_input: Vector, unit: f64) -> Form {
+        self.drawn_input.push(drawn_input);
         self.units.push(unit);
         Form {
-            unknowns: vec![(self.home.len() - 1, Vector::x())],
+            unknowns: vec![(self.drawn_input.len() - 1, Vector::x())],
             ..Form::default()
         }
     }

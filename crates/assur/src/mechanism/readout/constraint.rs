@@ -137,8 +137,8 @@ impl Parts<'_> {
     }
 
     /// What a link's angle has more than its body's.
-    fn lead(&self, link: LinkOrFrame) -> f64 {
-        link.map_or(0.0, |link| self.placements[link].lead)
+    fn angle_offset(&self, link: LinkOrFrame) -> f64 {
+        link.map_or(0.0, |link| self.placements[link].angle_offset)
     }
 
     /// A slide keeps its point's distance from the line, and its direction.
@@ -149,7 +149,7 @@ impl Parts<'_> {
         let (through, direction) = slide.line_on(moving);
         let off = product(slide.point() - through, conjugate(direction)).y;
         let turn = product(heading, conjugate(direction));
-        let lead = self.lead(link) - self.lead(drawn.on);
+        let angle_offset = self.angle_offset(link) - self.angle_offset(drawn.on);
         [
             Constraint {
                 kind: ConstraintKind::Offset {
@@ -161,7 +161,7 @@ impl Parts<'_> {
             },
             Constraint {
                 kind: ConstraintKind::Direction { link, on: drawn.on },
-                constant: turn.y.atan2(turn.x) + lead,
+                constant: turn.y.atan2(turn.x) + angle_offset,
             },
         ]
     }
@@ -170,7 +170,7 @@ impl Parts<'_> {
         let (links, carrier) = (gear.links, gear.carrier);
         let angle = |link: LinkOrFrame| {
             let body = self.draft.body(link);
-            self.orientations[body].angle + self.lead(link)
+            self.orientations[body].angle + self.angle_offset(link)
         };
         let sense = if gear.mesh == Mesh::External {
             1.0

@@ -27,7 +27,7 @@ impl Mechanism {
             offset: 0.0,
         };
         let part = &self.links[link];
-        let (mut body, mut factor, mut offset) = (part.body, 1.0, part.lead);
+        let (mut body, mut factor, mut offset) = (part.body, 1.0, part.angle_offset);
         // A train of wheels ends after as many as there are steps.
         for _ in 0..self.steps.len() {
             let trains = self.steps.iter().filter_map(|step| match step {

@@ -42,11 +42,11 @@ impl Solvable for Prp {
             })
             .value();
         let lines = [i, j].map(|track| (track.line.body, track.heading));
-        let Some(bend) = cell.crossing(from, at, lines) else {
+        let Some(acceleration) = cell.crossing(from, at, lines) else {
             return false;
         };
-        cell.slid(i, bend);
-        cell.slid(j, bend);
+        cell.slid(i, acceleration);
+        cell.slid(j, acceleration);
         true
     }
 

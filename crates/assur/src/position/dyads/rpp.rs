@@ -49,9 +49,9 @@ impl Solvable for Rpp {
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let Self { side, track, .. } = self;
-        let spin = cell.spin(track.line.body);
-        let hinge = cell.place(from, side.outer).bend;
-        cell.set(side.body, spin, [(side.hinge, hinge); 2]);
+        let angular_acceleration = cell.angular_acceleration(track.line.body);
+        let hinge = cell.place(from, side.outer).acceleration;
+        cell.set(side.body, angular_acceleration, [(side.hinge, hinge); 2]);
         let at = from
             .place(BodyPoint {
                 body: track.body,
@@ -62,10 +62,10 @@ impl Solvable for Rpp {
             (track.line.body, track.heading),
             (side.body, side.direction),
         ];
-        let Some(bend) = cell.crossing(from, at, lines) else {
+        let Some(acceleration) = cell.crossing(from, at, lines) else {
             return false;
         };
-        cell.slid(track, bend);
+        cell.slid(track, acceleration);
         true
     }
 

@@ -64,35 +64,35 @@ impl Solvable for Rrp {
         let left = |v: Vector| Vector::new(-v.y, v.x);
         let rise = left(direction).dot(&way.at);
         let climbs = left(direction).dot(&way.rate) + left(rate).dot(&way.at);
-        let (pace, speed) = (cell.pace(from, line), cell.speed(&way));
+        let (max_turn_rate, speed) = (cell.max_turn_rate(from, line), cell.speed(&way));
         let [_, far] = cell.distances(&way);
-        let bend = way.bend + 2.0 * pace * speed + cell.sway(from, line) * far;
+        let acceleration = way.acceleration + 2.0 * max_turn_rate * speed + cell.direction_acceleration(from, line) * far;
         let most = rise.abs().max((rise + climbs * cell.width).abs())
-            + 0.5 * cell.reach * cell.reach * bend;
+            + 0.5 * cell.step_len * cell.step_len * acceleration;
         if most >= length {
             return false;
         }
         let sine = ((length - most) * (length + most)).sqrt() / length;
         // n·X″ = n·q″ + 2σ′ω + σε, with the way σ of C along the line: σ′ is no more than |X′| + |q′|.
-        let free = sine - cell.reach * pace;
+        let free = sine - cell.step_len * max_turn_rate;
         if free <= 0.0 {
             return false;
         }
-        let crude = speed * (1.0 + cell.reach * pace) / free;
+        let crude = speed * (1.0 + cell.step_len * max_turn_rate) / free;
         let slides = crude + speed;
-        let rest = way.bend + slides * (2.0 * pace + cell.reach * cell.spin(line));
+        let rest = way.acceleration + slides * (2.0 * max_turn_rate + cell.step_len * cell.angular_acceleration(line));
         let v0 = cell.turning(from, arm.body).abs() * length;
-        let v = cell.settled(v0, (length * sine).recip(), rest / sine);
+        let v = cell.bounded_speed(v0, (length * sine).recip(), rest / sine);
         let v = v.map_or(crude, |v| v.min(crude));
-        let bend = (v * v / length + rest) / sine;
-        if !bend.is_finite() {
+        let acceleration = (v * v / length + rest) / sine;
+        if !acceleration.is_finite() {
             return false;
         }
-        let joint = b.bend + bend;
+        let joint = b.acceleration + acceleration;
         cell.set(
             arm.body,
-            bend / length,
-            [(arm.from, b.bend), (arm.to, joint)],
+            acceleration / length,
+            [(arm.from, b.acceleration), (arm.to, joint)],
         );
         cell.slid(track, joint);
         true

@@ -19,19 +19,19 @@ use crate::position::{Predictor, Vector};
 struct Known {
     value: Vector,
     rate: Vector,
-    bend: f64,
+    acceleration: f64,
     by_unknowns: f64,
 }
 
 impl Known {
     /// How far it is at most from where it begins, on the tangent.
-    fn travels(&self, reach: f64) -> f64 {
-        reach * self.rate.norm() + 0.5 * reach * reach * self.bend
+    fn travels(&self, step_len: f64) -> f64 {
+        step_len * self.rate.norm() + 0.5 * step_len * step_len * self.acceleration
     }
 
     /// The same within a distance of the unknowns from it.
-    fn strays(&self, reach: f64, radius: f64) -> f64 {
-        self.travels(reach) + self.by_unknowns * radius
+    fn deviations(&self, step_len: f64, radius: f64) -> f64 {
+        self.travels(step_len) + self.by_unknowns * radius
     }
 }
 
@@ -48,26 +48,26 @@ impl Group {
         if !self.invert(cell) {
             return false;
         }
-        let reach = cell.reach;
-        let half_square = 0.5 * reach * reach;
+        let step_len = cell.step_len;
+        let half_square = 0.5 * step_len * step_len;
         // What the equations are left with on the tangent, by t²/2; how the Jacobian changes along it; and how with
         // the distance from it.
         let spins = |mesh: usize, cell: &Enclosure| -> f64 {
             let known = self.angle_constraints[mesh].known.iter();
-            known.map(|(body, by)| cell.spin(*body) * by.abs()).sum()
+            known.map(|(body, by)| cell.angular_acceleration(*body) * by.abs()).sum()
         };
         for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
-            let travels = |form: &Known| form.travels(reach);
-            let far = |form: &Known| form.value.norm() + reach * form.rate.norm();
+            let travels = |form: &Known| form.travels(step_len);
+            let far = |form: &Known| form.value.norm() + step_len * form.rate.norm();
             let sums = match *equation {
                 Equation::Unit(form) => {
                     let f = known(form);
                     let defect =
-                        f.rate.norm_squared() + (far(&f) + 0.5 * half_square * f.bend) * f.bend;
+                        f.rate.norm_squared() + (far(&f) + 0.5 * half_square * f.acceleration) * f.acceleration;
                     [defect, f.by_unknowns * travels(&f), f.by_unknowns.powi(2)]
                 }
-                Equation::Real(form) | Equation::Imaginary(form) => [known(form).bend, 0.0, 0.0],
+                Equation::Real(form) | Equation::Imaginary(form) => [known(form).acceleration, 0.0, 0.0],
                 Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
                     let [u, v] = [known(direction), known(way)];
                     let rates = match equation {
@@ -75,8 +75,8 @@ impl Group {
                         _ => u.rate.perp(&v.rate),
                     };
                     let defect = 2.0 * rates.abs()
-                        + (far(&v) + half_square * v.bend) * u.bend
-                        + far(&u) * v.bend;
+                        + (far(&v) + half_square * v.acceleration) * u.acceleration
+                        + far(&u) * v.acceleration;
                     let changes = u.by_unknowns * travels(&v) + v.by_unknowns * travels(&u);
                     [defect, changes, 2.0 * u.by_unknowns * v.by_unknowns]
                 }
@@ -89,7 +89,7 @@ impl Group {
                             let (f, by) = (known(form), by.abs());
                             let rate = f.rate.norm_squared();
                             [
-                                defect + by * (rate + 2.0 * f.bend),
+                                defect + by * (rate + 2.0 * f.acceleration),
                                 changes + 4.0 * by * f.by_unknowns * travels(&f),
                                 off + 4.0 * by * f.by_unknowns.powi(2),
                             ]
@@ -106,32 +106,32 @@ impl Group {
         if change.is_nan() || change > REGULAR || !self.turns_little(cell, radius) {
             return false;
         }
-        cell.strays[step] = radius;
-        cell.changed = cell.changed.max(change);
+        cell.deviations[step] = radius;
+        cell.jacobian_change = cell.jacobian_change.max(change);
         let inverse = (1.0 - change).recip();
 
         // By how much the rates of the unknowns differ from those where the step begins …
         for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
-            let off = |form: &Known| form.strays(reach, radius);
+            let off = |form: &Known| form.deviations(step_len, radius);
             let defect = match *equation {
                 Equation::Unit(form) => {
                     let f = known(form);
-                    off(&f) * f.rate.norm() + reach * f.bend
+                    off(&f) * f.rate.norm() + step_len * f.acceleration
                 }
-                Equation::Real(form) | Equation::Imaginary(form) => reach * known(form).bend,
+                Equation::Real(form) | Equation::Imaginary(form) => step_len * known(form).acceleration,
                 Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
                     let [u, v] = [known(direction), known(way)];
                     u.rate.norm() * off(&v)
                         + v.rate.norm() * off(&u)
-                        + reach * u.bend * (v.value.norm() + off(&v))
-                        + reach * v.bend * (u.value.norm() + off(&u))
+                        + step_len * u.acceleration * (v.value.norm() + off(&v))
+                        + step_len * v.acceleration * (u.value.norm() + off(&u))
                 }
                 Equation::Angle { turns, mesh } => {
                     let turns = turns.into_iter().flatten();
-                    turns.fold(reach * spins(mesh, cell), |sum, (form, by)| {
+                    turns.fold(step_len * spins(mesh, cell), |sum, (form, by)| {
                         let f = known(form);
-                        sum + by.abs() * (off(&f) * f.rate.norm() + reach * f.bend)
+                        sum + by.abs() * (off(&f) * f.rate.norm() + step_len * f.acceleration)
                     })
                 }
             };
@@ -142,53 +142,53 @@ impl Group {
         // … and with that what their second derivatives are at most.
         for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
-            let off = |form: &Known| form.strays(reach, radius);
+            let off = |form: &Known| form.deviations(step_len, radius);
             let speed =
-                |form: &Known| form.rate.norm() + reach * form.bend + form.by_unknowns * rate_off;
-            let bend = match *equation {
+                |form: &Known| form.rate.norm() + step_len * form.acceleration + form.by_unknowns * rate_off;
+            let acceleration = match *equation {
                 Equation::Unit(form) => {
                     let f = known(form);
-                    speed(&f).powi(2) + f.bend
+                    speed(&f).powi(2) + f.acceleration
                 }
-                Equation::Real(form) | Equation::Imaginary(form) => known(form).bend,
+                Equation::Real(form) | Equation::Imaginary(form) => known(form).acceleration,
                 Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
                     let [u, v] = [known(direction), known(way)];
                     2.0 * speed(&u) * speed(&v)
-                        + u.bend * (v.value.norm() + off(&v))
-                        + v.bend * (u.value.norm() + off(&u))
+                        + u.acceleration * (v.value.norm() + off(&v))
+                        + v.acceleration * (u.value.norm() + off(&u))
                 }
                 Equation::Angle { turns, mesh } => {
                     let turns = turns.into_iter().flatten();
                     turns.fold(spins(mesh, cell), |sum, (form, by)| {
-                        sum + by.abs() * known(form).bend
+                        sum + by.abs() * known(form).acceleration
                     })
                 }
             };
-            cell.bounds.sums[row] = [bend, 0.0, 0.0];
+            cell.bounds.sums[row] = [acceleration, 0.0, 0.0];
         }
-        let [bend] = self.weighed(cell);
-        let bend = inverse * bend;
+        let [acceleration] = self.weighed(cell);
+        let acceleration = inverse * acceleration;
         for placed in &self.bodies {
             let [origin, turn] = placed.forms.map(|form| {
                 let known = self.known(cell, form);
-                known.bend + known.by_unknowns * bend
+                known.acceleration + known.by_unknowns * acceleration
             });
             cell.set(placed.body, turn, [(Vector::zeros(), origin); 2]);
         }
-        bend.is_finite()
+        acceleration.is_finite()
     }
 
     /// The values of all forms and of their first derivatives where the step begins, and what their second derivatives
     /// are at most by what is solved.
     fn linearize(&self, from: &Predictor, cell: &mut Enclosure) {
         for (k, input) in self.inputs.iter().enumerate() {
-            let bend = match input {
-                KnownTerm::Place(anchor) => cell.place(from, *anchor).bend,
-                KnownTerm::Direction(anchor) => cell.sway(from, anchor.body) * anchor.local.norm(),
+            let acceleration = match input {
+                KnownTerm::Place(anchor) => cell.place(from, *anchor).acceleration,
+                KnownTerm::Direction(anchor) => cell.direction_acceleration(from, anchor.body) * anchor.local.norm(),
             };
             cell.work.inputs[k] = from.taken(*input).truncated();
             cell.bounds.inputs.resize(self.inputs.len(), 0.0);
-            cell.bounds.inputs[k] = bend;
+            cell.bounds.inputs[k] = acceleration;
         }
         self.take(&mut cell.work);
         for (unknown, found) in cell.work.unknowns.iter_mut().zip(self.own(&from.natural)) {
@@ -197,7 +197,7 @@ impl Group {
         self.add(&mut cell.work, 0);
         self.add(&mut cell.work, 1);
         self.add_further(&mut cell.work);
-        self.bends(&cell.bounds.inputs, &mut cell.bounds.forms);
+        self.accelerations(&cell.bounds.inputs, &mut cell.bounds.forms);
         cell.bounds.sums.resize(self.equations.len(), [0.0; 3]);
     }
 
@@ -257,7 +257,7 @@ impl Group {
         Known {
             value: value[0],
             rate: value[1],
-            bend: cell.bounds.forms[form],
+            acceleration: cell.bounds.forms[form],
             by_unknowns: self.by_unknowns[form],
         }
     }
@@ -270,7 +270,7 @@ impl Group {
         });
         let mut turns =
             meshed.flat_map(|turns: &[Option<(usize, f64)>; MOST_FORMS]| turns.iter().flatten());
-        turns.all(|(form, _)| self.known(cell, *form).strays(cell.reach, radius) <= 0.5)
+        turns.all(|(form, _)| self.known(cell, *form).deviations(cell.step_len, radius) <= 0.5)
     }
 
     /// Whether its unknowns at the end of a step are where they were shown to be.

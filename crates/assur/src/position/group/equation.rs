@@ -100,7 +100,7 @@ impl Equation {
     }
 
     /// What is left of it.
-    pub(in crate::position) fn left<const N: usize>(
+    pub(in crate::position) fn residual<const N: usize>(
         &self,
         values: &[Complex<N>],
         given: &[KnownAngle<N>],

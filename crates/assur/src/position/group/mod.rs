@@ -303,7 +303,7 @@ impl Group {
     }
 
     /// What the second derivatives of all forms are at most by those of what is solved.
-    pub(in crate::position) fn bends(&self, inputs: &[f64], forms: &mut Vec<f64>) {
+    pub(in crate::position) fn accelerations(&self, inputs: &[f64], forms: &mut Vec<f64>) {
         forms.clear();
         forms.resize(self.constants.len(), 0.0);
         for term in &self.taken {
@@ -410,15 +410,15 @@ impl Group {
                 place[order] = Vector::new(-step[0][1], -step[1][1]);
             }
         } else {
-            for (lack, equation) in work.lack.iter_mut().zip(&self.equations) {
-                *lack = [equation.coefficient(&work.values, &work.given, order)];
+            for (rhs, equation) in work.rhs.iter_mut().zip(&self.equations) {
+                *rhs = [equation.coefficient(&work.values, &work.given, order)];
             }
             self.suited(work.planned, &work.spare).solve(
                 &work.jacobian,
-                &mut work.lack,
-                &mut work.gain,
+                &mut work.rhs,
+                &mut work.solution,
             );
-            for (place, step) in work.unknowns.iter_mut().zip(work.gain.chunks_exact(2)) {
+            for (place, step) in work.unknowns.iter_mut().zip(work.solution.chunks_exact(2)) {
                 place[order] = Vector::new(-step[0][0], -step[1][0]);
             }
         }
@@ -433,7 +433,7 @@ impl Group {
         let natural = &mut state.natural[self.offset..];
         for (place, found) in natural.iter_mut().zip(&work.unknowns) {
             *place = *found;
-            sum += found.nought();
+            sum += found.finite_probe();
         }
         for BodyForms {
             body,

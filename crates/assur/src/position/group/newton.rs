@@ -59,13 +59,13 @@ impl Group {
         self.evaluate(work);
         // The first derivative is solved for with the correction: it counts
         // where there is nothing to correct.
-        for (left, equation) in work.left.iter_mut().zip(&self.equations) {
+        for (residual, equation) in work.residual.iter_mut().zip(&self.equations) {
             let rate = if N > 1 {
                 equation.coefficient(&work.values, &work.given, 1)
             } else {
                 0.0
             };
-            *left = [equation.left(&work.values, &work.given), rate];
+            *residual = [equation.residual(&work.values, &work.given), rate];
         }
         let determinant = self.factor(work).ok_or(Cause::DeadPoint)?;
         // Of dependent equations other ones are eliminated by in other poses: then only the size counts.
@@ -77,7 +77,7 @@ impl Group {
         state.margins[step] = self.told(work, determinant);
         self.suited(work.planned, &work.spare).solve(
             &work.jacobian,
-            &mut work.left,
+            &mut work.residual,
             &mut work.step,
         );
         let change = self.change(&work.step);
@@ -146,8 +146,8 @@ impl Group {
                     })
                 }
             };
-            let left = equation.left(&work.values, &work.given).abs();
-            left <= ROUNDINGS * f64::EPSILON * rounded
+            let residual = equation.residual(&work.values, &work.given).abs();
+            residual <= ROUNDINGS * f64::EPSILON * rounded
         });
         work.noise = noise;
         closed
@@ -180,11 +180,11 @@ impl Group {
         let size = self.size();
         let equations = self.equations.iter().zip(&self.lengths);
         equations.map(move |(equation, length)| {
-            let left = equation.left(&work.values, &work.given);
+            let residual = equation.residual(&work.values, &work.given);
             let by = match equation {
                 // (|v|² − 1)/2 is left of it.
-                Equation::Unit(_) => (1.0 + 2.0 * left).max(0.0).sqrt() - 1.0,
-                _ => left,
+                Equation::Unit(_) => (1.0 + 2.0 * residual).max(0.0).sqrt() - 1.0,
+                _ => residual,
             };
             by.abs() * if *length > 0.0 { *length } else { size }
         })
@@ -196,11 +196,11 @@ impl Group {
         self.evaluate(work);
         let equations = self.equations.iter().zip(&self.lengths);
         equations.fold(0.0, |most, (equation, length)| {
-            let left = equation.left(&work.values, &work.given);
+            let residual = equation.residual(&work.values, &work.given);
             let by = match equation {
                 // (|v|² − 1)/2 is left of it.
-                Equation::Unit(_) => (1.0 + 2.0 * left).max(0.0).sqrt() - 1.0,
-                _ => left,
+                Equation::Unit(_) => (1.0 + 2.0 * residual).max(0.0).sqrt() - 1.0,
+                _ => residual,
             };
             f64::max(most, by.abs() * length)
         })

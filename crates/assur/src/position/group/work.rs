@@ -24,11 +24,11 @@ pub(crate) struct Work<const N: usize> {
     pub(in crate::position) slopes: Vec<Vector>,
     /// What is left of the equations, and the step that this asks for; then the same
     /// for the first derivative.
-    pub(in crate::position) left: Vec<[f64; 2]>,
+    pub(in crate::position) residual: Vec<[f64; 2]>,
     pub(in crate::position) step: Vec<[f64; 2]>,
     /// The same for a further derivative.
-    pub(in crate::position) lack: Vec<[f64; 1]>,
-    pub(in crate::position) gain: Vec<[f64; 1]>,
+    pub(in crate::position) rhs: Vec<[f64; 1]>,
+    pub(in crate::position) solution: Vec<[f64; 1]>,
     pub(in crate::position) jacobian: Vec<f64>,
     /// What rounding may leave of each form.
     pub(in crate::position) noise: Vec<f64>,
@@ -60,10 +60,10 @@ impl<const N: usize> Work<N> {
         self.known.resize(group.equated, Vector::zeros());
         self.values.resize(group.constants.len(), nothing);
         self.slopes.resize(MOST_FORMS * rows, Vector::zeros());
-        self.left.resize(rows, [0.0; 2]);
+        self.residual.resize(rows, [0.0; 2]);
         self.step.resize(size, [0.0; 2]);
-        self.lack.resize(rows, [0.0]);
-        self.gain.resize(size, [0.0]);
+        self.rhs.resize(rows, [0.0]);
+        self.solution.resize(size, [0.0]);
         self.jacobian.resize(rows * size, 0.0);
         self.noise.reserve(group.constants.len());
         self.spare.fit([rows, size]);

@@ -84,7 +84,7 @@ impl Solution {
 
     /// A pose of a linkage that closes at no position: in the middle of its first arc.
     fn laid(&self, linkage: &FourBar) -> Result<Pose<1>, Unsolved> {
-        linkage.pose(Assembly::First, linkage.cycle().home())
+        linkage.pose(Assembly::First, linkage.cycle().drawn_input())
     }
 
     /// The pose at the input of a position, in the assembly whose output is nearer to the wanted.

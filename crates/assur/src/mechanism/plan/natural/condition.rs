@@ -126,11 +126,11 @@ impl Plan<'_> {
             }),
         };
         let (driven, condition) = match pair.kind {
-            PairKind::Hinge { bodies, lead } => {
+            PairKind::Hinge { bodies, angle_offset } => {
                 let [link, base] = bodies.map(|body| self.placed.get(&body));
                 let turns = vec![(link?[1].clone(), 1.0), (base?[1].clone(), -1.0)];
                 given.turning = bodies.to_vec();
-                given.constant = -lead;
+                given.constant = -angle_offset;
                 (bodies[0], Condition::AngleConstraint(turns, mesh))
             }
             PairKind::Slide { slide, range } => {
@@ -220,6 +220,6 @@ impl Plan<'_> {
             self.angle_constraints,
             bodies,
         );
-        group.map(|group| (group, self.home))
+        group.map(|group| (group, self.drawn_input))
     }
 }
