@@ -4,14 +4,14 @@ use std::f64::consts::TAU;
 
 use assur::Point;
 use assur::circuits::{Circuits, Meeting, MeetingKind};
-use assur::mechanism::{ConstraintKind, Draft, Mechanism, Method, Quantity};
+use assur::mechanism::{ConstraintKind, LinkageSpec, Mechanism, Method, Quantity};
 use assur::motion::{Motion, OutputProfile, PhaseKind};
 use assur_tests::{Table, assert_near};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// The demonstration dimensions, drawn at φ = 0; FK as drawn or as long as asked.
-pub(crate) fn dwell() -> Draft {
-    Draft::default()
+pub(crate) fn dwell() -> LinkageSpec {
+    LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 1.0, 0.0)
         .point("E", 4.96, 0.01)

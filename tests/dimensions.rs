@@ -4,7 +4,9 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{ConstraintKind, Dimension, Draft, DraftDriver, Mechanism, Pose, Quantity};
+use assur::mechanism::{
+    ConstraintKind, Dimension, DriverSpec, LinkageSpec, Mechanism, Pose, Quantity,
+};
 use assur::motion::{Changed, Motion, OutputProfile, Refusal};
 use assur::{Assembly, FourBar, Point, Swing, Vector};
 use assur_file::{from_catalogue, gallery};
@@ -127,13 +129,13 @@ fn returns(changed: &Changed, of: Dimension, [was, value]: [f64; 2], before: &[P
             "{at}: {e} home {} {:?} draft {:?}",
             motion.drawn_input(),
             motion.cycle(),
-            mechanism.draft()
+            mechanism.spec()
         )
     });
     assert!(residual(mechanism, &pose) < 1e-9, "{at}");
     ends_are_poses(motion, at);
     // The drawing is that pose.
-    let drawn: Vec<Point> = mechanism.draft().points.iter().map(|one| one.at).collect();
+    let drawn: Vec<Point> = mechanism.spec().points.iter().map(|one| one.at).collect();
     let size = mechanism.size();
     assert!(off(&drawn, &places(mechanism, &pose)) < 1e-9 * size, "{at}");
     // From a straight corner it may go back to either side.
@@ -172,7 +174,7 @@ fn ends_are_poses(motion: &Motion, at: &str) {
             assert!(motion.pose::<1>(dead.input).is_ok(), "{at}: {dead:?}");
         }
     }
-    for link in &mechanism.draft().links {
+    for link in &mechanism.spec().links {
         let link = mechanism.link(&link.name).unwrap();
         for swing in OutputProfile::new(motion, Quantity::Angle(link))
             .unwrap()
@@ -257,7 +259,7 @@ fn a_slider_keeps_off_its_guide() {
 /// Of driven slides, on the frame and on a cylinder that turns; the input counts along the line as before.
 #[test]
 fn offsets_of_driven_slides() {
-    let mut boom = Draft::default()
+    let mut boom = LinkageSpec::default()
         .point("O", 0.0, 0.0)
         .point("A", 1.0, -0.5)
         .point("U", 1.2, 0.3)
@@ -268,7 +270,7 @@ fn offsets_of_driven_slides() {
         .bar("cylinder", &["A", "U"])
         .bar("rod", &["B"])
         .slide("rod", "B", "cylinder", ["A", "U"]);
-    boom.drivers.push(DraftDriver::Slide {
+    boom.drivers.push(DriverSpec::Slide {
         slide: 0,
         range: [1.4, 2.6],
         rate: 1.0,
@@ -294,7 +296,7 @@ fn offsets_of_driven_slides() {
 /// A block that two points guide along one line has no offset that could change alone.
 #[test]
 fn offset_of_one_of_two_points_of_a_block() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.6, 0.8)
         .point("C", 3.0, 0.0)
@@ -310,7 +312,10 @@ fn offset_of_one_of_two_points_of_a_block() {
     let motion = Motion::new(Mechanism::new(&draft).unwrap());
     let mechanism = motion.mechanism();
     for offset in offsets(mechanism) {
-        match motion.changed(offset, 0.1, motion.drawn_input()).unwrap_err() {
+        match motion
+            .changed(offset, 0.1, motion.drawn_input())
+            .unwrap_err()
+        {
             Refusal::LoopOpen { last, .. } => assert!(last.abs() < 1e-3, "{last}"),
             other => panic!("{other:?}"),
         }
@@ -343,7 +348,7 @@ fn refusals() {
     // together.
     let height = Dimension::Y(mechanism.point("A").unwrap());
     let guide = mechanism
-        .draft()
+        .spec()
         .points
         .iter()
         .find(|point| point.name == "F");
@@ -370,11 +375,11 @@ fn a_hinge_is_moved() {
     let motion = motion("watt-2");
     let mechanism = motion.mechanism();
     let h = mechanism.point("H").unwrap();
-    let from = mechanism.draft().points[h.index()].at;
+    let from = mechanism.spec().points[h.index()].at;
     for to in [from + Vector::new(0.05, 0.1), from + Vector::new(20.0, 5.0)] {
         let moved = motion.hinge_moved(h, to, motion.drawn_input()).unwrap();
         let after = moved.motion.mechanism();
-        let at = after.draft().points[h.index()].at;
+        let at = after.spec().points[h.index()].at;
         let way = (to - from).normalize();
         assert!((at - from).dot(&way) > 0.1 && (at - from).perp(&way).abs() < 1e-12);
         for dimension in mechanism.dimensions() {
@@ -399,11 +404,11 @@ fn every_driver_of_the_catalogue() {
                 let changed = motion.driven_by(&driver, input);
                 let changed = changed.unwrap_or_else(|defects| panic!("{at}: {defects:?}"));
                 let after = changed.motion.mechanism();
-                let draft = after.draft();
+                let draft = after.spec();
                 assert_eq!(draft.driven(&draft.drivers[0]), Some(link), "{at}");
                 let base = match &draft.drivers[0] {
-                    DraftDriver::Crank { base, .. } => base,
-                    DraftDriver::Slide { slide, .. } => &draft.slides[*slide].on,
+                    DriverSpec::Crank { base, .. } => base,
+                    DriverSpec::Slide { slide, .. } => &draft.slides[*slide].on,
                 };
                 let driven = format!("I({base},{link})");
                 assert!(after.terms().contains(&driven), "{at}");
@@ -426,9 +431,9 @@ fn a_driver_at_its_dead_point() {
     let limit = linkage.limits(Assembly::First)[0].crank;
     let motion = motion("watt-2");
     let mechanism = motion.mechanism();
-    let a = mechanism.draft().points[0].at;
+    let a = mechanism.spec().points[0].at;
     let d = mechanism
-        .draft()
+        .spec()
         .points
         .iter()
         .find(|point| point.name == "D");

@@ -186,7 +186,7 @@ fn the_drawing_is_the_row_at_its_input() {
     let [from, to] = motion.cycle().arcs()[0];
     assert!(from < -50.0 * TAU && to > 50.0 * TAU, "{from} {to}");
     let pose = motion.pose::<1>(0.0).unwrap();
-    for (point, drawn) in mechanism.point_ids().zip(&mechanism.draft().points) {
+    for (point, drawn) in mechanism.point_ids().zip(&mechanism.spec().points) {
         let off = (mechanism.place(&pose, point).place() - drawn.at).norm();
         assert!(off < 1e-12, "{}: {off:e}", drawn.name);
     }
@@ -315,7 +315,7 @@ fn a_deltoid_is_told_by_two_turns() {
     assert_eq!(motion.cycle().period(), Some(2.0 * TAU));
     for input in [home, home + 2.0 * TAU, home - 2.0 * TAU] {
         let pose = motion.pose::<1>(input).unwrap();
-        for (point, drawn) in mechanism.point_ids().zip(&mechanism.draft().points) {
+        for (point, drawn) in mechanism.point_ids().zip(&mechanism.spec().points) {
             let off = (mechanism.place(&pose, point).place() - drawn.at).norm();
             assert!(off < 1e-9, "{} {input}: {off}", drawn.name);
         }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
-use assur::mechanism::{Defect, Draft, DraftDriver, Mechanism};
+use assur::mechanism::{Defect, DriverSpec, LinkageSpec, Mechanism};
 use assur::motion::{DeadPointKind, Motion};
 use assur::{Point, Vector};
 
@@ -30,9 +30,11 @@ fn closed_form(angles: [f64; 2]) -> [Point; 3] {
 }
 
 /// A five-bar whose cranks are both driven, the second at a rate.
-fn five_bar(rate: f64) -> Draft {
+fn five_bar(rate: f64) -> LinkageSpec {
     let [b, d, c] = closed_form(DRAWN);
-    let mut draft = Draft::default().point("A", 0.0, 0.0).point("E", FRAME, 0.0);
+    let mut draft = LinkageSpec::default()
+        .point("A", 0.0, 0.0)
+        .point("E", FRAME, 0.0);
     for (name, at) in [("B", b), ("C", c), ("D", d)] {
         draft = draft.point(name, at.x, at.y);
     }
@@ -47,7 +49,7 @@ fn five_bar(rate: f64) -> Draft {
         .at_rate(rate)
 }
 
-fn motion(draft: &Draft) -> Motion {
+fn motion(draft: &LinkageSpec) -> Motion {
     Motion::new(Mechanism::new(draft).unwrap())
 }
 
@@ -177,8 +179,13 @@ fn a_length_set_in_a_later_turn() {
 
 /// A crank AB about the origin and a block D on the line from (`zero`, −1) to the right, both driven, with a dyad
 /// between B and D.
-fn crank_and_slide([b, c]: [Point; 2], [zero, d]: [f64; 2], range: [f64; 2], rate: f64) -> Draft {
-    let mut draft = Draft::default()
+fn crank_and_slide(
+    [b, c]: [Point; 2],
+    [zero, d]: [f64; 2],
+    range: [f64; 2],
+    rate: f64,
+) -> LinkageSpec {
+    let mut draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("O", zero, -1.0)
         .point("X", zero + 1.0, -1.0)
@@ -192,7 +199,7 @@ fn crank_and_slide([b, c]: [Point; 2], [zero, d]: [f64; 2], range: [f64; 2], rat
         .bar("block", &["D"])
         .slide("block", "D", "frame", ["O", "X"])
         .crank("AB");
-    draft.drivers.push(DraftDriver::Slide {
+    draft.drivers.push(DriverSpec::Slide {
         slide: 0,
         range,
         rate,

@@ -3,13 +3,15 @@
 use std::f64::consts::{PI, TAU};
 
 use assur::gears::Mesh;
-use assur::mechanism::{Defect, Draft, DraftDriver, DraftGear, Mechanism, Quantity, Singularity};
+use assur::mechanism::{
+    Defect, DriverSpec, GearSpec, LinkageSpec, Mechanism, Quantity, Singularity,
+};
 use assur::motion::{Column, DeadPointKind, Motion, OutputProfile};
 use assur::{Assembly, FourBar, Point, Vector};
 
 /// A ladder between floor and wall, with its foot driven over a range.
-pub(crate) fn ladder(range: [f64; 2]) -> Draft {
-    let mut draft = Draft::default()
+pub(crate) fn ladder(range: [f64; 2]) -> LinkageSpec {
+    let mut draft = LinkageSpec::default()
         .point("O", 0.0, 0.0)
         .point("X", 1.0, 0.0)
         .point("Y", 0.0, 1.0)
@@ -21,7 +23,7 @@ pub(crate) fn ladder(range: [f64; 2]) -> Draft {
         .bar("head", &["H"])
         .slide("foot", "F", "frame", ["O", "X"])
         .slide("head", "H", "frame", ["O", "Y"]);
-    draft.drivers.push(DraftDriver::Slide {
+    draft.drivers.push(DriverSpec::Slide {
         slide: 0,
         range,
         rate: 1.0,
@@ -29,11 +31,11 @@ pub(crate) fn ladder(range: [f64; 2]) -> Draft {
     draft
 }
 
-fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> Draft {
+fn four_bar([l1, l2, l3, l4]: [f64; 4], at: f64, assembly: Assembly) -> LinkageSpec {
     let linkage = FourBar::new([l1, l2, l3, l4]).unwrap();
     let pose = linkage.pose::<1>(assembly, at).unwrap();
     let [a, b, c, d] = linkage.joints(&pose).map(|joint| joint.place());
-    let mut draft = Draft::default();
+    let mut draft = LinkageSpec::default();
     for (name, p) in [("A", a), ("B", b), ("C", c), ("D", d)] {
         draft = draft.point(name, p.x, p.y);
     }
@@ -77,7 +79,7 @@ fn four_bar_is_the_closed_form() {
 #[test]
 fn slider_crank() {
     let (r, l) = (1.0, 3.0);
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("G", 1.0, 0.0)
         .point("B", r, 0.0)
@@ -133,7 +135,7 @@ fn swings_between_dead_points() {
 /// close: the drawn one is found without trying all.
 #[test]
 fn the_search_for_assemblies_is_bounded() {
-    let mut draft = Draft::default()
+    let mut draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.3, 0.0)
         .point("D", 2.0, 0.0)
@@ -213,7 +215,7 @@ fn a_linkage_is_drawn_anew_in_a_pose() {
 /// motion has one input, and the second crank must not be locked to it.
 #[test]
 fn a_second_driver_is_refused_by_name() {
-    let five_bar = Draft::default()
+    let five_bar = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.0, 1.0)
         .point("C", 2.0, 2.0)
@@ -341,7 +343,7 @@ fn tracers_on_parts_and_wheels() {
         .tracer("T", "part", 0.1, 0.2)
         .tracer("W", "wheel", 0.1, 0.2);
     draft.links[4].fixed_to = Some("rocker".to_owned());
-    draft.gears.push(DraftGear {
+    draft.gears.push(GearSpec {
         links: ["rocker", "wheel"].map(str::to_owned),
         carrier: "frame".to_owned(),
         teeth: [30.0, 20.0],
@@ -418,7 +420,7 @@ fn readings_of_a_four_bar_that_is_followed() {
             .bar("drive", &["G", "H"]);
         draft.drivers.clear();
         draft = draft.crank("drive");
-        draft.gears.push(DraftGear {
+        draft.gears.push(GearSpec {
             links: ["drive", "crank"].map(str::to_owned),
             carrier: "frame".to_owned(),
             teeth: [20.0, 20.0],
@@ -494,9 +496,9 @@ fn drawings_that_do_not_begin_are_named() {
         let names = names.iter().map(|name| (*name).to_owned());
         names.collect()
     };
-    let refused = |draft: &Draft| Mechanism::new(draft).unwrap_err();
+    let refused = |draft: &LinkageSpec| Mechanism::new(draft).unwrap_err();
     // Crank and rod together just reach the guide.
-    let upright = Draft::default()
+    let upright = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.0, 1.0)
         .point("C", 0.0, 2.0)
@@ -514,7 +516,7 @@ fn drawings_that_do_not_begin_are_named() {
     };
     assert_eq!(refused(&upright), [singular]);
     // The block is on the hinge of the lever along which it slides.
-    let on_the_hinge = Draft::default()
+    let on_the_hinge = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 1.0, 0.0)
         .point("D", 1.0, 0.0)

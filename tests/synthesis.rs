@@ -1,7 +1,7 @@
 //! Dimensions for a wanted motion: what a search reaches is judged anew.
 
 use assur::Point;
-use assur::mechanism::{Dimension, Draft, Mechanism, Quantity};
+use assur::mechanism::{Dimension, LinkageSpec, Mechanism, Quantity};
 use assur::motion::{Motion, OutputProfile};
 use assur::synthesis::dwell::{DesignVariable, End, Search, SearchError, Target};
 use assur_file::from_catalogue;
@@ -21,7 +21,7 @@ fn length(of: &Mechanism, link: &str, range: [f64; 2]) -> DesignVariable {
 
 /// The Class IV mechanism with FK lengthened.
 fn perturbed(fk: f64) -> Mechanism {
-    let mut draft = from_catalogue("class4-dwell").unwrap().unwrap().draft();
+    let mut draft = from_catalogue("class4-dwell").unwrap().unwrap().spec();
     let link = draft.links.iter_mut().find(|link| link.name == "FK");
     link.unwrap().shape = Some(vec![Point::origin(), Point::new(fk, 0.0)]);
     Mechanism::new(&draft).unwrap()
@@ -41,7 +41,7 @@ fn run(search: &mut Search, most: usize) -> Vec<f64> {
 
 /// What the draft of a search does, found without it: arc, stroke; it turns fully.
 fn checked(found: &Mechanism) -> [f64; 2] {
-    let mechanism = Mechanism::new(found.draft()).unwrap();
+    let mechanism = Mechanism::new(found.spec()).unwrap();
     let motion = Motion::new(mechanism);
     let mechanism = motion.mechanism();
     assert!(motion.cycle().is_full() && motion.dead_points().is_empty());
@@ -189,7 +189,7 @@ fn refusals_name_their_field() {
     let output = Search::new(&start, "CD.colour", WISH, &good).map(|_| ());
     assert_eq!(output.unwrap_err(), SearchError::Output);
     // A double rocker: the driven link cannot turn fully.
-    let stuck = Draft::default()
+    let stuck = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.6, 1.7)
         .point("C", 1.6, 1.7)

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::fs;
 
-use assur::mechanism::{Defect, Dimension, Draft, DraftDriver, Mechanism, Quantity};
+use assur::mechanism::{Defect, Dimension, DriverSpec, LinkageSpec, Mechanism, Quantity};
 use assur::motion::{Column, Input, Motion, OutputProfile, Refusal};
 use assur::{Swing, Vector};
 use assur_draw::chart::Settings;
@@ -18,7 +18,7 @@ fn file(name: &str) -> Motion {
     from_text(&text).unwrap().motion().unwrap()
 }
 
-fn moved(draft: &Draft) -> Motion {
+fn moved(draft: &LinkageSpec) -> Motion {
     Motion::new(Mechanism::new(draft).unwrap())
 }
 
@@ -109,7 +109,7 @@ fn plots_of_very_many_turns_are_of_whole_ones() {
 
 /// A five-bar with a second crank at another rate, and a slide that its joint C pushes to and fro along the axis.
 fn pushed(rate: f64) -> Motion {
-    let mut draft = Draft::default()
+    let mut draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.6, 0.8)
         .point("C", 2.2, 3.1)
@@ -127,7 +127,7 @@ fn pushed(rate: f64) -> Motion {
         .bar("slider", &["S"])
         .slide("slider", "S", "frame", ["G", "H"])
         .crank("crank");
-    draft.drivers.push(DraftDriver::Crank {
+    draft.drivers.push(DriverSpec::Crank {
         link: "second".to_owned(),
         base: "frame".to_owned(),
         rate,
@@ -142,7 +142,7 @@ fn a_slides_range_is_exact_over_many_turns() {
         let motion = pushed(rate);
         assert_eq!(motion.cycle().period(), Some(turns * TAU));
         let driver = motion.driver("slider").unwrap().unwrap();
-        let DraftDriver::Slide { range, .. } = driver else {
+        let DriverSpec::Slide { range, .. } = driver else {
             panic!("{driver:?}");
         };
         let s = motion.mechanism().point("S").unwrap();
@@ -174,7 +174,7 @@ fn small_dyad(size: f64) -> Motion {
     let small = [[0.9, 0.3], [1.9, 1.4], [2.4, -0.2]].map(|[x, y]| at + size * Vector::new(x, y));
     let [q, e, f] = small;
     moved(
-        &Draft::default()
+        &LinkageSpec::default()
             .point("A", 0.0, 0.0)
             .point("B", 0.0, 1.0)
             .point("C", 3.2, 2.9)
@@ -244,7 +244,7 @@ fn a_small_distance_has_its_extrema() {
 /// A point far from the origin moves as much as one near it.
 #[test]
 fn places_far_off_have_their_extrema() {
-    let mut draft = Draft::default()
+    let mut draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.0, 1.0)
         .point("C", 3.2, 2.9)
@@ -268,7 +268,7 @@ fn places_far_off_have_their_extrema() {
 
 fn crank_rocker() -> Motion {
     moved(
-        &Draft::default()
+        &LinkageSpec::default()
             .point("A", 0.0, 0.0)
             .point("B", 0.0, 1.0)
             .point("C", 3.2, 2.9)
@@ -313,7 +313,7 @@ fn an_angle_between_links_turns() {
 fn a_deltoid_goes_on_beyond_its_cycle() {
     // A kite of two long and two short links, the crank and the frame short.
     let motion = moved(
-        &Draft::default()
+        &LinkageSpec::default()
             .point("A", 0.0, 0.0)
             .point("B", 0.0, 1.0)
             .point("C", 2.0, 2.0)
@@ -384,7 +384,7 @@ fn a_deltoid_goes_on_beyond_its_cycle() {
 #[test]
 fn a_guide_without_a_direction_is_named() {
     let motion = moved(
-        &Draft::default()
+        &LinkageSpec::default()
             .point("O", 0.0, 0.0)
             .point("B", 0.0, 1.0)
             .point("A", 4.0, 0.0)
@@ -425,7 +425,7 @@ fn groups_in_any_unit_can_be_changed() {
         let plain = assur_file::from_catalogue(name).unwrap().unwrap();
         let plain = plain.mechanism().unwrap();
         for unit in [1.0, 1e-9, 1e8, 1e-40, 1e-60] {
-            let mut draft = plain.draft().clone();
+            let mut draft = plain.spec().clone();
             for point in &mut draft.points {
                 point.at *= unit;
             }
@@ -471,7 +471,7 @@ fn an_angle_that_turns_fully_passes_zero_once() {
 /// The least pressure angle of a central slider-crank is 0, where its rate jumps.
 #[test]
 fn an_extremum_where_the_rate_jumps_is_exact() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.0, 1.0)
         .point("C", 8_f64.sqrt(), 0.0)
@@ -494,12 +494,12 @@ fn an_extremum_where_the_rate_jumps_is_exact() {
 }
 
 /// Points, turned about the origin by an angle.
-fn points_turned(points: [(&str, f64, f64); 4], by: f64) -> Draft {
+fn points_turned(points: [(&str, f64, f64); 4], by: f64) -> LinkageSpec {
     let (sin, cos) = by.sin_cos();
-    let turned = |draft: Draft, (name, x, y): (&str, f64, f64)| {
+    let turned = |draft: LinkageSpec, (name, x, y): (&str, f64, f64)| {
         draft.point(name, cos * x - sin * y, sin * x + cos * y)
     };
-    points.into_iter().fold(Draft::default(), turned)
+    points.into_iter().fold(LinkageSpec::default(), turned)
 }
 
 /// A lever DF that the crank AB drives by a block on it, turned by an angle.

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use assur::gears::Mesh;
-use assur::mechanism::{Draft, DraftDriver, FRAME};
+use assur::mechanism::{DriverSpec, FRAME, LinkageSpec};
 use assur::{Point, Vector};
 
 use super::shown::Shown;
@@ -83,7 +83,7 @@ pub(crate) fn modulo_turn(angle: f64) -> f64 {
 
 impl Equations {
     /// Of a draft that names only what there is and is driven on the frame.
-    pub(crate) fn new(draft: &Draft) -> Self {
+    pub(crate) fn new(draft: &LinkageSpec) -> Self {
         let point = |name: &String| draft.points.iter().position(|p| p.name == *name).unwrap();
         let link = |name: &String| draft.links.iter().position(|l| l.name == *name);
         let places: Vec<Vector> = draft.points.iter().map(|point| point.at.coords).collect();
@@ -146,13 +146,13 @@ impl Equations {
             }
         });
         let driver = match &draft.drivers[0] {
-            DraftDriver::Crank {
+            DriverSpec::Crank {
                 link: name, base, ..
             } => {
                 assert_eq!(base, FRAME);
                 Driver::Crank(link(name).unwrap())
             }
-            DraftDriver::Slide { slide, .. } => {
+            DriverSpec::Slide { slide, .. } => {
                 let slide = &slides[*slide];
                 Driver::Slide {
                     link: slide.link,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::{env, fs};
 
-use assur::mechanism::{Draft, FRAME};
+use assur::mechanism::{FRAME, LinkageSpec};
 use assur_file::LinkageDocument;
 
 use super::subject::Subject;
@@ -16,7 +16,7 @@ pub(crate) struct Failure {
     /// With numbers.
     pub(crate) text: String,
     /// The drawing it was met with, if it is another than the linkage's own.
-    pub(crate) drawn: Option<Draft>,
+    pub(crate) drawn: Option<LinkageSpec>,
 }
 
 /// What was looked at.
@@ -33,7 +33,7 @@ impl Tally {
         *self.open.entry(what).or_default() += 1;
     }
 
-    pub(crate) fn fail(&mut self, kind: &str, text: String, drawn: Option<&Draft>) {
+    pub(crate) fn fail(&mut self, kind: &str, text: String, drawn: Option<&LinkageSpec>) {
         let (kind, drawn) = (kind.to_owned(), drawn.cloned());
         self.failures.push(Failure { kind, text, drawn });
     }
@@ -42,7 +42,7 @@ impl Tally {
 /// The smallest linkage that fails in a way.
 struct Smallest {
     seed: u64,
-    draft: Draft,
+    draft: LinkageSpec,
     failure: Failure,
 }
 
@@ -121,7 +121,7 @@ impl Found {
         }
     }
 
-    fn keep(&mut self, seed: u64, draft: Draft, failures: Vec<Failure>) {
+    fn keep(&mut self, seed: u64, draft: LinkageSpec, failures: Vec<Failure>) {
         for failure in failures {
             let smaller = |kept: &Smallest| kept.draft.links.len() > draft.links.len();
             if self.smallest.get(&failure.kind).is_none_or(smaller) {
@@ -162,7 +162,7 @@ impl Found {
                 kind.replace(", ", "-").replace(' ', "-")
             );
             fs::create_dir_all(&folder).unwrap();
-            let write = |draft: &Draft, name: &str| {
+            let write = |draft: &LinkageSpec, name: &str| {
                 let text = serde_json::to_string(&LinkageDocument::new(draft)).unwrap();
                 fs::write(folder.join(format!("{name}.json")), text).unwrap();
             };

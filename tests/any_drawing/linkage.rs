@@ -3,7 +3,7 @@
 
 use assur::Point;
 use assur::gears::Mesh;
-use assur::mechanism::{Draft, DraftDriver, DraftGear, DraftPoint, FRAME};
+use assur::mechanism::{DriverSpec, FRAME, GearSpec, LinkageSpec, PointSpec};
 
 use super::places::Places;
 use crate::properties::random::Random;
@@ -46,7 +46,7 @@ enum Part {
 
 /// A linkage that grows part by part.
 pub(crate) struct Linkage {
-    pub(crate) draft: Draft,
+    pub(crate) draft: LinkageSpec,
     random: Random,
     places: Places,
     named: usize,
@@ -60,7 +60,7 @@ impl Linkage {
     pub(crate) fn new(seed: u64, parts: usize) -> Self {
         let mut random = Random::new(77_000_000 + seed);
         let mut linkage = Self {
-            draft: Draft::default(),
+            draft: LinkageSpec::default(),
             places: Places::any(&mut random),
             random,
             named: 0,
@@ -102,7 +102,7 @@ impl Linkage {
         let reach = self.random.within(0.1, 0.5);
         let range = [1.0 - reach, 1.0 + reach].map(|part| part * along.norm());
         let (slide, rate) = (0, 1.0);
-        let driver = DraftDriver::Slide { slide, range, rate };
+        let driver = DriverSpec::Slide { slide, range, rate };
         self.draft.drivers.push(driver);
     }
 
@@ -255,7 +255,7 @@ impl Linkage {
             1 => Mesh::AsPrinted,
             _ => Mesh::External,
         };
-        self.draft.gears.push(DraftGear {
+        self.draft.gears.push(GearSpec {
             links,
             carrier: carrier.to_owned(),
             teeth: teeth.map(f64::from),
@@ -373,7 +373,7 @@ impl Linkage {
 
     fn point(&mut self, at: Point) -> String {
         let name = format!("P{}", self.draft.points.len());
-        self.draft.points.push(DraftPoint {
+        self.draft.points.push(PointSpec {
             name: name.clone(),
             at,
         });

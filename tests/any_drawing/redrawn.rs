@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{Draft, DraftDriver};
+use assur::mechanism::{DriverSpec, LinkageSpec};
 use assur::{Point, Vector};
 
 use super::shown::Shown;
@@ -39,7 +39,7 @@ pub(crate) const CHANGES: [Change; 7] = [
 /// A similarity of the plane, and new names.
 #[derive(Clone, Debug)]
 pub(crate) struct Redrawn {
-    pub(crate) draft: Draft,
+    pub(crate) draft: LinkageSpec,
     angle: f64,
     mirrored: bool,
     pub(crate) scale: f64,
@@ -53,7 +53,7 @@ pub(crate) struct Redrawn {
 impl Redrawn {
     /// Drawn in a pose of its own motion. None where that would be no drawing: too large.
     pub(crate) fn new(
-        draft: &Draft,
+        draft: &LinkageSpec,
         size: f64,
         pose: &Shown,
         change: Change,
@@ -91,7 +91,7 @@ impl Redrawn {
             mirrored: is(Change::Mirrored),
             scale,
             by,
-            crank: matches!(draft.drivers[0], DraftDriver::Crank { .. }),
+            crank: matches!(draft.drivers[0], DriverSpec::Crank { .. }),
             points: orders(draft.points.len(), random),
             links: orders(draft.links.len(), random),
             draft: draft.clone(),
@@ -143,7 +143,7 @@ impl Redrawn {
         far / (self.scale * size)
     }
 
-    fn draw(&mut self, draft: &Draft, pose: &Shown) {
+    fn draw(&mut self, draft: &LinkageSpec, pose: &Shown) {
         let mut points = draft.points.clone();
         for (point, at) in points.iter_mut().zip(&pose.points) {
             // What the frame has stays, to the last digit.
@@ -161,7 +161,7 @@ impl Redrawn {
         self.draft.points = reordered(points, &self.points);
         self.draft.links = reordered(links, &self.links);
         for driver in &mut self.draft.drivers {
-            if let DraftDriver::Slide { range, .. } = driver {
+            if let DriverSpec::Slide { range, .. } = driver {
                 *range = range.map(|end| end * self.scale);
             }
         }
@@ -211,11 +211,11 @@ impl Redrawn {
         }
         for driver in &mut draft.drivers {
             match driver {
-                DraftDriver::Crank { link, base, .. } => {
+                DriverSpec::Crank { link, base, .. } => {
                     name(link);
                     name(base);
                 }
-                DraftDriver::Slide { slide, .. } => *slide = slides - 1 - *slide,
+                DriverSpec::Slide { slide, .. } => *slide = slides - 1 - *slide,
             }
         }
     }
@@ -230,7 +230,7 @@ fn reordered<T>(things: Vec<T>, numbers: &[usize]) -> Vec<T> {
 
 /// The draft with the dimensions that it has as it is drawn written out, so that another drawing
 /// tells the pose alone. What is fixed to another link lies on it as drawn.
-pub(crate) fn with_shapes(draft: &Draft) -> Draft {
+pub(crate) fn with_shapes(draft: &LinkageSpec) -> LinkageSpec {
     let mut draft = draft.clone();
     let places = draft.points.clone();
     let place = |name: &String| places.iter().find(|point| point.name == *name).unwrap().at;

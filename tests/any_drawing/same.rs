@@ -284,7 +284,13 @@ impl Comparison<'_> {
     fn same_pose(&mut self, motion: &Motion, known: &Known) -> bool {
         // Of angles of many turns so many digits fewer are told, here and there.
         let input = self.input(motion, known.input);
-        let told = [known.input, self.drawn_at.input, input, motion.drawn_input()].map(f64::abs);
+        let told = [
+            known.input,
+            self.drawn_at.input,
+            input,
+            motion.drawn_input(),
+        ]
+        .map(f64::abs);
         let told = f64::EPSILON * told.iter().sum::<f64>();
         let error = self.error(&known.shown) + self.error(&self.drawn_at.shown) + told;
         if !determined(known.condition, error) {

@@ -1,6 +1,6 @@
 //! A random linkage that moves, with poses of its motion to compare others with.
 
-use assur::mechanism::{Defect, Draft, Mechanism};
+use assur::mechanism::{Defect, LinkageSpec, Mechanism};
 use assur::motion::Motion;
 
 use super::condition::Condition;
@@ -27,7 +27,7 @@ pub(crate) struct Known {
 }
 
 pub(crate) struct Subject {
-    pub(crate) draft: Draft,
+    pub(crate) draft: LinkageSpec,
     pub(crate) motion: Motion,
     pub(crate) equations: Equations,
     pub(crate) poses: Vec<Known>,
@@ -35,7 +35,7 @@ pub(crate) struct Subject {
 
 /// Why a drawing makes no subject.
 pub(crate) struct Refused {
-    pub(crate) draft: Draft,
+    pub(crate) draft: LinkageSpec,
     pub(crate) defects: Vec<Defect>,
     /// Whether it is a pose in which everything is joined and well determined.
     pub(crate) sound: bool,
@@ -48,7 +48,7 @@ impl Subject {
     /// Where that is no mechanism, as with guides that happen to be parallel.
     pub(crate) fn new(seed: u64, parts: usize) -> Result<Self, Box<Refused>> {
         let draft = with_shapes(&Linkage::new(seed, parts).draft);
-        let refused = |draft: Draft, defects: Vec<Defect>| {
+        let refused = |draft: LinkageSpec, defects: Vec<Defect>| {
             let joined = |defect: &Defect| {
                 matches!(
                     defect,

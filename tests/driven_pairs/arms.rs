@@ -4,14 +4,14 @@ use std::f64::consts::{PI, TAU};
 
 use assur::Vector;
 use assur::gears::Mesh;
-use assur::mechanism::{Draft, DraftGear, FRAME};
+use assur::mechanism::{FRAME, GearSpec, LinkageSpec};
 use assur::motion::DeadPointKind;
 
 use super::{along, angle, assert_angle, motion, moved, place, reduced, turned};
 
 /// Three links one on the other.
-pub(crate) fn arm() -> Draft {
-    Draft::default()
+pub(crate) fn arm() -> LinkageSpec {
+    LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 1.2, 0.5)
         .point("C", 1.0, 1.6)
@@ -103,7 +103,7 @@ fn a_pair_counted_the_other_way() {
 #[test]
 fn a_slide_on_an_arm() {
     let rate = 0.25;
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("U", 1.0, 0.0)
         .point("P", 2.0, 0.0)
@@ -132,7 +132,7 @@ fn a_slide_on_an_arm() {
     );
 
     // The rod is solved first and the line follows it: pushed by the other end.
-    let pushed = Draft::default()
+    let pushed = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("U", 1.0, 0.0)
         .point("P", 2.0, 0.0)
@@ -154,14 +154,14 @@ fn a_slide_on_an_arm() {
 /// A planet turned against its carrier around a sun that stands: z₁ θ_c = z₂ φ.
 #[test]
 fn a_planet_turned_against_its_carrier() {
-    let mut draft = Draft::default()
+    let mut draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 3.0, 0.0)
         .point("W", 3.0, 1.0)
         .fixed(&["A"])
         .bar("carrier", &["A", "B"])
         .bar("planet", &["B", "W"]);
-    draft.gears.push(DraftGear {
+    draft.gears.push(GearSpec {
         links: [FRAME.to_owned(), "planet".to_owned()],
         carrier: "carrier".to_owned(),
         teeth: [40.0, 20.0],

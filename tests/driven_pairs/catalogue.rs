@@ -1,6 +1,6 @@
 //! The linkages of the catalogue, driven by each of their pairs.
 
-use assur::mechanism::{Defect, Draft, FRAME, Mechanism};
+use assur::mechanism::{Defect, FRAME, LinkageSpec, Mechanism};
 use assur::motion::Motion;
 
 use super::{angle, assert_smooth, motion, moved, on_line, place, turned};
@@ -11,7 +11,7 @@ use super::{angle, assert_smooth, motion, moved, on_line, place, turned};
 fn any_pair_of_the_catalogue_drives() {
     let mut tried = 0;
     for name in assur_file::catalogue() {
-        let draft = assur_file::from_catalogue(name).unwrap().unwrap().draft();
+        let draft = assur_file::from_catalogue(name).unwrap().unwrap().spec();
         let as_it_was = motion(&draft);
         let Some(input) = regular(&as_it_was) else {
             continue;
@@ -20,7 +20,7 @@ fn any_pair_of_the_catalogue_drives() {
             continue;
         }
         let pose = as_it_was.pose::<1>(input).unwrap();
-        let drawn = Draft {
+        let drawn = LinkageSpec {
             drivers: Vec::new(),
             ..as_it_was.mechanism().drawn_in(&pose)
         };
@@ -65,7 +65,7 @@ fn regular(motion: &Motion) -> Option<f64> {
 fn drives(
     was: &Motion,
     input: f64,
-    draft: &Draft,
+    draft: &LinkageSpec,
     coordinate: impl Fn(f64) -> f64,
     name: &str,
 ) -> bool {

@@ -1,7 +1,7 @@
 //! Dimensions and drivers that are changed, and drivers that cannot be.
 
 use assur::Point;
-use assur::mechanism::{Defect, Dimension, Draft, Mechanism};
+use assur::mechanism::{Defect, Dimension, LinkageSpec, Mechanism};
 
 use super::arms::{arm, drawn_arm};
 use super::cylinders::{angle_opposite, cylinder, reach};
@@ -71,7 +71,7 @@ fn a_cylinder_as_the_input_or_not() {
 
 #[test]
 fn what_cannot_be_driven_is_named() {
-    let named = |draft: &Draft| Mechanism::new(draft).unwrap_err();
+    let named = |draft: &LinkageSpec| Mechanism::new(draft).unwrap_err();
     let names = |links: &[&str]| {
         links
             .iter()

@@ -2,15 +2,15 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::mechanism::Draft;
+use assur::mechanism::LinkageSpec;
 use assur::motion::DeadPointKind;
 use assur::{Jet, Vector};
 
 use super::{angle, assert_angle, motion, moved, place, reduced, turned};
 
 /// A lever D–B that a cylinder A turns; its rod's hinge is off the line of the cylinder.
-pub(crate) fn cylinder(range: [f64; 2]) -> Draft {
-    let draft = Draft::default()
+pub(crate) fn cylinder(range: [f64; 2]) -> LinkageSpec {
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("U", 1.0, 0.0)
         .point("B", 3.0, 0.5)
@@ -82,7 +82,7 @@ fn a_cylinder_turns_a_lever() {
 /// A coupler turned against the crank it hangs on: |AC|² = a² + b² + 2ab cos φ.
 #[test]
 fn a_coupler_turned_against_its_crank() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 1.0, 0.0)
         .point("C", 2.5, 3.0)

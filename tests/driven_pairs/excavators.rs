@@ -1,6 +1,6 @@
 //! Several driven pairs, of random excavators and of a platform.
 
-use assur::mechanism::Draft;
+use assur::mechanism::LinkageSpec;
 
 use super::{assert_smooth, motion, moved, on_line, place};
 
@@ -23,7 +23,7 @@ impl Random {
 }
 
 /// An excavator's boom and stick, each with a cylinder; the second at a rate.
-pub(crate) fn excavator(random: &mut Random, rate: f64) -> Draft {
+pub(crate) fn excavator(random: &mut Random, rate: f64) -> LinkageSpec {
     let mut near = |x: f64, y: f64| (x + random.within(-0.3, 0.3), y + random.within(-0.3, 0.3));
     let places = [
         ("O", near(0.0, 0.0)),
@@ -36,7 +36,7 @@ pub(crate) fn excavator(random: &mut Random, rate: f64) -> Draft {
         ("V", near(3.6, 3.8)),
         ("T", near(6.0, 0.5)),
     ];
-    let mut draft = Draft::default();
+    let mut draft = LinkageSpec::default();
     for (name, (x, y)) in places {
         draft = draft.point(name, x, y);
     }
@@ -119,7 +119,7 @@ fn a_platform_on_three_cylinders() {
         [("A", 0.0, 0.0), ("B", 6.0, 0.0), ("C", 3.0, 6.0)],
         [("P", 3.0, 1.2), ("Q", 3.7, 2.4), ("R", 2.3, 2.4)],
     ];
-    let mut draft = Draft::default();
+    let mut draft = LinkageSpec::default();
     for (name, x, y) in feet.into_iter().chain(top) {
         draft = draft.point(name, x, y);
     }

@@ -9,12 +9,12 @@ mod excavators;
 use std::f64::consts::TAU;
 
 use assur::Vector;
-use assur::mechanism::{Draft, DraftDriver, Mechanism};
+use assur::mechanism::{DriverSpec, LinkageSpec, Mechanism};
 use assur::motion::Motion;
 
 /// With a driver: a link that is turned against another one.
-pub(crate) fn turned(mut draft: Draft, link: &str, base: &str, rate: f64) -> Draft {
-    draft.drivers.push(DraftDriver::Crank {
+pub(crate) fn turned(mut draft: LinkageSpec, link: &str, base: &str, rate: f64) -> LinkageSpec {
+    draft.drivers.push(DriverSpec::Crank {
         link: link.to_owned(),
         base: base.to_owned(),
         rate,
@@ -23,14 +23,17 @@ pub(crate) fn turned(mut draft: Draft, link: &str, base: &str, rate: f64) -> Dra
 }
 
 /// With a driver: a slide over a range.
-pub(crate) fn moved(mut draft: Draft, slide: usize, range: [f64; 2], rate: f64) -> Draft {
-    draft
-        .drivers
-        .push(DraftDriver::Slide { slide, range, rate });
+pub(crate) fn moved(
+    mut draft: LinkageSpec,
+    slide: usize,
+    range: [f64; 2],
+    rate: f64,
+) -> LinkageSpec {
+    draft.drivers.push(DriverSpec::Slide { slide, range, rate });
     draft
 }
 
-pub(crate) fn motion(draft: &Draft) -> Motion {
+pub(crate) fn motion(draft: &LinkageSpec) -> Motion {
     Motion::new(Mechanism::new(draft).unwrap())
 }
 

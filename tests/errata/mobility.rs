@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use assur::mobility::PairKind::{Revolute, Spherical};
-use assur::mobility::{Counts, PairDraft, PairKind, Scheme, SchemeDraft, Sections, Space};
+use assur::mobility::{Counts, PairKind, PairSpec, Scheme, SchemeSpec, Sections, Space};
 use assur::mobility::{Point3, Vector3};
 use assur_file::{Document, SchemeDocument};
 use assur_tests::files::source;
@@ -11,7 +11,7 @@ use serde_json::Value;
 
 /// Pairs with the links that they join, `A01` a hinge A of links 0 and 1, and where they are.
 fn scheme(planar: bool, pairs: &[(PairKind, &str, [f64; 2])]) -> Scheme {
-    let pairs = pairs.iter().map(|(kind, named, [x, y])| PairDraft {
+    let pairs = pairs.iter().map(|(kind, named, [x, y])| PairSpec {
         name: named[..1].to_owned(),
         kind: *kind,
         links: named[1..].chars().map(String::from).collect(),
@@ -21,7 +21,7 @@ fn scheme(planar: bool, pairs: &[(PairKind, &str, [f64; 2])]) -> Scheme {
     });
     let ground = "0".to_owned();
     let pairs = pairs.collect();
-    Scheme::new(&SchemeDraft {
+    Scheme::new(&SchemeSpec {
         ground,
         planar,
         pairs,
@@ -91,7 +91,7 @@ fn cut(scheme: &Scheme, names: &[&str]) -> Sections {
 
 /// How many constraints in space are redundant, by the rank.
 fn redundant(scheme: &Scheme) -> isize {
-    let verdict = scheme.judged(Space::Whole).unwrap();
+    let verdict = scheme.rank_report(Space::Whole).unwrap();
     let counts = verdict.redundancies.iter().map(|part| part.count as isize);
     counts.sum()
 }
@@ -109,7 +109,7 @@ fn mobility_3_sign_of_the_mobility() {
         .iter()
         .map(|(i, count)| (6 - isize::from(*i)) * *count as isize);
     let without = held.sum::<isize>() - 6 * links as isize;
-    let mobility = scheme.judged(Space::Whole).unwrap().mobility as isize;
+    let mobility = scheme.rank_report(Space::Whole).unwrap().mobility as isize;
     assert_eq!((without - mobility, without + mobility), (1, 3));
     assert_eq!(redundant(&scheme), 3);
     assert_eq!(scheme.counts().redundant(mobility), 3);
@@ -128,7 +128,10 @@ fn mobility_4_counts_pairs_twice() {
         ("B12", [0.3, 0.5]),
         ("C23", [1.3, 0.9]),
     ]);
-    assert_eq!(arm.judged(Space::Plane).unwrap().mobility, sections.open);
+    assert_eq!(
+        arm.rank_report(Space::Plane).unwrap().mobility,
+        sections.open
+    );
 }
 
 /// The check of fig. 1a by (2) has 6·3 − 5·1 − 3·3, which is 4; there are two spherical pairs.
@@ -146,7 +149,7 @@ fn mobility_1a_has_two_spherical_pairs() {
     assert_eq!(arm.counts().spatial_pairs[&3], 2);
     assert_eq!(arm.counts().spatial, 6 * 3 - 5 - 3 * 2);
     assert_eq!(arm.sections(&[]).unwrap().mobility, 7);
-    assert_eq!(arm.judged(Space::Whole).unwrap().mobility, 7);
+    assert_eq!(arm.rank_report(Space::Whole).unwrap().mobility, 7);
 }
 
 /// The four-bar's q is printed W_пр + S + W = −3 + 5 + 1, where only the minus before W_пр is lost: without it the sum is 9.
@@ -284,7 +287,7 @@ fn mobility_open_chains_have_no_redundant_constraints() {
 #[test]
 fn mobility_2a_three_redundant_constraints_are_of_parallel_axes() {
     assert_eq!(redundant(&four_bar()), 3);
-    let mut draft = four_bar().draft();
+    let mut draft = four_bar().spec();
     draft.planar = false;
     for (pair, [x, y]) in
         draft
@@ -300,7 +303,7 @@ fn mobility_2a_three_redundant_constraints_are_of_parallel_axes() {
         assert_eq!((sections.open, sections.removed), (3, 5));
         assert_eq!((sections.mobility, sections.redundant), (-2, 0));
         assert_eq!(scheme.counts().redundant(-2), 0);
-        let verdict = scheme.judged(Space::Whole).unwrap();
+        let verdict = scheme.rank_report(Space::Whole).unwrap();
         assert_eq!((verdict.mobility, redundant(&scheme)), (0, 2));
     }
     assert_eq!(relations("tilted")["001.fig2a.q.meaning"], (-2.0, 1.0));
@@ -319,7 +322,7 @@ fn mobility_3_only_the_layout_tells_redundant_constraints() {
     );
     assert_eq!((of_ours.redundant, of_other.redundant), (0, 0));
     assert_eq!((redundant(&ours), redundant(&other)), (0, 1));
-    let mobility = |scheme: &Scheme| scheme.judged(Space::Whole).unwrap().mobility;
+    let mobility = |scheme: &Scheme| scheme.rank_report(Space::Whole).unwrap().mobility;
     assert_eq!((mobility(&ours), mobility(&other)), (2, 3));
     let told = ["mobility-3", "layout"].map(|name| relations(name)["001.fig3.q"]);
     assert_eq!(told, [(0.0, 0.0), (1.0, 0.0)]);

@@ -3,8 +3,8 @@
 mod notes;
 
 use assur::Point;
-use assur::mechanism::{Draft, Mechanism};
-use assur::mobility::{Cut, CutError, Generic, PairKind, Scheme, Sections, Space, Verdict};
+use assur::mechanism::{LinkageSpec, Mechanism};
+use assur::mobility::{Cut, CutError, Generic, PairKind, RankReport, Scheme, Sections, Space};
 use assur::motion::Motion;
 use assur_file::{Document, LinkageDocument, SchemeDocument, from_catalogue};
 use serde_json::Value;
@@ -48,16 +48,16 @@ fn cut(scheme: &Scheme, names: &[&str]) -> Vec<Cut> {
 }
 
 /// What the rank says in the scheme's own space.
-fn judged(scheme: &Scheme) -> Verdict {
+fn rank_report(scheme: &Scheme) -> RankReport {
     let space = if scheme.is_planar() {
         Space::Plane
     } else {
         Space::Whole
     };
-    scheme.judged(space).unwrap()
+    scheme.rank_report(space).unwrap()
 }
 
-fn redundant(verdict: &Verdict) -> usize {
+fn redundant(verdict: &RankReport) -> usize {
     verdict.redundancies.iter().map(|one| one.count).sum()
 }
 
@@ -134,7 +134,7 @@ fn four_bar_in_space() {
         sections.removed_spatial as isize - needed
     );
     let four_bar = scheme("mobility-2a");
-    let parallel = four_bar.judged(Space::Whole).unwrap();
+    let parallel = four_bar.rank_report(Space::Whole).unwrap();
     assert_eq!(parallel.mobility as isize, sections.mobility);
     assert_eq!(redundant(&parallel) as isize, sections.redundant);
 
@@ -146,7 +146,7 @@ fn four_bar_in_space() {
         .collect();
     let tilt = axes[3].angle(&axes[0]).to_degrees();
     assert!(axes[..3].iter().all(|axis| axis == &axes[0]));
-    assert_eq!(judged(&tilted).mobility, 0);
+    assert_eq!(rank_report(&tilted).mobility, 0);
     assert_ne!(
         tilted.generic(Space::Whole).unwrap(),
         Generic::At { mobility: 1 }
@@ -171,7 +171,7 @@ fn four_bar_in_space() {
     assert_eq!(cut.mobility, -2);
     tells("tilted.text", &[tilt, open, removed]);
     tells("tilted.hint", &[removed]);
-    let by_rank = judged(&tilted).mobility as f64;
+    let by_rank = rank_report(&tilted).mobility as f64;
     let told = [by_rank, sections.redundant as f64, sections.mobility as f64];
     tells("tilted.right", &told);
 }
@@ -272,7 +272,7 @@ fn where_counting_is_mistaken() {
             Space::Whole
         };
         assert_eq!(scheme.counts().mobility(), counted, "{name}");
-        let verdict = judged(&scheme);
+        let verdict = rank_report(&scheme);
         assert_eq!(verdict.mobility, mobility, "{name}");
         assert_eq!(
             redundant(&verdict) as isize,
@@ -333,7 +333,7 @@ fn press_with_a_compound_hinge() {
     let compound = &scheme.pairs()[scheme.pair("C").unwrap()];
     assert_eq!((compound.links.len(), compound.count()), (3, 2));
     assert_eq!(counts.pairs.iter().collect::<Vec<_>>(), [(&1, &7)]);
-    assert_eq!((counts.planar, judged(&scheme).mobility), (Some(1), 1));
+    assert_eq!((counts.planar, rank_report(&scheme).mobility), (Some(1), 1));
     tells("practice.text", &[1.0]);
     tells("practice.hint", &[1.0]);
     // W = 3n − 2P₁.
@@ -341,12 +341,12 @@ fn press_with_a_compound_hinge() {
 }
 
 /// A linkage among the lesson's presets, or of the catalogue.
-fn linkage(name: &str) -> Draft {
+fn linkage(name: &str) -> LinkageSpec {
     let Some(own) = own_preset(name) else {
-        return from_catalogue(name).unwrap().unwrap().draft();
+        return from_catalogue(name).unwrap().unwrap().spec();
     };
     let own: LinkageDocument = serde_json::from_value(own).unwrap();
-    own.draft()
+    own.spec()
 }
 
 /// Two linkages with a redundant constraint move; with one link a little longer they do not.

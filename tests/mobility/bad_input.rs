@@ -1,12 +1,12 @@
 //! What is no scheme, and cuts that open none: reasons with names.
 
 use assur::mobility::PairKind::{Class, Prismatic, Revolute, Screw, Spherical, Universal};
-use assur::mobility::{CutError, Scheme, SchemeDefect, SchemeDraft, Vector3};
+use assur::mobility::{CutError, Scheme, SchemeDefect, SchemeSpec, Vector3};
 
 use super::paper::{class_iv, four_bar, six_bar};
 use super::schemes::{hinge, pair, placed, planar, spatial};
 
-fn defects(draft: &SchemeDraft) -> Vec<SchemeDefect> {
+fn defects(draft: &SchemeSpec) -> Vec<SchemeDefect> {
     Scheme::new(draft).unwrap_err()
 }
 

@@ -1,9 +1,9 @@
 //! Linkages of the simulator as schemes.
 
-use assur::mobility::{Scheme, SchemeDraft, Space};
+use assur::mobility::{Scheme, SchemeSpec, Space};
 use assur_file::{LinkageDocument, catalogue, from_catalogue};
 
-fn of(document: &LinkageDocument) -> (assur::mechanism::Mechanism, SchemeDraft) {
+fn of(document: &LinkageDocument) -> (assur::mechanism::Mechanism, SchemeSpec) {
     let motion = document.motion().unwrap();
     let mechanism = motion.mechanism().clone();
     let near = |by: f64| motion.pose::<1>(motion.drawn_input() + by).ok();
@@ -12,7 +12,7 @@ fn of(document: &LinkageDocument) -> (assur::mechanism::Mechanism, SchemeDraft) 
         .or_else(|| near(-0.3))
         .or_else(|| near(0.0))
         .unwrap();
-    let draft = SchemeDraft::of(&mechanism, &pose);
+    let draft = SchemeSpec::of(&mechanism, &pose);
     (mechanism, draft)
 }
 
@@ -40,12 +40,12 @@ fn every_linkage_of_the_catalogue_counts_as_it_does_as_a_mechanism() {
         let by_rank = mechanism.mobility();
         let mobility = by_rank.rank;
         assert_eq!(by_rank.count, own.mobility, "{name}");
-        let verdict = scheme.judged(Space::Plane).unwrap();
+        let verdict = scheme.rank_report(Space::Plane).unwrap();
         assert_eq!(verdict.mobility as isize, mobility, "{name}");
         let dependent: usize = verdict.redundancies.iter().map(|part| part.count).sum();
         assert_eq!(dependent as isize, by_rank.q(), "{name}");
         assert_eq!(verdict.idle, [] as [Vec<usize>; 0], "{name}");
-        let whole = scheme.judged(Space::Whole).unwrap();
+        let whole = scheme.rank_report(Space::Whole).unwrap();
         assert_eq!(whole.mobility, verdict.mobility, "{name}");
         let redundant: usize = whole.redundancies.iter().map(|part| part.count).sum();
         assert_eq!(redundant as isize, counts.redundant(mobility), "{name}");

@@ -1,11 +1,11 @@
 //! What is told by names does not depend on the order in which a scheme is written; nothing panics.
 
-use assur::mobility::{Generic, Scheme, SchemeDraft, Space};
+use assur::mobility::{Generic, Scheme, SchemeSpec, Space};
 
 use super::random::{Geometry, Random, scheme};
 use super::rank::{bennett, double_universal_joint, sarrus, verdict, with_extra_rocker};
 
-fn permuted(draft: &SchemeDraft, random: &mut Random) -> SchemeDraft {
+fn permuted(draft: &SchemeSpec, random: &mut Random) -> SchemeSpec {
     let mut draft = draft.clone();
     random.shuffle(&mut draft.pairs);
     for pair in &mut draft.pairs {
@@ -54,7 +54,7 @@ fn the_order_of_pairs_and_links_changes_no_name() {
 #[test]
 fn replacements_are_the_same_in_any_order() {
     for draft in [sarrus(), bennett(), with_extra_rocker()] {
-        let told = |draft: &SchemeDraft| -> Vec<Vec<String>> {
+        let told = |draft: &SchemeSpec| -> Vec<Vec<String>> {
             let scheme = Scheme::new(draft).unwrap();
             let found = scheme.replacements(20).unwrap().list;
             let words = found.iter().map(|replacement| {
@@ -101,7 +101,7 @@ fn nearly_degenerate_schemes_are_answered() {
         let scheme = Scheme::new(&draft).unwrap();
         let sections = scheme.sections(&scheme.automatic()).unwrap();
         let space = if planar { Space::Plane } else { Space::Whole };
-        let verdict = scheme.judged(space).unwrap();
+        let verdict = scheme.rank_report(space).unwrap();
         assert!(verdict.mobility as isize >= sections.mobility, "{seed}");
         if let Generic::At { mobility } = scheme.generic(space).unwrap() {
             assert!(mobility <= verdict.mobility, "{seed}");

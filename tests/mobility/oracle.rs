@@ -104,7 +104,7 @@ fn the_rank_is_that_of_the_singular_values() {
             &[Space::Whole]
         };
         for &space in spaces {
-            let verdict = scheme.judged(space).unwrap();
+            let verdict = scheme.rank_report(space).unwrap();
             assert_eq!(
                 verdict.mobility,
                 mobility(&scheme, space),
@@ -134,7 +134,7 @@ fn count_and_rank_agree_where_nothing_is_special() {
         let planar = random.below(2) == 0;
         let scheme = Scheme::new(&sound(&mut random, Geometry::Generic, planar)).unwrap();
         let space = if planar { Space::Plane } else { Space::Whole };
-        let verdict = scheme.judged(space).unwrap();
+        let verdict = scheme.rank_report(space).unwrap();
         assert_eq!(
             verdict.mobility as isize,
             scheme.counts().mobility(),

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use assur::mobility::PairKind::{Cylindrical, Revolute, Spherical};
-use assur::mobility::{Cut, Scheme, SchemeDraft};
+use assur::mobility::{Cut, Scheme, SchemeSpec};
 
 use super::schemes::{hinge, pair, placed, planar, spatial};
 
 /// What the paper counts.
 struct Row {
-    scheme: SchemeDraft,
+    scheme: SchemeSpec,
     links: usize,
     pairs: &'static [(u8, usize)],
     cuts: &'static [&'static str],
@@ -22,7 +22,7 @@ struct Row {
 }
 
 /// Figure 1a: an arm of a ball, a hinge and a ball.
-pub(crate) fn arm_of_balls() -> SchemeDraft {
+pub(crate) fn arm_of_balls() -> SchemeSpec {
     spatial([
         placed(
             pair("A", Spherical, "0 1"),
@@ -39,7 +39,7 @@ pub(crate) fn arm_of_balls() -> SchemeDraft {
 }
 
 /// Figure 1b: an arm of seven hinges.
-pub(crate) fn arm_of_hinges() -> SchemeDraft {
+pub(crate) fn arm_of_hinges() -> SchemeSpec {
     let axes = [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
     spatial((0..7).map(|at| {
         let name = ["A", "B", "C", "D", "E", "F", "G"][at];
@@ -53,7 +53,7 @@ pub(crate) fn arm_of_hinges() -> SchemeDraft {
 }
 
 /// Figure 2a: a four-bar.
-pub(crate) fn four_bar() -> SchemeDraft {
+pub(crate) fn four_bar() -> SchemeSpec {
     planar([
         hinge("A", "0 1", [0.0, 0.0]),
         hinge("B", "1 2", [0.3, 0.5]),
@@ -63,7 +63,7 @@ pub(crate) fn four_bar() -> SchemeDraft {
 }
 
 /// Figure 2c: a dyad on the rocker of a four-bar.
-pub(crate) fn six_bar() -> SchemeDraft {
+pub(crate) fn six_bar() -> SchemeSpec {
     let mut six_bar = four_bar();
     six_bar.pairs.extend([
         hinge("E", "3 4", [1.5, 0.6]),
@@ -74,7 +74,7 @@ pub(crate) fn six_bar() -> SchemeDraft {
 }
 
 /// Figure 3: a spatial mechanism of two contours.
-pub(crate) fn two_contours() -> SchemeDraft {
+pub(crate) fn two_contours() -> SchemeSpec {
     spatial([
         placed(pair("A", Revolute, "0 1"), [0.0, 0.0, 0.0], [0.0, 0.2, 1.0]),
         placed(
@@ -103,7 +103,7 @@ pub(crate) fn two_contours() -> SchemeDraft {
 }
 
 /// Figure 4: a group of Class IV on a crank.
-pub(crate) fn class_iv() -> SchemeDraft {
+pub(crate) fn class_iv() -> SchemeSpec {
     planar([
         hinge("A", "0 1", [0.0, 0.0]),
         hinge("B", "1 2", [0.2, 0.4]),

@@ -32,7 +32,7 @@ fn two_thousand_tasks_are_sound_and_can_be_drawn() {
         } else {
             Space::Whole
         };
-        let verdict = scheme.judged(space).unwrap();
+        let verdict = scheme.rank_report(space).unwrap();
         let redundant: usize = verdict.redundancies.iter().map(|part| part.count).sum();
         let more = verdict.mobility as isize - counts.mobility();
         assert_eq!(more, redundant as isize, "{seed}");
@@ -41,7 +41,7 @@ fn two_thousand_tasks_are_sound_and_can_be_drawn() {
         assert_eq!(scheme.sections(&cuts).unwrap().mobility, counts.mobility());
         *sizes.entry(counts.links).or_default() += 1;
         planar += usize::from(draft.planar);
-        let has = |test: fn(&assur::mobility::PairDraft) -> bool| {
+        let has = |test: fn(&assur::mobility::PairSpec) -> bool| {
             usize::from(draft.pairs.iter().any(test))
         };
         compound += has(|pair| pair.links.len() > 2);

@@ -1,6 +1,6 @@
 //! Random schemes from a seed.
 
-use assur::mobility::{PairDraft, PairKind, Point3, SchemeDraft, Vector3};
+use assur::mobility::{PairKind, PairSpec, Point3, SchemeSpec, Vector3};
 use proptest::prelude::Rng as _;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
@@ -70,7 +70,7 @@ pub(crate) fn located(
     geometry: Geometry,
     planar: bool,
     (name, kind, links): (&str, PairKind, &str),
-) -> PairDraft {
+) -> PairSpec {
     let z = if planar {
         0.0
     } else {
@@ -85,7 +85,7 @@ pub(crate) fn located(
     while second.cross(&axis).norm() < 0.1 {
         second = geometry.direction(random, false);
     }
-    PairDraft {
+    PairSpec {
         place: Some(place),
         axis: Some(axis),
         second: (!planar).then_some(second),
@@ -110,7 +110,7 @@ pub(crate) fn scheme(
     geometry: Geometry,
     planar: bool,
     [links, loops]: [usize; 2],
-) -> SchemeDraft {
+) -> SchemeSpec {
     let forms = forms(planar);
     let mut joins: Vec<[usize; 2]> = (1..links).map(|link| [random.below(link), link]).collect();
     for _ in 0..loops {
@@ -130,7 +130,7 @@ pub(crate) fn scheme(
         let name = format!("p{at}");
         located(random, geometry, planar, (&name, kind, &links_of))
     });
-    SchemeDraft {
+    SchemeSpec {
         ground: "0".to_owned(),
         planar,
         pairs: pairs.collect(),
@@ -139,7 +139,7 @@ pub(crate) fn scheme(
 
 /// A scheme of which nothing is redundant unless by special dimensions: links are added that have as many freedoms
 /// as their pairs have constraints, or some more.
-pub(crate) fn sound(random: &mut Random, geometry: Geometry, planar: bool) -> SchemeDraft {
+pub(crate) fn sound(random: &mut Random, geometry: Geometry, planar: bool) -> SchemeSpec {
     let own = if planar { 3 } else { 6 };
     let forms = forms(planar);
     let in_plane = |kind: PairKind| match kind {
@@ -155,7 +155,7 @@ pub(crate) fn sound(random: &mut Random, geometry: Geometry, planar: bool) -> Sc
         PairKind::Planar | PairKind::CylinderOnPlane | PairKind::SphereOnPlane => 2,
         _ => 0,
     };
-    let mut pairs: Vec<PairDraft> = vec![];
+    let mut pairs: Vec<PairSpec> = vec![];
     let mut links = 1;
     let mut add = |random: &mut Random, kinds: &[PairKind], ends: [usize; 2], links: &mut usize| {
         let mut from = ends[0];
@@ -191,7 +191,7 @@ pub(crate) fn sound(random: &mut Random, geometry: Geometry, planar: bool) -> Sc
             }
         }
     }
-    SchemeDraft {
+    SchemeSpec {
         ground: "0".to_owned(),
         planar,
         pairs,

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use assur::mobility::PairKind::{
     Class, CylinderOnPlane, Cylindrical, Prismatic, Revolute, Spherical, Universal,
 };
-use assur::mobility::{Generic, NoRank, PairDraft, Point3, Scheme, SchemeDraft, Space, Vector3};
+use assur::mobility::{Generic, NoRank, PairSpec, Point3, Scheme, SchemeSpec, Space, Vector3};
 use nalgebra::{Isometry3, Rotation3, Translation3, UnitQuaternion};
 
 use super::paper::{class_iv, four_bar, six_bar, two_contours};
@@ -13,11 +13,11 @@ use super::schemes::{hinge, pair, placed, planar, spatial};
 
 /// W, q and the names of the pairs of each redundant part, then of idle links.
 pub(crate) fn verdict(
-    draft: &SchemeDraft,
+    draft: &SchemeSpec,
     space: Space,
 ) -> (usize, Vec<(usize, String)>, Vec<String>) {
     let scheme = Scheme::new(draft).unwrap();
-    let verdict = scheme.judged(space).unwrap();
+    let verdict = scheme.rank_report(space).unwrap();
     let parts = verdict.redundancies.iter().map(|part| {
         let names = part
             .pairs
@@ -32,11 +32,11 @@ pub(crate) fn verdict(
     (verdict.mobility, parts.collect(), idle.collect())
 }
 
-fn generic(draft: &SchemeDraft, space: Space) -> Generic {
+fn generic(draft: &SchemeSpec, space: Space) -> Generic {
     Scheme::new(draft).unwrap().generic(space).unwrap()
 }
 
-fn counted(draft: &SchemeDraft) -> isize {
+fn counted(draft: &SchemeSpec) -> isize {
     Scheme::new(draft).unwrap().counts().mobility()
 }
 
@@ -63,7 +63,7 @@ fn the_examples_of_the_paper_have_the_rank_that_is_counted() {
 }
 
 /// A parallelogram with a third rocker, parallel to the others.
-pub(crate) fn with_extra_rocker() -> SchemeDraft {
+pub(crate) fn with_extra_rocker() -> SchemeSpec {
     planar([
         hinge("A", "0 1", [0.0, 0.0]),
         hinge("B", "1 2", [0.3, 0.8]),
@@ -145,7 +145,7 @@ fn a_dyad_stretched_between_fixed_hinges_moves_for_an_instant() {
 }
 
 /// Sarrus: two chains of three parallel hinges at right angles to each other carry a plate straight up.
-pub(crate) fn sarrus() -> SchemeDraft {
+pub(crate) fn sarrus() -> SchemeSpec {
     let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let turn = |name: &str, links: &str, at, axis| placed(pair(name, Revolute, links), at, axis);
     spatial([
@@ -177,7 +177,7 @@ fn sarrus_goes_straight_though_it_is_counted_rigid() {
 
 /// Bennett: opposite links alike, their twists with sin α / a = sin β / b. Built link by link around the loop; the
 /// joint angles satisfy tan(θ₁/2) tan(θ₂/2) = sin((β + α)/2) / sin((β − α)/2) (Bennett, 1903).
-pub(crate) fn bennett() -> SchemeDraft {
+pub(crate) fn bennett() -> SchemeSpec {
     let (alpha, a, b) = (0.6_f64, 1.0, 1.5);
     let beta = (b * alpha.sin() / a).asin();
     let theta = 0.9_f64;
@@ -223,13 +223,13 @@ fn bennett_moves_though_it_is_counted_twice_overclosed() {
     );
 }
 
-fn with_second(mut pair: PairDraft, second: [f64; 3]) -> PairDraft {
+fn with_second(mut pair: PairSpec, second: [f64; 3]) -> PairSpec {
     pair.second = Some(Vector3::from(second));
     pair
 }
 
 /// A shaft with two universal joints between shafts that cross it at the same angle in one plane.
-pub(crate) fn double_universal_joint() -> SchemeDraft {
+pub(crate) fn double_universal_joint() -> SchemeSpec {
     let input = Vector3::x();
     let middle = Rotation3::new(Vector3::z() * 0.5) * input;
     let output = Rotation3::new(Vector3::z() * 1.0) * input;
@@ -329,13 +329,13 @@ fn two_links_between_balls_spin_together() {
 
 #[test]
 fn what_the_rank_lacks_is_named() {
-    let lacking = |change: fn(&mut PairDraft), planar: bool| {
+    let lacking = |change: fn(&mut PairSpec), planar: bool| {
         let mut draft = four_bar();
         draft.planar = planar;
         change(&mut draft.pairs[1]);
         Scheme::new(&draft)
             .unwrap()
-            .judged(Space::Whole)
+            .rank_report(Space::Whole)
             .unwrap_err()
     };
     let name = || "B".to_owned();
@@ -356,7 +356,10 @@ fn what_the_rank_lacks_is_named() {
         NoRank::NoAxis(name())
     );
     let scheme = Scheme::new(&sarrus()).unwrap();
-    assert_eq!(scheme.judged(Space::Plane).unwrap_err(), NoRank::NotPlanar);
+    assert_eq!(
+        scheme.rank_report(Space::Plane).unwrap_err(),
+        NoRank::NotPlanar
+    );
 }
 
 #[test]

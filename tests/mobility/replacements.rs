@@ -1,19 +1,19 @@
 //! Pairs raised until nothing is redundant.
 
 use assur::mobility::PairKind::{CylinderOnPlane, Cylindrical, SphereInCylinder, Spherical};
-use assur::mobility::{Scheme, SchemeDraft, Space};
+use assur::mobility::{Scheme, SchemeSpec, Space};
 
 use super::paper::{class_iv, four_bar, six_bar, two_contours};
 use super::rank::{bennett, double_universal_joint, sarrus, with_extra_rocker};
 
 /// The first replacements in words, after each of them was tried.
-fn tried(draft: &SchemeDraft, most: usize) -> (Vec<String>, bool) {
+fn tried(draft: &SchemeSpec, most: usize) -> (Vec<String>, bool) {
     let scheme = Scheme::new(draft).unwrap();
-    let before = scheme.judged(Space::Whole).unwrap();
+    let before = scheme.rank_report(Space::Whole).unwrap();
     let found = scheme.replacements(most).unwrap();
     let words = found.list.iter().map(|replacement| {
         let replaced = Scheme::new(&scheme.replaced(replacement)).unwrap();
-        let after = replaced.judged(Space::Whole).unwrap();
+        let after = replaced.rank_report(Space::Whole).unwrap();
         assert_eq!(after.redundancies, [], "{replacement:?}");
         assert_eq!(after.mobility, before.mobility);
         assert_eq!(replaced.counts().spatial, before.mobility as isize);
@@ -62,7 +62,7 @@ fn a_four_bar_needs_one_ball_in_a_cylinder_or_a_ball_and_a_cylinder() {
 
 #[test]
 fn every_choice_of_forms_for_a_four_bar_is_tried() {
-    // Directly: all forms that leave the freedoms of a hinge at each pair, judged one by one.
+    // Directly: all forms that leave the freedoms of a hinge at each pair, rank_report one by one.
     let scheme = Scheme::new(&four_bar()).unwrap();
     let found = scheme.replacements(10_000).unwrap();
     let kinds = |at: usize| {
@@ -93,13 +93,16 @@ fn every_choice_of_forms_for_a_four_bar_is_tried() {
         for b in &options[1] {
             for c in &options[2] {
                 for d in &options[3] {
-                    let mut draft = scheme.draft();
+                    let mut draft = scheme.spec();
                     for change in [a, b, c, d].into_iter().flatten() {
                         let pair = &mut draft.pairs[change.pair];
                         (pair.kind, pair.axis, pair.second) =
                             (change.kind, change.axis, change.second);
                     }
-                    let verdict = Scheme::new(&draft).unwrap().judged(Space::Whole).unwrap();
+                    let verdict = Scheme::new(&draft)
+                        .unwrap()
+                        .rank_report(Space::Whole)
+                        .unwrap();
                     valid += usize::from(verdict.redundancies.is_empty() && verdict.mobility == 1);
                 }
             }

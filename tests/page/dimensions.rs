@@ -23,7 +23,7 @@ fn length(link: &str) -> impl Fn(&Mechanism) -> Dimension {
 }
 
 fn drawn(changed: &Changed) -> LinkageDocument {
-    LinkageDocument::new(changed.motion.mechanism().draft())
+    LinkageDocument::new(changed.motion.mechanism().spec())
 }
 
 /// Values far from the drawing, and one at which the crank has to give way.

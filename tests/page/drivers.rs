@@ -1,6 +1,6 @@
 //! A linkage with two driven cranks on the page: the rate of the second is a field.
 
-use assur::mechanism::{Draft, Mechanism};
+use assur::mechanism::{LinkageSpec, Mechanism};
 use assur::motion::Motion;
 use assur_file::{Document, LinkageDocument};
 use percent_encoding::{NON_ALPHANUMERIC, utf8_percent_encode};
@@ -10,8 +10,8 @@ use crate::browser::Page;
 use crate::host::home;
 
 /// A five-bar with a crank at each end.
-fn five_bar() -> Draft {
-    Draft::default()
+fn five_bar() -> LinkageSpec {
+    LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.5, 0.3)
         .point("C", 1.6, 2.2)

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use assur::mobility::{CutError, Scheme, SchemeDraft, Space};
+use assur::mobility::{CutError, Scheme, SchemeSpec, Space};
 use assur_file::{Document, KindDocument, SchemeDocument};
 use serde_json::{Value, json};
 
@@ -198,7 +198,7 @@ async fn the_geometry_names_them() {
         } else {
             Space::Whole
         };
-        let verdict = scheme.judged(space).unwrap();
+        let verdict = scheme.rank_report(space).unwrap();
         assert_eq!(
             page.value("out-scheme-rank").await,
             verdict.mobility as f64,
@@ -286,7 +286,7 @@ async fn a_linkage_becomes_a_scheme() {
     let linkage = assur_file::from_catalogue("class4-dwell").unwrap().unwrap();
     let motion = linkage.motion().unwrap();
     let pose = motion.pose::<1>(0.5).unwrap();
-    let draft = SchemeDraft::of(motion.mechanism(), &pose);
+    let draft = SchemeSpec::of(motion.mechanism(), &pose);
     let counts = Scheme::new(&draft).unwrap().counts();
     assert_eq!(page.value("out-scheme-links").await, counts.links as f64);
     for of in ["w", "rank"] {

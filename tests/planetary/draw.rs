@@ -3,15 +3,15 @@
 use std::f64::consts::TAU;
 
 use assur::gears::Mesh;
-use assur::mechanism::{Draft, DraftGear};
+use assur::mechanism::{GearSpec, LinkageSpec};
 
 /// The shafts of a planetary set, the points at which they end, and their drawn angles.
 pub(crate) const SHAFTS: [&str; 3] = ["sun", "carrier", "ring"];
 const ENDS: [&str; 3] = ["S", "P0", "R"];
 pub(crate) const DRAWN: [f64; 3] = [0.4, 1.3, -0.8];
 
-pub(crate) fn gear(links: [&str; 2], carrier: &str, teeth: [u32; 2], mesh: Mesh) -> DraftGear {
-    DraftGear {
+pub(crate) fn gear(links: [&str; 2], carrier: &str, teeth: [u32; 2], mesh: Mesh) -> GearSpec {
+    GearSpec {
         links: links.map(str::to_owned),
         carrier: carrier.to_owned(),
         teeth: teeth.map(f64::from),
@@ -23,8 +23,8 @@ pub(crate) fn gear(links: [&str; 2], carrier: &str, teeth: [u32; 2], mesh: Mesh)
 pub(crate) type Stepped = [u32; 2];
 
 /// Sun, ring and carrier on one axis, with satellites at equal distances; nothing is driven yet.
-pub(crate) fn set([sun, ring]: [u32; 2], satellites: &[Stepped]) -> Draft {
-    let mut draft = Draft::default().point("A", 0.0, 0.0).fixed(&["A"]);
+pub(crate) fn set([sun, ring]: [u32; 2], satellites: &[Stepped]) -> LinkageSpec {
+    let mut draft = LinkageSpec::default().point("A", 0.0, 0.0).fixed(&["A"]);
     let arm = 0.5 * f64::from(sun + satellites[0][0]);
     for ((shaft, end), angle) in SHAFTS.into_iter().zip(ENDS).zip(DRAWN) {
         draft = draft.point(end, arm * angle.cos(), arm * angle.sin());

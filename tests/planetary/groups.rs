@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur::gears::Mesh;
-use assur::mechanism::Draft;
+use assur::mechanism::LinkageSpec;
 use assur::motion::Motion;
 use assur::{Point, Vector};
 use assur_tests::{angle_between, assert_near};
@@ -16,7 +16,7 @@ const ARMS: [f64; 2] = [3.2, 2.9];
 const BASE: f64 = 4.0;
 
 /// A geared five-bar: cranks AB and ED in mesh on AE, dyad BC, DC; drawn in a pose of its own motion.
-fn five_bar(ratio: [u32; 2]) -> Draft {
+fn five_bar(ratio: [u32; 2]) -> LinkageSpec {
     let angles = [0.7_f64, 1.9];
     let [b, d] = [0, 1].map(|k| {
         Point::new(
@@ -29,7 +29,9 @@ fn five_bar(ratio: [u32; 2]) -> Draft {
     let unit = apart.normalize();
     let across = (ARMS[0].powi(2) - along * along).sqrt();
     let c = b + unit * along + Vector::new(-unit.y, unit.x) * across;
-    let mut draft = Draft::default().point("A", 0.0, 0.0).point("E", BASE, 0.0);
+    let mut draft = LinkageSpec::default()
+        .point("A", 0.0, 0.0)
+        .point("E", BASE, 0.0);
     for (name, at) in [("B", b), ("C", c), ("D", d)] {
         draft = draft.point(name, at.x, at.y);
     }
@@ -46,7 +48,7 @@ fn five_bar(ratio: [u32; 2]) -> Draft {
 }
 
 /// The same links with BC as the frame: the wheels turn on the link AE, one of them and their carrier are of the group.
-fn inverted(ratio: [u32; 2]) -> Draft {
+fn inverted(ratio: [u32; 2]) -> LinkageSpec {
     let mut draft = five_bar(ratio);
     draft.frame = ["B", "C"].map(str::to_owned).into();
     draft.links.retain(|link| link.name != "BC");
@@ -96,7 +98,7 @@ fn an_inversion_moves_as_the_linkage_it_is_made_of() {
 }
 
 /// Both wheels of the group, on the frame: the geared five-bar driven at C by a crank and a rod.
-fn driven_at_c(ratio: [u32; 2]) -> Draft {
+fn driven_at_c(ratio: [u32; 2]) -> LinkageSpec {
     let mut draft = five_bar(ratio);
     draft.drivers.clear();
     let c = draft.points[3].at;

@@ -8,10 +8,10 @@ mod satellites;
 mod sun_and_planet;
 mod willis;
 
-use assur::mechanism::{Draft, Mechanism};
+use assur::mechanism::{LinkageSpec, Mechanism};
 use assur::motion::Motion;
 
-fn moved(draft: &Draft) -> Motion {
+fn moved(draft: &LinkageSpec) -> Motion {
     Motion::new(Mechanism::new(draft).unwrap())
 }
 

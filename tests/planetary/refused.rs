@@ -1,20 +1,20 @@
 //! What cannot be: named, never a panic, never a number that is none.
 
 use assur::gears::Mesh;
-use assur::mechanism::{Defect, Draft, Mechanism};
+use assur::mechanism::{Defect, LinkageSpec, Mechanism};
 use assur::motion::Motion;
 use assur_tests::scaled;
 
 use super::draw::{Dice, gear, set};
 use super::residual;
 
-fn refused(draft: &Draft) -> Vec<Defect> {
+fn refused(draft: &LinkageSpec) -> Vec<Defect> {
     Mechanism::new(draft).unwrap_err()
 }
 
 /// An arm with a planet between two suns: at equal ratios they ask the same of it, or what cannot be.
-fn two_suns(teeth: [[u32; 2]; 2]) -> Draft {
-    let mut draft = Draft::default()
+fn two_suns(teeth: [[u32; 2]; 2]) -> LinkageSpec {
+    let mut draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("P", 40.0, 0.0)
         .point("Q", 40.0, 9.0)
@@ -159,7 +159,7 @@ fn whatever_is_given_of_a_group() {
         } else {
             Mesh::Internal
         };
-        let mut draft = Draft::default()
+        let mut draft = LinkageSpec::default()
             .point("A", 0.0, 0.0)
             .point("S", s[0], s[1])
             .point("P", p[0], p[1])

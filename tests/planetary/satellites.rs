@@ -142,7 +142,7 @@ fn one_that_contradicts_is_named() {
 /// The other way a train of wheels on fixed axes may be doubled: as the two ways of a layshaft.
 #[test]
 fn a_doubled_train_on_fixed_axes() {
-    let mut draft = assur::mechanism::Draft::default();
+    let mut draft = assur::mechanism::LinkageSpec::default();
     for (k, name) in ["input", "left", "right", "output"].into_iter().enumerate() {
         let (p, q) = (format!("P{k}"), format!("Q{k}"));
         draft = draft

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use assur::gears::Mesh;
-use assur::mechanism::Draft;
+use assur::mechanism::LinkageSpec;
 use assur::motion::DeadPointKind;
 use assur::{Assembly, FourBar, Point};
 use assur_tests::{angle_between, assert_near};
@@ -13,7 +13,7 @@ use super::{angle, moved, residual};
 
 /// Watt's sun-and-planet gear: the planet is fixed to the connecting rod between the carrier and the beam. The four-bar
 /// of carrier, rod, beam and frame as drawn at an angle of the carrier; the sun is driven.
-fn sun_and_planet(lengths: [f64; 4], at: f64, teeth: [u32; 2], mesh: Mesh) -> Draft {
+fn sun_and_planet(lengths: [f64; 4], at: f64, teeth: [u32; 2], mesh: Mesh) -> LinkageSpec {
     let four_bar = FourBar::new(lengths).unwrap();
     let joints = four_bar.pose::<1>(Assembly::First, at).unwrap();
     let [p, q] = [
@@ -23,7 +23,7 @@ fn sun_and_planet(lengths: [f64; 4], at: f64, teeth: [u32; 2], mesh: Mesh) -> Dr
             lengths[2] * joints.rocker.value().sin(),
         ),
     ];
-    let mut draft = Draft::default()
+    let mut draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("S", 0.0, 0.3 * lengths[0])
         .point("P", p.x, p.y)
@@ -216,7 +216,7 @@ fn an_idler_in_a_group() {
 #[test]
 fn a_group_with_a_slide_and_a_mesh() {
     let (radius, rod) = (1.0, 3.5);
-    let mut draft = Draft::default();
+    let mut draft = LinkageSpec::default();
     let at = 0.8_f64;
     let [x, y] = [radius * at.cos(), radius * at.sin()];
     for (name, x, y) in [

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use assur::gears::Mesh;
-use assur::mechanism::Draft;
+use assur::mechanism::LinkageSpec;
 use assur_tests::{angle_between, assert_near};
 
 use super::draw::{DRAWN, Dice, SHAFTS, gear, set};
@@ -160,8 +160,8 @@ fn two_sets_in_series() {
 /// last wheel does not turn while the arm goes round.
 #[test]
 fn fergusons_wheel_does_not_turn() {
-    let head = |last: u32| -> Draft {
-        let mut draft = Draft::default()
+    let head = |last: u32| -> LinkageSpec {
+        let mut draft = LinkageSpec::default()
             .point("A", 0.0, 0.0)
             .point("I", 30.0, 0.0)
             .point("P", 60.0, 0.0)

@@ -14,7 +14,7 @@ use super::draw::{Dice, task};
 
 /// The motion of a solution from its first position, and whether it takes up each position.
 fn met(solution: &Solution, task: &Task) -> (Motion, Vec<bool>) {
-    let motion = Motion::new(Mechanism::new(&solution.draft(task).unwrap()).unwrap());
+    let motion = Motion::new(Mechanism::new(&solution.spec(task).unwrap()).unwrap());
     let rocker = motion.mechanism().link("rocker").unwrap();
     let met = task.positions().iter().map(|position| {
         let input = motion.cycle().wrap(position.input + solution.input_start);

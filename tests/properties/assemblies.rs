@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{Assemblies, Draft, Mechanism, Method};
+use assur::mechanism::{Assemblies, LinkageSpec, Mechanism, Method};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 use assur_tests::scaled;
@@ -84,7 +84,7 @@ enum Choice {
 /// A group of such dimensions; none where it cannot be joined so.
 fn chosen(kind: Kind, choice: Choice, seed: u64) -> Option<Mechanism> {
     let mut draft = drawn(kind, seed);
-    let at = |draft: &Draft, name: &str| {
+    let at = |draft: &LinkageSpec, name: &str| {
         let mut points = draft.points.iter();
         points.find(|point| point.name == name).unwrap().at
     };
@@ -130,7 +130,10 @@ fn special_dimensions() {
                 let Some(mechanism) = chosen(kind, choice, seed) else {
                     continue;
                 };
-                for input in [mechanism.drawn_input() + 0.37, mechanism.drawn_input() + 2.3] {
+                for input in [
+                    mechanism.drawn_input() + 0.37,
+                    mechanism.drawn_input() + 2.3,
+                ] {
                     let methods = [Method::Usual, Method::Paths];
                     let found = methods.map(|method| mechanism.assemblies_at(input, method));
                     let [one, other] = found.each_ref().map(|found| angles(&mechanism, found));
@@ -178,7 +181,7 @@ fn followed_ones_are_all() {
         let document = assur_file::from_catalogue(name).unwrap().unwrap();
         (
             name.to_owned(),
-            document.mechanism().unwrap().draft().clone(),
+            document.mechanism().unwrap().spec().clone(),
         )
     });
     let mut bad = Vec::new();

@@ -3,7 +3,7 @@
 
 use assur::centres::{Centre, InstantCentre, Source};
 use assur::gears::Mesh;
-use assur::mechanism::{BodyId, Draft, DraftGear, Mechanism, Pose};
+use assur::mechanism::{BodyId, GearSpec, LinkageSpec, Mechanism, Pose};
 use assur::motion::Motion;
 use assur::{JetPoint, Point, Vector};
 use assur_tests::scaled;
@@ -14,7 +14,7 @@ use super::{dyads, groups};
 
 /// A centre as a triple of length 1, so that one far away is next to one at infinity; none that is anywhere.
 fn triple(mechanism: &Mechanism, centre: &Centre) -> Option<Vector3<f64>> {
-    let middle = mechanism.draft().points[0].at;
+    let middle = mechanism.spec().points[0].at;
     let triple = match centre {
         Centre::At(place) => {
             let at = (place - middle) / mechanism.size();
@@ -28,7 +28,7 @@ fn triple(mechanism: &Mechanism, centre: &Centre) -> Option<Vector3<f64>> {
 
 /// How fast two bodies move against each other, of the largest velocities by the input.
 fn apart(mechanism: &Mechanism, pose: &Pose<4>, bodies: [BodyId; 2]) -> f64 {
-    let middle = mechanism.draft().points[0].at;
+    let middle = mechanism.spec().points[0].at;
     let fast = |body: BodyId| {
         let velocity = mechanism.fixed_to(pose, body, middle).derivative(1);
         let spin = mechanism.body_angle(pose, body).derivative(1);
@@ -103,10 +103,10 @@ fn coincide(
     let [one, other] = found.bodies.map(velocity);
     let spins = mechanism.bodies().map(|body| {
         let spin = mechanism.body_angle(pose, body).derivative(1).abs();
-        let still: JetPoint<4> = mechanism.fixed_to(pose, body, mechanism.draft().points[0].at);
+        let still: JetPoint<4> = mechanism.fixed_to(pose, body, mechanism.spec().points[0].at);
         spin * mechanism.size() + still.derivative(1).norm()
     });
-    let far = (place - mechanism.draft().points[0].at).norm() / mechanism.size();
+    let far = (place - mechanism.spec().points[0].at).norm() / mechanism.size();
     let scale = spins.fold(0.0, f64::max) * (1.0 + far);
     assert!(
         (one - other).norm() <= 1e-9 * scale,
@@ -186,8 +186,8 @@ fn both_ways_agree_on_higher_groups() {
     }
 }
 
-fn four_bar(frame: f64) -> Draft {
-    Draft::default()
+fn four_bar(frame: f64) -> LinkageSpec {
+    LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.0, 1.0)
         .point("C", frame, 1.0)
@@ -223,7 +223,7 @@ fn of_a_parallelogram() {
 /// At a dead point there are no velocities by the input, and Kennedy's lines answer.
 #[test]
 fn at_a_dead_point() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 1.2, 0.9)
         .point("C", 2.5, 0.8)
@@ -255,7 +255,7 @@ fn at_a_dead_point() {
 /// A rocker at the end of its swing stands still: the pair tells about what it turns all the same.
 #[test]
 fn of_what_stands_still() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 1.0, 0.0)
         .point("C", 3.0, 2.0)
@@ -290,14 +290,14 @@ fn of_what_stands_still() {
 /// Wheels in mesh turn about their pitch point against each other, whatever carries them and in whichever mesh.
 #[test]
 fn of_wheels_in_mesh() {
-    let gear = |links: [&str; 2], teeth: [f64; 2], mesh: Mesh| DraftGear {
+    let gear = |links: [&str; 2], teeth: [f64; 2], mesh: Mesh| GearSpec {
         links: links.map(str::to_owned),
         carrier: "arm".to_owned(),
         teeth,
         mesh,
     };
     // A satellite between a sun that stands still and a driven arm, with a wheel inside of it.
-    let mut draft = Draft::default()
+    let mut draft = LinkageSpec::default()
         .point("O", 0.0, 0.0)
         .point("P", 3.0, 0.0)
         .point("Q", 3.5, 0.0)

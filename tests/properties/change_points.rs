@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur::gears::Mesh;
-use assur::mechanism::{Draft, DraftGear, Mechanism, Quantity};
+use assur::mechanism::{GearSpec, LinkageSpec, Mechanism, Quantity};
 use assur::motion::Motion;
 use assur::{Assembly, FourBar, Jet};
 
@@ -15,7 +15,7 @@ const WAYS: [f64; 9] = [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.2];
 /// of the interpolation are apart.
 const TOLERANCE: [f64; 6] = [1e-13, 1.5e-12, 2e-11, 3e-10, 5e-9, 8e-8];
 
-fn motion(draft: &Draft) -> Motion {
+fn motion(draft: &LinkageSpec) -> Motion {
     let mechanism = Mechanism::new(draft);
     Motion::new(mechanism.unwrap_or_else(|defects| panic!("{defects:?} {draft:?}")))
 }
@@ -29,12 +29,12 @@ fn angle(motion: &Motion, link: &str, input: f64) -> Jet<6> {
 }
 
 /// A crank that a wheel drives against its motor, so that its dyad is solved as any other.
-fn geared(draft: Draft, at: f64) -> Draft {
+fn geared(draft: LinkageSpec, at: f64) -> LinkageSpec {
     let mut draft = draft
         .point("M", -9.0, 0.0)
         .point("N", -9.0 + at.cos(), -at.sin());
     draft.frame.push("M".into());
-    draft.gears.push(DraftGear {
+    draft.gears.push(GearSpec {
         links: ["motor", "crank"].map(String::from),
         carrier: "frame".into(),
         teeth: [20.0, 20.0],
@@ -44,12 +44,12 @@ fn geared(draft: Draft, at: f64) -> Draft {
 }
 
 /// A four-bar in a pose.
-fn drawn(linkage: &FourBar, assembly: Assembly, crank: f64) -> Draft {
+fn drawn(linkage: &FourBar, assembly: Assembly, crank: f64) -> LinkageSpec {
     let [l1, l2, _, l4] = linkage.lengths();
     let pose = linkage.pose::<1>(assembly, crank).unwrap();
     let coupler = pose.coupler.value();
     let [bx, by] = [l1 * crank.cos(), l1 * crank.sin()];
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", bx, by)
         .point("C", bx + l2 * coupler.cos(), by + l2 * coupler.sin())
@@ -141,7 +141,7 @@ fn parallelograms_in_a_row() {
 
 fn parallelograms_drawn_at(drawn: f64) {
     let [x0, y0] = [2.0 * drawn.cos(), 2.0 * drawn.sin()];
-    let mut draft = Draft::default()
+    let mut draft = LinkageSpec::default()
         .point("A0", 0.0, 0.0)
         .point("B0", x0, y0)
         .fixed(&["A0"]);
@@ -182,7 +182,7 @@ fn parallelograms_drawn_at(drawn: f64) {
 /// A slider-crank whose rod is as long as its crank: the slider goes through the crank's centre, as a trammel's does.
 #[test]
 fn isosceles_slider_crank() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.6, 0.8)
         .point("C", 1.2, 0.0)
@@ -239,7 +239,7 @@ fn slotted_lever() {
     let run = (square - 1.0).sqrt();
     // Along the slot (ux, uy), the pivot at 1 to its side.
     let [ux, uy] = [(x * run - y) / square, (x + y * run) / square];
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", bx, by)
         .point("D", 3.0, 0.0)
@@ -276,7 +276,7 @@ fn slotted_lever() {
 }
 
 /// A four-bar that drives a slider off its crank, drawn in a pose.
-fn with_slider(linkage: &FourBar, assembly: Assembly, crank: f64, rod: f64) -> Draft {
+fn with_slider(linkage: &FourBar, assembly: Assembly, crank: f64, rod: f64) -> LinkageSpec {
     let draft = drawn(linkage, assembly, crank);
     let b = draft.points[1].at;
     let slides = b.x + (rod * rod - b.y * b.y).sqrt();

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use assur::circuits::{Circuits, MeetingKind, Reach};
-use assur::mechanism::{Draft, DraftDriver, Mechanism, Method, Pose};
+use assur::mechanism::{DriverSpec, LinkageSpec, Mechanism, Method, Pose};
 use assur::{Assembly, FourBar, Grashof};
 use assur_tests::scaled;
 
@@ -73,12 +73,12 @@ fn every_assembly_of_groups() {
     }
 }
 
-fn four_bar([l1, l2, l3, l4]: [f64; 4]) -> Option<(FourBar, Draft)> {
+fn four_bar([l1, l2, l3, l4]: [f64; 4]) -> Option<(FourBar, LinkageSpec)> {
     let linkage = FourBar::new([l1, l2, l3, l4]).ok()?;
     let crank = linkage.cycle().drawn_input() + 0.1;
     let pose = linkage.pose::<1>(Assembly::First, crank).ok()?;
     let (b, coupler) = ([l1 * crank.cos(), l1 * crank.sin()], pose.coupler.value());
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", b[0], b[1])
         .point("C", b[0] + l2 * coupler.cos(), b[1] + l2 * coupler.sin())
@@ -187,7 +187,7 @@ fn every_assembly_of_chains() {
 }
 
 /// The same points and links in the opposite order under other names, drawn in a pose.
-fn redrawn(draft: &Draft) -> Draft {
+fn redrawn(draft: &LinkageSpec) -> LinkageSpec {
     let name = |name: &String| format!("new {name}");
     let names = |all: &[String]| all.iter().map(name).collect::<Vec<_>>();
     let mut other = draft.clone();
@@ -215,7 +215,7 @@ fn redrawn(draft: &Draft) -> Draft {
         slide.line = slide.line.each_ref().map(name);
     }
     for driver in &mut other.drivers {
-        if let DraftDriver::Crank { link, .. } = driver {
+        if let DriverSpec::Crank { link, .. } = driver {
             *link = name(link);
         }
     }

@@ -3,7 +3,7 @@
 //! small steps by Newton's method; and its dead points by an extended system.
 
 use assur::Point;
-use assur::mechanism::Draft;
+use assur::mechanism::LinkageSpec;
 use nalgebra::{DMatrix, DVector};
 
 /// The equations of a draft whose crank turns the second point about the first.
@@ -25,7 +25,7 @@ enum Equation {
 }
 
 impl Closure {
-    pub(crate) fn new(draft: &Draft) -> Self {
+    pub(crate) fn new(draft: &LinkageSpec) -> Self {
         let index = |name: &String| {
             let mut points = draft.points.iter();
             points.position(|point| point.name == *name).unwrap()
@@ -165,7 +165,7 @@ impl Closure {
         steps: usize,
         mut tell: impl FnMut(f64, &dyn Fn(usize) -> Point),
     ) {
-        let home = self.drawn_input();
+        let home = self.home();
         let mut here = self.own(&self.drawn);
         let mut input = home;
         for step in 1..=steps {

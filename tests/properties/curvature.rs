@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use assur::curvature::{Centrodes, CircleOfCurvature, Circles, Curvature, Evolute, NoCircle};
-use assur::mechanism::{BodyId, Draft, Mechanism, Pose};
+use assur::mechanism::{BodyId, LinkageSpec, Mechanism, Pose};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 
@@ -26,7 +26,7 @@ fn checked(seed: u64, mechanism: &Mechanism, pose: &Pose<4>, random: &mut Random
             continue;
         };
         let (centre, radius) = circles.inflection();
-        let far = (circles.pole - mechanism.draft().points[0].at).norm() / size;
+        let far = (circles.pole - mechanism.spec().points[0].at).norm() / size;
         // Of a body that hardly turns the pole is far away, and about a hinge there is no circle.
         if far > 20.0 || circles.spin.abs() < 1e-2 || radius < 1e-2 * size || radius > 20.0 * size {
             continue;
@@ -179,7 +179,7 @@ fn the_evolute_is_how_the_centre_goes() {
 /// Two blocks on crossed guides and a bar between them, driven by a crank from the crossing to the middle of the bar.
 fn trammel() -> Motion {
     let (sin, cos) = 0.6_f64.sin_cos();
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("O", 0.0, 0.0)
         .point("X", 5.0, 0.0)
         .point("Y", 0.0, 5.0)
@@ -320,7 +320,7 @@ fn moving_centrodes_roll_on_fixed_ones() {
             continue;
         };
         let mechanism = motion.mechanism();
-        let middle = mechanism.draft().points[0].at;
+        let middle = mechanism.spec().points[0].at;
         for link in mechanism.link_ids() {
             for piece in Centrodes::of(&motion, link).pieces {
                 let near: Vec<_> = piece
@@ -350,7 +350,7 @@ fn moving_centrodes_roll_on_fixed_ones() {
 /// What stands still or is only shifted: values, no numbers that are none.
 #[test]
 fn where_nothing_turns() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.0, 1.0)
         .point("C", 2.0, 1.0)

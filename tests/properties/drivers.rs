@@ -1,7 +1,7 @@
 //! What holds of every chain of dyads and of every higher group if another pair of it is driven, of which both links
 //! move.
 
-use assur::mechanism::{Draft, DraftDriver, Mechanism, Pose};
+use assur::mechanism::{DriverSpec, LinkageSpec, Mechanism, Pose};
 use assur::motion::Motion;
 use assur_tests::scaled;
 
@@ -19,7 +19,7 @@ enum Pair {
 
 impl Pair {
     /// Any two links, or a slide; none where the links share no point.
-    fn any(draft: &Draft, random: &mut Random) -> Option<Self> {
+    fn any(draft: &LinkageSpec, random: &mut Random) -> Option<Self> {
         let (links, slides) = (&draft.links, draft.slides.len());
         let pair = random.below(slides + links.len() * links.len());
         let Some(two) = pair.checked_sub(slides) else {
@@ -31,14 +31,14 @@ impl Pair {
         (names[0] != names[1] && shared).then_some(Self::Hinge(names))
     }
 
-    fn driver(&self) -> DraftDriver {
+    fn driver(&self) -> DriverSpec {
         match self {
-            Self::Hinge([link, base]) => DraftDriver::Crank {
+            Self::Hinge([link, base]) => DriverSpec::Crank {
                 link: link.clone(),
                 base: base.clone(),
                 rate: 1.0,
             },
-            Self::Slide(slide) => DraftDriver::Slide {
+            Self::Slide(slide) => DriverSpec::Slide {
                 slide: *slide,
                 range: [-12.0, 12.0],
                 rate: 1.0,
@@ -55,7 +55,7 @@ impl Pair {
                 link.value() - base.value()
             }
             Self::Slide(slide) => {
-                let slide = &mechanism.draft().slides[*slide];
+                let slide = &mechanism.spec().slides[*slide];
                 let names = [&slide.line[0], &slide.line[1], &slide.point];
                 let [from, to, point] = names.map(|name| {
                     let point = mechanism.point(name).unwrap();
@@ -69,7 +69,7 @@ impl Pair {
 
 /// A linkage with one of its other pairs as the driver.
 struct Driven {
-    draft: Draft,
+    draft: LinkageSpec,
     pair: Pair,
     /// As it was driven before, and as it is now.
     was: Motion,

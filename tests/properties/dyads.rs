@@ -1,6 +1,6 @@
 //! What holds of every chain of dyads, however they are joined.
 
-use assur::mechanism::{Draft, DraftPoint, Mechanism};
+use assur::mechanism::{LinkageSpec, Mechanism, PointSpec};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 use assur_tests::scaled;
@@ -11,7 +11,7 @@ const CHAINS: usize = 400;
 
 /// A chain under construction: on which links new dyads can be set.
 struct Chain {
-    draft: Draft,
+    draft: LinkageSpec,
     /// Links with at least two points; the frame first.
     bases: Vec<String>,
     random: Random,
@@ -23,7 +23,7 @@ impl Chain {
         let mut random = Random::new(seed);
         let snapped = random.below(3) == 0;
         let mut chain = Self {
-            draft: Draft::default(),
+            draft: LinkageSpec::default(),
             bases: vec!["frame".to_owned(), "crank".to_owned()],
             random,
             snapped,
@@ -62,7 +62,7 @@ impl Chain {
         } else {
             at
         };
-        self.draft.points.push(DraftPoint {
+        self.draft.points.push(PointSpec {
             name: name.clone(),
             at,
         });
@@ -156,7 +156,7 @@ impl Chain {
     }
 }
 
-pub(crate) fn moving(seed: u64) -> Option<(Draft, Motion)> {
+pub(crate) fn moving(seed: u64) -> Option<(LinkageSpec, Motion)> {
     let draft = Chain::new(seed).draft;
     let mechanism = Mechanism::new(&draft).ok()?;
     let motion = Motion::new(mechanism);

@@ -2,7 +2,7 @@
 //! groups.
 
 use assur::JetPoint;
-use assur::mechanism::{Draft, Mechanism, Pose};
+use assur::mechanism::{LinkageSpec, Mechanism, Pose};
 use assur::motion::Motion;
 
 pub(crate) use super::random::Random;
@@ -53,7 +53,7 @@ pub(crate) fn rate(mechanism: &Mechanism, pose: &Pose<4>) -> f64 {
 /// Every point is where each of its links carries it, with all derivatives; a
 /// link's angle is that of the line between its points; a sliding point keeps
 /// its distance from the line. How many poses with derivatives there were.
-pub(crate) fn closes(seed: u64, draft: &Draft, motion: &Motion, inputs: &[f64]) -> usize {
+pub(crate) fn closes(seed: u64, draft: &LinkageSpec, motion: &Motion, inputs: &[f64]) -> usize {
     let mut checked = 0;
     let mechanism = motion.mechanism();
     let size = mechanism.size();
@@ -123,7 +123,12 @@ pub(crate) fn closes(seed: u64, draft: &Draft, motion: &Motion, inputs: &[f64]) 
 
 /// Drawn at any other of its poses it is the same mechanism: no way along the
 /// motion leads onto another branch. How many poses were compared.
-pub(crate) fn leads_to_itself(seed: u64, draft: &Draft, motion: &Motion, inputs: &[f64]) -> usize {
+pub(crate) fn leads_to_itself(
+    seed: u64,
+    draft: &LinkageSpec,
+    motion: &Motion,
+    inputs: &[f64],
+) -> usize {
     let mut checked = 0;
     let mechanism = motion.mechanism();
     let Ok(there) = motion.pose::<4>(inputs[0]) else {

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use assur::Point;
 use assur::gears::Mesh;
-use assur::mechanism::{Defect, Draft, DraftGear, DraftPoint, Mechanism};
+use assur::mechanism::{Defect, GearSpec, LinkageSpec, Mechanism, PointSpec};
 use assur::motion::{DeadPointKind, Motion};
 use assur_tests::scaled;
 
@@ -30,7 +30,7 @@ pub(crate) const KINDS: [(Kind, &str); 4] = [
 ];
 
 /// A point anywhere, but not upon another.
-fn place(draft: &mut Draft, random: &mut Random, name: &str) {
+fn place(draft: &mut LinkageSpec, random: &mut Random, name: &str) {
     let at = loop {
         let at = Point::new(random.within(-3.0, 3.0), random.within(-3.0, 3.0));
         if draft
@@ -42,13 +42,13 @@ fn place(draft: &mut Draft, random: &mut Random, name: &str) {
         }
     };
     let name = name.to_owned();
-    draft.points.push(DraftPoint { name, at });
+    draft.points.push(PointSpec { name, at });
 }
 
 /// A crank and a group of a kind, drawn anywhere. Each side of a triad may slide.
-pub(crate) fn drawn(kind: Kind, seed: u64) -> Draft {
+pub(crate) fn drawn(kind: Kind, seed: u64) -> LinkageSpec {
     let mut random = Random::new(1_000 + seed);
-    let mut draft = Draft::default();
+    let mut draft = LinkageSpec::default();
     let names: &[&str] = match kind {
         Kind::Triad => &["A", "B", "P", "Q", "R", "G", "H", "K", "L", "M"],
         Kind::FourTwo => &["A", "B", "C", "E", "F", "H", "D"],
@@ -113,7 +113,7 @@ pub(crate) fn drawn(kind: Kind, seed: u64) -> Draft {
     }
 }
 
-pub(crate) fn moving(kind: Kind, seed: u64) -> (Draft, Motion) {
+pub(crate) fn moving(kind: Kind, seed: u64) -> (LinkageSpec, Motion) {
     let draft = drawn(kind, seed);
     let mechanism = Mechanism::new(&draft).unwrap_or_else(|e| panic!("{kind:?} {seed}: {e:?}"));
     let motion = Motion::new(mechanism);
@@ -334,7 +334,7 @@ fn broken_groups_say_why() {
 
             // A wheel that turns on no point of its carrier.
             let mut geared = draft.clone();
-            geared.gears.push(DraftGear {
+            geared.gears.push(GearSpec {
                 links: [other.clone(), "crank".to_owned()],
                 carrier: "frame".to_owned(),
                 teeth: [20.0, 30.0],

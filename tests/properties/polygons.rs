@@ -236,7 +236,7 @@ fn polygons_of_higher_groups_have_all_points() {
 /// Whitworth's motion as books have it: of the lever's point at the pin, with Coriolis' acceleration.
 #[test]
 fn a_pin_in_a_slotted_lever() {
-    let draft = assur::mechanism::Draft::default()
+    let draft = assur::mechanism::LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 1.0, 0.0)
         .point("D", 0.0, -2.0)

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use assur::mechanism::{Defect, Dimension, Draft, Mechanism};
+use assur::mechanism::{Defect, Dimension, LinkageSpec, Mechanism};
 use assur::motion::{Motion, NEARLY, Refusal};
 use assur::{Point, Vector};
 use assur_tests::scaled;
@@ -15,7 +15,7 @@ const EACH: u64 = 20;
 /// A family of mechanisms: its name, a drawing, W by count, whether the crank turns fully.
 struct Family {
     name: &'static str,
-    drawn: fn(&mut Random) -> Draft,
+    drawn: fn(&mut Random) -> LinkageSpec,
     count: isize,
     turns: bool,
     /// A point that spoils it where it is drawn elsewhere, if there is one.
@@ -26,12 +26,12 @@ fn turned(by: f64, length: f64) -> Vector {
     Vector::new(by.cos(), by.sin()) * length
 }
 
-fn with(draft: Draft, name: &str, at: Vector) -> Draft {
+fn with(draft: LinkageSpec, name: &str, at: Vector) -> LinkageSpec {
     draft.point(name, at.x, at.y)
 }
 
 /// A rod on equal parallel cranks, with pivots in line or not.
-fn rods(random: &mut Random, in_line: bool, cranks: usize) -> Draft {
+fn rods(random: &mut Random, in_line: bool, cranks: usize) -> LinkageSpec {
     let along = random.within(0.0, TAU);
     let angle = random.within(0.0, TAU);
     drawn_rods(random, in_line, cranks, [along, angle])
@@ -42,9 +42,9 @@ fn drawn_rods(
     in_line: bool,
     cranks: usize,
     [along, angle]: [f64; 2],
-) -> Draft {
+) -> LinkageSpec {
     let arm = turned(angle, random.within(0.4, 2.0));
-    let mut draft = Draft::default();
+    let mut draft = LinkageSpec::default();
     let (mut frame, mut rod) = (Vec::new(), Vec::new());
     for k in 0..cranks {
         let off = if in_line || k < 2 {
@@ -68,8 +68,8 @@ fn drawn_rods(
 }
 
 /// A four-bar of which the link on two of its joints is doubled.
-fn doubled(random: &mut Random, joints: [&str; 2]) -> Draft {
-    let draft = Draft::default()
+fn doubled(random: &mut Random, joints: [&str; 2]) -> LinkageSpec {
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.5, random.within(0.6, 1.0))
         .point("C", 3.0, random.within(1.8, 2.4))
@@ -84,9 +84,9 @@ fn doubled(random: &mut Random, joints: [&str; 2]) -> Draft {
 }
 
 /// A crank on the midpoint of a trammel's bar.
-fn trammel(random: &mut Random) -> Draft {
+fn trammel(random: &mut Random) -> LinkageSpec {
     let arm = turned(random.within(0.1, TAU), random.within(0.5, 2.0));
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("O", 0.0, 0.0)
         .point("X", 1.0, 0.0)
         .point("Y", 0.0, 1.0);
@@ -105,13 +105,13 @@ fn trammel(random: &mut Random) -> Draft {
 }
 
 /// A double parallelogram: two cranks joined by two rods, and two more cranks above them with a rod.
-fn double_parallelogram(random: &mut Random) -> Draft {
+fn double_parallelogram(random: &mut Random) -> LinkageSpec {
     let base = turned(random.within(-0.5, 0.5), random.within(1.5, 3.0));
     let (lower, upper) = (
         turned(random.within(0.3, 2.8), random.within(0.7, 1.5)),
         random.within(1.3, 2.2),
     );
-    let draft = Draft::default().point("A", 0.0, 0.0);
+    let draft = LinkageSpec::default().point("A", 0.0, 0.0);
     let draft = with(draft, "D", base);
     let draft = with(draft, "B", lower);
     let draft = with(draft, "C", base + lower);
@@ -127,13 +127,13 @@ fn double_parallelogram(random: &mut Random) -> Draft {
 }
 
 /// A pantograph, a parallelogram with long sides, with a spare link parallel to its short one.
-fn pantograph(random: &mut Random) -> Draft {
+fn pantograph(random: &mut Random) -> LinkageSpec {
     let (one, other) = (
         turned(random.within(0.9, 1.3), random.within(1.0, 1.6)),
         turned(random.within(-0.3, 0.3), random.within(0.7, 1.2)),
     );
     let part = random.within(0.3, 0.7);
-    let draft = Draft::default().point("O", 0.0, 0.0);
+    let draft = LinkageSpec::default().point("O", 0.0, 0.0);
     let draft = with(draft, "K", one);
     let draft = with(draft, "L", other);
     let draft = with(draft, "M", one + other);
@@ -153,7 +153,7 @@ fn pantograph(random: &mut Random) -> Draft {
 }
 
 /// Peaucellier's cell with a slide along the line that it draws.
-fn peaucellier(random: &mut Random) -> Draft {
+fn peaucellier(random: &mut Random) -> LinkageSpec {
     let (long, short) = (random.within(3.0, 3.2), random.within(1.4, 1.6));
     let r = random.within(0.95, 1.3);
     let phi = random.within(-0.5, 0.5);
@@ -167,7 +167,7 @@ fn peaucellier(random: &mut Random) -> Draft {
     let middle = (p + q) / 2.0;
     let half = (short * short - ((q - p).norm() / 2.0).powi(2)).sqrt();
     let across = Vector::new(-way.y, way.x) * half;
-    let draft = Draft::default().point("O", 0.0, 0.0);
+    let draft = LinkageSpec::default().point("O", 0.0, 0.0);
     let draft = with(draft, "Z", Vector::new(r, 0.0));
     let draft = with(draft, "P", p);
     let draft = with(draft, "Q", q);
@@ -258,14 +258,14 @@ fn families() -> Vec<Family> {
 }
 
 /// The greatest distance between two points of a drawing.
-fn size(draft: &Draft) -> f64 {
+fn size(draft: &LinkageSpec) -> f64 {
     let points = draft.points.iter();
     let pairs = points.flat_map(|p| draft.points.iter().map(move |q| (p.at - q.at).norm()));
     pairs.fold(0.0, f64::max)
 }
 
 /// The residuals of a draft's constraints, the redundant ones too, where its points are.
-fn residual(draft: &Draft, place: impl Fn(&str) -> Point) -> f64 {
+fn residual(draft: &LinkageSpec, place: impl Fn(&str) -> Point) -> f64 {
     let drawn = |name: &str| draft.points.iter().find(|p| p.name == name).unwrap().at;
     let mut worst: f64 = 0.0;
     for link in &draft.links {
@@ -355,7 +355,7 @@ fn change_points_are_those_of_the_whole_set() {
         for seed in 0..scaled(EACH) {
             let base = turned(random.within(0.0, TAU), random.within(1.5, 3.0));
             let arm = turned(random.within(0.0, TAU), random.within(0.4, 1.2));
-            let draft = Draft::default().point("A", 0.0, 0.0);
+            let draft = LinkageSpec::default().point("A", 0.0, 0.0);
             let draft = with(draft, "D", base);
             let draft = with(draft, "B", arm);
             let draft = with(draft, "C", base + arm);
@@ -381,11 +381,11 @@ fn change_points_are_those_of_the_whole_set() {
 
 /// A parallelogram without its coupler, and with a body for it of three links: a plate, a bar on it and a link from one
 /// to the other. The bar is welded to the plate or shares two points with it.
-fn doubled_body(random: &mut Random, is_welded: bool, order: usize) -> (Draft, Draft) {
+fn doubled_body(random: &mut Random, is_welded: bool, order: usize) -> (LinkageSpec, LinkageSpec) {
     let base = turned(random.within(0.0, TAU), random.within(1.5, 3.0));
     let arm = turned(random.within(0.0, TAU), random.within(0.4, 1.2));
     let aside = turned(random.within(0.0, TAU), random.within(0.5, 1.5));
-    let draft = Draft::default().point("A", 0.0, 0.0);
+    let draft = LinkageSpec::default().point("A", 0.0, 0.0);
     let draft = with(draft, "D", base);
     let draft = with(draft, "B", arm);
     let draft = with(draft, "C", base + arm);
@@ -570,7 +570,7 @@ fn spoiled_ones_are_refused() {
 }
 
 /// Whether the cranks are drawn within half a degree of a pose in line with their pivots, if they are cranks on a rod.
-fn is_in_line(draft: &Draft) -> bool {
+fn is_in_line(draft: &LinkageSpec) -> bool {
     let place = |name: &str| draft.points.iter().find(|point| point.name == name);
     let [Some(a), Some(b), Some(c)] = ["A0", "A1", "B0"].map(place) else {
         return false;
@@ -604,7 +604,7 @@ fn nearly_exact_ones_are_made_exact() {
             // Near a singular pose more than the last digit has to change.
             let most = NEARLY * size(&draft);
             assert!(exact.by <= most, "{name} {seed}: {}", exact.by);
-            let motion = Motion::new(Mechanism::new(&exact.draft).unwrap());
+            let motion = Motion::new(Mechanism::new(&exact.spec).unwrap());
             assert_eq!(motion.cycle().is_full(), family.turns, "{name} {seed}");
         }
     }
@@ -614,7 +614,7 @@ fn nearly_exact_ones_are_made_exact() {
 #[test]
 fn unequal_cranks_are_mobile_for_an_instant() {
     let cranks = |turns: [f64; 3]| {
-        let mut draft = Draft::default();
+        let mut draft = LinkageSpec::default();
         for (k, (length, turn)) in [1.0, 1.2, 0.8].into_iter().zip(turns).enumerate() {
             let (x, y) = (2.0 * k as f64, 0.3 * k as f64);
             let end = [x + length * f64::cos(turn), y + length * f64::sin(turn)];
@@ -685,7 +685,7 @@ fn a_drawing_near_in_line_is_made_exact() {
     }
     let exact = draft.made_exact().unwrap();
     assert!(exact.by <= 1e-3, "{}", exact.by);
-    let motion = Motion::new(Mechanism::new(&exact.draft).unwrap());
+    let motion = Motion::new(Mechanism::new(&exact.spec).unwrap());
     assert!(motion.cycle().is_full());
 }
 
@@ -747,7 +747,7 @@ fn change_points_at_the_beginning_of_a_turn_are_found() {
         for _ in 0..scaled(100) {
             let base = Vector::new(random.within(1.5, 3.5) * scale, 0.0);
             let arm = turned(random.within(0.1, 3.0), random.within(0.4, 1.2) * scale);
-            let draft = with(Draft::default().point("A", 0.0, 0.0), "D", base);
+            let draft = with(LinkageSpec::default().point("A", 0.0, 0.0), "D", base);
             let draft = with(with(draft, "B", arm), "C", base + arm)
                 .fixed(&["A", "D"])
                 .bar("crank", &["A", "B"])

@@ -11,11 +11,11 @@ use crate::{Failure, source};
 /// No such name or file; a drawing that moves already, or that no small change lets move; what cannot be written.
 pub(crate) fn write(out: &mut impl Write, name: &Name) -> Result<(), Failure> {
     let document = source::linkage(name)?;
-    let Some(exact) = document.draft().made_exact() else {
+    let Some(exact) = document.spec().made_exact() else {
         let said = "it moves as it is drawn, or no change of its points by a thousandth of its size lets it move";
         return Err(Failure::Input(format!("{name}: {said}")));
     };
-    serde_json::to_writer_pretty(&mut *out, &document.redrawn(&exact.draft))
+    serde_json::to_writer_pretty(&mut *out, &document.redrawn(&exact.spec))
         .map_err(io::Error::from)?;
     writeln!(out)?;
     // With standard error gone there is nobody left to tell.

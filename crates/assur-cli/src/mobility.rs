@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use assur::mobility::{Cut, Generic, Scheme, Sections, Space, Verdict};
+use assur::mobility::{Cut, Generic, RankReport, Scheme, Sections, Space};
 use assur_file::{KindDocument, Problem, SchemeProblem};
 use serde_json::{Map, Value, json};
 
@@ -64,7 +64,7 @@ pub(crate) fn write(
     };
     let sections = scheme.sections(&cuts).map_err(refuse)?;
     let mut told = counted(&scheme, &sections);
-    told.append(&mut judged(&scheme));
+    told.append(&mut rank_report(&scheme));
     if as_json {
         writeln!(out, "{:#}", Value::Object(told))?;
         return Ok(());
@@ -154,15 +154,15 @@ fn counted(scheme: &Scheme, sections: &Sections) -> Map<String, Value> {
 
 /// What the rank tells: in the plane of planar schemes, and in space. All is null where places, axes or forms of
 /// pairs are missing.
-fn judged(scheme: &Scheme) -> Map<String, Value> {
+fn rank_report(scheme: &Scheme) -> Map<String, Value> {
     let own = if scheme.is_planar() {
         Space::Plane
     } else {
         Space::Whole
     };
-    let space = scheme.judged(Space::Whole).ok();
-    let verdict = scheme.judged(own).ok();
-    let parts = |verdict: &Option<Verdict>| {
+    let space = scheme.rank_report(Space::Whole).ok();
+    let verdict = scheme.rank_report(own).ok();
+    let parts = |verdict: &Option<RankReport>| {
         verdict.as_ref().map(|verdict| {
             let parts = verdict
                 .redundancies
@@ -171,8 +171,9 @@ fn judged(scheme: &Scheme) -> Map<String, Value> {
             parts.collect::<Vec<_>>()
         })
     };
-    let redundant =
-        |verdict: &Verdict| -> usize { verdict.redundancies.iter().map(|part| part.count).sum() };
+    let redundant = |verdict: &RankReport| -> usize {
+        verdict.redundancies.iter().map(|part| part.count).sum()
+    };
     let idle = verdict.as_ref().map(|verdict| {
         let idle = verdict.idle.iter().map(|links| {
             links

@@ -6,7 +6,7 @@ use std::io::{self, Read, Write};
 
 use assur::circuits::NoAssembly;
 use assur::mechanism::{FRAME, LinkId, Mechanism, Quantity};
-use assur::mobility::{Cut, Scheme, SchemeDraft};
+use assur::mobility::{Cut, Scheme, SchemeSpec};
 use assur::motion::Motion;
 use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, SchemeProblem};
 use assur_import::Imported;
@@ -83,7 +83,7 @@ fn moving(name: &Name, whole: &Document) -> Result<Moved, Failure> {
             Failure::Input(said) if can_be_assembled(&document) => {
                 Failure::Input(format!("{said}\n{name}: {ASSEMBLE}"))
             }
-            Failure::Input(said) => match document.draft().made_exact() {
+            Failure::Input(said) => match document.spec().made_exact() {
                 Some(exact) => Failure::Input(format!(
                     "{said}\n{name}: its redundant constraints nearly hold; `assur structure --make-exact` writes the drawing \
                      for which they do (point {} moves by {:.2e})",
@@ -252,11 +252,11 @@ pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
             let pose = motion.pose::<1>(motion.drawn_input()).map_err(|reason| {
                 refuse(vec![LinkageProblem::unsolved(&reason, mechanism).into()])
             })?;
-            SchemeDraft::of(mechanism, &pose)
+            SchemeSpec::of(mechanism, &pose)
         }
         Err(problems) => {
             document.check().map_err(refuse)?;
-            let draft = SchemeDraft::of_drawing(&document.draft());
+            let draft = SchemeSpec::of_drawing(&document.spec());
             let draft = draft.map_err(|defects| refuse(LinkageProblem::all(defects)))?;
             unmoved(name, &problems)?;
             draft

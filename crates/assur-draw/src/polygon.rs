@@ -216,11 +216,11 @@ impl Drawing {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assur::mechanism::{Draft, Mechanism};
+    use assur::mechanism::{LinkageSpec, Mechanism};
     use assur::motion::{Input, Motion};
 
     fn four_bar() -> Motion {
-        let draft = Draft::default()
+        let draft = LinkageSpec::default()
             .point("A", 0.0, 0.0)
             .point("B", 1.0, 0.0)
             .point("C", 3.0, 2.0)

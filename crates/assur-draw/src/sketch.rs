@@ -1,6 +1,6 @@
 //! A linkage that is being drawn, where it stands: nothing of it need fit together.
 
-use assur::mechanism::{Draft, DraftLink, DraftSlide, FRAME};
+use assur::mechanism::{FRAME, LinkSpec, LinkageSpec, SlideSpec};
 use assur::{Point, Vector};
 
 use crate::list::{List, Look, Role};
@@ -54,7 +54,7 @@ impl Default for SketchView {
 /// A draft as a drawing. All of it is in the coordinates of the frame.
 #[derive(Clone, Debug)]
 pub struct Sketch {
-    draft: Draft,
+    draft: LinkageSpec,
     roles: Vec<Role>,
     names: Vec<String>,
     handles: Vec<(String, Role, Point)>,
@@ -77,7 +77,7 @@ struct Wheel {
 
 impl Sketch {
     /// The drawing of a draft. Things that it names and has not are passed over.
-    pub fn new(draft: &Draft, view: &SketchView) -> Self {
+    pub fn new(draft: &LinkageSpec, view: &SketchView) -> Self {
         let bounds = bounds(draft, SHEET.map(|side| side * view.sheet));
         let mut sketch = Self {
             roles: roles(draft, view),
@@ -168,7 +168,7 @@ impl Sketch {
     }
 
     /// Whether a link is a wheel alone, without a bar or a block.
-    fn is_wheel(&self, link: &DraftLink) -> bool {
+    fn is_wheel(&self, link: &LinkSpec) -> bool {
         let mut slides = self.draft.slides.iter();
         link.points.len() == 1 && !slides.any(|slide| slide.link == link.name)
     }
@@ -181,7 +181,7 @@ impl Sketch {
     }
 
     /// The corners of a link, without its centre of mass.
-    fn corners(&self, link: &DraftLink) -> Vec<Point> {
+    fn corners(&self, link: &LinkSpec) -> Vec<Point> {
         let centre = |name: &&String| link.centre_of_mass.as_ref() != Some(name);
         let own = link.points.iter().filter(centre);
         own.filter_map(|name| self.place(name)).collect()
@@ -229,7 +229,7 @@ impl Sketch {
     }
 
     /// The ends of a slide's line, where they are apart.
-    fn line(&self, slide: &DraftSlide) -> Option<[Point; 2]> {
+    fn line(&self, slide: &SlideSpec) -> Option<[Point; 2]> {
         let [from, to] = [self.place(&slide.line[0])?, self.place(&slide.line[1])?];
         ((to - from).norm() > 0.0).then_some([from, to])
     }
@@ -319,7 +319,7 @@ impl Sketch {
     fn draw_points(&mut self) {
         let u = self.unit;
         for point in &self.draft.points {
-            let links: Vec<&DraftLink> = (self.draft.links.iter())
+            let links: Vec<&LinkSpec> = (self.draft.links.iter())
                 .filter(|link| link.points.contains(&point.name))
                 .collect();
             let frame = self.draft.frame.contains(&point.name);
@@ -334,7 +334,7 @@ impl Sketch {
             let role = links
                 .first()
                 .map_or(Role::Ink, |link| self.role(&link.name));
-            let centre = |link: &&DraftLink| link.centre_of_mass.as_ref() == Some(&point.name);
+            let centre = |link: &&LinkSpec| link.centre_of_mass.as_ref() == Some(&point.name);
             if links.iter().all(centre) && !links.is_empty() {
                 crate::overlays::mass(&mut self.list, point.at, u);
             } else if links.len() + usize::from(frame) > 1 {
@@ -383,7 +383,7 @@ impl Sketch {
 }
 
 /// Of a driven link the crank's colour, else one after the other; of what is told in colour that.
-fn roles(draft: &Draft, view: &SketchView) -> Vec<Role> {
+fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
     let driven = |name: &str| {
         draft
             .drivers
@@ -391,7 +391,7 @@ fn roles(draft: &Draft, view: &SketchView) -> Vec<Role> {
             .any(|driver| draft.driven(driver) == Some(name))
     };
     let mut turn = ROLES.into_iter().cycle();
-    let role = |link: &DraftLink| {
+    let role = |link: &LinkSpec| {
         let own = if driven(&link.name) {
             Role::Crank
         } else {
@@ -409,7 +409,7 @@ fn roles(draft: &Draft, view: &SketchView) -> Vec<Role> {
 }
 
 /// The rectangle around all points, with room; a sheet where there are too few.
-fn bounds(draft: &Draft, sheet: [f64; 4]) -> [f64; 4] {
+fn bounds(draft: &LinkageSpec, sheet: [f64; 4]) -> [f64; 4] {
     let places = draft.points.iter().map(|point| point.at.coords);
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {

@@ -1,7 +1,7 @@
 //! Drawings of any linkage: whole lists, bodies where the engine has them.
 
 use assur::Point;
-use assur::mechanism::{Draft, DraftDriver, Mechanism, Quantity};
+use assur::mechanism::{DriverSpec, LinkageSpec, Mechanism, Quantity};
 use assur::motion::{Input, Motion};
 use assur_draw::chart::Settings;
 use assur_draw::svg::Svg;
@@ -11,8 +11,8 @@ use crate::records::records;
 
 /// An offset slider-crank with a plate as rod, on whose point a block of a lever
 /// slides.
-fn draft() -> Draft {
-    Draft::default()
+fn draft() -> LinkageSpec {
+    LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.5, 0.8)
         .point("C", 3.2, 0.3)
@@ -103,8 +103,8 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
 }
 
 /// A four-bar without a link that turns fully.
-fn triple_rocker() -> Draft {
-    Draft::default()
+fn triple_rocker() -> LinkageSpec {
+    LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.3, 0.52)
         .point("C", 1.05, 0.2)
@@ -349,7 +349,7 @@ fn blocks_stand_on_their_guides() {
 /// are channels, open where they do.
 #[test]
 fn yokes_have_slots_and_crossing_ways_are_channels() {
-    let yoke = Draft::default()
+    let yoke = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 0.5, 0.75)
         .point("S", 0.5, 1.5)
@@ -382,7 +382,7 @@ fn yokes_have_slots_and_crossing_ways_are_channels() {
         [paper_role, paper_role, role]
     );
 
-    let mut trammel = Draft::default()
+    let mut trammel = LinkageSpec::default()
         .point("A", 1.5, 0.0)
         .point("B", 0.0, 1.3)
         .point("E", -3.0, 0.0)
@@ -395,7 +395,7 @@ fn yokes_have_slots_and_crossing_ways_are_channels() {
         .bar("rod", &["A", "B"])
         .slide("level", "A", "frame", ["E", "F"])
         .slide("upright", "B", "frame", ["G", "H"]);
-    trammel.drivers.push(DraftDriver::Crank {
+    trammel.drivers.push(DriverSpec::Crank {
         link: "rod".to_owned(),
         base: "level".to_owned(),
         rate: 1.0,
@@ -517,7 +517,7 @@ fn what_drives_has_an_arrow() {
         assert!((tip - middle).norm() < 1e-6, "{k}: {tip}");
     }
     let mut driven = draft();
-    driven.drivers = vec![DraftDriver::Slide {
+    driven.drivers = vec![DriverSpec::Slide {
         slide: 0,
         range: [2.0, 2.3],
         rate: 1.0,
@@ -538,8 +538,8 @@ fn what_drives_has_an_arrow() {
 }
 
 /// Watt's line: its rocker goes from −75° to 34°.
-fn rocker() -> Draft {
-    Draft::default()
+fn rocker() -> LinkageSpec {
+    LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 4.0, 0.0)
         .point("C", 4.0, -3.0)
@@ -579,7 +579,7 @@ fn negative_angles_go_the_other_way() {
 /// With the letters of the paper on the combined method its sides and corners are named, and no other vector is drawn.
 #[test]
 fn letters_of_the_combined_method() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("H", 0.0, 0.0)
         .point("G", 2.0, 0.0)
         .point("L", 1.0, 3.0)

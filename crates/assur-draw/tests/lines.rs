@@ -1,7 +1,7 @@
 //! What lecturers draw over a linkage, in numbers: instant centres with Kennedy's lines, centrodes, circles.
 
 use assur::Point;
-use assur::mechanism::{Draft, Mechanism};
+use assur::mechanism::{LinkageSpec, Mechanism};
 use assur::motion::Motion;
 use assur_draw::{Figure, Lines, Role, View};
 
@@ -39,7 +39,7 @@ fn in_role(records: &[Vec<f32>], kind: f32, role: Role) -> Vec<Vec<f32>> {
 }
 
 fn four_bar() -> Motion {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 1.0, 1.0)
         .point("C", 3.0, 2.0)
@@ -139,7 +139,7 @@ fn everywhere_something_finite() {
 #[test]
 fn circles_of_a_trammel() {
     let (sin, cos) = 0.6_f64.sin_cos();
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("O", 0.0, 0.0)
         .point("X", 5.0, 0.0)
         .point("M", cos, sin)

@@ -74,7 +74,7 @@ impl Advice {
     /// What is wrong with single fields.
     pub fn of(document: &LinkageDocument) -> Result<Option<Self>, Vec<Problem>> {
         checked(document)?;
-        let draft = document.draft();
+        let draft = document.spec();
         let Err(defects) = Mechanism::new(&draft) else {
             return Ok(None);
         };
@@ -103,7 +103,7 @@ impl Advice {
 /// The edits after which it moves, of those that a person would try; where there are none, those after which one more
 /// lets it.
 fn mends(document: &LinkageDocument) -> Vec<Mend> {
-    if let Some(exact) = document.draft().made_exact() {
+    if let Some(exact) = document.spec().made_exact() {
         let (point, by) = (exact.point, exact.by);
         return vec![Mend::Exact { point, by }];
     }
@@ -125,7 +125,7 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
         })
     };
     // Of what has no freedom a link goes first; anything else is driven or fixed first.
-    let mobility = document.draft().counts().map(|counts| counts.mobility);
+    let mobility = document.spec().counts().map(|counts| counts.mobility);
     let rigid = document.drivers.is_empty() && mobility.is_ok_and(|mobility| mobility <= 0);
     let adding = all.iter().filter(|mend| match mend {
         Mend::Remove(_) => rigid,
@@ -147,12 +147,12 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
 /// Whether a drawing moves after an edit.
 fn moves(document: &LinkageDocument, mend: &Mend) -> bool {
     let after = edited(document, &mend.edit());
-    after.is_ok_and(|after| Mechanism::new(&after.document.draft()).is_ok())
+    after.is_ok_and(|after| Mechanism::new(&after.document.spec()).is_ok())
 }
 
 /// The edits that are tried.
 fn tried(document: &LinkageDocument) -> Vec<Mend> {
-    let draft = document.draft();
+    let draft = document.spec();
     let driven: Vec<&str> = (draft.drivers.iter())
         .filter_map(|driver| draft.driven(driver))
         .collect();

@@ -104,8 +104,8 @@ impl Drawing {
 
     /// Puts the points where redundant constraints hold, if the drawing is near enough to that.
     fn make_exact(&mut self) {
-        if let Some(exact) = self.document.draft().made_exact() {
-            for (point, exact) in self.document.points.iter_mut().zip(exact.draft.points) {
+        if let Some(exact) = self.document.spec().made_exact() {
+            for (point, exact) in self.document.points.iter_mut().zip(exact.spec.points) {
                 point.at = exact.at.into();
             }
         }

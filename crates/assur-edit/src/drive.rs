@@ -92,7 +92,7 @@ impl Drawing {
         };
         let freedoms = self
             .document
-            .draft()
+            .spec()
             .counts()
             .map_or(1, |counts| counts.mobility);
         let drivers = &mut self.document.drivers;

@@ -60,7 +60,7 @@ fn refused(document: &LinkageDocument, edit: &Edit) -> LinkageProblem {
 
 #[track_caller]
 fn formula(document: &LinkageDocument) -> String {
-    let mechanism = Mechanism::new(&document.draft());
+    let mechanism = Mechanism::new(&document.spec());
     let mechanism = mechanism.unwrap_or_else(|defects| panic!("{defects:?}"));
     mechanism.formula()
 }
@@ -462,7 +462,7 @@ fn what_is_pasted_moves_alike() {
     );
     let names: Vec<&str> = both.links.iter().map(|link| link.name.as_str()).collect();
     assert_eq!(names, ["AB", "BC", "CD", "EF", "FG", "GH"]);
-    let motion = Motion::new(Mechanism::new(&both.draft()).unwrap());
+    let motion = Motion::new(Mechanism::new(&both.spec()).unwrap());
     let mechanism = motion.mechanism();
     for k in 0..36 {
         let input = motion.drawn_input() + f64::from(k) * 0.17;
@@ -584,7 +584,7 @@ fn numbers_are_set() {
     let [x, y] = place("E");
     assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
     let mechanism =
-        Mechanism::new(&done(&drawn, &[Edit::Drive { link: text("ABE") }]).draft()).unwrap();
+        Mechanism::new(&done(&drawn, &[Edit::Drive { link: text("ABE") }]).spec()).unwrap();
     let motion = Motion::new(mechanism);
     let pose = motion.pose::<1>(motion.drawn_input()).unwrap();
     let traced = motion.mechanism().point("P1").unwrap();

@@ -1,7 +1,7 @@
 //! The saved form of a linkage: what is read is what was meant, and what is broken
 //! says where.
 
-use assur::mechanism::Draft;
+use assur::mechanism::LinkageSpec;
 use assur::motion::Motion;
 use assur_file::{LinkageDocument, Problem, catalogue, from_catalogue, from_text};
 use serde_json::{Value, json};
@@ -58,7 +58,7 @@ fn round_trip() {
     // By the draft all but what is only shown.
     let mut bare = document.clone();
     (bare.title, bare.plots, bare.traces) = (None, Vec::new(), Vec::new());
-    assert_eq!(LinkageDocument::new(&document.draft()), bare);
+    assert_eq!(LinkageDocument::new(&document.spec()), bare);
 }
 
 #[test]
@@ -264,14 +264,14 @@ fn defects_name_their_parts() {
 
 #[test]
 fn a_draft_is_written_as_it_is() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 1.0, 0.0)
         .fixed(&["A"])
         .bar("crank", &["A", "B"])
         .crank("crank");
     let document = LinkageDocument::new(&draft);
-    assert_eq!(document.draft(), draft);
+    assert_eq!(document.spec(), draft);
     let text = serde_json::to_value(&document).unwrap();
     assert_eq!(text["drivers"], json!([{"crank": "crank"}]));
     assert_eq!(

@@ -86,7 +86,7 @@ fn a_draft_is_written_and_read_alike() {
             unreachable!("{name}");
         };
         let scheme = document.scheme().unwrap();
-        let written = SchemeDocument::new(&scheme.draft());
+        let written = SchemeDocument::new(&scheme.spec());
         let value = serde_json::to_value(&written).unwrap();
         let read: SchemeDocument = serde_json::from_value(value).unwrap();
         assert_eq!(read, written, "{name}");

@@ -151,7 +151,7 @@ impl Design {
 
     /// The document with the best linkage so far.
     fn redrawn(&self) -> Redrawn {
-        Redrawn::of(self.search.mechanism().draft())
+        Redrawn::of(self.search.mechanism().spec())
     }
 }
 

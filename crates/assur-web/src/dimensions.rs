@@ -46,7 +46,7 @@ fn stepped(range: [f64; 2]) -> ([f64; 2], f64) {
 impl<'a> DimensionSummary<'a> {
     pub(crate) fn all(moving: &'a Moving) -> Vec<Self> {
         let mechanism = moving.mechanism();
-        let links = &mechanism.draft().links;
+        let links = &mechanism.spec().links;
         let of_link = |kind, link: LinkId, ends: &[usize]| {
             let points = ends.iter().map(|end| &*links[link.index()].points[*end]);
             let name = mechanism.link_name(link);
@@ -65,7 +65,7 @@ impl<'a> DimensionSummary<'a> {
         };
         let of_slide = |slide: SlideId| {
             let index = slide.index();
-            let slide = &mechanism.draft().slides[index];
+            let slide = &mechanism.spec().slides[index];
             let role = mechanism
                 .link(&slide.link)
                 .map_or(Role::Secondary, |link| moving.figure().role(link));

@@ -265,8 +265,8 @@ impl<'a> MotionSummary<'a> {
         });
         let transmissions = motion.transmissions().into_iter();
         let transmissions = transmissions.map(|dyad| TransmissionSummary {
-            what: dyad.quantity.what(),
-            joint: dyad.quantity.whose(mechanism).into_owned(),
+            what: dyad.quantity.kind_name(),
+            joint: dyad.quantity.subject(mechanism).into_owned(),
             links: dyad.links.map(|one| link(Some(one))),
             worst: dyad.worst.map(|worst| worst.angle),
             input: dyad.worst.map(|worst| worst.input),
@@ -339,7 +339,7 @@ impl<'a> MotionSummary<'a> {
 
 impl<'a> ListedSummary<'a> {
     fn new(moving: &'a Moving, quantity: Quantity) -> Self {
-        let (mechanism, what) = (moving.mechanism(), quantity.what());
+        let (mechanism, what) = (moving.mechanism(), quantity.kind_name());
         let named = |points: &[PointId]| {
             let names = points.iter().map(|point| mechanism.point_name(*point));
             names.collect()

@@ -176,7 +176,7 @@ impl SweepDimension {
         let Ok(pose) = motion.pose::<1>(motion.drawn_input()) else {
             return Vec::new();
         };
-        let draft = mechanism.draft();
+        let draft = mechanism.spec();
         let place = |name: &String| {
             let point = mechanism.point(name)?;
             Some(mechanism.place(&pose, point).place())
@@ -210,7 +210,10 @@ impl SweepDimension {
 impl SweepColumn {
     fn of(mechanism: &Mechanism, column: Column) -> Self {
         let Column { quantity, order } = column;
-        let (kind, of) = (quantity.what(), quantity.whose(mechanism).into_owned());
+        let (kind, of) = (
+            quantity.kind_name(),
+            quantity.subject(mechanism).into_owned(),
+        );
         Self {
             name: column.name(mechanism),
             quantity: Some(SweepQuantity { kind, of, order }),

@@ -49,14 +49,14 @@ fn the_notes_for_teachers_have_the_numbers_of_the_engine() {
 
     // Task 2: the same is said of the tilted axis.
     let tilted = scheme("tilted");
-    let mut skew = tilted.draft();
+    let mut skew = tilted.spec();
     let tilts = [[0.3, 0.1], [-0.2, 0.4], [0.1, -0.5], [0.6, 0.2]];
     for (pair, [x, y]) in skew.pairs.iter_mut().zip(tilts) {
         pair.axis = Some(Vector3::new(x, y, 1.0));
     }
     for scheme in [tilted, Scheme::new(&skew).unwrap()] {
         let count = signed(scheme.counts().spatial);
-        let verdict = scheme.judged(Space::Whole).unwrap();
+        let verdict = scheme.rank_report(Space::Whole).unwrap();
         let by_rank = format!(
             "by rank W = {} and q = {}",
             verdict.mobility,
@@ -67,7 +67,7 @@ fn the_notes_for_teachers_have_the_numbers_of_the_engine() {
         says(format!("gives q = 0; {by_rank}: the four-bar is locked"));
     }
     let balls = scheme("rssr");
-    let verdict = balls.judged(Space::Whole).unwrap();
+    let verdict = balls.rank_report(Space::Whole).unwrap();
     assert_eq!(
         (verdict.mobility, redundant(&verdict), verdict.idle.len()),
         (2, 0, 1)
@@ -76,7 +76,7 @@ fn the_notes_for_teachers_have_the_numbers_of_the_engine() {
 
     // Task 3.
     let layout = scheme("layout");
-    let verdict = layout.judged(Space::Whole).unwrap();
+    let verdict = layout.rank_report(Space::Whole).unwrap();
     let [part] = &verdict.redundancies[..] else {
         panic!("{verdict:?}");
     };
@@ -92,10 +92,10 @@ fn the_notes_for_teachers_have_the_numbers_of_the_engine() {
         verdict.mobility,
         part.count
     ));
-    let mut mended = layout.draft();
+    let mut mended = layout.spec();
     mended.pairs[layout.pair("E").unwrap()].kind = PairKind::Cylindrical;
     let mended = Scheme::new(&mended).unwrap();
-    let verdict = mended.judged(Space::Whole).unwrap();
+    let verdict = mended.rank_report(Space::Whole).unwrap();
     says(format!(
         "the count gives W = {} as well, and q = {}",
         mended.counts().spatial,
@@ -116,5 +116,8 @@ fn the_notes_for_teachers_have_the_numbers_of_the_engine() {
     says(format!(
         "W = 6·{n} − 5·{p} = {spatial} by the count, and q = {q}"
     ));
-    assert_eq!(redundant(&press.judged(Space::Whole).unwrap()) as isize, q);
+    assert_eq!(
+        redundant(&press.rank_report(Space::Whole).unwrap()) as isize,
+        q
+    );
 }

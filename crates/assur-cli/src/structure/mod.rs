@@ -222,7 +222,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
 
 /// What is driven, and at which rates to the first.
 fn drivers(mechanism: &Mechanism) -> Vec<Value> {
-    let draft = mechanism.draft();
+    let draft = mechanism.spec();
     let drivers = draft.drivers.iter();
     let drivers =
         drivers.map(|driver| json!({"link": draft.driven(driver), "rate": driver.rate()}));

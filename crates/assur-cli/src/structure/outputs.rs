@@ -29,8 +29,8 @@ pub(super) fn described(moved: &Moved) -> Map<String, Value> {
     });
     let transmissions = motion.transmissions().into_iter().map(|dyad| {
         let mut told = json!({
-            "joint": dyad.quantity.whose(mechanism),
-            "what": dyad.quantity.what(),
+            "joint": dyad.quantity.subject(mechanism),
+            "what": dyad.quantity.kind_name(),
             "links": dyad.links.map(|link| mechanism.link_name(link)),
             "worst_deg": dyad.worst.map(|worst| worst.angle.to_degrees()),
         });

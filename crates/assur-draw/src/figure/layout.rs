@@ -1,6 +1,6 @@
 //! Which points are joints, which links are drawn how.
 
-use assur::mechanism::{DraftSlide, FRAME, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
+use assur::mechanism::{FRAME, LinkId, LinkOrFrame, Mechanism, PointId, Pose, SlideSpec};
 use assur::{Point, Vector};
 
 use super::{View, roles};
@@ -53,7 +53,7 @@ impl Layout {
         let points = mechanism.point_ids();
         let points = points.map(|point| pinned(mechanism, home, view, point));
         let roles = roles::own(mechanism, &view.annotations);
-        let links = mechanism.draft().links.iter();
+        let links = mechanism.spec().links.iter();
         let mut layout = Self {
             drawn_roles: if view.overlays.groups {
                 roles::of_groups(mechanism)
@@ -83,7 +83,7 @@ impl Layout {
             .copied()
             .filter(|point| self.is_joint(*point) || !self.is_centre(*point))
             .collect();
-        let fixed = mechanism.draft().links[link.index()].fixed_to.is_some();
+        let fixed = mechanism.spec().links[link.index()].fixed_to.is_some();
         let listed = |point: &PointId| self.link_of(*point) != Some(link);
         if fixed && own.iter().all(listed) {
             return Vec::new();
@@ -219,7 +219,7 @@ impl Layout {
 }
 
 fn pinned(mechanism: &Mechanism, home: &Pose<1>, view: &View, point: PointId) -> Pinned {
-    let draft = mechanism.draft();
+    let draft = mechanism.spec();
     let mut links = lists(mechanism, point);
     let mut bodies: Vec<LinkOrFrame> = Vec::new();
     if is_fixed(mechanism, point) {
@@ -251,7 +251,7 @@ fn pinned(mechanism: &Mechanism, home: &Pose<1>, view: &View, point: PointId) ->
     let fixed = |link: LinkId| mechanism.root_of(link) != Some(link);
     let pivot = pivots.min_by_key(|(link, _)| fixed(*link));
     let name = mechanism.point_name(point);
-    let slotted = |slide: &DraftSlide| {
+    let slotted = |slide: &SlideSpec| {
         slide.line.iter().any(|end| end == name) && slides(mechanism, &slide.on)
     };
     let mut centres = draft
@@ -287,7 +287,7 @@ fn lists(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
 
 /// Whether a link slides on anything.
 pub(super) fn slides(mechanism: &Mechanism, link: &str) -> bool {
-    let mut slides = mechanism.draft().slides.iter();
+    let mut slides = mechanism.spec().slides.iter();
     slides.any(|slide| slide.link == link)
 }
 
@@ -296,7 +296,7 @@ fn is_fixed(mechanism: &Mechanism, point: PointId) -> bool {
     match mechanism.tracer(point) {
         Some(tracer) => tracer.link == FRAME,
         None => {
-            let mut frame = mechanism.draft().frame.iter();
+            let mut frame = mechanism.spec().frame.iter();
             frame.any(|name| name == mechanism.point_name(point))
         }
     }

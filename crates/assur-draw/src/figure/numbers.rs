@@ -100,10 +100,10 @@ fn place(mechanism: &Mechanism, layout: &Layout, home: &Pose<1>, link: LinkId) -
     sort_by(&mut ways, f64::total_cmp);
     let parts = ways.windows(2).map(|part| [part[0], part[1]]);
     let [start, end] = parts.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
-    let drivers = &mechanism.draft().drivers;
+    let drivers = &mechanism.spec().drivers;
     let mut driven = drivers
         .iter()
-        .filter_map(|driver| mechanism.draft().driven(driver));
+        .filter_map(|driver| mechanism.spec().driven(driver));
     let drives = driven.any(|name| name == mechanism.link_name(link));
     let ends = [start, end].map(|way| from + along * way);
     let on = Place::On(ends[0] + (ends[1] - ends[0]) * MIDDLE);

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use assur::mechanism::{
-    DraftDriver, LinkId, LinkOrFrame, Mechanism, PointId, Pose, Quantity, RrrDyad,
+    DriverSpec, LinkId, LinkOrFrame, Mechanism, PointId, Pose, Quantity, RrrDyad,
 };
 use assur::motion::{Motion, Sampling, Shown, Spacing};
 use assur::{JetPoint, Point, Vector};
@@ -213,7 +213,7 @@ impl InputArc {
     ) -> Option<Self> {
         let mechanism = motion.mechanism();
         let symbol = view.annotations.input.as_ref()?;
-        let Some(DraftDriver::Crank { link, base, .. }) = mechanism.draft().drivers.first() else {
+        let Some(DriverSpec::Crank { link, base, .. }) = mechanism.spec().drivers.first() else {
             return None;
         };
         let (link, base) = (mechanism.link(link)?, mechanism.link(base));

@@ -1,6 +1,6 @@
 //! Which colour each link has.
 
-use assur::mechanism::{DraftLink, LinkId, Mechanism};
+use assur::mechanism::{LinkId, LinkSpec, Mechanism};
 use assur::structure::{Step, Structure};
 
 use crate::annotations::Annotations;
@@ -19,7 +19,7 @@ const ROLES: [Role; 6] = [
 /// The colour that is noted for a link; else the driven link is a crank by its
 /// colour, the others take theirs in turn, and what is fixed to a link has its.
 pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role> {
-    let draft = mechanism.draft();
+    let draft = mechanism.spec();
     let driven = |name: &String| {
         let mut drivers = draft.drivers.iter();
         drivers.any(|driver| draft.driven(driver) == Some(name))
@@ -29,7 +29,7 @@ pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role>
         roles.find(|(link, _)| link == name).map(|(_, role)| *role)
     };
     let mut turn = ROLES.into_iter().cycle();
-    let mut first = |link: &DraftLink| {
+    let mut first = |link: &LinkSpec| {
         noted(&link.name).unwrap_or_else(|| {
             if link.fixed_to.is_some() {
                 Role::Secondary
@@ -42,7 +42,7 @@ pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role>
     };
     let roles: Vec<Role> = draft.links.iter().map(&mut first).collect();
     let links = mechanism.link_ids().zip(&draft.links);
-    let role = |(link, of): (LinkId, &DraftLink)| {
+    let role = |(link, of): (LinkId, &LinkSpec)| {
         let root = mechanism.root_of(link);
         noted(&of.name).unwrap_or(root.map_or(Role::Secondary, |root| roles[root.index()]))
     };

@@ -1,6 +1,6 @@
 //! Blocks and the guides they slide on; the ground that legs stand on.
 
-use assur::mechanism::{DraftDriver, DraftSlide, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
+use assur::mechanism::{DriverSpec, LinkId, LinkOrFrame, Mechanism, PointId, Pose, SlideSpec};
 use assur::{Point, Vector, nearest};
 
 use super::View;
@@ -66,11 +66,11 @@ pub(super) fn guides(
     runs: &[Run],
     view: &View,
 ) -> Vec<Guide> {
-    let driver = match mechanism.draft().drivers.first() {
-        Some(DraftDriver::Slide { slide, .. }) if view.annotations.input.is_some() => Some(*slide),
+    let driver = match mechanism.spec().drivers.first() {
+        Some(DriverSpec::Slide { slide, .. }) if view.annotations.input.is_some() => Some(*slide),
         _ => None,
     };
-    let guide = |(index, slide): (usize, &DraftSlide)| -> Option<Guide> {
+    let guide = |(index, slide): (usize, &SlideSpec)| -> Option<Guide> {
         let link = mechanism.link(&slide.link)?;
         let on = mechanism.link(&slide.on);
         let point = mechanism.point(&slide.point)?;
@@ -117,7 +117,7 @@ pub(super) fn guides(
             driven: driver == Some(index),
         })
     };
-    let slides = mechanism.draft().slides.iter().enumerate();
+    let slides = mechanism.spec().slides.iter().enumerate();
     let mut guides: Vec<Guide> = slides.filter_map(guide).collect();
     let crossing = |guide: &Guide| guides.iter().any(|other| guide.crosses(other));
     let crossing: Vec<bool> = guides.iter().map(crossing).collect();

@@ -2,7 +2,7 @@
 //! mesh. A wheel is drawn on its link; an idler is a body of its own.
 
 use assur::gears::{GearPair, Mesh, Wheel};
-use assur::mechanism::{DraftGear, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
+use assur::mechanism::{GearSpec, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 use assur::{Point, Vector};
 
 use super::View;
@@ -75,7 +75,7 @@ impl Drawn {
 
 impl Gearing {
     pub(super) fn new(layout: &Layout, mechanism: &Mechanism, home: &Pose<1>, view: &View) -> Self {
-        let draft = mechanism.draft();
+        let draft = mechanism.spec();
         let mut gearing = Self {
             links: draft.links.len(),
             ..Self::default()
@@ -100,7 +100,7 @@ impl Gearing {
         layout: &Layout,
         mechanism: &Mechanism,
         home: &Pose<1>,
-        gear: &DraftGear,
+        gear: &GearSpec,
     ) -> Option<()> {
         let link = |name: &String| mechanism.link(name);
         let [first, second] = [link(&gear.links[0])?, link(&gear.links[1])?];

@@ -117,7 +117,7 @@ fn no_less(length: f64, digits: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assur::mechanism::{Draft, Mechanism};
+    use assur::mechanism::{LinkageSpec, Mechanism};
 
     /// A four-bar with its crank, coupler and rocker so long, on a frame of 4.
     fn four_bar([crank, c, d]: [f64; 3]) -> Motion {
@@ -126,7 +126,7 @@ mod tests {
         let along = (c * c + diagonal * diagonal - d * d) / (2.0 * diagonal);
         let across = (c * c - along * along).sqrt();
         let (x, y) = (4.0 / diagonal, -crank / diagonal);
-        let draft = Draft::default()
+        let draft = LinkageSpec::default()
             .point("A", 0.0, 0.0)
             .point("B", 0.0, crank)
             .point("C", along * x - across * y, crank + along * y + across * x)

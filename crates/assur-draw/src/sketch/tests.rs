@@ -2,7 +2,7 @@ use super::*;
 
 #[test]
 fn an_empty_sheet_has_room() {
-    let sketch = Sketch::new(&Draft::default(), &SketchView::default());
+    let sketch = Sketch::new(&LinkageSpec::default(), &SketchView::default());
     assert_eq!(sketch.bounds(), SHEET);
     assert_eq!(sketch.frame(), [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     assert!(sketch.link_at(Point::origin()).is_none());
@@ -10,7 +10,7 @@ fn an_empty_sheet_has_room() {
 
 #[test]
 fn links_are_found_and_told_in_colour() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 4.0, 0.0)
         .point("C", 4.0, 3.0)
@@ -35,7 +35,7 @@ fn links_are_found_and_told_in_colour() {
 
 #[test]
 fn damaged_drafts_are_drawn_without_what_is_not_there() {
-    let draft = Draft::default()
+    let draft = LinkageSpec::default()
         .point("A", 1.0, 1.0)
         .point("B", 1.0, 1.0)
         .bar("bar", &["A", "B"])
@@ -51,9 +51,9 @@ fn a_sheet_has_room_for_its_unit() {
         sheet: 20.0,
         ..SketchView::default()
     };
-    let sketch = Sketch::new(&Draft::default(), &view);
+    let sketch = Sketch::new(&LinkageSpec::default(), &view);
     assert_eq!(sketch.bounds(), SHEET.map(|side| 20.0 * side));
-    let one = Draft::default().point("A", 100.0, 50.0);
+    let one = LinkageSpec::default().point("A", 100.0, 50.0);
     let bounds = Sketch::new(&one, &view).bounds();
     assert_eq!(bounds, [-20.0, -30.0, 220.0, 130.0]);
 }
@@ -62,7 +62,7 @@ fn a_sheet_has_room_for_its_unit() {
 /// bar over all.
 #[test]
 fn wheels_are_found_by_their_discs_and_a_ring_by_its_rim() {
-    let mut draft = Draft::default()
+    let mut draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", 4.0, 0.0)
         .bar("carrier", &["A", "B"])
@@ -81,13 +81,13 @@ fn wheels_are_found_by_their_discs_and_a_ring_by_its_rim() {
     assert_eq!(unmeshed.wheel_at(above(4.0, 1.1 * rim)), None);
 
     draft.gears = vec![
-        assur::mechanism::DraftGear {
+        assur::mechanism::GearSpec {
             links: ["sun", "planet"].map(str::to_owned),
             carrier: "carrier".to_owned(),
             teeth: [20.0, 20.0],
             mesh: assur::gears::Mesh::External,
         },
-        assur::mechanism::DraftGear {
+        assur::mechanism::GearSpec {
             links: ["planet", "ring"].map(str::to_owned),
             carrier: "carrier".to_owned(),
             teeth: [20.0, 60.0],

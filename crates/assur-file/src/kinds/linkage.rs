@@ -1,11 +1,11 @@
-//! A linkage as it is saved: the twin of the engine's `Draft` with serde.
+//! A linkage as it is saved: the twin of the engine's `LinkageSpec` with serde.
 //! docs/file-format.md describes it field by field.
 
 mod check;
-mod draft;
 mod problem;
+mod spec;
 
-use assur::mechanism::{Draft, FRAME, LinkId, Mechanism, Quantity};
+use assur::mechanism::{FRAME, LinkId, LinkageSpec, Mechanism, Quantity};
 use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 
@@ -282,7 +282,7 @@ impl LinkageDocument {
     /// that there is not.
     pub fn mechanism(&self) -> Result<Mechanism, Vec<Problem>> {
         self.check()?;
-        let drawn = Mechanism::new(&self.draft()).map_err(LinkageProblem::all)?;
+        let drawn = Mechanism::new(&self.spec()).map_err(LinkageProblem::all)?;
         let Some(number) = self.assembly else {
             return Ok(drawn);
         };
@@ -317,11 +317,11 @@ impl LinkageDocument {
     /// As of [`Self::mechanism`], other than that the drawing does not close. None where there is no assembly.
     pub fn assembled(&self, input: Option<f64>) -> Result<Option<Mechanism>, Vec<Problem>> {
         self.check()?;
-        Mechanism::assembled(&self.draft(), input).map_err(LinkageProblem::all)
+        Mechanism::assembled(&self.spec(), input).map_err(LinkageProblem::all)
     }
 
     /// The same document with the linkage as it is drawn in another pose; no assembly is then named.
-    pub fn redrawn(&self, draft: &Draft) -> Self {
+    pub fn redrawn(&self, draft: &LinkageSpec) -> Self {
         let drawn = Self::new(draft);
         Self {
             points: drawn.points,
@@ -367,7 +367,7 @@ impl LinkageDocument {
     /// The outputs of textbooks: places of sliders on guides of the frame, then angles of links that are hinged on the frame; of a
     /// linkage that has neither the angles of all links. A driven link is none.
     fn usual_outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
-        let draft = self.draft();
+        let draft = self.spec();
         let driven: Vec<&str> = (draft.drivers.iter())
             .filter_map(|driver| draft.driven(driver))
             .collect();

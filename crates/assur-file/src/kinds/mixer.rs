@@ -198,7 +198,7 @@ impl LinkageDocument {
     /// # Errors
     /// Why it cannot be drawn.
     pub fn of_mixer(mixer: &Mixer) -> Result<Self, Problem> {
-        let mut document = Self::new(&mixer.draft()?);
+        let mut document = Self::new(&mixer.spec()?);
         let driven = document.links.iter().map(|link| &link.name);
         let driven = driven.filter(|name| *name == "rocker" || name.starts_with("wheel"));
         document.plots = driven

@@ -1,6 +1,6 @@
 //! Links and pairs without motion, as they are saved: what mobility is counted of.
 
-use assur::mobility::{Cut, PairDraft, PairKind, Point3, Scheme, SchemeDraft, Vector3};
+use assur::mobility::{Cut, PairKind, PairSpec, Point3, Scheme, SchemeSpec, Vector3};
 use serde::{Deserialize, Serialize};
 
 mod problem;
@@ -172,7 +172,7 @@ impl PlaceDocument {
 }
 
 impl PairDocument {
-    fn draft(&self) -> PairDraft {
+    fn spec(&self) -> PairSpec {
         let kind = match self.kind {
             KindDocument::Revolute => PairKind::Revolute,
             KindDocument::Prismatic => PairKind::Prismatic,
@@ -188,7 +188,7 @@ impl PairDocument {
             KindDocument::SphereOnPlane => PairKind::SphereOnPlane,
             KindDocument::Class => PairKind::Class(self.freedoms.unwrap_or(0)),
         };
-        PairDraft {
+        PairSpec {
             name: self.name.clone(),
             kind,
             links: self.links.clone(),
@@ -198,7 +198,7 @@ impl PairDocument {
         }
     }
 
-    fn of(draft: &PairDraft, planar: bool) -> Self {
+    fn of(draft: &PairSpec, planar: bool) -> Self {
         let (pitch, freedoms) = match draft.kind {
             PairKind::Screw { pitch } => (Some(pitch), None),
             PairKind::Class(freedoms) => (None, Some(freedoms)),
@@ -219,7 +219,7 @@ impl PairDocument {
 
 impl SchemeDocument {
     /// The document of a draft, without a cut.
-    pub fn new(draft: &SchemeDraft) -> Self {
+    pub fn new(draft: &SchemeSpec) -> Self {
         let pairs = draft.pairs.iter();
         Self {
             title: None,
@@ -243,10 +243,10 @@ impl SchemeDocument {
     /// Everything that is wrong with it.
     pub fn scheme(&self) -> Result<Scheme, Vec<Problem>> {
         self.check()?;
-        let draft = SchemeDraft {
+        let draft = SchemeSpec {
             ground: self.ground.clone(),
             planar: self.planar,
-            pairs: self.pairs.iter().map(PairDocument::draft).collect(),
+            pairs: self.pairs.iter().map(PairDocument::spec).collect(),
         };
         let scheme = Scheme::new(&draft).map_err(SchemeProblem::all)?;
         let mut strangers = self.ends.iter().map(|end| &end.link);

@@ -297,7 +297,7 @@ impl Synthesis {
     /// # Errors
     /// Why it cannot be drawn.
     pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
-        let draft = self.shown.draft(&self.task).map_err(|error| match error {
+        let draft = self.shown.spec(&self.task).map_err(|error| match error {
             DraftError::Lengths(faults) => faults.into_iter().map(Problem::from).collect(),
             DraftError::Position(unsolved) => vec![Problem::from(unsolved)],
         })?;

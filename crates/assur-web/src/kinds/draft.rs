@@ -78,7 +78,7 @@ impl Drawing {
             },
         };
         Ok(Self {
-            sketch: Sketch::new(&document.draft(), &view),
+            sketch: Sketch::new(&document.spec(), &view),
             document: document.clone(),
             advice,
         })

@@ -1,6 +1,6 @@
 //! Any linkage on the page.
 
-use assur::mechanism::{Dimension, Draft, Mechanism, Quantity};
+use assur::mechanism::{Dimension, LinkageSpec, Mechanism, Quantity};
 use assur::motion::Changed;
 use assur::{CombinedMethod, Point, Relation};
 use assur_draw::Annotations;
@@ -66,7 +66,7 @@ pub(crate) struct Redrawn {
 }
 
 impl Redrawn {
-    pub(crate) fn of(draft: &Draft) -> Self {
+    pub(crate) fn of(draft: &LinkageSpec) -> Self {
         let document = LinkageDocument::new(draft);
         Self {
             points: document.points,
@@ -107,7 +107,7 @@ impl Linkage {
 
     fn rates(&self) -> Vec<RateSummary<'_>> {
         let mechanism = self.mechanism();
-        let draft = mechanism.draft();
+        let draft = mechanism.spec();
         let further = draft.drivers.iter().enumerate().skip(1);
         let rates = further.filter_map(|(index, driver)| {
             let link = draft.driven(driver)?;
@@ -124,7 +124,7 @@ impl Linkage {
 
     /// The document after a change, and the input where it is another one than before.
     fn changed(&self, changed: &Changed, input: f64) -> Change {
-        let redrawn = Redrawn::of(changed.motion.mechanism().draft());
+        let redrawn = Redrawn::of(changed.motion.mechanism().spec());
         let other = (changed.input != input).then_some(changed.input);
         Change::document(&redrawn).and_input(other)
     }
@@ -193,7 +193,7 @@ impl Edited for Linkage {
 
     fn set(&self, field: &str, value: f64, input: f64) -> Result<Change, Vec<Problem>> {
         let mechanism = self.mechanism();
-        let drivers = mechanism.draft().drivers.len();
+        let drivers = mechanism.spec().drivers.len();
         if let Some(driver) = (1..drivers).find(|driver| rate_field(*driver) == field) {
             let changed = self.moving.motion().at_rate(driver, value, input);
             return Ok(self.changed(&changed.map_err(LinkageProblem::all)?, input));

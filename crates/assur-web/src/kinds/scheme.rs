@@ -3,7 +3,7 @@
 
 pub(crate) mod summary;
 
-use assur::mobility::{SchemeDraft, Sections, generated};
+use assur::mobility::{SchemeSpec, Sections, generated};
 use assur::{Point, Relation};
 use assur_draw::{SchemeFigure, SchemeHandle, SchemeView};
 use assur_file::{PairDocument, PlaceDocument, Problem, SchemeDocument, SchemeProblem, State};
@@ -68,7 +68,7 @@ impl Scheme {
 /// No pose there.
 pub(crate) fn of(moving: &Moving, input: f64) -> Result<SchemeDocument, Problem> {
     let pose = moving.pose(input)?;
-    let draft = SchemeDraft::of(moving.mechanism(), &pose);
+    let draft = SchemeSpec::of(moving.mechanism(), &pose);
     let linkage = moving.document();
     let mut document = SchemeDocument::new(&draft);
     document.title.clone_from(&linkage.title);

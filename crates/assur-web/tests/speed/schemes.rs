@@ -1,6 +1,6 @@
-//! Schemes of 200 links and 300 pairs, counted, opened and judged.
+//! Schemes of 200 links and 300 pairs, counted, opened and rank_report.
 
-use assur::mobility::{PairDraft, PairKind, Point3, Scheme, SchemeDraft, Space, Vector3};
+use assur::mobility::{PairKind, PairSpec, Point3, Scheme, SchemeSpec, Space, Vector3};
 
 const LINKS: usize = 200;
 
@@ -38,7 +38,7 @@ pub(crate) fn scheme(net: Net, planar: bool) -> Scheme {
         let mut coordinate = || random.next() - 0.5;
         let place = [coordinate(), coordinate(), coordinate()];
         let axis = Vector3::new(coordinate(), coordinate(), coordinate());
-        PairDraft {
+        PairSpec {
             name: at.to_string(),
             kind: PairKind::Revolute,
             links: links.map(|link| link.to_string()).into(),
@@ -47,7 +47,7 @@ pub(crate) fn scheme(net: Net, planar: bool) -> Scheme {
             second: None,
         }
     });
-    let draft = SchemeDraft {
+    let draft = SchemeSpec {
         ground: "0".to_owned(),
         planar,
         pairs: pairs.collect(),
@@ -59,7 +59,7 @@ pub(crate) fn scheme(net: Net, planar: bool) -> Scheme {
 pub(crate) fn judge(scheme: &Scheme, space: Space) -> (isize, isize, usize) {
     let counted = scheme.counts().mobility();
     let sections = scheme.sections(&scheme.automatic()).unwrap();
-    let verdict = scheme.judged(space).unwrap();
+    let verdict = scheme.rank_report(space).unwrap();
     (counted, sections.by_loops(), verdict.mobility)
 }
 

@@ -12,7 +12,7 @@ mod second;
 mod system;
 
 use crate::Relation;
-use crate::mechanism::{DraftDriver, FRAME, Mechanism, PointId, Pose};
+use crate::mechanism::{DriverSpec, FRAME, Mechanism, PointId, Pose};
 use first::First;
 use places::Places;
 use second::Second;
@@ -31,24 +31,20 @@ pub struct CombinedMethod {
 impl CombinedMethod {
     /// The paper's linkage in a mechanism; none where it has other links or another driver than the crank AB.
     pub fn of(mechanism: &Mechanism) -> Option<Self> {
-        let draft = mechanism.draft();
+        let spec = mechanism.spec();
         let sorted = |names: &[String]| {
             let mut letters: Vec<&str> = names.iter().map(String::as_str).collect();
             letters.sort_unstable();
             letters.concat()
         };
-        let mut links: Vec<String> = draft
-            .links
-            .iter()
-            .map(|link| sorted(&link.points))
-            .collect();
+        let mut links: Vec<String> = spec.links.iter().map(|link| sorted(&link.points)).collect();
         links.sort_unstable();
-        let [DraftDriver::Crank { link, base, .. }] = &draft.drivers[..] else {
+        let [DriverSpec::Crank { link, base, .. }] = &spec.drivers[..] else {
             return None;
         };
-        let crank = draft.links.iter().find(|one| one.name == *link)?;
-        let joined = draft.slides.is_empty() && draft.gears.is_empty();
-        let same = links == LINKS && sorted(&draft.frame) == "ADH" && joined;
+        let crank = spec.links.iter().find(|one| one.name == *link)?;
+        let joined = spec.slides.is_empty() && spec.gears.is_empty();
+        let same = links == LINKS && sorted(&spec.frame) == "ADH" && joined;
         if !same || base != FRAME || sorted(&crank.points) != "AB" {
             return None;
         }

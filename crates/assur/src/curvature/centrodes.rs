@@ -16,7 +16,7 @@ pub struct Rolling {
     pub input: f64,
     /// The pole, in the drawing.
     pub fixed: Point,
-    /// The same on the link, in its own coordinates, those of [`crate::mechanism::DraftTracer::at`].
+    /// The same on the link, in its own coordinates, those of [`crate::mechanism::TracerSpec::at`].
     pub moving: Vector,
 }
 

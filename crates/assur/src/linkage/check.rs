@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use super::draft::{Defect, Draft, DraftDriver, DraftGear, DraftPoint, DraftSlide, FRAME, extent};
+use super::spec::{Defect, DriverSpec, FRAME, GearSpec, LinkageSpec, PointSpec, SlideSpec, extent};
 use super::tracer;
 use crate::gears::{Mesh, TEETH};
 
@@ -13,30 +13,30 @@ pub const FARTHEST: f64 = 1e9;
 pub(crate) const CLOSEST: f64 = 1e-9;
 
 /// Every reason, none where the references of the draft are sound.
-pub(crate) fn defects(draft: &Draft) -> Vec<Defect> {
+pub(crate) fn defects(spec: &LinkageSpec) -> Vec<Defect> {
     let mut found = Vec::new();
-    names(draft, &mut found);
-    numbers(draft, &mut found);
-    found.extend(tracer::defects(draft, sound));
-    for link in &draft.links {
-        points_of(draft, &link.name, &link.points, &mut found);
+    names(spec, &mut found);
+    numbers(spec, &mut found);
+    found.extend(tracer::defects(spec, sound));
+    for link in &spec.links {
+        points_of(spec, &link.name, &link.points, &mut found);
         shape(link, &mut found);
     }
-    points_of(draft, FRAME, &draft.frame, &mut found);
-    pairs(draft, &mut found);
+    points_of(spec, FRAME, &spec.frame, &mut found);
+    pairs(spec, &mut found);
     found
 }
 
-fn names(draft: &Draft, found: &mut Vec<Defect>) {
+fn names(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     let mut points = BTreeSet::new();
-    for point in &draft.points {
+    for point in &spec.points {
         if !points.insert(point.name.as_str()) {
             found.push(Defect::Twice(point.name.clone()));
         }
     }
     let mut links = BTreeSet::new();
     links.insert(FRAME);
-    for link in &draft.links {
+    for link in &spec.links {
         if !links.insert(link.name.as_str()) {
             found.push(Defect::Twice(link.name.clone()));
         }
@@ -44,28 +44,26 @@ fn names(draft: &Draft, found: &mut Vec<Defect>) {
             found.push(Defect::Bare(link.name.clone()));
         }
     }
-    let named_points = draft
+    let named_points = spec
         .links
         .iter()
         .flat_map(|link| link.points.iter().chain(&link.centre_of_mass));
-    let named_points = named_points.chain(&draft.frame);
+    let named_points = named_points.chain(&spec.frame);
     let named_points = named_points.chain(
-        draft
-            .slides
+        spec.slides
             .iter()
             .flat_map(|s| s.line.iter().chain([&s.point])),
     );
-    let named_links = draft.links.iter().filter_map(|link| link.fixed_to.as_ref());
-    let named_links = named_links.chain(draft.slides.iter().flat_map(|s| [&s.link, &s.on]));
+    let named_links = spec.links.iter().filter_map(|link| link.fixed_to.as_ref());
+    let named_links = named_links.chain(spec.slides.iter().flat_map(|s| [&s.link, &s.on]));
     let named_links = named_links.chain(
-        draft
-            .gears
+        spec.gears
             .iter()
             .flat_map(|g| g.links.iter().chain([&g.carrier])),
     );
-    let named_links = named_links.chain(draft.drivers.iter().flat_map(|driver| match driver {
-        DraftDriver::Crank { link, base, .. } => vec![link, base],
-        DraftDriver::Slide { .. } => Vec::new(),
+    let named_links = named_links.chain(spec.drivers.iter().flat_map(|driver| match driver {
+        DriverSpec::Crank { link, base, .. } => vec![link, base],
+        DriverSpec::Slide { .. } => Vec::new(),
     }));
     let named_points = named_points.map(String::as_str);
     let named_links = named_links.map(String::as_str);
@@ -85,24 +83,24 @@ fn sound(value: f64) -> bool {
     value.is_finite() && value.abs() <= FARTHEST
 }
 
-fn numbers(draft: &Draft, found: &mut Vec<Defect>) {
-    for point in &draft.points {
+fn numbers(spec: &LinkageSpec, found: &mut Vec<Defect>) {
+    for point in &spec.points {
         if !sound(point.at.x) || !sound(point.at.y) {
             found.push(Defect::NotFinite(point.name.clone()));
         }
     }
-    for link in &draft.links {
+    for link in &spec.links {
         let places = link.shape.iter().flatten();
         let mass = link.mass.is_none_or(|mass| sound(mass) && mass >= 0.0);
         if !mass || !places.clone().all(|at| sound(at.x) && sound(at.y)) {
             found.push(Defect::NotFinite(link.name.clone()));
         }
     }
-    for driver in &draft.drivers {
-        if let DraftDriver::Slide {
+    for driver in &spec.drivers {
+        if let DriverSpec::Slide {
             range: [from, to], ..
         } = driver
-            && let Some(link) = draft.driven(driver)
+            && let Some(link) = spec.driven(driver)
         {
             let link = link.to_owned();
             if !sound(*from) || !sound(*to) {
@@ -116,9 +114,9 @@ fn numbers(draft: &Draft, found: &mut Vec<Defect>) {
 }
 
 /// The points of a link, or of the frame: none twice, no two at one place.
-fn points_of(draft: &Draft, link: &str, points: &[String], found: &mut Vec<Defect>) {
+fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<Defect>) {
     // What is fixed to a link has its points where that one has them.
-    let own = draft.link(draft.root_of(link));
+    let own = spec.link(spec.root_of(link));
     let own = own.and_then(|own| Some((own, own.shape.as_ref()?)));
     let in_shape = |name: &String| {
         let (own, shape) = own?;
@@ -131,7 +129,7 @@ fn points_of(draft: &Draft, link: &str, points: &[String], found: &mut Vec<Defec
             (Some(a), Some(b), Some((_, shape))) => {
                 ((Some(a), Some(b)), extent(shape.iter().map(|at| at.coords)))
             }
-            _ => ((draft.place(a), draft.place(b)), draft.size()),
+            _ => ((spec.place(a), spec.place(b)), spec.size()),
         };
         matches!(ends, (Some(a), Some(b)) if (a - b).norm() <= CLOSEST * size)
     };
@@ -148,7 +146,7 @@ fn points_of(draft: &Draft, link: &str, points: &[String], found: &mut Vec<Defec
     }
 }
 
-fn shape(link: &crate::mechanism::DraftLink, found: &mut Vec<Defect>) {
+fn shape(link: &crate::mechanism::LinkSpec, found: &mut Vec<Defect>) {
     let places = link.shape.as_ref().map(Vec::len);
     if places.is_some_and(|places| places != link.points.len()) {
         found.push(Defect::Shape(link.name.clone()));
@@ -162,28 +160,28 @@ fn shape(link: &crate::mechanism::DraftLink, found: &mut Vec<Defect>) {
 }
 
 /// Links fixed to others, slides, gears and drivers.
-fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
-    for link in &draft.links {
-        if draft.root_of(&link.name).is_empty() {
+fn pairs(spec: &LinkageSpec, found: &mut Vec<Defect>) {
+    for link in &spec.links {
+        if spec.root_of(&link.name).is_empty() {
             found.push(Defect::WithItself(link.name.clone()));
         }
     }
-    for slide in &draft.slides {
-        guided(draft, slide, found);
+    for slide in &spec.slides {
+        guided(spec, slide, found);
     }
-    for gear in &draft.gears {
-        meshing(draft, gear, found);
+    for gear in &spec.gears {
+        meshing(spec, gear, found);
     }
-    for driver in &draft.drivers {
+    for driver in &spec.drivers {
         match driver {
-            DraftDriver::Crank { link, base, .. } if draft.root_of(link) == draft.root_of(base) => {
+            DriverSpec::Crank { link, base, .. } if spec.root_of(link) == spec.root_of(base) => {
                 found.push(Defect::WithItself(link.clone()));
             }
-            DraftDriver::Crank { link, base, .. } if !hinged(draft, [link, base]) => {
+            DriverSpec::Crank { link, base, .. } if !hinged(spec, [link, base]) => {
                 let links = [link.clone(), base.clone()];
                 found.push(Defect::NotHinged { links });
             }
-            DraftDriver::Slide { slide, .. } if *slide >= draft.slides.len() => {
+            DriverSpec::Slide { slide, .. } if *slide >= spec.slides.len() => {
                 found.push(Defect::NoDriver);
             }
             _ => {}
@@ -191,10 +189,10 @@ fn pairs(draft: &Draft, found: &mut Vec<Defect>) {
     }
 }
 
-fn guided(draft: &Draft, slide: &DraftSlide, found: &mut Vec<Defect>) {
+fn guided(spec: &LinkageSpec, slide: &SlideSpec, found: &mut Vec<Defect>) {
     let on_line = slide.line.iter().map(|point| (&slide.on, point));
     for (link, point) in on_line.chain([(&slide.link, &slide.point)]) {
-        if !has(draft, link, point) {
+        if !has(spec, link, point) {
             let (link, point) = (link.clone(), point.clone());
             found.push(Defect::NotOnLink { link, point });
         }
@@ -202,15 +200,15 @@ fn guided(draft: &Draft, slide: &DraftSlide, found: &mut Vec<Defect>) {
     if slide.link == slide.on {
         found.push(Defect::WithItself(slide.link.clone()));
     }
-    if let [Some(a), Some(b)] = slide.line.each_ref().map(|name| draft.place(name))
-        && (a - b).norm() <= CLOSEST * draft.size()
+    if let [Some(a), Some(b)] = slide.line.each_ref().map(|name| spec.place(name))
+        && (a - b).norm() <= CLOSEST * spec.size()
     {
         let (link, points) = (slide.on.clone(), slide.line.clone());
         found.push(Defect::Coincident { link, points });
     }
 }
 
-fn meshing(draft: &Draft, gear: &DraftGear, found: &mut Vec<Defect>) {
+fn meshing(spec: &LinkageSpec, gear: &GearSpec, found: &mut Vec<Defect>) {
     for (link, value) in gear.links.iter().zip(gear.teeth) {
         let counts = value.is_finite() && value.fract() == 0.0;
         if !counts || !(TEETH.0..=TEETH.1).contains(&value) {
@@ -219,7 +217,7 @@ fn meshing(draft: &Draft, gear: &DraftGear, found: &mut Vec<Defect>) {
         }
         if *link == gear.carrier {
             found.push(Defect::WithItself(link.clone()));
-        } else if !hinged(draft, [link, &gear.carrier]) {
+        } else if !hinged(spec, [link, &gear.carrier]) {
             let links = [link.clone(), gear.carrier.clone()];
             found.push(Defect::NotHinged { links });
         }
@@ -232,7 +230,7 @@ fn meshing(draft: &Draft, gear: &DraftGear, found: &mut Vec<Defect>) {
     }
 }
 
-impl Draft {
+impl LinkageSpec {
     /// Every reason why the draft is no linkage that can be said without the geometry of the whole; none where all that
     /// it names is there and its numbers are sound.
     pub fn defects(&self) -> Vec<Defect> {
@@ -254,17 +252,17 @@ impl Draft {
 }
 
 /// Whether a link has a point, itself or by what is fixed to it or it is fixed to.
-fn has(draft: &Draft, link: &str, point: &String) -> bool {
-    let root = draft.root_of(link);
-    let mut links = draft
+fn has(spec: &LinkageSpec, link: &str, point: &String) -> bool {
+    let root = spec.root_of(link);
+    let mut links = spec
         .links
         .iter()
-        .filter(|other| draft.root_of(&other.name) == root);
-    root == FRAME && draft.frame.contains(point) || links.any(|other| other.points.contains(point))
+        .filter(|other| spec.root_of(&other.name) == root);
+    root == FRAME && spec.frame.contains(point) || links.any(|other| other.points.contains(point))
 }
 
 /// Whether two links share a point.
-fn hinged(draft: &Draft, links: [&str; 2]) -> bool {
-    let shared = |point: &DraftPoint| links.iter().all(|link| has(draft, link, &point.name));
-    draft.points.iter().any(shared)
+fn hinged(spec: &LinkageSpec, links: [&str; 2]) -> bool {
+    let shared = |point: &PointSpec| links.iter().all(|link| has(spec, link, &point.name));
+    spec.points.iter().any(shared)
 }

@@ -1,9 +1,9 @@
 //! The specification of a linkage, as a person gives it, and every defect of one.
 
 pub(crate) mod check;
-pub(crate) mod draft;
+pub(crate) mod spec;
 mod tracer;
 
 pub use check::FARTHEST;
-pub use draft::{Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME};
-pub use tracer::DraftTracer;
+pub use spec::{Defect, DriverSpec, FRAME, GearSpec, LinkSpec, LinkageSpec, PointSpec, SlideSpec};
+pub use tracer::TracerSpec;

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use super::draft::{Defect, Draft, FRAME};
+use super::spec::{Defect, FRAME, LinkageSpec};
 use crate::Vector;
 
 /// A point carried by a link.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DraftTracer {
+pub struct TracerSpec {
     /// Its name, unlike that of any point and of any other tracer.
     pub name: String,
     /// The link that carries it, or the frame.
@@ -18,11 +18,11 @@ pub struct DraftTracer {
     pub at: Vector,
 }
 
-impl Draft {
+impl LinkageSpec {
     /// With a tracer point at (x, y) in the coordinates of a link.
     #[must_use]
     pub fn tracer(mut self, name: &str, link: &str, x: f64, y: f64) -> Self {
-        self.tracers.push(DraftTracer {
+        self.tracers.push(TracerSpec {
             name: name.to_owned(),
             link: link.to_owned(),
             at: Vector::new(x, y),
@@ -32,15 +32,15 @@ impl Draft {
 }
 
 /// What is wrong with the tracers of a draft; `sound` tells coordinates that can be.
-pub(super) fn defects(draft: &Draft, sound: impl Fn(f64) -> bool) -> Vec<Defect> {
-    let names = draft.points.iter().map(|point| point.name.as_str());
+pub(super) fn defects(spec: &LinkageSpec, sound: impl Fn(f64) -> bool) -> Vec<Defect> {
+    let names = spec.points.iter().map(|point| point.name.as_str());
     let mut names: BTreeSet<&str> = names.collect();
     let mut found = Vec::new();
-    for DraftTracer { name, link, at } in &draft.tracers {
+    for TracerSpec { name, link, at } in &spec.tracers {
         if !names.insert(name) {
             found.push(Defect::Twice(name.clone()));
         }
-        if link != FRAME && draft.link(link).is_none() {
+        if link != FRAME && spec.link(link).is_none() {
             found.push(Defect::Unknown(link.clone()));
         }
         if !sound(at.x) || !sound(at.y) {

@@ -2,7 +2,7 @@
 
 use crate::Vector;
 use crate::linkage::check::CLOSEST;
-use crate::linkage::draft::{Defect, Draft, DraftLink, extent};
+use crate::linkage::spec::{Defect, LinkSpec, LinkageSpec, extent};
 use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Mechanism, check};
 
@@ -13,13 +13,13 @@ impl Mechanism {
     ///
     /// # Errors
     /// Every reason other than its drawing why the draft is no linkage.
-    pub fn assembled(draft: &Draft, input: Option<f64>) -> Result<Option<Self>, Vec<Defect>> {
-        let draft = draft.spread();
-        let defects = check::defects(&draft);
+    pub fn assembled(spec: &LinkageSpec, input: Option<f64>) -> Result<Option<Self>, Vec<Defect>> {
+        let spec = spec.spread();
+        let defects = check::defects(&spec);
         if !defects.is_empty() {
             return Err(defects);
         }
-        let resolved = Resolved::new(&draft).map_err(|defect| vec![defect])?;
+        let resolved = Resolved::new(&spec).map_err(|defect| vec![defect])?;
         let (planned, ..) = Self::planned(&resolved)?;
         let found = planned.found_at::<1>(input.unwrap_or(planned.drawn_input));
         let mut poses = found.ways.iter();
@@ -27,7 +27,7 @@ impl Mechanism {
     }
 }
 
-impl Draft {
+impl LinkageSpec {
     /// The same with points drawn apart whose places tell nothing: those that are drawn on another point of a link, and
     /// of which no dimension is as drawn.
     fn spread(&self) -> Self {
@@ -36,7 +36,7 @@ impl Draft {
         let size = lengths.fold(self.size(), f64::max);
         let mut spread = self.clone();
         for (index, point) in self.points.iter().enumerate() {
-            let has = |link: &&DraftLink| link.points.contains(&point.name);
+            let has = |link: &&LinkSpec| link.points.contains(&point.name);
             let guides = self.slides.iter().flat_map(|slide| {
                 let own = [&slide.point];
                 own.into_iter().chain(&slide.line)

@@ -124,7 +124,7 @@ impl Mechanism {
         (pose, signs): &(Pose<4>, AssemblySigns),
     ) -> Result<Self, Vec<Defect>> {
         let mut other = self.clone();
-        other.draft = self.drawn_by(&pose.state);
+        other.spec = self.drawn_by(&pose.state);
         other.drawn_input = input;
         other.signs.clone_from(signs);
         other.orientations = pose.state.orientations();

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::index::{BodyId, List, PointId, StepId};
-use crate::mechanism::{Defect, Draft, Mechanism, Pose};
+use crate::mechanism::{Defect, LinkageSpec, Mechanism, Pose};
 use crate::position::{
     BodyPoint, Cause, Nearby, Orientation, Predictor, Sign, Solvable, State, Step, StepContext,
     quotient,
@@ -204,7 +204,7 @@ impl Mechanism {
             for (point, local) in &self.bodies[body] {
                 let local = *local;
                 let at = state.place(BodyPoint { body, local }).value();
-                let by = (at + self.origin - self.draft.points[point.index()].at.coords).norm();
+                let by = (at + self.origin - self.spec.points[point.index()].at.coords).norm();
                 if farthest.is_none_or(|(_, most)| by > most) {
                     farthest = Some((*point, by));
                 }
@@ -227,36 +227,36 @@ impl Mechanism {
     }
 
     /// The same linkage drawn in this pose.
-    pub fn drawn_in(&self, pose: &Pose<1>) -> Draft {
+    pub fn drawn_in(&self, pose: &Pose<1>) -> LinkageSpec {
         self.drawn_by(&pose.state)
     }
 
     /// The same linkage drawn in this pose, with one point drawn elsewhere: the
     /// links that list it are then as drawn, the others keep their dimensions. A
     /// tracer is moved on its link.
-    pub fn redrawn(&self, pose: &Pose<1>, point: PointId, to: Point) -> Draft {
-        let mut draft = self.drawn_in(pose);
-        let joints = draft.points.len();
-        let Some(moved) = draft.points.get_mut(point.index()) else {
-            let tracer = &mut draft.tracers[point.index() - joints];
+    pub fn redrawn(&self, pose: &Pose<1>, point: PointId, to: Point) -> LinkageSpec {
+        let mut spec = self.drawn_in(pose);
+        let joints = spec.points.len();
+        let Some(moved) = spec.points.get_mut(point.index()) else {
+            let tracer = &mut spec.tracers[point.index() - joints];
             tracer.at = self.on_link_of(tracer, pose, to);
-            return draft;
+            return spec;
         };
         moved.at = to;
-        for link in &mut draft.links {
+        for link in &mut spec.links {
             if link.points.contains(&moved.name) {
                 link.shape = None;
             }
         }
-        draft
+        spec
     }
 
-    pub(super) fn drawn_by<const N: usize>(&self, state: &State<N>) -> Draft {
-        let mut draft = self.draft.clone();
-        for (drawn, anchor) in draft.points.iter_mut().zip(self.points.iter()) {
+    pub(super) fn drawn_by<const N: usize>(&self, state: &State<N>) -> LinkageSpec {
+        let mut spec = self.spec.clone();
+        for (drawn, anchor) in spec.points.iter_mut().zip(self.points.iter()) {
             drawn.at = Point::from(state.place(*anchor).value() + self.origin);
         }
-        draft
+        spec
     }
 
     /// Input, signs and pose from which the motion is followed.
@@ -286,12 +286,12 @@ impl Mechanism {
 mod tests {
     use super::*;
     use crate::gears::Mesh;
-    use crate::mechanism::DraftGear;
+    use crate::mechanism::GearSpec;
 
     /// Where the links do not close at an input the wheels that were mounted for it before stay as they were.
     #[test]
     fn turns_that_do_not_close_change_nothing() {
-        let mut draft = Draft::default()
+        let mut spec = LinkageSpec::default()
             .point("A", 0.0, 0.0)
             .point("D", 4.0, 0.0)
             .point("B", 1.5, 2.598)
@@ -305,14 +305,14 @@ mod tests {
             .bar("coupler", &["B", "C"])
             .bar("rocker", &["D", "C"])
             .crank("crank");
-        draft.links[1].fixed_to = Some("frame".to_owned());
-        draft.gears.push(DraftGear {
+        spec.links[1].fixed_to = Some("frame".to_owned());
+        spec.gears.push(GearSpec {
             links: ["sun", "planet"].map(str::to_owned),
             carrier: "crank".to_owned(),
             teeth: [20.0, 11.0],
             mesh: Mesh::External,
         });
-        let mut mechanism = Mechanism::new(&draft).unwrap();
+        let mut mechanism = Mechanism::new(&spec).unwrap();
         let (drawn_input, steps) = (mechanism.drawn_input, mechanism.steps.clone());
         // The crank goes from −90° to 90° of the frame.
         assert!(!mechanism.rebase_turns(drawn_input + 0.5 * TAU));

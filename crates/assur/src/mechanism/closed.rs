@@ -117,7 +117,9 @@ impl Mechanism {
             _ => None,
         });
         let leads = closed.chain(guided);
-        leads.flat_map(|angle_offset| half_turns(angle_offset, arc)).collect()
+        leads
+            .flat_map(|angle_offset| half_turns(angle_offset, arc))
+            .collect()
     }
 
     /// Lead over the input of the angle of a crank that carries one of two hinges, the angle counted from the line of
@@ -148,7 +150,7 @@ impl Mechanism {
                 .all(|body| !self.carries(body) && self.returns(body)),
             _ => false,
         };
-        let alone = self.draft.drivers.len() == 1;
+        let alone = self.spec.drivers.len() == 1;
         alone && self.closed_steps().count() <= 1 && self.steps.iter().all(known)
     }
 

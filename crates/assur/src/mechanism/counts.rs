@@ -3,7 +3,7 @@
 use crate::gears::Mesh;
 use crate::index::LinkId;
 use crate::linkage::check;
-use crate::linkage::draft::{Defect, Draft, DraftLink};
+use crate::linkage::spec::{Defect, LinkSpec, LinkageSpec};
 use crate::mechanism::Mechanism;
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
@@ -33,15 +33,14 @@ impl Mechanism {
     /// The wheels of passive meshes, one of each: the satellite, whose hinge fewer links share than that of sun and
     /// ring. Their meshes fulfil their equations whatever the others do.
     pub fn passive_wheels(&self) -> impl Iterator<Item = LinkId> {
-        let Draft { gears, links, .. } = &self.draft;
+        let LinkageSpec { gears, links, .. } = &self.spec;
         let passive = gears.iter().zip(&self.passive);
         let passive = passive.filter(|(_, passive)| **passive);
         passive.filter_map(move |(gear, _)| {
             let wheels = gear.links.iter().filter_map(|wheel| self.link(wheel));
             let sharing = |wheel: &LinkId| {
                 let own = &links[wheel.index()].points;
-                let shares =
-                    |link: &&DraftLink| link.points.iter().any(|point| own.contains(point));
+                let shares = |link: &&LinkSpec| link.points.iter().any(|point| own.contains(point));
                 links.iter().filter(shares).count()
             };
             let wheels: Vec<LinkId> = wheels.collect();
@@ -51,7 +50,7 @@ impl Mechanism {
     }
 }
 
-impl Draft {
+impl LinkageSpec {
     /// The links, pairs and mobility of what need not move yet.
     ///
     /// # Errors
@@ -69,14 +68,14 @@ impl Draft {
 }
 
 /// The counts of a draft.
-pub(super) fn counts(draft: &Resolved<'_>, bodies: &Bodies) -> Counts {
-    let graph = bodies.graph(draft.places.ids());
-    let gears = draft.gears.iter();
+pub(super) fn counts(spec: &Resolved<'_>, bodies: &Bodies) -> Counts {
+    let graph = bodies.graph(spec.places.ids());
+    let gears = spec.gears.iter();
     let idlers = gears.filter(|gear| gear.mesh == Mesh::AsPrinted).count();
     let passive = bodies.passive.iter().filter(|passive| **passive).count();
     // A doubled link has three freedoms and a hinge at each point that it shares.
-    let doubled = draft.doubled.iter().map(|one| one.shared.len());
-    let (doubled, hinges) = (draft.doubled.len(), doubled.sum::<usize>());
+    let doubled = spec.doubled.iter().map(|one| one.shared.len());
+    let (doubled, hinges) = (spec.doubled.len(), doubled.sum::<usize>());
     Counts {
         links: graph.links - 1 + idlers + doubled,
         lower_pairs: graph.lower_pairs() + idlers + hinges,

@@ -4,7 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::index::{BodyId, LinkId, PointId, SlideId};
-use crate::linkage::draft::{Draft, DraftDriver, DraftLink, DraftSlide};
+use crate::linkage::spec::{DriverSpec, LinkSpec, LinkageSpec, SlideSpec};
 use crate::mechanism::{DoubledLink, Mechanism, Part, Setting};
 use crate::{Point, Vector};
 use nalgebra::Rotation2;
@@ -44,8 +44,8 @@ impl Mechanism {
     /// with more, the offsets of slides, then the coordinates of the hinges of the frame and of points of its guides that
     /// stand alone: no driven slide counts from them, and no link lies on another there.
     pub fn dimensions(&self) -> Vec<Dimension> {
-        let draft = self.draft();
-        let links = self.link_ids().zip(&draft.links);
+        let spec = self.spec();
+        let links = self.link_ids().zip(&spec.links);
         let shapes = links.flat_map(|(link, own)| {
             let others = (2..own.points.len()).flat_map(move |point| {
                 let [first, second] = [0, 1].map(|end| Dimension::Side(link, [end, point]));
@@ -54,7 +54,7 @@ impl Mechanism {
             [Dimension::Length(link)].into_iter().chain(others)
         });
         let offsets = self.offsets.ids().map(Dimension::Offset);
-        let points = self.point_ids().take(draft.points.len());
+        let points = self.point_ids().take(spec.points.len());
         let hinges = points.flat_map(|point| [Dimension::X(point), Dimension::Y(point)]);
         let all = shapes.chain(offsets).chain(hinges);
         all.filter(|dimension| self.has(*dimension)).collect()
@@ -63,21 +63,21 @@ impl Mechanism {
     /// Whether it has a dimension: none that a link on the frame, or a plate on which others lie, shares with a link that
     /// is one body with it.
     fn has(&self, dimension: Dimension) -> bool {
-        let draft = self.draft();
+        let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {
             let Part { body, points, .. } = &self.links[link];
             let moved = points.get(point);
             let holds = |part: &Part| {
                 part.body == *body && part.points.iter().any(|own| Some(own) == moved)
             };
-            let mut doubling = self.links.iter().zip(&draft.links);
+            let mut doubling = self.links.iter().zip(&spec.links);
             let is_of_frame =
-                |point: &PointId| draft.frame.contains(&draft.points[point.index()].name);
+                |point: &PointId| spec.frame.contains(&spec.points[point.index()].name);
             !(*body == BodyId::FRAME && moved.is_some_and(is_of_frame))
                 && doubling
-                    .all(|(part, own)| own.fixed_to.is_some() || !holds(part) || draft.is_free(own))
+                    .all(|(part, own)| own.fixed_to.is_some() || !holds(part) || spec.is_free(own))
         };
-        draft.has(dimension)
+        spec.has(dimension)
             && match dimension {
                 Dimension::Length(link) => can_place(link, 1),
                 Dimension::Side(link, [_, point]) | Dimension::Corner(link, point) => {
@@ -96,13 +96,13 @@ impl Mechanism {
 
     /// The value of a dimension; none of what is none of [`Self::dimensions`].
     pub fn value(&self, dimension: Dimension) -> Option<f64> {
-        let draft = self.draft();
+        let spec = self.spec();
         self.has(dimension).then(|| {
-            let at = |point: PointId| draft.points[point.index()].at;
+            let at = |point: PointId| spec.points[point.index()].at;
             match dimension {
-                Dimension::Length(link) => draft.side(link, [0, 1]),
-                Dimension::Side(link, ends) => draft.side(link, ends),
-                Dimension::Corner(link, point) => draft.corner(link, point),
+                Dimension::Length(link) => spec.side(link, [0, 1]),
+                Dimension::Side(link, ends) => spec.side(link, ends),
+                Dimension::Corner(link, point) => spec.corner(link, point),
                 Dimension::Offset(slide) => self.offsets[slide],
                 Dimension::X(point) => at(point).x,
                 Dimension::Y(point) => at(point).y,
@@ -136,25 +136,25 @@ impl Mechanism {
 
     /// The sides beside a corner at the first point of a link.
     pub(crate) fn beside_corner(&self, link: LinkId, point: usize) -> [f64; 2] {
-        [1, point].map(|end| self.draft().side(link, [0, end]))
+        [1, point].map(|end| self.spec().side(link, [0, end]))
     }
 }
 
 impl Dimension {
     /// What it is to set it to a value in a linkage drawn so; a side opposite to a corner is set by that.
-    pub(crate) fn setting(self, draft: &Draft, value: f64) -> Setting {
-        let at = |point: PointId| draft.points[point.index()].at;
+    pub(crate) fn setting(self, spec: &LinkageSpec, value: f64) -> Setting {
+        let at = |point: PointId| spec.points[point.index()].at;
         let placed = |link: LinkId, point: usize, angle: f64, side: f64| {
-            let ray = Rotation2::new(angle) * draft.ray(link, [0, point]).normalize() * side;
-            let first = draft.on_link(&draft.links[link.index()], 0);
+            let ray = Rotation2::new(angle) * spec.ray(link, [0, point]).normalize() * side;
+            let first = spec.on_link(&spec.links[link.index()], 0);
             Setting::Place(link, point, first + ray)
         };
         match self {
             Self::Length(link) => placed(link, 1, 0.0, value),
             Self::Side(link, [_, point]) => placed(link, point, 0.0, value),
             Self::Corner(link, point) => {
-                let turned = value - draft.corner(link, point);
-                placed(link, point, turned, draft.side(link, [0, point]))
+                let turned = value - spec.corner(link, point);
+                placed(link, point, turned, spec.side(link, [0, point]))
             }
             Self::Offset(slide) => Setting::Offset(slide, value),
             Self::X(point) => Setting::Hinge(point, Point::new(value, at(point).y)),
@@ -163,7 +163,7 @@ impl Dimension {
     }
 }
 
-impl Draft {
+impl LinkageSpec {
     /// The same with a shape for every link that could have one, so that the drawing
     /// can move without changing any.
     pub(super) fn shaped(&self) -> Self {
@@ -197,7 +197,7 @@ impl Draft {
     }
 
     /// Whether the distances of a link's points may change: with more than two of them no link lies on another.
-    fn is_free(&self, link: &DraftLink) -> bool {
+    fn is_free(&self, link: &LinkSpec) -> bool {
         let points = link.points.len();
         link.fixed_to.is_none() && (points == 2 || points > 2 && !self.is_base(&link.name))
     }
@@ -205,13 +205,13 @@ impl Draft {
     /// Whether a point of the frame is a hinge or gives a line, and nothing else depends on its place: no driven slide,
     /// whose input counts from it, and no link that lies on another as drawn.
     fn can_move(&self, point: &String) -> bool {
-        let has = |link: &DraftLink| link.points.contains(point);
-        let guides = |slide: &DraftSlide| slide.line.contains(point);
-        let counted = |driver: &DraftDriver| match driver {
-            DraftDriver::Slide { slide, .. } => self.slides.get(*slide).is_some_and(guides),
-            DraftDriver::Crank { .. } => false,
+        let has = |link: &LinkSpec| link.points.contains(point);
+        let guides = |slide: &SlideSpec| slide.line.contains(point);
+        let counted = |driver: &DriverSpec| match driver {
+            DriverSpec::Slide { slide, .. } => self.slides.get(*slide).is_some_and(guides),
+            DriverSpec::Crank { .. } => false,
         };
-        let lies = |link: &DraftLink| link.fixed_to.is_some() || self.is_base(&link.name);
+        let lies = |link: &LinkSpec| link.fixed_to.is_some() || self.is_base(&link.name);
         self.frame.contains(point)
             && (self.links.iter().any(has) || self.slides.iter().any(guides))
             && !self.drivers.iter().any(counted)
@@ -236,7 +236,7 @@ impl Draft {
     }
 
     /// Where a point of a link is on it, by its place among the link's points.
-    pub(super) fn on_link(&self, link: &DraftLink, point: usize) -> Point {
+    pub(super) fn on_link(&self, link: &LinkSpec, point: usize) -> Point {
         let shape = link.shape.as_ref().and_then(|shape| shape.get(point));
         let drawn = || self.place(link.points.get(point)?);
         shape.copied().or_else(drawn).unwrap_or_default()

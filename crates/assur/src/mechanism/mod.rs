@@ -1,6 +1,6 @@
 //! Any planar linkage: links with points, hinges, slides, gears, a driver.
 //!
-//! A [`Draft`] may be anything; a [`Mechanism`] is always one that can be
+//! A [`LinkageSpec`] may be anything; a [`Mechanism`] is always one that can be
 //! assembled, because only [`Mechanism::new`] makes it. It is solved Assur group
 //! by Assur group in the order that [`crate::structure`] finds.
 
@@ -44,8 +44,8 @@ pub use crate::index::{BodyId, LinkId, PointId, SlideId, StepId};
 pub use crate::position::{Cause, Method, Singularity};
 
 pub use crate::linkage::{
-    Defect, Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, DraftTracer,
-    FARTHEST, FRAME,
+    Defect, DriverSpec, FARTHEST, FRAME, GearSpec, LinkSpec, LinkageSpec, PointSpec, SlideSpec,
+    TracerSpec,
 };
 
 use crate::index::{Id, List};
@@ -64,7 +64,7 @@ use readout::constraint;
 /// A linkage that can be assembled as it is drawn.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    draft: Draft,
+    spec: LinkageSpec,
     /// From where places are told while it is solved.
     origin: Vector,
     points: List<PointId, BodyPoint>,
@@ -121,12 +121,12 @@ impl Mechanism {
     ///
     /// # Errors
     /// Every reason why it is none, with the names of what is at fault.
-    pub fn new(draft: &Draft) -> Result<Self, Vec<Defect>> {
-        let defects = check::defects(draft);
+    pub fn new(spec: &LinkageSpec) -> Result<Self, Vec<Defect>> {
+        let defects = check::defects(spec);
         if !defects.is_empty() {
             return Err(defects);
         }
-        let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
+        let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
         let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
         let (structure, redundancy) = structured::structured(&resolved, &bodies)?;
         let of = |parallel: &[[BodyId; 2]]| {
@@ -148,7 +148,7 @@ impl Mechanism {
             })?;
         }
         let parts = constraint::Parts {
-            draft: &resolved,
+            spec: &resolved,
             bodies: &bodies,
             placements: &placements,
             orientations: &mechanism.orientations,
@@ -216,10 +216,10 @@ impl Mechanism {
             }
         }
         let unknowns = plan.natural.len() / 2;
-        let size = resolved.draft.size();
+        let size = resolved.spec.size();
         let blank = State::new(placed_by.len(), plan.steps.len(), unknowns, size);
         let mut mechanism = Self {
-            draft: resolved.draft.clone(),
+            spec: resolved.spec.clone(),
             origin: resolved.origin,
             points: points.collect(),
             links: links.collect(),
@@ -251,13 +251,13 @@ impl Mechanism {
     }
 
     /// The linkage as it is drawn.
-    pub fn draft(&self) -> &Draft {
-        &self.draft
+    pub fn spec(&self) -> &LinkageSpec {
+        &self.spec
     }
 
     /// The moving links in the order of the draft, by name.
     pub fn links(&self) -> impl ExactSizeIterator<Item = &str> {
-        self.draft.links.iter().map(|link| link.name.as_str())
+        self.spec.links.iter().map(|link| link.name.as_str())
     }
 
     /// The points in the order of the draft, then its tracers, by name.
@@ -292,14 +292,14 @@ impl Mechanism {
 
     /// The name of a link.
     pub fn link_name(&self, link: LinkId) -> &str {
-        &self.draft.links[link.index()].name
+        &self.spec.links[link.index()].name
     }
 
     /// The name of a point.
     pub fn point_name(&self, point: PointId) -> &str {
         match self.tracer(point) {
             Some(tracer) => &tracer.name,
-            None => &self.draft.points[point.index()].name,
+            None => &self.spec.points[point.index()].name,
         }
     }
 
@@ -316,14 +316,14 @@ impl Mechanism {
 
     /// The links that can be driven: cranks, what slides along a line of the frame, and what is driven now.
     pub fn drivable(&self) -> Vec<&str> {
-        self.draft.drivable()
+        self.spec.drivable()
     }
 
     /// The links that can be driven as cranks: hinged on the frame, fixed to no other.
     pub fn cranks(&self) -> impl Iterator<Item = LinkId> + '_ {
-        let links = &self.draft.links;
+        let links = &self.spec.links;
         self.link_ids()
-            .filter(|link| self.draft.is_crank(&links[link.index()]))
+            .filter(|link| self.spec.is_crank(&links[link.index()]))
     }
 
     /// Driver and Assur groups, then passive links. Its links are bodies, by their indices.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::Point;
 use crate::index::{LinkId, List, PointId, SlideId, StepId};
-use crate::linkage::draft::{Defect, Draft};
+use crate::linkage::spec::{Defect, LinkageSpec};
 use crate::mechanism::plan::Drawn;
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
@@ -69,20 +69,20 @@ impl Assembled {
         pose: &Pose<1>,
         input: f64,
     ) -> Result<Self, NoNeighbour> {
-        let draft = mechanism.shaped_in(pose);
+        let spec = mechanism.shaped_in(pose);
         let orientations = &pose.state.orientations();
         let drawn = Drawn {
             input,
             orientations,
         };
-        let mut joined = mechanism.laid_out(&draft, None, drawn, input)?;
+        let mut joined = mechanism.laid_out(&spec, None, drawn, input)?;
         let state = joined.join(None).map_err(NoNeighbour::LoopOpen)?;
         Ok(joined.joined(state))
     }
 
     /// The linkage drawn in its pose.
-    pub(crate) fn draft(&self) -> &Draft {
-        &self.mechanism.draft
+    pub(crate) fn spec(&self) -> &LinkageSpec {
+        &self.mechanism.spec
     }
 
     pub(crate) fn input(&self) -> f64 {
@@ -110,9 +110,9 @@ impl Assembled {
     /// # Errors
     /// Which links come apart, or would have to go farther than a neighbour's; why it would be no mechanism.
     pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, NoNeighbour> {
-        let draft = match setting {
+        let spec = match setting {
             Setting::Place(link, point, at) => self.mechanism.placed(link, point, at),
-            Setting::Hinge(..) | Setting::Offset(..) => self.mechanism.draft.clone(),
+            Setting::Hinge(..) | Setting::Offset(..) => self.mechanism.spec.clone(),
         };
         let drawn = Drawn {
             input: self.mechanism.drawn_input,
@@ -120,7 +120,7 @@ impl Assembled {
         };
         let mut next = self
             .mechanism
-            .laid_out(&draft, Some(setting), drawn, input)?;
+            .laid_out(&spec, Some(setting), drawn, input)?;
         let state = next.join(Some(&self.sides));
         let state = state.map_err(NoNeighbour::LoopOpen)?;
         if let Some(step) = next.lost(&self.state, &state) {
@@ -132,23 +132,23 @@ impl Assembled {
 
 impl Mechanism {
     /// The linkage drawn in a pose, with a shape for every link.
-    pub(crate) fn shaped_in(&self, pose: &Pose<1>) -> Draft {
-        let mut draft = self.draft.shaped();
-        draft.points = self.drawn_in(pose).points;
-        draft
+    pub(crate) fn shaped_in(&self, pose: &Pose<1>) -> LinkageSpec {
+        let mut spec = self.spec.shaped();
+        spec.points = self.drawn_in(pose).points;
+        spec
     }
 
     /// The mechanism of a draft that is drawn in a known pose, with this set otherwise than it is drawn, to be joined at an
     /// input.
     fn laid_out(
         &self,
-        draft: &Draft,
+        spec: &LinkageSpec,
         setting: Option<Setting>,
         drawn: Drawn<'_>,
         input: f64,
     ) -> Result<Self, NoNeighbour> {
         let laid_out = || {
-            let resolved = Resolved::new(draft).map_err(|defect| vec![defect])?;
+            let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
             // Links are one body no longer if a dimension is changed on one of them and kept by another, or by the frame.
             let (before, after) = (&self.doubled, &resolved.doubled);
             if before != after {
@@ -256,7 +256,7 @@ impl Mechanism {
         let sides = self.steps.ids();
         let sides = sides.map(|step| self.side(step, self.signs[step], &state));
         let sides = sides.collect();
-        self.draft = self.drawn_by(&state);
+        self.spec = self.drawn_by(&state);
         Assembled {
             mechanism: self,
             state,

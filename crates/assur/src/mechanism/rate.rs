@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::index::{BodyId, List};
-use crate::linkage::draft::{Defect, DraftDriver};
+use crate::linkage::spec::{Defect, DriverSpec};
 use crate::mechanism::Mechanism;
 use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::position::Step;
@@ -22,12 +22,12 @@ const WHOLE: f64 = 1e-11;
 ///
 /// # Errors
 /// Each driver with a rate that will not do.
-pub(super) fn period_turns(draft: &Resolved<'_>) -> Result<Option<usize>, Vec<Defect>> {
+pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Defect>> {
     let defect = |driver: &Driver| Defect::Rate {
-        link: draft.link_name(draft.driven(driver)).to_owned(),
+        link: spec.link_name(spec.driven(driver)).to_owned(),
         rate: driver.rate(),
     };
-    let [first, further @ ..] = &draft.drivers[..] else {
+    let [first, further @ ..] = &spec.drivers[..] else {
         return Ok(None);
     };
     let turns = matches!(first, Driver::Crank { .. });
@@ -160,13 +160,14 @@ impl Mechanism {
 
     /// By how much the coordinate of each driver grows with that of the first.
     pub fn rates(&self) -> impl Iterator<Item = f64> {
-        self.draft.drivers.iter().map(DraftDriver::rate)
+        self.spec.drivers.iter().map(DriverSpec::rate)
     }
 
     /// What the input grows by until all drivers are back: whole turns of a crank. None of a slide, and where a
     /// further driver is a slide that goes on with the crank.
     pub(crate) fn period(&self) -> Option<f64> {
-        self.period_turns.map(|period_turns| TAU * period_turns as f64)
+        self.period_turns
+            .map(|period_turns| TAU * period_turns as f64)
     }
 
     /// After how many turns of the crank the assemblies are the same again: those after which drivers are back, and

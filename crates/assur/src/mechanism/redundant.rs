@@ -12,7 +12,7 @@ use nalgebra::DVector;
 
 use crate::Vector;
 use crate::index::{BodyId, StepId};
-use crate::linkage::draft::Defect;
+use crate::linkage::spec::Defect;
 use crate::mechanism::plan::structured::Redundancy;
 use crate::mechanism::{ConstraintKind, FRAME, LinkOrFrame, Mechanism};
 use crate::position::{BodyPoint, Cause, Nearby, Predictor, Step};
@@ -136,7 +136,7 @@ impl Mechanism {
         };
         let body_of = |link: LinkOrFrame| link.map_or(BodyId::FRAME, |link| self.links[link].body);
         let mut rows = Vec::new();
-        for point in self.points.ids().take(self.draft.points.len()) {
+        for point in self.points.ids().take(self.spec.points.len()) {
             let having = self.bodies.enumerate().filter_map(|(body, points)| {
                 let (_, local) = points.iter().find(|(other, _)| *other == point)?;
                 Some((body, *local))
@@ -160,7 +160,7 @@ impl Mechanism {
             }
             row
         };
-        for slide in &self.draft.slides {
+        for slide in &self.spec.slides {
             let [body, on] = [&slide.link, &slide.on].map(|name| body_of(self.link(name)));
             let of = |name: &String| self.point(name).map(|point| place(self.points[point]));
             if let [Some(at), Some(from), Some(to)] =
@@ -202,7 +202,7 @@ impl Mechanism {
     /// or the mobility by rank is not the number of drivers: drivers that agree only at their rates are too many.
     pub(super) fn shown(&self, redundancy: &Redundancy) -> Option<Structure> {
         let rows = self.rows_in(&self.beside());
-        let drivers = self.draft.drivers.len();
+        let drivers = self.spec.drivers.len();
         if rows.is_empty() || self.mobility_by(&rows).rank != drivers as isize {
             return None;
         }
@@ -229,7 +229,7 @@ impl Mechanism {
     pub(super) fn locked(&self, redundancy: &Redundancy) -> Vec<Defect> {
         let mut state: Predictor = self.blank_state();
         let solved = self.solve(self.drawn_input, &self.signs, self.drawn(), &mut state);
-        let drivers = self.draft.drivers.len() as isize;
+        let drivers = self.spec.drivers.len() as isize;
         let is_mobile = solved.is_ok() && self.mobility_by(&[self.rows(&state)]).rank == drivers;
         let told = |defect: Defect| match defect {
             Defect::Locked { links, .. } if is_mobile => Defect::Instant { links },

@@ -57,7 +57,7 @@ impl Mechanism {
 
     /// Whether a body has more than its hinge, so that one sees how it is turned.
     pub(super) fn shows_its_angle(&self, body: BodyId) -> bool {
-        let mut tracers = self.points.iter().skip(self.draft.points.len());
+        let mut tracers = self.points.iter().skip(self.spec.points.len());
         self.bodies[body].len() > 1 || tracers.any(|tracer| tracer.body == body)
     }
 

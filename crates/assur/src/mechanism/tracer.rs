@@ -2,7 +2,7 @@
 //! the structure nor the assemblies, and follow their link through every redraw.
 
 use crate::index::{BodyId, LinkId, List, PointId};
-use crate::linkage::DraftTracer;
+use crate::linkage::TracerSpec;
 use crate::mechanism::plan::body::{Bodies, Placement};
 use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Mechanism, Pose};
@@ -10,19 +10,19 @@ use crate::position::{BodyPoint, product};
 use crate::{Point, Vector};
 
 impl Mechanism {
-    /// The place on a tracer's link that is at `place` in a pose, in the coordinates of [`DraftTracer::at`].
-    pub(super) fn on_link_of(&self, tracer: &DraftTracer, pose: &Pose<1>, place: Point) -> Vector {
+    /// The place on a tracer's link that is at `place` in a pose, in the coordinates of [`TracerSpec::at`].
+    pub(super) fn on_link_of(&self, tracer: &TracerSpec, pose: &Pose<1>, place: Point) -> Vector {
         let link = self.link(&tracer.link);
         link.map_or(place.coords, |link| self.on_link(pose, link, place))
     }
 
     /// The tracer that a point is; none of a point that links list.
-    pub fn tracer(&self, point: PointId) -> Option<&DraftTracer> {
-        let tracer = point.index().checked_sub(self.draft.points.len())?;
-        self.draft.tracers.get(tracer)
+    pub fn tracer(&self, point: PointId) -> Option<&TracerSpec> {
+        let tracer = point.index().checked_sub(self.spec.points.len())?;
+        self.spec.tracers.get(tracer)
     }
 
-    /// Where a place is in the coordinates of a link, those of [`DraftTracer::at`].
+    /// Where a place is in the coordinates of a link, those of [`TracerSpec::at`].
     pub fn on_link<const N: usize>(&self, pose: &Pose<N>, link: LinkId, place: Point) -> Vector {
         // A link without points is no link: `Mechanism::new` refuses it.
         let origin = self
@@ -36,18 +36,18 @@ impl Mechanism {
 
 /// The places of the tracers on bodies.
 pub(super) fn anchored<'a>(
-    draft: &'a Resolved<'_>,
+    spec: &'a Resolved<'_>,
     bodies: &'a Bodies,
     placements: &'a List<LinkId, Placement>,
 ) -> impl Iterator<Item = BodyPoint> + 'a {
-    draft.tracers.iter().map(move |(link, tracer)| match *link {
+    spec.tracers.iter().map(move |(link, tracer)| match *link {
         None => BodyPoint {
             body: BodyId::FRAME,
-            local: tracer.at - draft.origin,
+            local: tracer.at - spec.origin,
         },
         Some(link) => {
             let Placement { body, angle_offset } = placements[link];
-            let origin = bodies.local(body, draft.links[link].first);
+            let origin = bodies.local(body, spec.links[link].first);
             debug_assert!(origin.is_some(), "a link's body has its first point");
             let (sin, cos) = angle_offset.sin_cos();
             let local = origin.unwrap_or_default() + product(tracer.at, Vector::new(cos, sin));

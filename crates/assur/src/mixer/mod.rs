@@ -3,9 +3,9 @@
 //! fig. 1 and 4).
 
 mod contours;
-mod draft;
 mod drag;
 mod motion;
+mod spec;
 mod tracer;
 
 use std::f64::consts::PI;

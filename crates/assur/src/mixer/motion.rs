@@ -2,7 +2,7 @@
 
 use super::Mixer;
 use crate::Unsolved;
-use crate::mechanism::{Defect, Draft, Mechanism};
+use crate::mechanism::{Defect, LinkageSpec, Mechanism};
 use crate::motion::{Motion, Unjoinable};
 
 /// Why a mixer has no motion as a linkage.
@@ -23,18 +23,18 @@ impl Mixer {
     /// # Errors
     /// Why there is none.
     pub fn motion(&self) -> Result<Motion, Unmoved> {
-        let mut motion = self.moved(&self.draft().map_err(Unmoved::Unsolved)?)?;
+        let mut motion = self.moved(&self.spec().map_err(Unmoved::Unsolved)?)?;
         let cycle = self.linkage.cycle();
         for arc in cycle.arcs().iter().skip(1) {
-            let draft = self.draft_on(*arc);
-            let other = self.moved(&draft.map_err(Unmoved::Unsolved)?)?;
+            let spec = self.spec_on(*arc);
+            let other = self.moved(&spec.map_err(Unmoved::Unsolved)?)?;
             motion = motion.joined(other).map_err(Unmoved::Unjoinable)?;
         }
         Ok(motion)
     }
 
-    fn moved(&self, draft: &Draft) -> Result<Motion, Unmoved> {
-        let mechanism = Mechanism::new(draft).map_err(Unmoved::Defects)?;
+    fn moved(&self, spec: &LinkageSpec) -> Result<Motion, Unmoved> {
+        let mechanism = Mechanism::new(spec).map_err(Unmoved::Defects)?;
         // Where the drawing does not tell the assemblies apart, it is redrawn.
         let redrawn = mechanism.with_four_bar(self.assembly);
         Ok(Motion::new(redrawn.unwrap_or(mechanism)))

@@ -41,7 +41,7 @@ impl Scheme {
     /// # Errors
     /// What is missing for it.
     pub fn generic(&self, space: Space) -> Result<Generic, NoRank> {
-        let verdict = self.ranked(space)?;
+        let verdict = self.rank_report(space)?;
         let mut contacts: Vec<usize> = verdict
             .redundancies
             .iter()

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{PairDraft, PairKind, Point3, SchemeDraft, Vector3};
+use super::{PairKind, PairSpec, Point3, SchemeSpec, Vector3};
 use crate::gears::{GearPair, Wheel};
 use crate::mechanism::{
-    Defect, Draft, DraftGear, DraftLink, DraftPoint, DraftSlide, FRAME, Mechanism, Pose,
+    Defect, FRAME, GearSpec, LinkSpec, LinkageSpec, Mechanism, PointSpec, Pose, SlideSpec,
 };
 use crate::{Point, Vector};
 
@@ -18,7 +18,7 @@ const IDLER: &str = "idler";
 /// α of involute gears (ISO 53): the angle between the line of action and the common tangent of the pitch circles.
 const PRESSURE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
-impl SchemeDraft {
+impl SchemeSpec {
     /// A linkage at a pose. A hinge has the name of its point, a slide that of the point or the link that slides,
     /// wheels in mesh touch in P. Links that are fixed to each other are one; between wheels that mesh "as
     /// printed" there is an idler, as [`Mechanism::counts`] has it. Meshes of wheels about one centre have no place.
@@ -31,32 +31,32 @@ impl SchemeDraft {
     ///
     /// # Errors
     /// What is named and is not there, and whatever else leaves no pairs to count.
-    pub fn of_drawing(draft: &Draft) -> Result<Self, Vec<Defect>> {
-        let defects = draft.defects();
+    pub fn of_drawing(spec: &LinkageSpec) -> Result<Self, Vec<Defect>> {
+        let defects = spec.defects();
         if defects.is_empty() {
-            Ok(Self::of_sound(draft))
+            Ok(Self::of_sound(spec))
         } else {
             Err(defects)
         }
     }
 
     /// The scheme of a draft of which all names are there.
-    fn of_sound(draft: &Draft) -> Self {
-        let own = draft.links.iter().filter(|link| link.fixed_to.is_none());
+    fn of_sound(spec: &LinkageSpec) -> Self {
+        let own = spec.links.iter().filter(|link| link.fixed_to.is_none());
         let own = own.map(|link| link.name.as_str());
         let mut parts = Parts {
-            draft,
+            spec,
             pairs: vec![],
             names: BTreeSet::new(),
             links: [FRAME].into_iter().chain(own).map(str::to_owned).collect(),
         };
-        for point in &draft.points {
+        for point in &spec.points {
             parts.hinge(point);
         }
-        for slide in &draft.slides {
+        for slide in &spec.slides {
             parts.slide(slide);
         }
-        for gear in &draft.gears {
+        for gear in &spec.gears {
             parts.gear(gear);
         }
         Self {
@@ -69,8 +69,8 @@ impl SchemeDraft {
 
 /// A scheme that is being made.
 struct Parts<'a> {
-    draft: &'a Draft,
-    pairs: Vec<PairDraft>,
+    spec: &'a LinkageSpec,
+    pairs: Vec<PairSpec>,
     /// Names of pairs that are given.
     names: BTreeSet<String>,
     /// Names of links that are given.
@@ -78,7 +78,7 @@ struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    fn hinge(&mut self, point: &DraftPoint) {
+    fn hinge(&mut self, point: &PointSpec) {
         let links = self.joined(&point.name);
         if links.len() > 1 {
             self.pair(
@@ -93,15 +93,15 @@ impl Parts<'_> {
 
     /// The names of the bodies that have a point, in the order of the draft.
     fn joined(&self, point: &String) -> Vec<String> {
-        let draft = self.draft;
-        let on_frame = draft.frame.contains(point).then_some(FRAME);
-        let has = |link: &&DraftLink| link.points.contains(point);
-        let roots = draft.links.iter().filter(has);
+        let spec = self.spec;
+        let on_frame = spec.frame.contains(point).then_some(FRAME);
+        let has = |link: &&LinkSpec| link.points.contains(point);
+        let roots = spec.links.iter().filter(has);
         let roots: BTreeSet<&str> = roots
-            .map(|link| draft.root_of(&link.name))
+            .map(|link| spec.root_of(&link.name))
             .chain(on_frame)
             .collect();
-        let bodies = draft.links.iter().map(|link| link.name.as_str());
+        let bodies = spec.links.iter().map(|link| link.name.as_str());
         let bodies = [FRAME].into_iter().chain(bodies);
         bodies
             .filter(|body| roots.contains(body))
@@ -109,8 +109,8 @@ impl Parts<'_> {
             .collect()
     }
 
-    fn slide(&mut self, slide: &DraftSlide) {
-        let [from, to] = slide.line.each_ref().map(|name| self.draft.place(name));
+    fn slide(&mut self, slide: &SlideSpec) {
+        let [from, to] = slide.line.each_ref().map(|name| self.spec.place(name));
         let along = from.zip(to).map(|(from, to)| spatial(to - from));
         let links = [self.body(&slide.on), self.body(&slide.link)];
         let name = [&slide.point, &slide.link];
@@ -120,12 +120,12 @@ impl Parts<'_> {
             name,
             PairKind::Prismatic,
             links.into(),
-            self.draft.place(&slide.point),
+            self.spec.place(&slide.point),
             along,
         );
     }
 
-    fn gear(&mut self, gear: &DraftGear) {
+    fn gear(&mut self, gear: &GearSpec) {
         let carrier = self.body(&gear.carrier);
         let ends = [0, 1].map(|end| self.body(&gear.links[end]));
         let centres = ends.clone().map(|wheel| self.hinged(&wheel, &carrier));
@@ -180,7 +180,7 @@ impl Parts<'_> {
         place: Option<Point>,
         axis: Option<Vector3>,
     ) {
-        self.pairs.push(PairDraft {
+        self.pairs.push(PairSpec {
             name: unused(name, &mut self.names),
             kind,
             links,
@@ -192,12 +192,12 @@ impl Parts<'_> {
 
     /// The name of the body of a link.
     fn body(&self, link: &str) -> String {
-        self.draft.root_of(link).to_owned()
+        self.spec.root_of(link).to_owned()
     }
 
     /// Where two bodies are hinged on each other.
     fn hinged(&self, one: &String, other: &String) -> Option<Point> {
-        let mut points = self.draft.points.iter();
+        let mut points = self.spec.points.iter();
         let joint = points.find(|point| {
             let joined = self.joined(&point.name);
             joined.contains(one) && joined.contains(other)

@@ -6,36 +6,36 @@
 //! Grübler, of Somov and Malyshev, loop by loop, and by the *method of sections* (Ambartsumyants,
 //! Arabadzhi): pairs are cut until every contour is open, the freedoms of what is left are summed,
 //! and the constraints of the cut pairs are taken away again. Where places and axes of the pairs
-//! are known, the rank of the constraints is the referee: counting can lie.
+//! are known, the rank of the constraints is the rank: counting can lie.
 
 mod constraints;
 mod counts;
 mod cut;
 mod displaced;
-mod draft;
 mod elimination;
 mod generic;
 mod idle;
 mod kind;
 mod linkage;
 mod practice;
-mod referee;
+mod rank;
 mod relations;
 mod replacement;
 mod scheme;
 mod screw;
 mod sections;
+mod spec;
 
 pub use counts::Counts;
 pub use cut::{Cut, CutError};
-pub use draft::{PairDraft, SchemeDefect, SchemeDraft};
 pub use generic::Generic;
 pub use kind::PairKind;
 pub use practice::generated;
-pub use referee::{NoRank, Redundancy, Space, Verdict};
+pub use rank::{NoRank, RankReport, Redundancy, Space};
 pub use replacement::{Change, Replacement, Replacements};
 pub use scheme::{Pair, Scheme};
 pub use sections::{Loop, Sections};
+pub use spec::{PairSpec, SchemeDefect, SchemeSpec};
 
 /// A place in space, in the unit of the lengths.
 pub type Point3 = nalgebra::Point3<f64>;

@@ -1,6 +1,6 @@
 //! Schemes to practise on: of 2 to 6 moving links, with places at which they can be drawn, and W ≥ 1 by the count.
 
-use super::{PairDraft, PairKind, Point3, SchemeDraft, Vector3};
+use super::{PairKind, PairSpec, Point3, SchemeSpec, Vector3};
 
 /// Where joints may be: cells of a grid, those of the lowest row for the ground.
 const CELLS: [usize; 2] = [4, 3];
@@ -13,7 +13,7 @@ const GROUND: usize = 0;
 
 /// A scheme to count, the same for the same seed. Most are planar: cranks, sliders, dyads of which one may meet
 /// others in a compound hinge, cams; some are contours or arms in space.
-pub fn generated(seed: u32) -> SchemeDraft {
+pub fn generated(seed: u32) -> SchemeSpec {
     let mut random = Random(u64::from(seed));
     let planar = random.below(4) > 0;
     let mut task = Task::new(random, planar);
@@ -22,7 +22,7 @@ pub fn generated(seed: u32) -> SchemeDraft {
     } else {
         task.spatial();
     }
-    SchemeDraft {
+    SchemeSpec {
         ground: GROUND.to_string(),
         planar,
         pairs: task.pairs,
@@ -33,7 +33,7 @@ pub fn generated(seed: u32) -> SchemeDraft {
 struct Task {
     random: Random,
     planar: bool,
-    pairs: Vec<PairDraft>,
+    pairs: Vec<PairSpec>,
     /// How many links there are, the ground among them.
     links: usize,
     /// Cells without a joint: of the lowest row, and of those above.
@@ -210,7 +210,7 @@ impl Task {
         let second = (kind.has_second() && !self.planar).then(|| self.direction());
         // There are fewer pairs than letters.
         let letter = char::from(b'A' + self.pairs.len() as u8);
-        self.pairs.push(PairDraft {
+        self.pairs.push(PairSpec {
             name: letter.to_string(),
             kind,
             links: links.iter().map(usize::to_string).collect(),

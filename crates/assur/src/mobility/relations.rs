@@ -12,7 +12,7 @@ impl Scheme {
     pub fn relations(&self, sections: Option<&Sections>) -> Vec<Relation> {
         let counts = self.counts();
         let links = counts.links as isize;
-        let [plane, space] = [Space::Plane, Space::Whole].map(|space| self.ranked(space).ok());
+        let [plane, space] = [Space::Plane, Space::Whole].map(|space| self.rank_report(space).ok());
         let whole = space
             .as_ref()
             .map_or(counts.mobility(), |verdict| verdict.mobility as isize);

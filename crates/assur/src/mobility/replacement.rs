@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use super::constraints::Constraints;
 use super::screw::{Form, across};
-use super::{NoRank, Pair, PairKind, Scheme, SchemeDraft, Space, Vector3};
+use super::{NoRank, Pair, PairKind, Scheme, SchemeSpec, Space, Vector3};
 
 /// What is left of a form, relative to its length, after others are taken out: less depends on them.
 const INDEPENDENT: f64 = 1e-6;
@@ -106,13 +106,13 @@ impl Scheme {
     }
 
     /// The scheme with pairs replaced.
-    pub fn replaced(&self, replacement: &Replacement) -> SchemeDraft {
-        let mut draft = self.draft();
+    pub fn replaced(&self, replacement: &Replacement) -> SchemeSpec {
+        let mut spec = self.spec();
         for change in &replacement.changes {
-            let pair = &mut draft.pairs[change.pair];
+            let pair = &mut spec.pairs[change.pair];
             (pair.kind, pair.axis, pair.second) = (change.kind, change.axis, change.second);
         }
-        draft
+        spec
     }
 
     /// The forms that leave the freedoms of a pair and more. Directions that are free to choose are at no special

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::screw::{Form, across};
-use super::{PairDraft, PairKind, Point3, SchemeDefect, SchemeDraft, Vector3};
+use super::{PairKind, PairSpec, Point3, SchemeDefect, SchemeSpec, Vector3};
 
 /// Lengths beyond this are out of any range: their squares and products still are numbers.
 const RANGE: f64 = 1e60;
@@ -53,28 +53,28 @@ impl Scheme {
     ///
     /// # Errors
     /// Everything that is wrong with it.
-    pub fn new(draft: &SchemeDraft) -> Result<Self, Vec<SchemeDefect>> {
+    pub fn new(spec: &SchemeSpec) -> Result<Self, Vec<SchemeDefect>> {
         let mut defects = vec![];
-        if draft.pairs.is_empty() {
+        if spec.pairs.is_empty() {
             return Err(vec![SchemeDefect::Empty]);
         }
         let mut names = BTreeMap::new();
-        for pair in &draft.pairs {
+        for pair in &spec.pairs {
             let times: &mut usize = names.entry(pair.name.as_str()).or_default();
             *times += 1;
             if *times == 2 || (*times == 1 && pair.name.is_empty()) {
                 defects.push(SchemeDefect::SameName(pair.name.clone()));
             }
         }
-        let links = links(draft);
+        let links = links(spec);
         let numbers = links.iter().enumerate();
         let numbers: BTreeMap<&str, usize> = numbers.map(|(at, link)| (*link, at)).collect();
         let mut pairs = vec![];
         let mut freedoms = vec![];
-        for pair in &draft.pairs {
+        for pair in &spec.pairs {
             joins(pair, &mut defects);
-            let sound = directed(pair, draft.planar)
-                .and_then(|pair| Ok((own_freedoms(&pair, draft.planar)?, pair)));
+            let sound = directed(pair, spec.planar)
+                .and_then(|pair| Ok((own_freedoms(&pair, spec.planar)?, pair)));
             match sound {
                 Err(defect) => defects.push(defect),
                 Ok((own, directed)) => {
@@ -94,21 +94,21 @@ impl Scheme {
                 }
             }
         }
-        let named = |pair: &PairDraft| pair.links.contains(&draft.ground);
-        if draft.pairs.iter().any(named) {
-            let apart = apart(draft, &numbers);
+        let named = |pair: &PairSpec| pair.links.contains(&spec.ground);
+        if spec.pairs.iter().any(named) {
+            let apart = apart(spec, &numbers);
             if !apart.is_empty() {
                 let names = apart.into_iter().map(|link| links[link].to_owned());
                 defects.push(SchemeDefect::Apart(names.collect()));
             }
         } else {
-            defects.push(SchemeDefect::NoGround(draft.ground.clone()));
+            defects.push(SchemeDefect::NoGround(spec.ground.clone()));
         }
         if !defects.is_empty() {
             return Err(defects);
         }
         Ok(Self {
-            planar: draft.planar,
+            planar: spec.planar,
             links: links.into_iter().map(str::to_owned).collect(),
             pairs,
             freedoms,
@@ -194,8 +194,8 @@ impl Scheme {
     }
 
     /// The scheme as a draft. Directions are given that the first draft left to be understood.
-    pub fn draft(&self) -> SchemeDraft {
-        let pairs = self.pairs.iter().map(|pair| PairDraft {
+    pub fn spec(&self) -> SchemeSpec {
+        let pairs = self.pairs.iter().map(|pair| PairSpec {
             name: pair.name.clone(),
             kind: pair.kind,
             links: pair
@@ -207,7 +207,7 @@ impl Scheme {
             axis: pair.axis,
             second: pair.second,
         });
-        SchemeDraft {
+        SchemeSpec {
             ground: self.links[0].clone(),
             planar: self.planar,
             pairs: pairs.collect(),
@@ -240,9 +240,9 @@ impl Scale {
 }
 
 /// The names of the links, the ground first.
-fn links(draft: &SchemeDraft) -> Vec<&str> {
-    let ground = draft.ground.as_str();
-    let named = draft.pairs.iter().flat_map(|pair| &pair.links);
+fn links(spec: &SchemeSpec) -> Vec<&str> {
+    let ground = spec.ground.as_str();
+    let named = spec.pairs.iter().flat_map(|pair| &pair.links);
     let mut seen = BTreeSet::new();
     seen.insert(ground);
     let others = named.map(String::as_str).filter(|link| seen.insert(link));
@@ -250,7 +250,7 @@ fn links(draft: &SchemeDraft) -> Vec<&str> {
 }
 
 /// What is wrong with the links of a pair.
-fn joins(pair: &PairDraft, defects: &mut Vec<SchemeDefect>) {
+fn joins(pair: &PairSpec, defects: &mut Vec<SchemeDefect>) {
     let mut seen = BTreeSet::new();
     let again = pair.links.iter().find(|link| !seen.insert(link.as_str()));
     if let Some(link) = again {
@@ -264,12 +264,12 @@ fn joins(pair: &PairDraft, defects: &mut Vec<SchemeDefect>) {
 
 /// A pair with its directions of length 1, and those that are understood.
 struct Directed<'a> {
-    pair: &'a PairDraft,
+    pair: &'a PairSpec,
     axis: Option<Vector3>,
     second: Option<Vector3>,
 }
 
-fn directed(pair: &PairDraft, planar: bool) -> Result<Directed<'_>, SchemeDefect> {
+fn directed(pair: &PairSpec, planar: bool) -> Result<Directed<'_>, SchemeDefect> {
     let wrong = || SchemeDefect::Geometry(pair.name.clone());
     let sound = |value: f64| value.is_finite() && value.abs() <= RANGE;
     let pitch = match pair.kind {
@@ -353,7 +353,7 @@ fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefec
 }
 
 /// Links that no chain of pairs joins to the ground.
-fn apart(draft: &SchemeDraft, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
+fn apart(spec: &SchemeSpec, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
     let mut leader: Vec<usize> = (0..numbers.len()).collect();
     fn angle_offset(leader: &mut [usize], mut link: usize) -> usize {
         while leader[link] != link {
@@ -362,7 +362,7 @@ fn apart(draft: &SchemeDraft, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
         }
         link
     }
-    for pair in &draft.pairs {
+    for pair in &spec.pairs {
         let mut links = pair.links.iter().map(|link| numbers[link.as_str()]);
         let Some(first) = links.next() else { continue };
         for other in links {
@@ -372,5 +372,7 @@ fn apart(draft: &SchemeDraft, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
         }
     }
     let links = 0..numbers.len();
-    links.filter(|link| angle_offset(&mut leader, *link) != 0).collect()
+    links
+        .filter(|link| angle_offset(&mut leader, *link) != 0)
+        .collect()
 }

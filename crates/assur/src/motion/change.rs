@@ -6,8 +6,8 @@ use super::{Motion, TooManyTurns};
 use crate::Point;
 use crate::index::{LinkId, PointId};
 use crate::mechanism::{
-    Assembled, Cause, Defect, Dimension, Draft, DraftDriver, DraftSlide, FRAME, LoopOpen,
-    Mechanism, NoNeighbour, Pose, Setting,
+    Assembled, Cause, Defect, Dimension, DriverSpec, FRAME, LinkageSpec, LoopOpen, Mechanism,
+    NoNeighbour, Pose, Setting, SlideSpec,
 };
 
 /// A linkage after a change.
@@ -90,7 +90,7 @@ impl Motion {
             return self.side_changed((link, point), value, input);
         }
         let start = self.at_hand(input)?;
-        let frame = start.draft().clone();
+        let frame = start.spec().clone();
         let value = self.mechanism.nearest(dimension, value);
         let width = range[1] - range[0];
         let sense = (value - from).signum();
@@ -181,7 +181,7 @@ impl Motion {
             return Err(Refusal::NotFinite);
         }
         let start = self.at_hand(input)?;
-        let from = start.draft().points[point.index()].at;
+        let from = start.spec().points[point.index()].at;
         let range = self.mechanism.range(Dimension::X(point));
         let [least, most] = range.ok_or(Refusal::Absent)?;
         let whole = (to - from).norm() / (most - least);
@@ -201,11 +201,11 @@ impl Motion {
     ///
     /// # Errors
     /// Of a slide in a motion of too many turns the way is not looked for.
-    pub fn driver(&self, link: &str) -> Result<Option<DraftDriver>, TooManyTurns> {
+    pub fn driver(&self, link: &str) -> Result<Option<DriverSpec>, TooManyTurns> {
         let mechanism = &self.mechanism;
-        let draft = mechanism.draft();
-        let mut drivers = draft.drivers.iter();
-        if let Some(driver) = drivers.find(|driver| draft.driven(driver) == Some(link)) {
+        let spec = mechanism.spec();
+        let mut drivers = spec.drivers.iter();
+        if let Some(driver) = drivers.find(|driver| spec.driven(driver) == Some(link)) {
             let mut driver = driver.clone();
             *driver.rate_mut() = 1.0;
             return Ok(Some(driver));
@@ -214,28 +214,28 @@ impl Motion {
             .cranks()
             .any(|crank| mechanism.link_name(crank) == link)
         {
-            return Ok(Some(DraftDriver::Crank {
+            return Ok(Some(DriverSpec::Crank {
                 link: link.to_owned(),
                 base: FRAME.to_owned(),
                 rate: 1.0,
             }));
         }
-        let mut slides = draft.slides.iter();
+        let mut slides = spec.slides.iter();
         let slide = slides.position(|slide| slide.link == link && slide.on == FRAME);
         let Some(slide) = slide else {
             return Ok(None);
         };
-        let range = self.way(&draft.slides[slide])?;
+        let range = self.way(&spec.slides[slide])?;
         let rate = 1.0;
-        Ok(range.map(|range| DraftDriver::Slide { slide, range, rate }))
+        Ok(range.map(|range| DriverSpec::Slide { slide, range, rate }))
     }
 
     /// The least and the greatest way of a slide along a line of the frame, found at its limit positions and at the ends of
     /// the motion; none of one that stays where it is.
-    fn way(&self, slide: &DraftSlide) -> Result<Option<[f64; 2]>, TooManyTurns> {
+    fn way(&self, slide: &SlideSpec) -> Result<Option<[f64; 2]>, TooManyTurns> {
         let mechanism = &self.mechanism;
         let point = mechanism.point(&slide.point);
-        let [from, to] = [0, 1].map(|end| mechanism.draft().place(&slide.line[end]));
+        let [from, to] = [0, 1].map(|end| mechanism.spec().place(&slide.line[end]));
         let (Some(point), Some(from), Some(to)) = (point, from, to) else {
             debug_assert!(false, "a mechanism has the points of its slides");
             return Ok(None);
@@ -267,15 +267,17 @@ impl Motion {
     /// # Errors
     /// Why it cannot go so.
     pub fn at_rate(&self, driver: usize, rate: f64, input: f64) -> Result<Changed, Vec<Defect>> {
-        let pose = self.pose::<1>(input).or_else(|_| self.pose::<1>(self.drawn_input));
-        let mut draft = match pose {
+        let pose = self
+            .pose::<1>(input)
+            .or_else(|_| self.pose::<1>(self.drawn_input));
+        let mut spec = match pose {
             Ok(pose) => self.mechanism.shaped_in(&pose),
-            Err(_) => self.mechanism.draft().clone(),
+            Err(_) => self.mechanism.spec().clone(),
         };
-        if let Some(driver) = draft.drivers.get_mut(driver) {
+        if let Some(driver) = spec.drivers.get_mut(driver) {
             *driver.rate_mut() = rate;
         }
-        let motion = Self::new(Mechanism::new(&draft)?);
+        let motion = Self::new(Mechanism::new(&spec)?);
         Ok(Changed {
             input: motion.drawn_input,
             gave_way: false,
@@ -288,16 +290,16 @@ impl Motion {
     ///
     /// # Errors
     /// Why it cannot be driven so.
-    pub fn driven_by(&self, driver: &DraftDriver, input: f64) -> Result<Changed, Vec<Defect>> {
+    pub fn driven_by(&self, driver: &DriverSpec, input: f64) -> Result<Changed, Vec<Defect>> {
         let mut found = Err(Vec::new());
         let aside = WAYS.into_iter().flat_map(|part| [part, -part]);
         for part in [0.0].into_iter().chain(aside) {
             let Ok(pose) = self.pose::<1>(input + part * self.mechanism.span()) else {
                 continue;
             };
-            let mut draft = self.mechanism.shaped_in(&pose);
-            drive_first(&mut draft, driver);
-            match Mechanism::new(&draft) {
+            let mut spec = self.mechanism.shaped_in(&pose);
+            drive_first(&mut spec, driver);
+            match Mechanism::new(&spec) {
                 Ok(mechanism) => {
                     let motion = Self::new(mechanism);
                     let (input, gave_way) = (motion.drawn_input, part != 0.0);
@@ -328,11 +330,12 @@ impl Motion {
 
     /// What was followed as a motion of its own.
     fn taken(&self, way: &Way) -> Result<Changed, Refusal> {
-        let mechanism = Mechanism::new(way.here.draft()).map_err(Refusal::Defects)?;
+        let mechanism = Mechanism::new(way.here.spec()).map_err(Refusal::Defects)?;
         let motion = Self::new(mechanism);
         // Where the crank goes over more than a turn, its angle alone does not tell which.
         let input = way.here.input();
-        let told = (motion.cycle.wrap(input) - motion.drawn_input).abs() <= TOLD * motion.mechanism.span();
+        let told =
+            (motion.cycle.wrap(input) - motion.drawn_input).abs() <= TOLD * motion.mechanism.span();
         let input = if told { input } else { motion.drawn_input };
         let gave_way = way.gave_way;
         Ok(Changed {
@@ -443,18 +446,18 @@ fn returned(here: Assembled, setting: Setting, wanted: f64) -> Assembled {
 
 /// Makes a driver the first. A further one that it was before gives its place, and its rate the other way round, to
 /// the first that there was; else that one drives no more.
-fn drive_first(draft: &mut Draft, driver: &DraftDriver) {
-    let driven = draft.driven(driver);
-    let mut all = draft.drivers.iter();
-    let before = all.position(|one| draft.driven(one) == driven);
-    let rate = before.map_or(1.0, |before| draft.drivers[before].rate());
+fn drive_first(spec: &mut LinkageSpec, driver: &DriverSpec) {
+    let driven = spec.driven(driver);
+    let mut all = spec.drivers.iter();
+    let before = all.position(|one| spec.driven(one) == driven);
+    let rate = before.map_or(1.0, |before| spec.drivers[before].rate());
     if let Some(before) = before {
-        draft.drivers.swap(0, before);
+        spec.drivers.swap(0, before);
     }
-    if let Some(first) = draft.drivers.first_mut() {
+    if let Some(first) = spec.drivers.first_mut() {
         *first = driver.clone();
     }
-    for further in draft.drivers.iter_mut().skip(1) {
+    for further in spec.drivers.iter_mut().skip(1) {
         *further.rate_mut() /= rate;
     }
 }

@@ -7,7 +7,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{DeadPointKind, Motion};
-use crate::mechanism::{Defect, Draft, DraftDriver, FRAME, Mechanism};
+use crate::mechanism::{Defect, DriverSpec, FRAME, LinkageSpec, Mechanism};
 use crate::{Point, Vector};
 
 /// Maximum move of a point, relative to the size of the drawing.
@@ -34,14 +34,14 @@ const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
 #[derive(Clone, Debug)]
 pub struct MadeExact {
     /// The drawing.
-    pub draft: Draft,
+    pub spec: LinkageSpec,
     /// The greatest distance by which a point has moved.
     pub by: f64,
     /// The point that has moved farthest.
     pub point: String,
 }
 
-impl Draft {
+impl LinkageSpec {
     /// The drawing moved by as little as makes its redundant constraints hold over a motion. None if it is no linkage
     /// with a crank on the frame and too many constraints, or if it would move by more than [`NEARLY`] of its size.
     pub fn made_exact(&self) -> Option<MadeExact> {
@@ -62,9 +62,9 @@ impl Draft {
     /// The drawing with its points in other places, if it moves then and is nowhere locked.
     fn moved(&self, places: Vec<Point>) -> Option<MadeExact> {
         let size = self.size();
-        let mut draft = self.clone();
+        let mut spec = self.clone();
         let (mut by, mut farthest) = (0.0, String::new());
-        for (point, at) in draft.points.iter_mut().zip(places) {
+        for (point, at) in spec.points.iter_mut().zip(places) {
             let moved = (at - point.at).norm();
             if moved >= by {
                 (by, farthest) = (moved, point.name.clone());
@@ -74,11 +74,11 @@ impl Draft {
         if by > NEARLY * size {
             return None;
         }
-        let motion = Motion::new(Mechanism::new(&draft).ok()?);
+        let motion = Motion::new(Mechanism::new(&spec).ok()?);
         let mut ends = motion.dead_points().iter();
         let is_locked = ends.any(|end| end.kind == DeadPointKind::Locked);
         (!is_locked).then_some(MadeExact {
-            draft,
+            spec,
             by,
             point: farthest,
         })
@@ -111,29 +111,29 @@ struct System {
 }
 
 impl System {
-    fn new(draft: &Draft) -> Option<Self> {
-        let index = |name: &String| draft.points.iter().position(|point| point.name == *name);
-        let of = |link: &String| draft.links.iter().find(|one| one.name == *link);
-        let [DraftDriver::Crank { link, base, .. }] = &draft.drivers[..] else {
+    fn new(spec: &LinkageSpec) -> Option<Self> {
+        let index = |name: &String| spec.points.iter().position(|point| point.name == *name);
+        let of = |link: &String| spec.links.iter().find(|one| one.name == *link);
+        let [DriverSpec::Crank { link, base, .. }] = &spec.drivers[..] else {
             return None;
         };
-        let plain = draft
+        let plain = spec
             .links
             .iter()
             .all(|link| link.shape.is_none() && link.fixed_to.is_none());
-        if base != FRAME || !plain || !draft.gears.is_empty() {
+        if base != FRAME || !plain || !spec.gears.is_empty() {
             return None;
         }
-        let fixed = draft.points.iter();
+        let fixed = spec.points.iter();
         let fixed: Vec<bool> = fixed
-            .map(|point| draft.frame.contains(&point.name))
+            .map(|point| spec.frame.contains(&point.name))
             .collect();
         let crank: Option<Vec<usize>> = of(link)?.points.iter().map(index).collect();
         let crank = crank?;
         let centre = crank.iter().copied().find(|point| fixed[*point])?;
         let pin = crank.iter().copied().find(|point| *point != centre)?;
         let (mut constants, mut ways) = (Vec::new(), Vec::new());
-        for link in &draft.links {
+        for link in &spec.links {
             let points: Option<Vec<usize>> = link.points.iter().map(index).collect();
             let points = points?;
             if let [first, second, ..] = points[..] {
@@ -146,23 +146,23 @@ impl System {
                 }
             }
         }
-        for slide in &draft.slides {
+        for slide in &spec.slides {
             let [from, to] = [index(&slide.line[0])?, index(&slide.line[1])?];
             let point = index(&slide.point)?;
             constants.push(Constant::Cross([from, to, from, point]));
             if let [first, second, ..] =
-                &of(&slide.link).map_or(&draft.frame, |link| &link.points)[..]
+                &of(&slide.link).map_or(&spec.frame, |link| &link.points)[..]
             {
                 constants.push(Constant::Cross([from, to, index(first)?, index(second)?]));
             }
         }
         Some(Self {
-            drawn: draft.points.iter().map(|point| point.at.coords).collect(),
+            drawn: spec.points.iter().map(|point| point.at.coords).collect(),
             fixed,
             constants,
             ways,
             crank: [centre, pin],
-            size: draft.size(),
+            size: spec.size(),
         })
     }
 

@@ -58,7 +58,7 @@ impl Column {
 
     /// Its name where its derivatives are by time: `rocker.omega`, `rocker.epsilon`, `C.vx`, `C.ay`.
     pub fn name_by_time(self, mechanism: &Mechanism) -> String {
-        let of = self.quantity.whose(mechanism);
+        let of = self.quantity.subject(mechanism);
         let rates = match self.quantity {
             Quantity::Angle(_) => ["omega", "epsilon"],
             Quantity::X(_) => ["vx", "ax"],

@@ -72,10 +72,15 @@ impl Motion {
         };
         if let Some(closed) = mechanism.closed_form_of(dyad) {
             let arcs = self.cycle().arcs().iter();
-            let inputs =
-                arcs.flat_map(|arc| arc.iter().copied().chain(half_turns(closed.angle_offset, *arc)));
+            let inputs = arcs.flat_map(|arc| {
+                arc.iter()
+                    .copied()
+                    .chain(half_turns(closed.angle_offset, *arc))
+            });
             let found = inputs.filter_map(|input| {
-                let angle = closed.linkage.transmission_angle(input + closed.angle_offset);
+                let angle = closed
+                    .linkage
+                    .transmission_angle(input + closed.angle_offset);
                 let angle = angle.ok()?;
                 Some(WorstTransmission { angle, input })
             });

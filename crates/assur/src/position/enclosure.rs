@@ -136,7 +136,11 @@ impl Enclosure {
             let most = |of: &dyn Fn(&Predictor) -> f64| 2.0 * f64::max(of(from), of(to));
             let angular_acceleration = most(&|state| state.angle(body).derivative(2).abs());
             let acceleration = most(&|state| 2.0 * state.bodies[body].origin[2].norm());
-            self.set(body, angular_acceleration, [(Vector::zeros(), acceleration); 2]);
+            self.set(
+                body,
+                angular_acceleration,
+                [(Vector::zeros(), acceleration); 2],
+            );
         }
     }
 
@@ -154,7 +158,12 @@ impl Enclosure {
         }
     }
 
-    pub(crate) fn set(&mut self, body: BodyId, angular_acceleration: f64, places: [(Vector, f64); 2]) {
+    pub(crate) fn set(
+        &mut self,
+        body: BodyId,
+        angular_acceleration: f64,
+        places: [(Vector, f64); 2],
+    ) {
         let turned = f64::INFINITY;
         self.bodies[body] = Bound {
             angular_acceleration,
@@ -187,7 +196,11 @@ impl Enclosure {
 
     /// What the second derivative of a direction of a body is at most.
     pub(crate) fn direction_acceleration(&self, from: &Predictor, body: BodyId) -> f64 {
-        Vector::new(self.angular_acceleration(body), self.max_turn_rate(from, body).powi(2)).norm()
+        Vector::new(
+            self.angular_acceleration(body),
+            self.max_turn_rate(from, body).powi(2),
+        )
+        .norm()
     }
 
     /// The way of a place on a body.
@@ -195,7 +208,9 @@ impl Enclosure {
         let place = from.place(anchor);
         let Bound { places, .. } = &self.bodies[anchor.body];
         let direction_acceleration = self.direction_acceleration(from, anchor.body);
-        let accelerations = places.map(|(local, acceleration)| acceleration + (anchor.local - local).norm() * direction_acceleration);
+        let accelerations = places.map(|(local, acceleration)| {
+            acceleration + (anchor.local - local).norm() * direction_acceleration
+        });
         PointBound {
             at: place[0],
             rate: place[1],
@@ -219,7 +234,11 @@ impl Enclosure {
 
     /// The least and the greatest distance from the origin.
     pub(crate) fn distances(&self, way: &PointBound) -> [f64; 2] {
-        let PointBound { at, rate, acceleration } = way;
+        let PointBound {
+            at,
+            rate,
+            acceleration,
+        } = way;
         let room = 0.5 * self.step_len * self.step_len * acceleration;
         let end = at + rate * self.width;
         let most = at.norm().max(end.norm());
@@ -279,7 +298,8 @@ impl Enclosure {
         // Where the base is short or the links are nearly in line the triangle tells better how far they turn.
         for (arm, other) in [(&arms[0], l3), (&arms[1], l2)] {
             if self.turned(from, arm.body) > FAR {
-                let turned = self.max_direction_turn(&base) + opened([arm.length(), other], [least, most]);
+                let turned =
+                    self.max_direction_turn(&base) + opened([arm.length(), other], [least, most]);
                 self.bodies[arm.body].turned = turned;
             }
         }
@@ -333,7 +353,11 @@ impl Enclosure {
     /// A body that slides along a line, by what bounds the second derivative of its point.
     pub(crate) fn slid(&mut self, track: &Track, acceleration: f64) {
         let angular_acceleration = self.angular_acceleration(track.line.body);
-        self.set(track.body, angular_acceleration, [(track.point, acceleration); 2]);
+        self.set(
+            track.body,
+            angular_acceleration,
+            [(track.point, acceleration); 2],
+        );
     }
 }
 

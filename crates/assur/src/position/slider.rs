@@ -57,7 +57,8 @@ impl Solvable for Slider {
         }
         // C″ = Q″ + 2σ′v′ + σv″ with a constant rate σ′ along the line.
         let rate = course.rate.abs();
-        let along = 2.0 * rate * cell.max_turn_rate(from, line) + cell.step_len * rate * cell.direction_acceleration(from, line);
+        let along = 2.0 * rate * cell.max_turn_rate(from, line)
+            + cell.step_len * rate * cell.direction_acceleration(from, line);
         let acceleration = cell.place_at(from, line, at).acceleration + along;
         cell.slid(track, acceleration);
         true

@@ -128,7 +128,8 @@ pub(crate) trait Solvable {
             if self.tracks_turns() {
                 state.tracks_turns(body, given.near);
             }
-            sum += state.bodies[body].origin.finite_probe() + state.bodies[body].turn.finite_probe();
+            sum +=
+                state.bodies[body].origin.finite_probe() + state.bodies[body].turn.finite_probe();
         }
         finite(sum)
     }

@@ -229,7 +229,9 @@ impl Search {
     fn judge(&mut self, value: f64) {
         let k = self.next;
         let dimension = self.variables[k].dimension;
-        let changed = self.motion.changed(dimension, value, self.motion.drawn_input());
+        let changed = self
+            .motion
+            .changed(dimension, value, self.motion.drawn_input());
         self.progress.judged += 1;
         self.next = (k + 1) % self.variables.len();
         let before = self.progress.evaluation;

@@ -1,16 +1,16 @@
 use std::f64::consts::PI;
 
-use assur::mechanism::Draft;
+use assur::mechanism::LinkageSpec;
 use assur::motion::Motion;
 
 use super::super::View;
 use super::*;
 
 /// An arm with a sun on the frame and a planet, in a ring, and a train beside it.
-fn draft() -> Draft {
+fn draft() -> LinkageSpec {
     // Where the second wheel's module is the same in both of its meshes.
     let module = 2.0 * 10.0_f64.sqrt() / 94.0;
-    let mut draft = Draft::default()
+    let mut draft = LinkageSpec::default()
         .point("O", 0.0, 0.0)
         .point("Q", 0.1, 0.4)
         .point("P", 1.0, 0.2)
@@ -24,7 +24,7 @@ fn draft() -> Draft {
         .bar("second", &["E"])
         .bar("third", &["F"])
         .crank("arm");
-    let mut sun = assur::mechanism::DraftLink {
+    let mut sun = assur::mechanism::LinkSpec {
         name: "sun".to_owned(),
         points: vec!["O".to_owned(), "Q".to_owned()],
         ..Default::default()
@@ -38,7 +38,7 @@ fn draft() -> Draft {
         (["planet", "ring"], "arm", [20.0, 70.0], Mesh::Internal),
         (["ring", "second"], "frame", [70.0, 24.0], Mesh::External),
     ] {
-        draft.gears.push(DraftGear {
+        draft.gears.push(GearSpec {
             links: links.map(str::to_owned),
             carrier: carrier.to_owned(),
             teeth,

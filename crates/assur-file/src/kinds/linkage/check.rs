@@ -1,7 +1,7 @@
 //! What is wrong with single fields of a linkage, before it is asked to move: a
 //! border bounds its work and what it shows.
 
-use super::draft::driver;
+use super::spec::driver;
 use super::{LinkageDocument, LinkageProblem};
 
 /// No more of each are taken.

@@ -217,7 +217,7 @@ impl LinkageProblem {
                 Dimension::Length(link) | Dimension::Side(link, _) | Dimension::Corner(link, _) => {
                     mechanism.link_name(link)
                 }
-                Dimension::Offset(slide) => &mechanism.draft().slides[slide.index()].link,
+                Dimension::Offset(slide) => &mechanism.spec().slides[slide.index()].link,
                 Dimension::X(point) | Dimension::Y(point) => mechanism.point_name(point),
             });
             name.unwrap_or_default().to_owned()

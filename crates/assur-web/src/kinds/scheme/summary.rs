@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use assur::mobility::{Cut, Generic, NoRank, Replacement, Sections, Space, Verdict};
+use assur::mobility::{Cut, Generic, NoRank, RankReport, Replacement, Sections, Space};
 use assur_file::{KindDocument, SchemeProblem};
 use serde::Serialize;
 
@@ -171,9 +171,9 @@ impl<'a> SchemeSummary<'a> {
             Ok(_) | Err(_) => (&[], &[]),
         };
         let automatic = scheme.automatic().into_iter();
-        let judged = |space: Space| JudgedSummary::new(scheme, space);
-        let plane = scheme.is_planar().then(|| judged(Space::Plane).ok());
-        let space = judged(Space::Whole);
+        let rank_report = |space: Space| JudgedSummary::new(scheme, space);
+        let plane = scheme.is_planar().then(|| rank_report(Space::Plane).ok());
+        let space = rank_report(Space::Whole);
         let missing = space.as_ref().err().and_then(lacking);
         let mended = scheme.replacements(MENDED).ok();
         Self {
@@ -295,12 +295,12 @@ impl<'a> SectionsSummary<'a> {
 
 impl<'a> JudgedSummary<'a> {
     fn new(scheme: &'a assur::mobility::Scheme, space: Space) -> Result<Self, NoRank> {
-        let Verdict {
+        let RankReport {
             mobility,
             rank,
             redundancies,
             idle,
-        } = scheme.judged(space)?;
+        } = scheme.rank_report(space)?;
         // Of more pairs a pose near by may take longer than a hand waits.
         let near = (scheme.pairs().len() <= FOLLOWED).then(|| scheme.generic(space));
         let generic = near.transpose()?;

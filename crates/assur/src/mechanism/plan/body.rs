@@ -6,7 +6,7 @@ use crate::index::{BodyId, LinkId, List, PointId, SlideId};
 use crate::position::{BodyPoint, Orientation, conjugate, product};
 use crate::structure::{self, Graph, Pair};
 
-use crate::linkage::draft::{Defect, extent};
+use crate::linkage::spec::{Defect, extent};
 use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::plan::willis;
@@ -50,17 +50,17 @@ impl Bodies {
     /// A link whose orientation nothing determines; a slide by a point that its link has not, or along two points that
     /// are one on theirs.
     pub(in crate::mechanism) fn new(
-        draft: &Resolved<'_>,
+        spec: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
     ) -> Result<(Self, List<LinkId, Placement>), Defect> {
-        let (mut bodies, placements) = Self::rigid(draft, hinge)?;
-        for slide in draft.slides.ids() {
-            let slide = bodies.slide(draft, slide)?;
+        let (mut bodies, placements) = Self::rigid(spec, hinge)?;
+        for slide in spec.slides.ids() {
+            let slide = bodies.slide(spec, slide)?;
             bodies.slides.push(slide);
         }
-        let gears = draft.gears.iter().map(|gear| Gear {
-            bodies: gear.links.map(|link| draft.body(link)),
-            carrier: draft.body(gear.carrier),
+        let gears = spec.gears.iter().map(|gear| Gear {
+            bodies: gear.links.map(|link| spec.body(link)),
+            carrier: spec.body(gear.carrier),
             teeth: gear.teeth,
             mesh: gear.mesh,
         });
@@ -78,14 +78,14 @@ impl Bodies {
     /// # Errors
     /// A link whose orientation nothing determines.
     pub(in crate::mechanism) fn rigid(
-        draft: &Resolved<'_>,
+        spec: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
     ) -> Result<(Self, List<LinkId, Placement>), Defect> {
         let place = |point: &PointId| match hinge {
             Some((moved, at)) if moved == *point => (*point, at),
-            _ => (*point, draft.places[*point]),
+            _ => (*point, spec.places[*point]),
         };
-        let frame = draft.frame.iter().map(place).collect();
+        let frame = spec.frame.iter().map(place).collect();
         let mut bodies = Self {
             points: vec![frame].into(),
             drawn: vec![(Vector::zeros(), Vector::x())].into(),
@@ -93,16 +93,16 @@ impl Bodies {
             gears: Vec::new(),
             passive: Vec::new(),
         };
-        for link in draft.bodies.iter().flatten() {
-            bodies.make(draft, *link)?;
+        for link in spec.bodies.iter().flatten() {
+            bodies.make(spec, *link)?;
         }
-        for (body, brought) in draft.brought.enumerate() {
+        for (body, brought) in spec.brought.enumerate() {
             bodies.points[body].extend(brought);
         }
-        let placements = draft.links.iter().map(|link| Placement {
+        let placements = spec.links.iter().map(|link| Placement {
             body: link.body,
             angle_offset: if link.is_fixed {
-                bodies.fix(draft, link.body, &link.points)
+                bodies.fix(spec, link.body, &link.points)
             } else {
                 0.0
             },
@@ -116,11 +116,11 @@ impl Bodies {
     ///
     /// # Errors
     /// A link with a shape of which no two points are drawn apart: its orientation is not determined.
-    fn make(&mut self, draft: &Resolved<'_>, id: LinkId) -> Result<(), Defect> {
-        let link = &draft.links[id];
-        let origin = draft.places[link.first];
-        let way = |from: PointId, to: PointId| draft.places[to] - draft.places[from];
-        let shape = draft.shape(id).map(|shape| {
+    fn make(&mut self, spec: &Resolved<'_>, id: LinkId) -> Result<(), Defect> {
+        let link = &spec.links[id];
+        let origin = spec.places[link.first];
+        let way = |from: PointId, to: PointId| spec.places[to] - spec.places[from];
+        let shape = spec.shape(id).map(|shape| {
             let shape: Vec<Vector> = shape.iter().map(|at| at.coords).collect();
             in_own_axes(&shape)
         });
@@ -128,11 +128,11 @@ impl Bodies {
             Some(second) => {
                 let ways = link.points.iter().map(|point| way(link.first, *point));
                 let ways: Vec<Vector> = ways.collect();
-                let turn = drawn_turn(&ways, shape.as_deref(), draft.draft.size());
-                turn.ok_or_else(|| draft.coincident(Some(id), [link.first, *second]))?
+                let turn = drawn_turn(&ways, shape.as_deref(), spec.spec.size());
+                turn.ok_or_else(|| spec.coincident(Some(id), [link.first, *second]))?
             }
             None => {
-                let mut slides = draft.slides.iter();
+                let mut slides = spec.slides.iter();
                 let guide = slides.find(|slide| slide.link == Some(id));
                 guide.map_or(Vector::x(), |slide| {
                     way(slide.line[0], slide.line[1]).normalize()
@@ -148,18 +148,18 @@ impl Bodies {
     }
 
     /// Adds the points of a link that is fixed to a body; the angle of the link on it.
-    fn fix(&mut self, draft: &Resolved<'_>, body: BodyId, points: &[PointId]) -> f64 {
+    fn fix(&mut self, spec: &Resolved<'_>, body: BodyId, points: &[PointId]) -> f64 {
         let (origin, turn) = self.drawn[body];
         let own = |way: Vector| product(way, conjugate(turn));
         let is_new = |point: &PointId| self.local(body, *point).is_none();
         let place = |point: PointId| {
             let known = self.local(body, point);
-            known.unwrap_or_else(|| own(draft.places[point] - origin))
+            known.unwrap_or_else(|| own(spec.places[point] - origin))
         };
         let way = match *points {
             // Of two points close together rounding of their places on the body would blur the direction.
             [first, second, ..] if is_new(&first) && is_new(&second) => {
-                own(draft.places[second] - draft.places[first])
+                own(spec.places[second] - spec.places[first])
             }
             [first, second, ..] => place(second) - place(first),
             _ => Vector::x(),
@@ -238,16 +238,16 @@ impl Bodies {
     /// A driver between links that are one body, or that nothing joins.
     pub(in crate::mechanism) fn driver(
         &self,
-        draft: &Resolved<'_>,
+        spec: &Resolved<'_>,
         driver: &Driver,
         graph: &Graph,
     ) -> Result<structure::Driver, Defect> {
         let links = match driver {
-            Driver::Crank { link, base, .. } => [*base, *link].map(|link| draft.body(link)),
+            Driver::Crank { link, base, .. } => [*base, *link].map(|link| spec.body(link)),
             Driver::Slide { slide, .. } => self.slides[*slide].bodies,
         };
         if links[0] == links[1] {
-            let driven = draft.link_name(draft.driven(driver));
+            let driven = spec.link_name(spec.driven(driver));
             return Err(Defect::WithItself(driven.to_owned()));
         }
         let links = links.map(BodyId::index);

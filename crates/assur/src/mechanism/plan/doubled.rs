@@ -2,7 +2,7 @@
 
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::linkage::check::CLOSEST;
-use crate::linkage::draft::{Defect, Draft, extent};
+use crate::linkage::spec::{Defect, LinkageSpec, extent};
 use crate::mechanism::dimension::along_axis;
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
@@ -29,13 +29,18 @@ impl DoubledLink {
 
 impl Mechanism {
     /// The draft with a point of a link elsewhere on it, and on the links that are one body with it by their points.
-    pub(in crate::mechanism) fn placed(&self, link: LinkId, point: usize, at: Point) -> Draft {
-        let mut draft = self.draft.clone();
+    pub(in crate::mechanism) fn placed(
+        &self,
+        link: LinkId,
+        point: usize,
+        at: Point,
+    ) -> LinkageSpec {
+        let mut spec = self.spec.clone();
         let Part { body, points, .. } = &self.links[link];
         let moved = points.get(point);
         let links = self.links.enumerate();
         for (other, part) in links.filter(|(_, part)| part.body == *body) {
-            let own = &mut draft.links[other.index()];
+            let own = &mut spec.links[other.index()];
             let place = part.points.iter().position(|point| Some(point) == moved);
             let at = if other == link {
                 Some(at)
@@ -49,7 +54,7 @@ impl Mechanism {
                 *shape = along_axis(std::mem::take(shape));
             }
         }
-        draft
+        spec
     }
 
     /// A place on a link as it is on another link of its body.
@@ -63,7 +68,7 @@ impl Mechanism {
     /// The first place of a link with a shape, on it and on its body, and how its axes are turned there.
     fn axes(&self, link: LinkId) -> Option<[Vector; 3]> {
         let Part { body, points, .. } = &self.links[link];
-        let shape = self.draft.links[link.index()].shape.as_ref()?;
+        let shape = self.spec.links[link.index()].shape.as_ref()?;
         let end = |k: usize| Some([shape.get(k)?.coords, self.local(*body, *points.get(k)?)?]);
         let [[own, on_body], [to, end]] = [end(0)?, end(1)?];
         let turn = product(

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::Vector;
 use crate::index::{BodyId, SlideId};
-use crate::linkage::draft::Defect;
+use crate::linkage::spec::Defect;
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::mechanism::plan::{Drawn, Placed};
@@ -18,7 +18,10 @@ pub(in crate::mechanism) struct DrivenPair {
 
 pub(in crate::mechanism) enum PairKind {
     /// A hinge: the driven body, its base, and what the coordinate has more than the angle between them.
-    Hinge { bodies: [BodyId; 2], angle_offset: f64 },
+    Hinge {
+        bodies: [BodyId; 2],
+        angle_offset: f64,
+    },
     /// A slide, with its least and greatest coordinate.
     Slide { slide: SlideId, range: [f64; 2] },
 }
@@ -26,13 +29,13 @@ pub(in crate::mechanism) enum PairKind {
 impl DrivenPair {
     pub(in crate::mechanism) fn new(
         placed: &Placed<'_>,
-        draft: &Resolved<'_>,
+        spec: &Resolved<'_>,
         driver: &Driver,
         course: DriveLaw,
     ) -> Self {
         let kind = match driver {
             Driver::Crank { link, base, .. } => PairKind::Hinge {
-                bodies: [*link, *base].map(|link| draft.body(link)),
+                bodies: [*link, *base].map(|link| spec.body(link)),
                 angle_offset: placed.angle_offset(driver),
             },
             Driver::Slide { slide, range, .. } => PairKind::Slide {
@@ -67,17 +70,17 @@ impl Bodies {
 
 /// The driven slides that are drawn outside their range.
 pub(in crate::mechanism) fn drawn_beyond_range(
-    draft: &Resolved<'_>,
+    spec: &Resolved<'_>,
     bodies: &Bodies,
 ) -> Vec<Defect> {
-    let beyond = draft.drivers.iter().filter_map(|driver| {
+    let beyond = spec.drivers.iter().filter_map(|driver| {
         let Driver::Slide { slide, range, .. } = driver else {
             return None;
         };
         let at = bodies.slides[*slide].drawn_way();
         let [from, to] = *range;
         (!(from..=to).contains(&at)).then(|| Defect::BeyondRange {
-            link: draft.link_name(draft.driven(driver)).to_owned(),
+            link: spec.link_name(spec.driven(driver)).to_owned(),
             at,
             range: *range,
         })
@@ -90,8 +93,8 @@ impl Placed<'_> {
     fn angle_offset(&self, driver: &Driver) -> f64 {
         match driver {
             Driver::Crank { link, base, .. } => {
-                let [link, base] =
-                    [link, base].map(|link| link.map_or(0.0, |link| self.placements[link].angle_offset));
+                let [link, base] = [link, base]
+                    .map(|link| link.map_or(0.0, |link| self.placements[link].angle_offset));
                 link - base
             }
             Driver::Slide { .. } => 0.0,
@@ -99,10 +102,10 @@ impl Placed<'_> {
     }
 
     /// The drawn coordinate of a driver; that of a slide is within its range.
-    pub(in crate::mechanism) fn drawn(&self, draft: &Resolved<'_>, driver: &Driver) -> f64 {
+    pub(in crate::mechanism) fn drawn(&self, spec: &Resolved<'_>, driver: &Driver) -> f64 {
         match driver {
             Driver::Crank { link, base, .. } => {
-                let angle = |link| self.orientations[draft.body(link)].angle;
+                let angle = |link| self.orientations[spec.body(link)].angle;
                 angle(*link) - angle(*base) + self.angle_offset(driver)
             }
             Driver::Slide { slide, range, .. } => {
@@ -116,15 +119,15 @@ impl Placed<'_> {
     /// many whole turns as there, and so is the driven link.
     pub(in crate::mechanism) fn drawn_input(
         &mut self,
-        draft: &Resolved<'_>,
+        spec: &Resolved<'_>,
         first: &Driver,
         known: Option<Drawn<'_>>,
     ) -> f64 {
-        let drawn = self.drawn(draft, first);
+        let drawn = self.drawn(spec, first);
         let Driver::Crank { link, base, .. } = first else {
             return drawn;
         };
-        let [link, base] = [*link, *base].map(|link| draft.body(link));
+        let [link, base] = [*link, *base].map(|link| spec.body(link));
         let near = match known {
             Some(Drawn { input, .. }) => input,
             None if base == BodyId::FRAME => drawn,
@@ -142,7 +145,7 @@ impl Placed<'_> {
     /// The step of a driver whose base is placed: what is placed may be either of the two that it drives.
     pub(in crate::mechanism) fn driven(
         &self,
-        draft: &Resolved<'_>,
+        spec: &Resolved<'_>,
         driver: &Driver,
         [base, body]: [BodyId; 2],
         course: DriveLaw,
@@ -151,7 +154,7 @@ impl Placed<'_> {
             Driver::Crank { link, .. } => {
                 let (at, hinge) = self.bodies.hinge([base, body])?;
                 let angle_offset = self.angle_offset(driver);
-                let (angle_offset, course) = if draft.body(*link) == body {
+                let (angle_offset, course) = if spec.body(*link) == body {
                     (angle_offset, course)
                 } else {
                     (-angle_offset, course.reversed())

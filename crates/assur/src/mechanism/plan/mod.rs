@@ -17,7 +17,7 @@ use crate::position::{
 };
 use crate::structure::{self, Structure};
 
-use crate::linkage::draft::Defect;
+use crate::linkage::spec::Defect;
 use crate::mechanism::plan::body::{Bodies, Placement};
 use crate::mechanism::plan::driver::DrivenPair;
 use crate::mechanism::plan::resolved::{Driver, Resolved};
@@ -60,7 +60,7 @@ pub(in crate::mechanism) struct Placed<'a> {
 /// # Errors
 /// A group that no step can solve.
 pub(in crate::mechanism) fn plan(
-    draft: &Resolved<'_>,
+    spec: &Resolved<'_>,
     bodies: &Bodies,
     placements: &List<LinkId, Placement>,
     structure: &Structure,
@@ -76,8 +76,8 @@ pub(in crate::mechanism) fn plan(
             .map_or_else(|| bodies.orientations(), |known| known.orientations.clone()),
         crank: None,
     };
-    let first = draft.drivers.first();
-    let drawn_input = first.map_or(0.0, |first| placed.drawn_input(draft, first, known));
+    let first = spec.drivers.first();
+    let drawn_input = first.map_or(0.0, |first| placed.drawn_input(spec, first, known));
     let mut plan = Plan {
         steps: List::default(),
         drawn_input,
@@ -86,7 +86,7 @@ pub(in crate::mechanism) fn plan(
         orientations: List::default(),
     };
     let names = |group: &[BodyId]| -> Vec<String> {
-        let names = group.iter().map(|body| draft.body_name(*body));
+        let names = group.iter().map(|body| spec.body_name(*body));
         names.map(str::to_owned).collect()
     };
     let unsupported = |group: &[BodyId]| Defect::Unsupported {
@@ -101,25 +101,25 @@ pub(in crate::mechanism) fn plan(
         let step = match part {
             structure::Step::Driver { driver, links } => {
                 let first = *driver == 0;
-                let driver = &draft.drivers[*driver];
+                let driver = &spec.drivers[*driver];
                 let course = if first {
                     DriveLaw::FIRST
                 } else {
-                    DriveLaw::through(driver.rate(), [drawn_input, placed.drawn(draft, driver)])
+                    DriveLaw::through(driver.rate(), [drawn_input, placed.drawn(spec, driver)])
                 };
                 if let (true, Driver::Slide { range, .. }) = (first, driver) {
                     plan.range = Some(*range);
                 }
                 // What it drives is solved with the group.
                 if of_group(links) {
-                    within.push(DrivenPair::new(&placed, draft, driver, course));
+                    within.push(DrivenPair::new(&placed, spec, driver, course));
                     continue;
                 }
                 let [base, body] = links.map(BodyId::at);
                 if let (true, Driver::Crank { .. }, BodyId::FRAME) = (first, driver, base) {
                     placed.crank = Some(body);
                 }
-                let step = placed.driven(draft, driver, [base, body], course);
+                let step = placed.driven(spec, driver, [base, body], course);
                 step.ok_or_else(|| unsupported(&[body]))?
             }
             structure::Step::Group(group) => {
@@ -141,7 +141,7 @@ pub(in crate::mechanism) fn plan(
                     Some(step) => step,
                     None => {
                         let offset = plan.natural.len() / 2;
-                        let places = |point| draft.places[point];
+                        let places = |point| spec.places[point];
                         let group =
                             natural::group(&placed, &links, &driven, parallel, offset, places);
                         let (group, places) = group.ok_or_else(|| unsupported(&links))?;

@@ -11,7 +11,7 @@ use crate::position::{
     AngleConstraint, BodyPoint, CLOSE, Form, Group, KnownTerm, Orientation, conjugate, quotient,
 };
 
-use crate::linkage::draft::extent;
+use crate::linkage::spec::extent;
 use crate::mechanism::plan::Placed;
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::driver::DrivenPair;

@@ -2,8 +2,8 @@
 
 use crate::gears::Mesh;
 use crate::index::{BodyId, Id, LinkId, List, PointId, SlideId};
-use crate::linkage::DraftTracer;
-use crate::linkage::draft::{Defect, Draft, DraftDriver, FRAME};
+use crate::linkage::TracerSpec;
+use crate::linkage::spec::{Defect, DriverSpec, FRAME, LinkageSpec};
 use crate::mechanism::plan::doubled::DoubledLink;
 use crate::mechanism::readout::constraint::LinkOrFrame;
 use crate::{Point, Vector};
@@ -11,7 +11,7 @@ use crate::{Point, Vector};
 /// A draft without its names.
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
-    pub(in crate::mechanism) draft: &'a Draft,
+    pub(in crate::mechanism) spec: &'a LinkageSpec,
     /// The place from which all others are told while a mechanism is solved: far from the origin of the drawing
     /// they would lose digits. Places are moved there without rounding (Sterbenz's lemma): two of them close together
     /// may tell a direction.
@@ -24,7 +24,7 @@ pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) gears: Vec<Gear>,
     pub(in crate::mechanism) drivers: Vec<Driver>,
     /// The tracers with the links that carry them.
-    pub(in crate::mechanism) tracers: Vec<(LinkOrFrame, &'a DraftTracer)>,
+    pub(in crate::mechanism) tracers: Vec<(LinkOrFrame, &'a TracerSpec)>,
     /// Of each body the link that it is made for; none for the frame.
     pub(in crate::mechanism) bodies: List<BodyId, LinkOrFrame>,
     /// Of each body the points that doubled links bring along, with their places on it.
@@ -83,10 +83,10 @@ impl Driver {
 impl<'a> Resolved<'a> {
     /// # Errors
     /// The first name that nothing has, and the like.
-    pub(in crate::mechanism) fn new(draft: &'a Draft) -> Result<Self, Defect> {
-        let names = Names(draft);
+    pub(in crate::mechanism) fn new(spec: &'a LinkageSpec) -> Result<Self, Defect> {
+        let names = Names(spec);
         let mut bodies: List<BodyId, LinkOrFrame> = vec![None].into();
-        let bases = draft.links.iter().map(|link| {
+        let bases = spec.links.iter().map(|link| {
             let base = link.fixed_to.as_ref();
             base.map(|base| names.link(base)).transpose()
         });
@@ -96,7 +96,7 @@ impl<'a> Resolved<'a> {
             None => Some(bodies.push(Some(id))),
         });
         let own: List<LinkId, Option<BodyId>> = own.collect();
-        let links = own.ids().zip(&draft.links).map(|(id, link)| {
+        let links = own.ids().zip(&spec.links).map(|(id, link)| {
             let points = names.points(&link.points)?;
             let first = *points
                 .first()
@@ -110,8 +110,8 @@ impl<'a> Resolved<'a> {
             })
         });
         let links: List<LinkId, Link> = links.collect::<Result<_, Defect>>()?;
-        let frame = names.points(&draft.frame)?;
-        let slides = draft.slides.iter().map(|slide| {
+        let frame = names.points(&spec.frame)?;
+        let slides = spec.slides.iter().map(|slide| {
             let [from, to] = &slide.line;
             Ok(Slide {
                 link: names.link(&slide.link)?,
@@ -120,7 +120,7 @@ impl<'a> Resolved<'a> {
                 line: [names.point(from)?, names.point(to)?],
             })
         });
-        let gears = draft.gears.iter().map(|gear| {
+        let gears = spec.gears.iter().map(|gear| {
             let [first, second] = &gear.links;
             Ok(Gear {
                 links: [names.link(first)?, names.link(second)?],
@@ -129,16 +129,16 @@ impl<'a> Resolved<'a> {
                 mesh: gear.mesh,
             })
         });
-        let drivers = draft.drivers.iter().map(|driver| names.driver(driver));
-        let tracers = draft.tracers.iter();
+        let drivers = spec.drivers.iter().map(|driver| names.driver(driver));
+        let tracers = spec.tracers.iter();
         let tracers = tracers.map(|tracer| Ok((names.link(&tracer.link)?, tracer)));
-        let hinge = draft.frame.first().and_then(|name| draft.place(name));
-        let size = draft.size();
+        let hinge = spec.frame.first().and_then(|name| spec.place(name));
+        let size = spec.size();
         let far = |x: f64| if x.abs() > 2.0 * size { x } else { 0.0 };
         let origin = hinge.map_or(Vector::zeros(), |hinge| hinge.coords.map(far));
-        let places = draft.points.iter().map(|point| point.at.coords - origin);
+        let places = spec.points.iter().map(|point| point.at.coords - origin);
         let mut resolved = Self {
-            draft,
+            spec,
             origin,
             places: places.collect(),
             frame,
@@ -169,11 +169,11 @@ impl<'a> Resolved<'a> {
     }
 
     pub(in crate::mechanism) fn link_name(&self, link: LinkOrFrame) -> &'a str {
-        link.map_or(FRAME, |link| &self.draft.links[link.index()].name)
+        link.map_or(FRAME, |link| &self.spec.links[link.index()].name)
     }
 
     pub(in crate::mechanism) fn point_name(&self, point: PointId) -> &'a str {
-        &self.draft.points[point.index()].name
+        &self.spec.points[point.index()].name
     }
 
     pub(in crate::mechanism) fn body_name(&self, body: BodyId) -> &'a str {
@@ -194,7 +194,7 @@ impl<'a> Resolved<'a> {
 
     /// The places of a link's points on it, if it has a shape of its own.
     pub(in crate::mechanism) fn shape(&self, link: LinkId) -> Option<&'a [Point]> {
-        self.draft.links[link.index()].shape.as_deref()
+        self.spec.links[link.index()].shape.as_deref()
     }
 }
 
@@ -216,7 +216,7 @@ fn body(
 }
 
 /// What the names of a draft stand for.
-struct Names<'a>(&'a Draft);
+struct Names<'a>(&'a LinkageSpec);
 
 impl Names<'_> {
     fn point(&self, name: &String) -> Result<PointId, Defect> {
@@ -239,21 +239,21 @@ impl Names<'_> {
         Ok(Some(LinkId::at(found)))
     }
 
-    fn driver(&self, driver: &DraftDriver) -> Result<Driver, Defect> {
+    fn driver(&self, driver: &DriverSpec) -> Result<Driver, Defect> {
         match driver {
-            DraftDriver::Crank { link, base, rate } => Ok(Driver::Crank {
+            DriverSpec::Crank { link, base, rate } => Ok(Driver::Crank {
                 link: self.link(link)?,
                 base: self.link(base)?,
                 rate: *rate,
             }),
-            DraftDriver::Slide { slide, range, rate } if *slide < self.0.slides.len() => {
+            DriverSpec::Slide { slide, range, rate } if *slide < self.0.slides.len() => {
                 Ok(Driver::Slide {
                     slide: SlideId::at(*slide),
                     range: *range,
                     rate: *rate,
                 })
             }
-            DraftDriver::Slide { .. } => Err(Defect::NoDriver),
+            DriverSpec::Slide { .. } => Err(Defect::NoDriver),
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::Vector;
 use crate::index::{BodyId, SlideId};
 use crate::linkage::check::CLOSEST;
-use crate::linkage::draft::{Defect, extent};
+use crate::linkage::spec::{Defect, extent};
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
 use crate::position::{BodyPoint, Side, Track, conjugate, product};
@@ -30,33 +30,33 @@ pub(in crate::mechanism) struct Slide {
 impl Bodies {
     pub(in crate::mechanism) fn slide(
         &self,
-        draft: &Resolved<'_>,
+        spec: &Resolved<'_>,
         id: SlideId,
     ) -> Result<Slide, Defect> {
-        let slide = &draft.slides[id];
+        let slide = &spec.slides[id];
         let on_link = |link, point| {
-            let local = self.local(draft.body(link), point);
+            let local = self.local(spec.body(link), point);
             local.ok_or_else(|| Defect::NotOnLink {
-                link: draft.link_name(link).to_owned(),
-                point: draft.point_name(point).to_owned(),
+                link: spec.link_name(link).to_owned(),
+                point: spec.point_name(point).to_owned(),
             })
         };
         let [from, end] = slide.line;
         let [start, to] = [on_link(slide.on, from)?, on_link(slide.on, end)?];
         let point = on_link(slide.link, slide.point)?;
-        let places = self.of(draft.body(slide.on)).iter();
+        let places = self.of(spec.body(slide.on)).iter();
         if (to - start).norm() <= CLOSEST * extent(places.map(|(_, local)| *local)) {
-            return Err(draft.coincident(slide.on, slide.line));
+            return Err(spec.coincident(slide.on, slide.line));
         }
         let heading = (to - start).normalize();
-        let bodies = [slide.on, slide.link].map(|link| draft.body(link));
+        let bodies = [slide.on, slide.link].map(|link| spec.body(link));
         let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
         // A line of the frame may be elsewhere than it is drawn: the link slides on it as drawn.
         let along = match slide.on {
-            None => (draft.places[end] - draft.places[from]).normalize(),
+            None => (spec.places[end] - spec.places[from]).normalize(),
             Some(_) => product(heading, on_turn),
         };
-        let off = draft.places[slide.point] - draft.places[from];
+        let off = spec.places[slide.point] - spec.places[from];
         let [way, off] = product(off, conjugate(along)).into();
         Ok(Slide {
             bodies,
@@ -66,7 +66,7 @@ impl Bodies {
             point,
             direction: product(along, conjugate(turn)),
             // A point drawn on the line is meant to be on it.
-            off: if off.abs() <= 1e-12 * draft.draft.size() {
+            off: if off.abs() <= 1e-12 * spec.spec.size() {
                 0.0
             } else {
                 off

@@ -1,7 +1,7 @@
 //! The structure of a draft's bodies, and what is wrong with it by their names.
 
 use crate::index::{BodyId, Id};
-use crate::linkage::draft::Defect;
+use crate::linkage::spec::Defect;
 use crate::mechanism::counts::counts;
 use crate::mechanism::plan::body::{Bodies, Gear};
 use crate::mechanism::plan::resolved::Resolved;
@@ -20,15 +20,15 @@ pub(in crate::mechanism) struct Redundancy {
 /// # Errors
 /// All that is wrong with the count of pairs.
 pub(in crate::mechanism) fn structured(
-    draft: &Resolved<'_>,
+    spec: &Resolved<'_>,
     bodies: &Bodies,
 ) -> Result<(Structure, Option<Redundancy>), Vec<Defect>> {
-    let graph = bodies.graph(draft.places.ids());
-    let drivers = draft.drivers.iter();
-    let drivers = drivers.map(|driver| bodies.driver(draft, driver, &graph));
+    let graph = bodies.graph(spec.places.ids());
+    let drivers = spec.drivers.iter();
+    let drivers = drivers.map(|driver| bodies.driver(spec, driver, &graph));
     let drivers: Result<Vec<_>, Defect> = drivers.collect();
     let drivers = drivers.map_err(|defect| vec![defect])?;
-    let name = |link: &usize| draft.body_name(BodyId::at(*link)).to_owned();
+    let name = |link: &usize| spec.body_name(BodyId::at(*link)).to_owned();
     let named = |links: Vec<usize>| links.iter().map(name).collect();
     let faults = match decompose(&graph, &drivers) {
         Ok(structure) => return Ok((structure, None)),
@@ -37,13 +37,13 @@ pub(in crate::mechanism) fn structured(
     let redundant = decompose_redundant(&graph, &drivers);
     let defects = || {
         // Passive meshes take no freedom.
-        let counts = counts(draft, bodies);
+        let counts = counts(spec, bodies);
         let mobility = counts.mobility + counts.passive as isize;
         let contradicting = contradicting(bodies, &graph, &drivers);
-        let active = draft.gears.iter().zip(&bodies.passive);
+        let active = spec.gears.iter().zip(&bodies.passive);
         let mut active = active.filter(|(_, passive)| !**passive);
         if let Some((gear, _)) = contradicting.and_then(|at| active.nth(at)) {
-            let links = gear.links.map(|link| draft.link_name(link).to_owned());
+            let links = gear.links.map(|link| spec.link_name(link).to_owned());
             return vec![Defect::Contradiction { links }];
         }
         let defect = |fault: Fault| match fault {

@@ -83,7 +83,7 @@ impl Sides {
 
 /// What a mechanism's equations are read from.
 pub(in crate::mechanism) struct Parts<'a> {
-    pub(in crate::mechanism) draft: &'a Resolved<'a>,
+    pub(in crate::mechanism) spec: &'a Resolved<'a>,
     pub(in crate::mechanism) bodies: &'a Bodies,
     pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,
     /// How the bodies are turned in the drawn pose: wheels are mounted there.
@@ -93,19 +93,19 @@ pub(in crate::mechanism) struct Parts<'a> {
 impl Parts<'_> {
     /// The equations in the order of links, slides and gears.
     pub(in crate::mechanism) fn constraints(&self) -> Vec<Constraint> {
-        let Self { draft, bodies, .. } = self;
-        let links = draft.bodies.iter().flatten();
+        let Self { spec, bodies, .. } = self;
+        let links = spec.bodies.iter().flatten();
         let links = links.flat_map(|link| self.distances(*link));
-        let slides = draft.slides.iter().zip(bodies.slides.iter());
+        let slides = spec.slides.iter().zip(bodies.slides.iter());
         let slides = slides.flat_map(|(drawn, slide)| self.guided(drawn, slide));
-        let gears = draft.gears.iter().map(|gear| self.mesh(gear));
+        let gears = spec.gears.iter().map(|gear| self.mesh(gear));
         links.chain(slides).chain(gears).collect()
     }
 
     /// Distances between the joints of a link with a body of its own: two for each
     /// point more than the first two make it rigid, and none is too many.
     fn distances(&self, link: LinkId) -> Vec<Constraint> {
-        let body = self.draft.links[link].body;
+        let body = self.spec.links[link].body;
         let points = self.bodies.of(body).iter();
         let points = points.filter(|(point, _)| self.is_joint(body, *point));
         let points: Vec<_> = points.collect();
@@ -126,14 +126,14 @@ impl Parts<'_> {
 
     /// Whether a point of a body is hinged on another one, slides, or gives a line.
     fn is_joint(&self, body: BodyId, point: PointId) -> bool {
-        let Self { draft, bodies, .. } = self;
+        let Self { spec, bodies, .. } = self;
         let having = bodies.ids().map(|other| bodies.of(other).iter());
         let having = having.flatten().filter(|(other, _)| *other == point);
         let slides = |slide: &resolved::Slide| {
-            draft.body(slide.link) == body && slide.point == point
-                || draft.body(slide.on) == body && slide.line.contains(&point)
+            spec.body(slide.link) == body && slide.point == point
+                || spec.body(slide.on) == body && slide.line.contains(&point)
         };
-        having.count() > 1 || draft.slides.iter().any(slides)
+        having.count() > 1 || spec.slides.iter().any(slides)
     }
 
     /// What a link's angle has more than its body's.
@@ -169,7 +169,7 @@ impl Parts<'_> {
     fn mesh(&self, gear: &resolved::Gear) -> Constraint {
         let (links, carrier) = (gear.links, gear.carrier);
         let angle = |link: LinkOrFrame| {
-            let body = self.draft.body(link);
+            let body = self.spec.body(link);
             self.orientations[body].angle + self.angle_offset(link)
         };
         let sense = if gear.mesh == Mesh::External {

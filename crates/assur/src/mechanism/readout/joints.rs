@@ -58,14 +58,14 @@ impl Mechanism {
 
     /// The pairs between its bodies: hinges in the order of the points, slides, wheels in mesh.
     pub fn joints(&self) -> Vec<Joint> {
-        let points = self.point_ids().take(self.draft.points.len());
+        let points = self.point_ids().take(self.spec.points.len());
         let hinges = points.filter_map(|point| {
             let bodies = self.bodies();
             let bodies = bodies.filter(|body| self.points_on(*body).any(|other| other == point));
             let bodies: Vec<BodyId> = bodies.collect();
             (bodies.len() > 1).then_some(Joint::Hinge { point, bodies })
         });
-        let slides = self.draft.slides.iter().filter_map(|slide| {
+        let slides = self.spec.slides.iter().filter_map(|slide| {
             let [from, to] = &slide.line;
             let points = [&slide.point, from, to].map(|name| self.point(name));
             debug_assert!(points.iter().all(Option::is_some), "a slide has its points");
@@ -156,7 +156,7 @@ impl Mechanism {
 
     /// The tracers that a body carries.
     pub(crate) fn tracers_on(&self, body: BodyId) -> impl Iterator<Item = PointId> {
-        let tracers = self.point_ids().skip(self.draft.points.len());
+        let tracers = self.point_ids().skip(self.spec.points.len());
         tracers.filter(move |tracer| self.points[*tracer].body == body)
     }
 

@@ -51,20 +51,20 @@ impl Quantity {
             "between" => mechanism.two_links(of).map(Self::Between),
             _ => {
                 let mut transmitting = mechanism.transmitting().into_iter();
-                transmitting.find(|one| one.what() == what && one.whose(mechanism) == of)
+                transmitting.find(|one| one.kind_name() == what && one.subject(mechanism) == of)
             }
         }
     }
 
     /// Its name, with `order` times a d before what it is: `C.ddx`.
     pub fn name(self, mechanism: &Mechanism, order: usize) -> String {
-        let (of, what) = (self.whose(mechanism), self.what());
+        let (of, what) = (self.subject(mechanism), self.kind_name());
         let prefix = "d".repeat(order);
         format!("{of}.{prefix}{what}")
     }
 
     /// What it is: `angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
-    pub fn what(self) -> &'static str {
+    pub fn kind_name(self) -> &'static str {
         match self {
             Self::Angle(_) => "angle",
             Self::X(_) => "x",
@@ -78,7 +78,7 @@ impl Quantity {
     }
 
     /// The name of the link or point that it is of; of a dyad that of its inner joint; of several those, with hyphens.
-    pub fn whose(self, mechanism: &Mechanism) -> Cow<'_, str> {
+    pub fn subject(self, mechanism: &Mechanism) -> Cow<'_, str> {
         let points = |points: &[PointId]| {
             let names = points.iter().map(|point| mechanism.point_name(*point));
             names.collect::<Vec<&str>>().join("-").into()

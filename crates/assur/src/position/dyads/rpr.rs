@@ -82,11 +82,18 @@ impl Solvable for Rpr {
         let speed = cell.speed(&base);
         let crude = speed / run;
         let lengthens = 2.0 * most * speed / run;
-        let angular_acceleration = |max_turn_rate: f64| (base.acceleration + max_turn_rate * (max_turn_rate * apart + lengthens)) / run;
-        let max_turn_rate = crude.min(cell.turning(from, i.body).abs() + cell.step_len * angular_acceleration(crude));
+        let angular_acceleration = |max_turn_rate: f64| {
+            (base.acceleration + max_turn_rate * (max_turn_rate * apart + lengthens)) / run
+        };
+        let max_turn_rate = crude
+            .min(cell.turning(from, i.body).abs() + cell.step_len * angular_acceleration(crude));
         let angular_acceleration = angular_acceleration(max_turn_rate);
         for (side, outer) in [(i, b), (j, d)] {
-            cell.set(side.body, angular_acceleration, [(side.hinge, outer.acceleration); 2]);
+            cell.set(
+                side.body,
+                angular_acceleration,
+                [(side.hinge, outer.acceleration); 2],
+            );
         }
         angular_acceleration.is_finite()
     }

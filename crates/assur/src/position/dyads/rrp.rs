@@ -66,7 +66,9 @@ impl Solvable for Rrp {
         let climbs = left(direction).dot(&way.rate) + left(rate).dot(&way.at);
         let (max_turn_rate, speed) = (cell.max_turn_rate(from, line), cell.speed(&way));
         let [_, far] = cell.distances(&way);
-        let acceleration = way.acceleration + 2.0 * max_turn_rate * speed + cell.direction_acceleration(from, line) * far;
+        let acceleration = way.acceleration
+            + 2.0 * max_turn_rate * speed
+            + cell.direction_acceleration(from, line) * far;
         let most = rise.abs().max((rise + climbs * cell.width).abs())
             + 0.5 * cell.step_len * cell.step_len * acceleration;
         if most >= length {
@@ -80,7 +82,8 @@ impl Solvable for Rrp {
         }
         let crude = speed * (1.0 + cell.step_len * max_turn_rate) / free;
         let slides = crude + speed;
-        let rest = way.acceleration + slides * (2.0 * max_turn_rate + cell.step_len * cell.angular_acceleration(line));
+        let rest = way.acceleration
+            + slides * (2.0 * max_turn_rate + cell.step_len * cell.angular_acceleration(line));
         let v0 = cell.turning(from, arm.body).abs() * length;
         let v = cell.bounded_speed(v0, (length * sine).recip(), rest / sine);
         let v = v.map_or(crude, |v| v.min(crude));

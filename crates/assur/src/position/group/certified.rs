@@ -54,7 +54,9 @@ impl Group {
         // the distance from it.
         let spins = |mesh: usize, cell: &Enclosure| -> f64 {
             let known = self.angle_constraints[mesh].known.iter();
-            known.map(|(body, by)| cell.angular_acceleration(*body) * by.abs()).sum()
+            known
+                .map(|(body, by)| cell.angular_acceleration(*body) * by.abs())
+                .sum()
         };
         for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
@@ -63,11 +65,13 @@ impl Group {
             let sums = match *equation {
                 Equation::Unit(form) => {
                     let f = known(form);
-                    let defect =
-                        f.rate.norm_squared() + (far(&f) + 0.5 * half_square * f.acceleration) * f.acceleration;
+                    let defect = f.rate.norm_squared()
+                        + (far(&f) + 0.5 * half_square * f.acceleration) * f.acceleration;
                     [defect, f.by_unknowns * travels(&f), f.by_unknowns.powi(2)]
                 }
-                Equation::Real(form) | Equation::Imaginary(form) => [known(form).acceleration, 0.0, 0.0],
+                Equation::Real(form) | Equation::Imaginary(form) => {
+                    [known(form).acceleration, 0.0, 0.0]
+                }
                 Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
                     let [u, v] = [known(direction), known(way)];
                     let rates = match equation {
@@ -119,7 +123,9 @@ impl Group {
                     let f = known(form);
                     off(&f) * f.rate.norm() + step_len * f.acceleration
                 }
-                Equation::Real(form) | Equation::Imaginary(form) => step_len * known(form).acceleration,
+                Equation::Real(form) | Equation::Imaginary(form) => {
+                    step_len * known(form).acceleration
+                }
                 Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
                     let [u, v] = [known(direction), known(way)];
                     u.rate.norm() * off(&v)
@@ -143,8 +149,9 @@ impl Group {
         for (row, equation) in self.equations.iter().enumerate() {
             let known = |form: usize| self.known(cell, form);
             let off = |form: &Known| form.deviations(step_len, radius);
-            let speed =
-                |form: &Known| form.rate.norm() + step_len * form.acceleration + form.by_unknowns * rate_off;
+            let speed = |form: &Known| {
+                form.rate.norm() + step_len * form.acceleration + form.by_unknowns * rate_off
+            };
             let acceleration = match *equation {
                 Equation::Unit(form) => {
                     let f = known(form);
@@ -184,7 +191,9 @@ impl Group {
         for (k, input) in self.inputs.iter().enumerate() {
             let acceleration = match input {
                 KnownTerm::Place(anchor) => cell.place(from, *anchor).acceleration,
-                KnownTerm::Direction(anchor) => cell.direction_acceleration(from, anchor.body) * anchor.local.norm(),
+                KnownTerm::Direction(anchor) => {
+                    cell.direction_acceleration(from, anchor.body) * anchor.local.norm()
+                }
             };
             cell.work.inputs[k] = from.taken(*input).truncated();
             cell.bounds.inputs.resize(self.inputs.len(), 0.0);

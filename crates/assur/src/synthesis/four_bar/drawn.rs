@@ -6,7 +6,7 @@ use nalgebra::Rotation2;
 
 use super::closure::near;
 use super::{Solution, Task};
-use crate::mechanism::{Draft, DraftPoint};
+use crate::mechanism::{LinkageSpec, PointSpec};
 use crate::{Assembly, FourBar, Invalid, Point, Pose, Unsolved, Vector};
 
 /// The links in a given position, with A in the origin; lengths in the unit of the frame's. Input
@@ -60,7 +60,7 @@ impl Solution {
     ///
     /// # Errors
     /// Why there is none.
-    pub fn draft(&self, task: &Task) -> Result<Draft, DraftError> {
+    pub fn spec(&self, task: &Task) -> Result<LinkageSpec, DraftError> {
         let frame = task.frame();
         let linkage = self.proportions.four_bar(frame.length);
         let linkage = linkage.map_err(DraftError::Lengths)?;
@@ -70,11 +70,11 @@ impl Solution {
         let pose = pose.map_err(DraftError::Position)?;
         let turn = Rotation2::new(frame.angle);
         let joints = linkage.joints(&pose).map(|joint| turn * joint.place());
-        let mut draft = Draft::default();
+        let mut spec = LinkageSpec::default();
         let names = ["A", "B", "C", "D"].map(str::to_owned).into_iter();
-        let points = names.zip(joints).map(|(name, at)| DraftPoint { name, at });
-        draft.points.extend(points);
-        Ok(draft
+        let points = names.zip(joints).map(|(name, at)| PointSpec { name, at });
+        spec.points.extend(points);
+        Ok(spec
             .fixed(&["A", "D"])
             .bar("crank", &["A", "B"])
             .bar("coupler", &["B", "C"])

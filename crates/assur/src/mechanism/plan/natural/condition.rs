@@ -126,7 +126,10 @@ impl Plan<'_> {
             }),
         };
         let (driven, condition) = match pair.kind {
-            PairKind::Hinge { bodies, angle_offset } => {
+            PairKind::Hinge {
+                bodies,
+                angle_offset,
+            } => {
                 let [link, base] = bodies.map(|body| self.placed.get(&body));
                 let turns = vec![(link?[1].clone(), 1.0), (base?[1].clone(), -1.0)];
                 given.turning = bodies.to_vec();

@@ -1,7 +1,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::*;
-use crate::mechanism::{Draft, Quantity};
+use crate::mechanism::{LinkageSpec, Quantity};
 use crate::motion::{Column, Input, Motion};
 use crate::{Assembly, FourBar};
 
@@ -12,18 +12,18 @@ fn motion() -> Motion {
     let linkage = FourBar::new(LENGTHS).unwrap();
     let pose = linkage.pose::<1>(Assembly::First, 1.0).unwrap();
     let [a, b, c, d] = linkage.joints(&pose).map(|joint| joint.place());
-    let mut draft = Draft::default();
+    let mut spec = LinkageSpec::default();
     for (name, p) in [("A", a), ("B", b), ("C-1", c), ("D", d)] {
-        draft = draft.point(name, p.x, p.y);
+        spec = spec.point(name, p.x, p.y);
     }
-    let draft = draft
+    let spec = spec
         .point("G", LENGTHS[0], 0.0)
         .fixed(&["A", "D", "G"])
         .bar("crank", &["A", "B"])
         .bar("coupler", &["B", "C-1"])
         .bar("rocker", &["D", "C-1"])
         .crank("crank");
-    Motion::new(Mechanism::new(&draft).unwrap())
+    Motion::new(Mechanism::new(&spec).unwrap())
 }
 
 fn near(found: f64, expected: f64, what: &str) {

@@ -2,7 +2,7 @@
 
 use assur::gears::Mesh;
 use assur::mechanism::{
-    Draft, DraftDriver, DraftGear, DraftLink, DraftPoint, DraftSlide, DraftTracer, FRAME,
+    DriverSpec, FRAME, GearSpec, LinkSpec, LinkageSpec, PointSpec, SlideSpec, TracerSpec,
 };
 use assur::{Point, Vector};
 
@@ -13,9 +13,9 @@ use super::{
 
 impl LinkageDocument {
     /// The saved form of a draft.
-    pub fn new(draft: &Draft) -> Self {
+    pub fn new(draft: &LinkageSpec) -> Self {
         let place = |at: &Point| [at.x, at.y];
-        let link = |link: &DraftLink| {
+        let link = |link: &LinkSpec| {
             let shape: Option<Vec<[f64; 2]>> =
                 (link.shape.as_ref()).map(|shape| shape.iter().map(place).collect());
             let length = match shape.as_deref() {
@@ -49,13 +49,13 @@ impl LinkageDocument {
             mesh: gear.mesh.into(),
         });
         let drivers = draft.drivers.iter().map(|driver| match driver {
-            DraftDriver::Crank { link, base, rate } => DriverDocument {
+            DriverSpec::Crank { link, base, rate } => DriverDocument {
                 crank: Some(link.clone()),
                 base: (base != FRAME).then(|| base.clone()),
                 rate: (*rate != 1.0).then_some(*rate),
                 ..DriverDocument::default()
             },
-            DraftDriver::Slide { slide, range, rate } => DriverDocument {
+            DriverSpec::Slide { slide, range, rate } => DriverDocument {
                 slide: Some(*slide),
                 range: Some(*range),
                 rate: (*rate != 1.0).then_some(*rate),
@@ -76,9 +76,9 @@ impl LinkageDocument {
 
     /// The draft that is described. Drivers that are neither a crank nor a slide
     /// are left out; [`Self::mechanism`] refuses them.
-    pub fn draft(&self) -> Draft {
+    pub fn spec(&self) -> LinkageSpec {
         let place = |[x, y]: [f64; 2]| Point::new(x, y);
-        let points = self.points.iter().map(|point| DraftPoint {
+        let points = self.points.iter().map(|point| PointSpec {
             name: point.name.clone(),
             at: place(point.at),
         });
@@ -86,7 +86,7 @@ impl LinkageDocument {
             let own = link.shape.as_ref();
             let own = own.map(|shape| shape.iter().copied().map(place).collect());
             let straight = |length| [[0.0, 0.0], [length, 0.0]].map(place).to_vec();
-            DraftLink {
+            LinkSpec {
                 name: link.name.clone(),
                 points: link.points.clone(),
                 shape: own.or_else(|| link.length.map(straight)),
@@ -95,32 +95,32 @@ impl LinkageDocument {
                 mass: link.mass_kg,
             }
         });
-        let slides = self.slides.iter().map(|slide| DraftSlide {
+        let slides = self.slides.iter().map(|slide| SlideSpec {
             link: slide.link.clone(),
             point: slide.point.clone(),
             on: slide.on.clone(),
             line: slide.line.clone(),
         });
-        let gears = self.gears.iter().map(|gear| DraftGear {
+        let gears = self.gears.iter().map(|gear| GearSpec {
             links: gear.links.clone(),
             carrier: gear.carrier.clone(),
             teeth: gear.teeth,
             mesh: gear.mesh.into(),
         });
-        Draft {
+        LinkageSpec {
             points: points.collect(),
             frame: self.frame.clone(),
             links: links.collect(),
             slides: slides.collect(),
             gears: gears.collect(),
             drivers: self.drivers.iter().filter_map(driver).collect(),
-            tracers: self.tracers.iter().map(TracerDocument::draft).collect(),
+            tracers: self.tracers.iter().map(TracerDocument::spec).collect(),
         }
     }
 }
 
 impl TracerDocument {
-    fn new(tracer: &DraftTracer) -> Self {
+    fn new(tracer: &TracerSpec) -> Self {
         Self {
             name: tracer.name.clone(),
             link: tracer.link.clone(),
@@ -128,8 +128,8 @@ impl TracerDocument {
         }
     }
 
-    fn draft(&self) -> DraftTracer {
-        DraftTracer {
+    fn spec(&self) -> TracerSpec {
+        TracerSpec {
             name: self.name.clone(),
             link: self.link.clone(),
             at: Vector::from(self.at),
@@ -138,7 +138,7 @@ impl TracerDocument {
 }
 
 /// What a driver drives; none where it is neither a crank nor a slide.
-pub(super) fn driver(driver: &DriverDocument) -> Option<DraftDriver> {
+pub(super) fn driver(driver: &DriverDocument) -> Option<DriverSpec> {
     match driver {
         DriverDocument {
             crank: Some(link),
@@ -146,7 +146,7 @@ pub(super) fn driver(driver: &DriverDocument) -> Option<DraftDriver> {
             slide: None,
             range: None,
             rate,
-        } => Some(DraftDriver::Crank {
+        } => Some(DriverSpec::Crank {
             link: link.clone(),
             base: base.clone().unwrap_or(FRAME.to_owned()),
             rate: rate.unwrap_or(1.0),
@@ -157,7 +157,7 @@ pub(super) fn driver(driver: &DriverDocument) -> Option<DraftDriver> {
             slide: Some(slide),
             range: Some(range),
             rate,
-        } => Some(DraftDriver::Slide {
+        } => Some(DriverSpec::Slide {
             slide: *slide,
             range: *range,
             rate: rate.unwrap_or(1.0),

@@ -1,7 +1,7 @@
 //! A linkage as a person gives it: anything at all. [`crate::mechanism::Mechanism::new`]
 //! lists every reason why it is none.
 
-use super::DraftTracer;
+use super::TracerSpec;
 use crate::gears::Mesh;
 use crate::mechanism::Singularity;
 use crate::{Point, Vector};
@@ -11,28 +11,28 @@ pub const FRAME: &str = "frame";
 
 /// A linkage, sound or not. Things name each other; lengths in any one unit.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Draft {
+pub struct LinkageSpec {
     /// Every point, with its place in the drawing.
-    pub points: Vec<DraftPoint>,
+    pub points: Vec<PointSpec>,
     /// The points of the frame, by name; they stay where they are drawn.
     pub frame: Vec<String>,
     /// The moving links. Links that list the same point are hinged there.
-    pub links: Vec<DraftLink>,
+    pub links: Vec<LinkSpec>,
     /// Prismatic pairs.
-    pub slides: Vec<DraftSlide>,
+    pub slides: Vec<SlideSpec>,
     /// Gear couplings.
-    pub gears: Vec<DraftGear>,
+    pub gears: Vec<GearSpec>,
     /// What is driven, as many as there are freedoms. The input is the coordinate of the first; that of each
     /// further one grows in proportion to it from where it is drawn.
-    pub drivers: Vec<DraftDriver>,
+    pub drivers: Vec<DriverSpec>,
     /// Points that links carry and that join nothing: tracer points.
-    pub tracers: Vec<DraftTracer>,
+    pub tracers: Vec<TracerSpec>,
 }
 
 /// A point. The drawing shows one pose: it says which of the assemblies is meant
 /// and, for a link without dimensions of its own, the dimensions.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DraftPoint {
+pub struct PointSpec {
     /// Its name, unlike every other point's.
     pub name: String,
     /// Where it is drawn.
@@ -41,7 +41,7 @@ pub struct DraftPoint {
 
 /// A moving link: a rigid body that holds points.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct DraftLink {
+pub struct LinkSpec {
     /// Its name, unlike every other link's.
     pub name: String,
     /// Its points, by name: joints with other links that list them too, and
@@ -60,7 +60,7 @@ pub struct DraftLink {
 
 /// A prismatic pair: `link` slides along a straight line of the link `on`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DraftSlide {
+pub struct SlideSpec {
     /// The link that slides.
     pub link: String,
     /// Its point that stays at its drawn distance from the line.
@@ -77,7 +77,7 @@ pub struct DraftSlide {
 /// The drawing gives the constant; a wheel with nothing but its hinge is mounted so
 /// that its angle is zero, seen from the carrier, where its mate's is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DraftGear {
+pub struct GearSpec {
     /// The two links.
     pub links: [String; 2],
     /// The link both are hinged on, or the frame.
@@ -90,7 +90,7 @@ pub struct DraftGear {
 
 /// A driven pair.
 #[derive(Clone, Debug, PartialEq)]
-pub enum DraftDriver {
+pub enum DriverSpec {
     /// A link turned about a point that it shares with `base`; the coordinate is
     /// its angle against the base's.
     Crank {
@@ -113,7 +113,7 @@ pub enum DraftDriver {
     },
 }
 
-impl DraftDriver {
+impl DriverSpec {
     /// By how much its coordinate grows with that of the first driver.
     pub fn rate(&self) -> f64 {
         match self {
@@ -278,12 +278,12 @@ pub enum Defect {
 }
 
 /// Writing a draft line by line; nothing is checked yet.
-impl Draft {
+impl LinkageSpec {
     /// With a point drawn at (x, y).
     #[must_use]
     pub fn point(mut self, name: &str, x: f64, y: f64) -> Self {
         let (name, at) = (name.to_owned(), Point::new(x, y));
-        self.points.push(DraftPoint { name, at });
+        self.points.push(PointSpec { name, at });
         self
     }
 
@@ -298,10 +298,10 @@ impl Draft {
     /// With a moving link of these points, as drawn.
     #[must_use]
     pub fn bar(mut self, name: &str, points: &[&str]) -> Self {
-        self.links.push(DraftLink {
+        self.links.push(LinkSpec {
             name: name.to_owned(),
             points: points.iter().map(|point| (*point).to_owned()).collect(),
-            ..DraftLink::default()
+            ..LinkSpec::default()
         });
         self
     }
@@ -309,7 +309,7 @@ impl Draft {
     /// With a link that slides, by a point of it, along the line of two points.
     #[must_use]
     pub fn slide(mut self, link: &str, point: &str, on: &str, line: [&str; 2]) -> Self {
-        self.slides.push(DraftSlide {
+        self.slides.push(SlideSpec {
             link: link.to_owned(),
             point: point.to_owned(),
             on: on.to_owned(),
@@ -323,7 +323,7 @@ impl Draft {
     pub fn crank(mut self, link: &str) -> Self {
         let (link, base) = (link.to_owned(), FRAME.to_owned());
         let rate = 1.0;
-        self.drivers.push(DraftDriver::Crank { link, base, rate });
+        self.drivers.push(DriverSpec::Crank { link, base, rate });
         self
     }
 
@@ -338,10 +338,10 @@ impl Draft {
 
     /// The link that a driver turns or moves; none where the driven slide does not
     /// exist.
-    pub fn driven<'a>(&'a self, driver: &'a DraftDriver) -> Option<&'a str> {
+    pub fn driven<'a>(&'a self, driver: &'a DriverSpec) -> Option<&'a str> {
         match driver {
-            DraftDriver::Crank { link, .. } => Some(link),
-            DraftDriver::Slide { slide, .. } => {
+            DriverSpec::Crank { link, .. } => Some(link),
+            DriverSpec::Slide { slide, .. } => {
                 let slide = self.slides.get(*slide);
                 slide.map(|slide| slide.link.as_str())
             }
@@ -363,7 +363,7 @@ impl Draft {
     }
 
     /// Whether a link can be driven as a crank: hinged on the frame, fixed to no other.
-    pub(crate) fn is_crank(&self, link: &DraftLink) -> bool {
+    pub(crate) fn is_crank(&self, link: &LinkSpec) -> bool {
         let hinged = |point: &String| self.frame.contains(point);
         link.fixed_to.is_none() && link.points.iter().any(hinged)
     }
@@ -375,7 +375,7 @@ impl Draft {
     }
 
     /// The link of this name.
-    pub(crate) fn link(&self, name: &str) -> Option<&DraftLink> {
+    pub(crate) fn link(&self, name: &str) -> Option<&LinkSpec> {
         self.links.iter().find(|link| link.name == name)
     }
 

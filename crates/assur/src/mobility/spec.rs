@@ -5,18 +5,18 @@ use super::{PairKind, Point3, Vector3};
 /// Links and pairs as they are given; anything may be wrong with them. Links are named by the
 /// pairs that they have.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SchemeDraft {
+pub struct SchemeSpec {
     /// The link that does not move.
     pub ground: String,
     /// Whether all motion is in the plane z = 0 or parallel to it.
     pub planar: bool,
     /// The pairs.
-    pub pairs: Vec<PairDraft>,
+    pub pairs: Vec<PairSpec>,
 }
 
 /// A pair as it is given.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PairDraft {
+pub struct PairSpec {
     /// Its name.
     pub name: String,
     /// Its form.

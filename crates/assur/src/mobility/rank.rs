@@ -41,7 +41,7 @@ pub enum NoRank {
 /// What the rank says of the drawn pose. Pairs and links are in the order of their names, whatever their order in
 /// the scheme.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Verdict {
+pub struct RankReport {
     /// W: how many motions are independent at once.
     pub mobility: usize,
     /// How many constraints are independent.
@@ -66,13 +66,13 @@ impl Scheme {
     ///
     /// # Errors
     /// What is missing for it.
-    pub fn ranked(&self, space: Space) -> Result<Verdict, NoRank> {
+    pub fn rank_report(&self, space: Space) -> Result<RankReport, NoRank> {
         let forms = self.forms(space)?;
         let constraints = Constraints::new(self, &forms, space);
         let equilibrium = constraints.equilibrium(self).eliminated(None);
         let rank = equilibrium.rank();
         let mobility = space.freedoms() * (self.links().len() - 1) - rank;
-        Ok(Verdict {
+        Ok(RankReport {
             mobility,
             rank,
             redundancies: self.redundancies(&constraints, &equilibrium),
@@ -126,16 +126,18 @@ impl Scheme {
         for free in equilibrium.free() {
             counts[parts.angle_offset(constraints.pair_of(free))] += 1;
         }
-        let parts = (0..count).filter(|angle_offset| counts[*angle_offset] > 0).map(|angle_offset| {
-            let mut pairs: Vec<usize> = (0..count)
-                .filter(|pair| parts.angle_offset(*pair) == angle_offset)
-                .collect();
-            sort_by_key(&mut pairs, |pair| &self.pairs()[*pair].name);
-            Redundancy {
-                count: counts[angle_offset],
-                pairs,
-            }
-        });
+        let parts = (0..count)
+            .filter(|angle_offset| counts[*angle_offset] > 0)
+            .map(|angle_offset| {
+                let mut pairs: Vec<usize> = (0..count)
+                    .filter(|pair| parts.angle_offset(*pair) == angle_offset)
+                    .collect();
+                sort_by_key(&mut pairs, |pair| &self.pairs()[*pair].name);
+                Redundancy {
+                    count: counts[angle_offset],
+                    pairs,
+                }
+            });
         let mut parts: Vec<Redundancy> = parts.collect();
         sort_by_key(&mut parts, |part| self.pair_names(&part.pairs));
         parts

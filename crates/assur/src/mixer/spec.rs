@@ -3,7 +3,7 @@
 use nalgebra::Rotation2;
 
 use super::{Carrier, Mixer};
-use crate::mechanism::{Draft, DraftGear, DraftLink, DraftPoint, DraftTracer, FRAME};
+use crate::mechanism::{FRAME, GearSpec, LinkSpec, LinkageSpec, PointSpec, TracerSpec};
 use crate::{Link, Point, Unsolved, Vector};
 
 /// The crank angle at which a mixer is drawn whose crank turns fully.
@@ -24,29 +24,29 @@ impl Mixer {
     ///
     /// # Errors
     /// Why there is no pose to draw.
-    pub fn draft(&self) -> Result<Draft, Unsolved> {
+    pub fn spec(&self) -> Result<LinkageSpec, Unsolved> {
         let cycle = self.linkage.cycle();
         if cycle.is_full() {
-            return self.draft_at(DRAWN);
+            return self.spec_at(DRAWN);
         }
-        self.draft_on(cycle.arcs()[0])
+        self.spec_on(cycle.arcs()[0])
     }
 
     /// The same, drawn in the middle of an arc, or beside it: a deltoid's pose may be
     /// undetermined there.
-    pub(super) fn draft_on(&self, [from, to]: [f64; 2]) -> Result<Draft, Unsolved> {
-        let drawn = self.draft_at(0.5 * (from + to));
-        drawn.or_else(|_| self.draft_at(0.6 * from + 0.4 * to))
+    pub(super) fn spec_on(&self, [from, to]: [f64; 2]) -> Result<LinkageSpec, Unsolved> {
+        let drawn = self.spec_at(0.5 * (from + to));
+        drawn.or_else(|_| self.spec_at(0.6 * from + 0.4 * to))
     }
 
     /// The same, drawn at a crank angle.
-    fn draft_at(&self, crank: f64) -> Result<Draft, Unsolved> {
+    fn spec_at(&self, crank: f64) -> Result<LinkageSpec, Unsolved> {
         let pose = self.linkage.pose::<1>(self.assembly, crank)?;
         let joints = self.linkage.joints(&pose).map(|joint| joint.place());
-        let mut draft = Draft::default().fixed(&["A", "D"]);
+        let mut spec = LinkageSpec::default().fixed(&["A", "D"]);
         let mut point = |name: &str, at: Point| {
             let name = name.to_owned();
-            draft.points.push(DraftPoint { name, at });
+            spec.points.push(PointSpec { name, at });
         };
         for (name, at) in ["A", "B", "C", "D"].into_iter().zip(joints) {
             point(name, at);
@@ -68,30 +68,30 @@ impl Mixer {
         for (link, _, [name, from, to, centre]) in BARS {
             let length = self.linkage.length(link);
             let along = |x: f64| Point::new(x, 0.0);
-            draft.links.push(DraftLink {
+            spec.links.push(LinkSpec {
                 name: name.to_owned(),
                 points: [from, to, centre].map(str::to_owned).to_vec(),
                 shape: Some([0.0, length, 0.5 * length].map(along).to_vec()),
                 centre_of_mass: Some(centre.to_owned()),
-                ..DraftLink::default()
+                ..LinkSpec::default()
             });
         }
-        draft.links.push(DraftLink {
+        spec.links.push(LinkSpec {
             name: "wheel4".to_owned(),
             points: vec!["D".to_owned(), "C".to_owned()],
             fixed_to: Some("rocker".to_owned()),
-            ..DraftLink::default()
+            ..LinkSpec::default()
         });
         for (wheel, pair) in self.gears.pairs().iter().enumerate() {
             let centre = format!("E{}", wheel + 5);
             let name = format!("wheel{}", wheel + 5);
-            draft.links.push(DraftLink {
+            spec.links.push(LinkSpec {
                 name: name.clone(),
                 points: vec![centre.clone()],
-                ..DraftLink::default()
+                ..LinkSpec::default()
             });
-            draft.frame.push(centre);
-            draft.gears.push(DraftGear {
+            spec.frame.push(centre);
+            spec.gears.push(GearSpec {
                 links: ["wheel4".to_owned(), name],
                 carrier: FRAME.to_owned(),
                 teeth: [pair.driver_wheel(), pair.driven_wheel()]
@@ -99,13 +99,13 @@ impl Mixer {
                 mesh: pair.mesh(),
             });
         }
-        draft.tracers.extend(self.draft_tracers());
-        Ok(draft.crank("crank"))
+        spec.tracers.extend(self.spec_tracers());
+        Ok(spec.crank("crank"))
     }
 
     /// The points traced, on the links of the draft. A tooth of a wheel is not at
     /// the wheel's zero direction but where it was mounted.
-    fn draft_tracers(&self) -> impl Iterator<Item = DraftTracer> {
+    fn spec_tracers(&self) -> impl Iterator<Item = TracerSpec> {
         self.tracers().iter().enumerate().map(|(k, tracer)| {
             let at = Vector::new(tracer.x, tracer.y);
             let (link, at) = match tracer.carrier {
@@ -120,7 +120,7 @@ impl Mixer {
                 }
             };
             let name = format!("P{}", k + 1);
-            DraftTracer { name, link, at }
+            TracerSpec { name, link, at }
         })
     }
 }
