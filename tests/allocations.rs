@@ -5,7 +5,7 @@ use std::hint::black_box;
 
 use allocation_counter::measure;
 use assur::mechanism::Quantity;
-use assur::motion::{Input, Motion};
+use assur::motion::{InputRate, Motion};
 use assur_draw::chart::Settings;
 use assur_draw::{Figure, View};
 use assur_file::{from_catalogue, from_text};
@@ -72,7 +72,7 @@ fn motions_and_their_drawings_take_little_room() {
             let mechanism = motion.mechanism();
             let angles = mechanism.link_ids().map(Quantity::Angle);
             let settings = Settings {
-                input: Input::ANALOGUES,
+                input: InputRate::ANALOGUES,
                 physical: false,
                 differenced: false,
             };

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::fs;
 
 use assur::mechanism::{Cause, Mechanism, Quantity};
-use assur::motion::{Column, DeadPointKind, Input, Motion, OutputProfile, TooManyTurns};
+use assur::motion::{Column, DeadPointKind, InputRate, Motion, OutputProfile, TooManyTurns};
 use assur_draw::{Figure, View};
 use assur_file::from_text;
 use assur_tests::files::root;
@@ -158,7 +158,7 @@ fn motions_of_very_many_turns_are_drawn() {
         turns: 974_153,
         most: 256,
     };
-    let found = motion.features(&[Quantity::X(tip)], Input::ANALOGUES);
+    let found = motion.features(&[Quantity::X(tip)], InputRate::ANALOGUES);
     assert_eq!(found, Err(not_searched));
     let profile = OutputProfile::new(&motion, Quantity::X(tip));
     assert_eq!(profile.err(), Some(not_searched));

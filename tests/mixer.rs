@@ -4,7 +4,7 @@
 use assur::gears::Mesh;
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
-use assur::motion::{Features, Input, Kind, features};
+use assur::motion::{Features, InputRate, Kind, features};
 use assur::{Assembly, Dimension, Fault, FourBar, Grashof, Swing};
 use assur_tests::assert_near;
 
@@ -110,19 +110,19 @@ fn extrema_of_fig_4() {
         (Case::B, 1, first_b),
         (Case::B, 2, second_b),
     ] {
-        let features = found(&mixer(case), "rocker.angle", Input::ANALOGUES);
+        let features = found(&mixer(case), "rocker.angle", InputRate::ANALOGUES);
         let found = &features[order].extrema;
         assert_eq!(found.len(), expected.len(), "{found:?}");
         for (extremum, (kind, crank, value)) in found.iter().zip(expected) {
             assert_eq!(extremum.kind, *kind);
-            assert_near(extremum.crank, *crank, 1e-14, "its angle");
+            assert_near(extremum.input, *crank, 1e-14, "its angle");
             assert_near(extremum.value, *value, 1e-14, "its value");
         }
     }
 }
 
 /// Features of a mixer's quantity of this name, for the value and both rates.
-fn found(mixer: &Mixer, name: &str, input: Input) -> [Features; 3] {
+fn found(mixer: &Mixer, name: &str, input: InputRate) -> [Features; 3] {
     let motion = mixer.motion().unwrap();
     let quantity = Quantity::named(motion.mechanism(), name).unwrap();
     let found = motion.features(&[quantity], input).unwrap();
@@ -136,7 +136,7 @@ fn zeros_are_the_extrema_of_what_they_are_derivatives_of() {
     for case in Case::ALL {
         let mixer = mixer(case);
         for name in ["rocker.angle", "wheel5.angle"] {
-            let [value, first, second] = found(&mixer, name, Input::ANALOGUES);
+            let [value, first, second] = found(&mixer, name, InputRate::ANALOGUES);
             let limits = mixer.linkage.limits(Assembly::First);
             assert_eq!(limits.len(), 2);
             assert_eq!(first.zeros.len(), 2);
@@ -144,7 +144,7 @@ fn zeros_are_the_extrema_of_what_they_are_derivatives_of() {
                 assert_near(*zero, limit.crank, 1e-14, "zero of φ′");
             }
             let cranks = |features: &Features| -> Vec<f64> {
-                features.extrema.iter().map(|e| e.crank).collect()
+                features.extrema.iter().map(|e| e.input).collect()
             };
             assert_eq!(cranks(&value), first.zeros);
             assert_eq!(cranks(&first), second.zeros);
@@ -163,7 +163,7 @@ fn zeros_are_the_extrema_of_what_they_are_derivatives_of() {
 fn rates_by_time_of_a_point_on_the_crank() {
     let turn = std::f64::consts::TAU;
     for (speed, acceleration) in [(1.0, 0.0), (3.0, -4.0), (-150.0, 900.0), (0.0, 2.0)] {
-        let input = Input {
+        let input = InputRate {
             speed,
             acceleration,
         };
@@ -193,7 +193,7 @@ fn rates_by_time_of_a_point_on_the_crank() {
                     Kind::Max => (-phase, amplitude),
                     Kind::Min => (0.5 * turn - phase, -amplitude),
                 };
-                let off = assur_tests::angle_between(extremum.crank, at);
+                let off = assur_tests::angle_between(extremum.input, at);
                 assert!(off < 1e-14, "{input:?}: {off:e}");
                 assert_near(extremum.value / amplitude, value / amplitude, 1e-14, "C₁");
             }
@@ -217,7 +217,7 @@ fn zeros_of_an_angle_that_turns() {
             let rocker = |crank| linkage.pose::<5>(assembly, crank).unwrap().rocker;
             let motion = |crank: f64| Some(vec![rocker(crank)]);
             let [value, ..] =
-                &features(&linkage.cycle(), &motion, &[1.0], Input::ANALOGUES).unwrap()[0];
+                &features(&linkage.cycle(), &motion, &[1.0], InputRate::ANALOGUES).unwrap()[0];
             let sweep: Vec<f64> = (0..=3600)
                 .map(|i| rocker(f64::from(i) * std::f64::consts::TAU / 3600.0).value())
                 .collect();

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 
 use assur::mechanism::{Defect, Dimension, DriverSpec, LinkageSpec, Mechanism, Quantity};
-use assur::motion::{Column, Input, Motion, OutputProfile, Refusal};
+use assur::motion::{Column, InputRate, Motion, OutputProfile, Refusal};
 use assur::{Swing, Vector};
 use assur_draw::chart::Settings;
 use assur_draw::svg::Svg;
@@ -36,7 +36,7 @@ fn numbers(text: &str) -> Vec<f64> {
 fn drawn(motion: &Motion, name: &str) -> (Vec<Vec<[f64; 2]>>, Vec<[f64; 2]>) {
     let figure = Figure::new(motion, &View::default()).unwrap();
     let settings = Settings {
-        input: Input::ANALOGUES,
+        input: InputRate::ANALOGUES,
         physical: false,
         differenced: false,
     };
@@ -227,7 +227,7 @@ fn a_small_distance_has_its_extrema() {
         let motion = small_dyad(size);
         let distance = quantity(&motion, "Q-F.distance");
         let [value, ..] = motion
-            .features(&[distance], Input::ANALOGUES)
+            .features(&[distance], InputRate::ANALOGUES)
             .unwrap()
             .swap_remove(0);
         assert_eq!((value.extrema.len(), value.level), (2, None), "{size}");
@@ -260,7 +260,7 @@ fn places_far_off_have_their_extrema() {
     let motion = moved(&draft);
     let x = quantity(&motion, "C.x");
     let [value, ..] = motion
-        .features(&[x], Input::ANALOGUES)
+        .features(&[x], InputRate::ANALOGUES)
         .unwrap()
         .swap_remove(0);
     assert_eq!((value.extrema.len(), value.level), (2, None));
@@ -361,7 +361,7 @@ fn a_deltoid_goes_on_beyond_its_cycle() {
         assert!(profile.dwell(0.1).is_some(), "{link}");
         // Zeros are those at which a fine sweep over the cycle changes its sign.
         let [found, ..] = motion
-            .features(&[angle], Input::ANALOGUES)
+            .features(&[angle], InputRate::ANALOGUES)
             .unwrap()
             .swap_remove(0);
         let sweep = (0..36_000).filter_map(|k| {
@@ -463,7 +463,7 @@ fn an_angle_that_turns_fully_passes_zero_once() {
     ];
     let motion = lever(points, 0.0);
     let lever = quantity(&motion, "lever.angle");
-    let found = motion.features(&[lever], Input::ANALOGUES).unwrap();
+    let found = motion.features(&[lever], InputRate::ANALOGUES).unwrap();
     let zeros = &found[0][0].zeros;
     assert_eq!(zeros.len(), 1, "{zeros:?}");
 }

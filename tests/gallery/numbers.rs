@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::motion::{DeadPointKind, Input, Motion, OutputProfile};
+use assur::motion::{DeadPointKind, InputRate, Motion, OutputProfile};
 use assur::{Assembly, FourBar, Swing};
 use assur_draw::chart::Settings;
 use assur_draw::svg::Svg;
@@ -187,7 +187,7 @@ fn chebyshev() {
 fn chart(motion: &Motion, name: &str) -> String {
     let figure = Figure::new(motion, &View::default()).unwrap();
     let settings = Settings {
-        input: Input::ANALOGUES,
+        input: InputRate::ANALOGUES,
         physical: false,
         differenced: false,
     };
@@ -221,7 +221,7 @@ fn peaucellier() {
     assert!(heights[1] - heights[0] > 4.0, "{heights:?}");
     // Its derivatives are rounding alone, and are not taken for anything else.
     let axes = ["E.x", "E.y"].map(|name| quantity(&motion, name));
-    let [across, along] = &motion.features(&axes, Input::ANALOGUES).unwrap()[..] else {
+    let [across, along] = &motion.features(&axes, InputRate::ANALOGUES).unwrap()[..] else {
         panic!("two quantities");
     };
     let levels = across.each_ref().map(|order| order.level);

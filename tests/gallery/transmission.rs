@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
-use assur::motion::{Input, Kind, Motion};
+use assur::motion::{InputRate, Kind, Motion};
 use assur_tests::assert_near;
 
 use super::{at, moved, quantity};
@@ -56,7 +56,7 @@ fn of_a_crank_rocker() {
         // Extreme where the crank is on the frame's line, never where it is folded, and nowhere 0.
         let transmission = quantity(&motion, &name);
         let [value, rate, _] = motion
-            .features(&[transmission], Input::ANALOGUES)
+            .features(&[transmission], InputRate::ANALOGUES)
             .unwrap()
             .swap_remove(0);
         assert_eq!(
@@ -76,18 +76,18 @@ fn of_a_crank_rocker() {
             "least μ",
         );
         for extremum in &value.extrema {
-            let here = at(&motion, &name, extremum.crank.to_degrees());
+            let here = at(&motion, &name, extremum.input.to_degrees());
             assert_near(here[0], extremum.value, 1e-12, "extreme μ");
             assert_near(here[1], 0.0, 1e-9, "its rate");
             assert_eq!(extremum.kind == Kind::Min, here[2] > 0.0, "{extremum:?}");
             assert!(
                 rate.zeros
                     .iter()
-                    .any(|zero| (zero - extremum.crank).abs() < 1e-9)
+                    .any(|zero| (zero - extremum.input).abs() < 1e-9)
             );
         }
         for extremum in &rate.extrema {
-            let here = at(&motion, &name, extremum.crank.to_degrees());
+            let here = at(&motion, &name, extremum.input.to_degrees());
             assert_near(here[1], extremum.value, 1e-11, "extreme μ′");
             assert_eq!(extremum.kind == Kind::Min, here[3] > 0.0, "{extremum:?}");
         }
@@ -116,7 +116,7 @@ fn of_slides() {
     let greatest = motion.greatest_pressure(&dyad).unwrap().unwrap();
     assert_near(greatest.angle, (2.0_f64 / 3.0).asin(), 1e-13, "greatest");
     let [value, ..] = motion
-        .features(&[Quantity::Pressure(dyad)], Input::ANALOGUES)
+        .features(&[Quantity::Pressure(dyad)], InputRate::ANALOGUES)
         .unwrap()
         .swap_remove(0);
     // At 270° the rod touches the way's direction and turns back.
@@ -124,7 +124,7 @@ fn of_slides() {
         panic!("{value:?}");
     };
     assert_eq!([greatest.kind, least.kind], [Kind::Max, Kind::Min]);
-    assert_near(least.crank, 1.5 * PI, 1e-7, "where it touches");
+    assert_near(least.input, 1.5 * PI, 1e-7, "where it touches");
     assert_near(least.value, 0.0, 1e-12, "in line with the way");
     assert!(at(&motion, "C.pressure", 270.0)[2] > 0.3);
     assert!(value.zeros.is_empty(), "{value:?}");

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
-use assur::motion::{Extremum, Features, Input, Kind};
+use assur::motion::{Extremum, Features, InputRate, Kind};
 use assur::{Assembly, FourBar, Grashof, Link, Offset};
 use assur_tests::files::source;
 
@@ -47,7 +47,7 @@ fn rocker(case: Case) -> [Features; 3] {
     let motion = mixer(case).motion().unwrap();
     let angle = Quantity::named(motion.mechanism(), "rocker.angle").unwrap();
     motion
-        .features(&[angle], Input::ANALOGUES)
+        .features(&[angle], InputRate::ANALOGUES)
         .unwrap()
         .swap_remove(0)
 }
@@ -77,7 +77,7 @@ fn limit_positions_are_in_line() {
         }
         // In a stroke φ₃′ begins and ends at zero, and φ₃″ is zero at its extremum.
         let [_, first, second] = rocker(case);
-        let extrema: Vec<f64> = first.extrema.iter().map(|found| found.crank).collect();
+        let extrema: Vec<f64> = first.extrema.iter().map(|found| found.input).collect();
         assert_eq!((first.zeros.len(), extrema), (2, second.zeros));
     }
 }
@@ -261,7 +261,7 @@ fn the_document_for_teachers_has_the_numbers_of_the_engine() {
     says(format!(
         "The plot of φ′ shows {} at {:.1}°, so ω₃ = {} rad/s, and wheel 5 (external, u = 2) has +{} rad/s",
         signed(velocity.value, 3),
-        velocity.crank.to_degrees(),
+        velocity.input.to_degrees(),
         signed(velocity.value * TAU, 3),
         signed(velocity.value * TAU * u, 3),
     ));
@@ -269,7 +269,7 @@ fn the_document_for_teachers_has_the_numbers_of_the_engine() {
     says(format!(
         "The plot of φ″ shows {} at {:.1}°, so ε₃ = {} · ω₁² = {} rad/s², and wheel 5 has {} rad/s²",
         signed(acceleration.value, 3),
-        acceleration.crank.to_degrees(),
+        acceleration.input.to_degrees(),
         signed(acceleration.value, 4),
         signed(epsilon, 2),
         signed(epsilon * u, 2),

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur::mechanism::Quantity;
-use assur::motion::{Extremum, Input, features};
+use assur::motion::{Extremum, InputRate, features};
 use assur::{Assembly, FourBar, Grashof, Swing};
 use assur_tests::scaled;
 use proptest::prelude::*;
@@ -37,7 +37,7 @@ fn extrema(linkage: &FourBar, assembly: Assembly) -> [Vec<Extremum>; 2] {
     let motion = mixer(linkage, assembly).motion().unwrap();
     let rocker = Quantity::named(motion.mechanism(), "rocker.angle").unwrap();
     let [_, first, second] = motion
-        .features(&[rocker], Input::ANALOGUES)
+        .features(&[rocker], InputRate::ANALOGUES)
         .unwrap()
         .swap_remove(0);
     [first, second].map(|order| order.extrema)
@@ -243,7 +243,7 @@ proptest! {
         if !cycle.is_full() {
             return Ok(()); // unbounded towards the dead points
         }
-        let input = Input { speed, acceleration };
+        let input = InputRate { speed, acceleration };
         let motion = |crank: f64| Some(vec![linkage.pose::<5>(assembly, crank).ok()?.rocker]);
         let found = features(&cycle, &motion, &[1.0], input).unwrap();
         let [start, end] = cycle.axis();

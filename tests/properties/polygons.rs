@@ -2,7 +2,7 @@
 //! directions is so, two directions cross where the point is, and the image of a link is similar to it.
 
 use assur::mechanism::{BodyId, Mechanism, Pose};
-use assur::motion::{Input, Motion};
+use assur::motion::{InputRate, Motion};
 use assur::polygons::{Kind, Node, Order, Polygon, Route};
 use assur::{JetPoint, Vector};
 use assur_tests::scaled;
@@ -17,7 +17,7 @@ struct Checked<'a> {
     seed: u64,
     mechanism: &'a Mechanism,
     pose: &'a Pose<4>,
-    input: Input,
+    input: InputRate,
     order: Order,
     polygon: Polygon,
 }
@@ -35,7 +35,7 @@ impl Checked<'_> {
     fn derivative(&self, node: Node) -> Vector {
         let (
             point,
-            Input {
+            InputRate {
                 speed,
                 acceleration,
             },
@@ -177,7 +177,7 @@ fn checked(seed: u64, motion: &Motion, random: &mut Random) -> [usize; 2] {
             continue;
         }
         counts[0] += 1;
-        let input = Input {
+        let input = InputRate {
             speed: random.within(-20.0, 20.0),
             acceleration: random.within(-50.0, 50.0),
         };
@@ -224,7 +224,9 @@ fn polygons_of_higher_groups_have_all_points() {
             poses += checked(seed, &motion, &mut random)[0];
             let order = Order::Velocity;
             if let Ok(pose) = motion.pose::<3>(motion.drawn_input()) {
-                let polygon = motion.mechanism().polygon(&pose, order, Input::ANALOGUES);
+                let polygon = motion
+                    .mechanism()
+                    .polygon(&pose, order, InputRate::ANALOGUES);
                 assert!(polygon.stages.iter().any(|stage| stage.of_group));
                 assert_eq!(polygon.stages[0].nodes[0].1, Vector::zeros());
             }
@@ -250,7 +252,7 @@ fn a_pin_in_a_slotted_lever() {
     let motion = Motion::new(Mechanism::new(&draft).unwrap());
     let mechanism = motion.mechanism();
     let pose = motion.pose::<3>(0.0).unwrap();
-    let input = Input {
+    let input = InputRate {
         speed: 3.0,
         acceleration: 0.0,
     };

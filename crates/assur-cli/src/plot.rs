@@ -1,7 +1,7 @@
 //! A mechanism and its plots as SVG.
 
 use assur::mechanism::Quantity;
-use assur::motion::Input;
+use assur::motion::InputRate;
 use assur_draw::chart::Settings;
 use assur_draw::svg::{Drawing, Svg};
 use assur_draw::{Annotations, Figure, Overlays, View};
@@ -54,7 +54,7 @@ pub(crate) fn svg(moved: &Moved, name: &Name) -> Result<String, Failure> {
         .into_iter()
         .partition(|quantity: &Quantity| quantity.is_angle());
     let settings = Settings {
-        input: Input::ANALOGUES,
+        input: InputRate::ANALOGUES,
         physical: false,
         differenced: false,
     };

@@ -16,7 +16,7 @@ use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
 use assur::Cycle;
-use assur::motion::{Features, Input};
+use assur::motion::{Features, InputRate};
 
 use crate::list::{ROLES, Role};
 pub use against::{Against, Axis, Field, Passed};
@@ -91,7 +91,7 @@ pub struct Series {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// How the crank turns: what the derivatives are by.
-    pub input: Input,
+    pub input: InputRate,
     /// Whether the input is that of a machine, so that derivatives are by time.
     pub physical: bool,
     /// The second derivative is also shown as differences of the first one's
@@ -166,7 +166,7 @@ impl Chart {
     /// by time.
     pub fn by_time(span: [f64; 2], kind: Kind, series: Vec<Series>, samples: Vec<At>) -> Self {
         let settings = Settings {
-            input: Input::ANALOGUES,
+            input: InputRate::ANALOGUES,
             physical: true,
             differenced: false,
         };

@@ -217,7 +217,7 @@ impl Drawing {
 mod tests {
     use super::*;
     use assur::mechanism::{LinkageSpec, Mechanism};
-    use assur::motion::{Input, Motion};
+    use assur::motion::{InputRate, Motion};
 
     fn four_bar() -> Motion {
         let draft = LinkageSpec::default()
@@ -247,12 +247,12 @@ mod tests {
         let mechanism = motion.mechanism();
         let pose = motion.pose::<3>(1.0).expect("a pose");
         for order in [Order::Velocity, Order::Acceleration] {
-            let polygon = mechanism.polygon(&pose, order, Input::ANALOGUES);
+            let polygon = mechanism.polygon(&pose, order, InputRate::ANALOGUES);
             let steps = polygon_steps(&polygon);
             let finds: Vec<bool> = steps.iter().map(PolygonStep::finds).collect();
             assert_eq!(finds, [true, true, false, true]);
             let name = |node: Node| mechanism.point_name(node.point).to_lowercase();
-            let sheet = PolygonSheet::over(&motion, order, Input::ANALOGUES);
+            let sheet = PolygonSheet::over(&motion, order, InputRate::ANALOGUES);
             let drawn = |shown| PolygonPicture::new(mechanism, &polygon, &sheet, shown, name);
             let names: Vec<usize> = (0..=5).map(|shown| drawn(shown).names.len()).collect();
             assert_eq!(names, [1, 1, 2, 2, 3, 3]);

@@ -2,7 +2,7 @@
 
 use assur::Point;
 use assur::mechanism::{DriverSpec, LinkageSpec, Mechanism, Quantity};
-use assur::motion::{Input, Motion};
+use assur::motion::{InputRate, Motion};
 use assur_draw::chart::Settings;
 use assur_draw::svg::Svg;
 use assur_draw::{Annotations, Figure, Overlays, Role, View};
@@ -119,7 +119,7 @@ fn triple_rocker() -> LinkageSpec {
 /// The plots of a link's angle as a file.
 fn chart(motion: &Motion, link: &str) -> String {
     let settings = Settings {
-        input: Input::ANALOGUES,
+        input: InputRate::ANALOGUES,
         physical: false,
         differenced: false,
     };
@@ -160,7 +160,7 @@ fn axes_fit_the_motion() {
 fn axes_of_further_points_have_colours_of_their_own() {
     let motion = Motion::new(Mechanism::new(&draft()).unwrap());
     let settings = Settings {
-        input: Input::ANALOGUES,
+        input: InputRate::ANALOGUES,
         physical: false,
         differenced: false,
     };

@@ -1,6 +1,6 @@
 //! How a mechanism is looked at: the part of a state that changes nothing of it.
 
-use assur::motion::Input;
+use assur::motion::InputRate;
 use serde::{Deserialize, Serialize};
 
 use crate::Problem;
@@ -255,10 +255,10 @@ impl Default for View {
 
 impl View {
     /// How the crank turns for the plots and read-outs.
-    pub fn input(&self) -> Input {
+    pub fn input(&self) -> InputRate {
         match self.axes {
-            Axes::Analogues => Input::ANALOGUES,
-            Axes::Physical => Input {
+            Axes::Analogues => InputRate::ANALOGUES,
+            Axes::Physical => InputRate {
                 speed: self.omega,
                 acceleration: self.epsilon,
             },

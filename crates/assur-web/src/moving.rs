@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use assur::Point;
 use assur::mechanism::{Following, LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
-use assur::motion::{Column, Input, Motion};
+use assur::motion::{Column, InputRate, Motion};
 use assur_draw::chart::{Against, Chart, Settings};
 use assur_draw::{Annotations, Figure, Lines, Overlays, PolygonSheet, Role, View as Drawing};
 use assur_file::{Axes, LinkDocument, LinkageDocument, Moved, Problem, View};
@@ -184,7 +184,7 @@ impl Moving {
     }
 
     /// How the input goes, by the axes.
-    pub(crate) fn input(&self) -> Input {
+    pub(crate) fn input(&self) -> InputRate {
         self.settings.input
     }
 

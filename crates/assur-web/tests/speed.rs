@@ -20,7 +20,7 @@ use assur::dynamics::TICKS_PER_SECOND;
 use assur::mechanism::{self, LinkId, Method, PointId, Quantity};
 use assur::mixer::{Case, Mixer};
 use assur::mobility::Space;
-use assur::motion::{Input, Motion};
+use assur::motion::{InputRate, Motion};
 use assur::synthesis::four_bar::{Family, Frame, Position, Search, Task, TwoPositions};
 use assur::{Assembly, FourBar, Pose};
 use schemes::Net;
@@ -74,7 +74,7 @@ fn speed() {
         "engine, all extrema of a motion",
         1,
         Box::new(move || {
-            let _ = black_box(moving.features(&[rocker], Input::ANALOGUES));
+            let _ = black_box(moving.features(&[rocker], InputRate::ANALOGUES));
         }),
     ));
     let family = family();

@@ -5,7 +5,7 @@ mod grid;
 
 use std::io::Write;
 
-use assur::motion::{Column, Input, Motion};
+use assur::motion::{Column, InputRate, Motion};
 use assur_file::LinkageProblem;
 use clap::Args;
 
@@ -90,11 +90,11 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
         None => Column::all(mechanism),
     };
     let driven = match asked.omega {
-        Some(omega) => Input {
+        Some(omega) => InputRate {
             speed: grid::rate("--omega", omega)?,
             acceleration: grid::rate("--epsilon", asked.epsilon.unwrap_or(0.0))?,
         },
-        None => Input::ANALOGUES,
+        None => InputRate::ANALOGUES,
     };
     let inputs = grid::inputs(&motion, asked)?;
 

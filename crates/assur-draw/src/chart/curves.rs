@@ -2,7 +2,7 @@
 //! ranges that show them.
 
 use assur::Jet;
-use assur::motion::{Features, Input, Kind, Sampling, Shown, Spacing};
+use assur::motion::{Features, InputRate, Kind, Sampling, Shown, Spacing};
 use assur::sorting::sort_by;
 
 use super::{Series, Settings};
@@ -141,7 +141,7 @@ fn differences(
     run: &[At],
     count: usize,
     index: usize,
-    input: Input,
+    input: InputRate,
 ) -> impl Iterator<Item = (f64, f64)> {
     let step = (run.len() / count).max(1);
     run.windows(3).step_by(step).map(move |three| {
@@ -196,7 +196,7 @@ fn marks(features: &Features) -> Vec<Mark> {
             Kind::Max => MarkKind::Max,
             Kind::Min => MarkKind::Min,
         },
-        crank: extremum.crank,
+        crank: extremum.input,
         value: extremum.value,
     });
     extrema.chain(zeros).collect()

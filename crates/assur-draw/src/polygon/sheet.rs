@@ -1,7 +1,7 @@
 //! The sheet on which the polygons of a motion are drawn: of one scale and with the pole in one place for the whole motion,
 //! so that a polygon is seen to breathe about it.
 
-use assur::motion::{Input, Motion, Sampling, Shown, Spacing};
+use assur::motion::{InputRate, Motion, Sampling, Shown, Spacing};
 use assur::polygons::{Order, Polygon};
 use assur::sorting::sort_by;
 
@@ -35,7 +35,7 @@ pub struct PolygonSheet(Rectangle);
 
 impl PolygonSheet {
     /// That of a motion whose input goes so.
-    pub fn over(motion: &Motion, order: Order, input: Input) -> Self {
+    pub fn over(motion: &Motion, order: Order, input: InputRate) -> Self {
         let mechanism = motion.mechanism();
         let mut pose = mechanism.blank::<3>();
         let mut found = Vec::new();
@@ -143,7 +143,11 @@ mod tests {
         let [from, to] = motion.cycle().arcs()[0];
         let inputs = (1..1000).map(|k| from + (to - from) * f64::from(k) / 1000.0);
         let poses = inputs.filter_map(|input| motion.pose::<3>(input).ok());
-        let polygon = |pose| motion.mechanism().polygon(&pose, order, Input::ANALOGUES);
+        let polygon = |pose| {
+            motion
+                .mechanism()
+                .polygon(&pose, order, InputRate::ANALOGUES)
+        };
         poses.map(polygon).collect()
     }
 
@@ -152,7 +156,7 @@ mod tests {
     fn a_turning_crank_has_one_scale() {
         let motion = four_bar([1.0, 3.0, 3.0]);
         for order in [Order::Velocity, Order::Acceleration] {
-            let sheet = PolygonSheet::over(&motion, order, Input::ANALOGUES);
+            let sheet = PolygonSheet::over(&motion, order, InputRate::ANALOGUES);
             let polygons = polygons(&motion, order);
             assert!(polygons.len() > 990);
             for polygon in &polygons {
@@ -171,7 +175,7 @@ mod tests {
     #[test]
     fn a_dead_point_has_smaller_scales() {
         let motion = four_bar([3.0, 2.0, 3.5]);
-        let sheet = PolygonSheet::over(&motion, Order::Acceleration, Input::ANALOGUES);
+        let sheet = PolygonSheet::over(&motion, Order::Acceleration, InputRate::ANALOGUES);
         let polygons = polygons(&motion, Order::Acceleration);
         let held = polygons
             .iter()

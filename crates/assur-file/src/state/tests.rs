@@ -1,6 +1,6 @@
 use super::*;
 use assur::mixer::Case;
-use assur::motion::Input;
+use assur::motion::InputRate;
 use serde_json::json;
 
 use crate::{Against, Axes, MixerDocument, MixerTracerDocument, Only, SpeedUnit, WheelDocument};
@@ -124,13 +124,13 @@ fn plots_and_inputs_are_checked() {
 #[test]
 fn axes_say_what_derivatives_are_by() {
     let mut view = state().view;
-    let input = Input {
+    let input = InputRate {
         speed: -2.5,
         acceleration: 0.5,
     };
     assert_eq!(view.input(), input);
     view.axes = Axes::Analogues;
-    assert_eq!(view.input(), Input::ANALOGUES);
+    assert_eq!(view.input(), InputRate::ANALOGUES);
 }
 
 #[test]

@@ -15,7 +15,7 @@ pub struct Extremum {
     /// Maximum or minimum.
     pub kind: Kind,
     /// The input.
-    pub crank: f64,
+    pub input: f64,
     /// The extreme value.
     pub value: f64,
 }
@@ -31,7 +31,7 @@ impl Extremum {
         };
         Self {
             kind,
-            crank: self.crank,
+            input: self.input,
             value: self.value * ratio,
         }
     }

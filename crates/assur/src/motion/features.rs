@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Extremum, Input, Kind, Motion};
+use super::{Extremum, InputRate, Kind, Motion};
 use crate::mechanism::{Pose, Quantity, half_turns};
 use crate::sorting::sort_by;
 use crate::{Cycle, Jet};
@@ -71,7 +71,7 @@ impl Motion {
     pub fn features(
         &self,
         quantities: &[Quantity],
-        input: Input,
+        input: InputRate,
     ) -> Result<Vec<[Features; 3]>, TooManyTurns> {
         let mechanism = self.mechanism();
         let multiples = quantities.iter().map(|one| self.multiple(*one));
@@ -150,7 +150,7 @@ impl Motion {
     /// zero.
     fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
         let turned = |extremum: Extremum| {
-            let pose = self.pose::<3>(extremum.crank);
+            let pose = self.pose::<3>(extremum.input);
             debug_assert!(pose.is_ok(), "an extremum is found in a pose");
             let angle = quantity.unfolded(self.mechanism(), &pose.ok()?);
             Some(extremum.scaled(quantity.sense(&angle)))
@@ -160,7 +160,7 @@ impl Motion {
                 .zeros
                 .dedup_by(|one, other| (*one - *other).abs() < ALIKE);
             order.extrema.dedup_by(|one, other| {
-                one.kind == other.kind && (one.crank - other.crank).abs() < ALIKE
+                one.kind == other.kind && (one.input - other.input).abs() < ALIKE
             });
             order.extrema = order.extrema.into_iter().filter_map(turned).collect();
             order
@@ -211,7 +211,7 @@ pub fn features(
     cycle: &Cycle,
     motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
     units: &[f64],
-    input: Input,
+    input: InputRate,
 ) -> Result<Vec<[Features; 3]>, TooManyTurns> {
     let stretches = stretches(cycle, &|arc| half_turns(0.0, arc).collect())?;
     Ok(features_over(&stretches, cycle, motion, units, input))
@@ -223,7 +223,7 @@ fn features_over(
     cycle: &Cycle,
     motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
     units: &[f64],
-    input: Input,
+    input: InputRate,
 ) -> Vec<[Features; 3]> {
     let at = |crank: &f64| Some((*crank, motion(*crank)?));
     let sweeps = stretches.iter();
@@ -464,7 +464,7 @@ impl Sample {
         let kind = if bend < 0.0 { Kind::Max } else { Kind::Min };
         (bend != 0.0).then_some(Extremum {
             kind,
-            crank: self.crank,
+            input: self.crank,
             value,
         })
     }

@@ -76,7 +76,7 @@ impl<'a> OutputProfile<'a> {
             Some(inputs) => inputs,
             None => turning_points(motion, &jet, motion.unit(quantity))?
                 .iter()
-                .map(|extremum| extremum.crank)
+                .map(|extremum| extremum.input)
                 .collect(),
         };
         let mut profile = Self {

@@ -1,6 +1,6 @@
 //! A motion as a table: quantities and their derivatives at given inputs.
 
-use super::{DeadPoint, DeadPointKind, Input, Motion};
+use super::{DeadPoint, DeadPointKind, InputRate, Motion};
 use crate::mechanism::{Cause, Mechanism, Pose, Quantity, Unsolved};
 
 /// Relative rounding of an input that was given in degrees.
@@ -91,13 +91,13 @@ pub struct Row {
 impl Motion {
     /// The row of these columns at an input, derivatives by the input.
     pub fn row(&self, columns: &[Column], input: f64) -> Row {
-        self.row_by_time(columns, input, Input::ANALOGUES)
+        self.row_by_time(columns, input, InputRate::ANALOGUES)
     }
 
     /// The row of these columns at an input, derivatives by time while the input goes as `driven` says.
     ///
     /// Past the period of a driver that turns fully angles go on: they are never folded.
-    pub fn row_by_time(&self, columns: &[Column], input: f64, driven: Input) -> Row {
+    pub fn row_by_time(&self, columns: &[Column], input: f64, driven: InputRate) -> Row {
         // A higher group comes so near to its dead point that there seem to be derivatives.
         let at = self.cycle.wrap(input);
         let is_at = |dead: &&DeadPoint| (dead.input - at).abs() <= UNITS * at.abs();
@@ -133,7 +133,7 @@ impl Motion {
         &self,
         columns: &[Column],
         pose: &Pose<N>,
-        driven: Input,
+        driven: InputRate,
     ) -> Vec<Option<f64>> {
         let value = |column: &Column| {
             let jet = column.quantity.of(self.mechanism(), pose);

@@ -132,7 +132,7 @@ impl Motion {
             let beside = BESIDE * (to - from);
             [*from, from + beside, to - beside, *to]
         });
-        let inputs = extrema.into_iter().map(|extremum| extremum.crank);
+        let inputs = extrema.into_iter().map(|extremum| extremum.input);
         let inputs = inputs
             .chain(ends)
             .chain(self.change_points().iter().copied());

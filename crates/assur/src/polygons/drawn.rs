@@ -4,7 +4,7 @@ use super::construction::{By, Equations, Way, equations};
 use super::{Kind, Leg, Node, Order, Polygon, Route, Stage};
 use crate::index::{BodyId, StepId};
 use crate::mechanism::{Mechanism, Pose};
-use crate::motion::Input;
+use crate::motion::InputRate;
 use crate::position::Step;
 use crate::{JetPoint, Vector};
 
@@ -13,14 +13,14 @@ struct Sheet<'a, const N: usize> {
     mechanism: &'a Mechanism,
     pose: &'a Pose<N>,
     order: Order,
-    input: Input,
+    input: InputRate,
 }
 
 pub(super) fn polygon<const N: usize>(
     mechanism: &Mechanism,
     pose: &Pose<N>,
     order: Order,
-    input: Input,
+    input: InputRate,
 ) -> Polygon {
     let sheet = Sheet {
         mechanism,

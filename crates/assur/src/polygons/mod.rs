@@ -16,7 +16,7 @@ mod drawn;
 
 use crate::index::{BodyId, PointId, StepId};
 use crate::mechanism::{Mechanism, Pose};
-use crate::motion::Input;
+use crate::motion::InputRate;
 use crate::{Point, Vector};
 
 /// Of which derivative by time a polygon is.
@@ -107,7 +107,12 @@ pub struct Polygon {
 
 impl Mechanism {
     /// The polygon of a pose with at least as many derivatives as it is of, by the speed and acceleration of the input.
-    pub fn polygon<const N: usize>(&self, pose: &Pose<N>, order: Order, input: Input) -> Polygon {
+    pub fn polygon<const N: usize>(
+        &self,
+        pose: &Pose<N>,
+        order: Order,
+        input: InputRate,
+    ) -> Polygon {
         drawn::polygon(self, pose, order, input)
     }
 

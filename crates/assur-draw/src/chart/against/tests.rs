@@ -1,11 +1,11 @@
 use assur::Jet;
-use assur::motion::Input;
+use assur::motion::InputRate;
 
 use super::super::Sample;
 use super::*;
 
 const SETTINGS: Settings = Settings {
-    input: Input::ANALOGUES,
+    input: InputRate::ANALOGUES,
     physical: false,
     differenced: false,
 };

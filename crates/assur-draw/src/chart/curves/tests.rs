@@ -6,7 +6,7 @@ use super::*;
 use crate::list::Role;
 
 /// The plots of q = sin φ₁ over a full turn.
-fn sine(input: Input, differenced: bool) -> [Plot; 3] {
+fn sine(input: InputRate, differenced: bool) -> [Plot; 3] {
     let cycle = FourBar::new([0.37, 0.85, 0.55, 0.85]).unwrap().cycle();
     let series = Series {
         name: "sine".to_owned(),
@@ -34,11 +34,11 @@ fn sine(input: Input, differenced: bool) -> [Plot; 3] {
 /// derivative, and not it.
 #[test]
 fn differences_are_of_the_samples() {
-    let input = Input {
+    let input = InputRate {
         speed: -3.0,
         acceleration: 2.0,
     };
-    for input in [Input::ANALOGUES, input] {
+    for input in [InputRate::ANALOGUES, input] {
         let [value, first, second] = sine(input, true);
         assert!(value.curves[0].differences.is_empty());
         assert!(first.curves[0].differences.is_empty());
@@ -60,7 +60,7 @@ fn differences_are_of_the_samples() {
         assert!((1e-6..1e-4).contains(&most), "{most:e}");
     }
     assert!(
-        sine(Input::ANALOGUES, false)[2].curves[0]
+        sine(InputRate::ANALOGUES, false)[2].curves[0]
             .differences
             .is_empty()
     );
@@ -69,7 +69,7 @@ fn differences_are_of_the_samples() {
 /// Every curve has what it is by time: q, ω₁ q′, ω₁² q″ + ε₁ q′.
 #[test]
 fn curves_are_rates() {
-    let input = Input {
+    let input = InputRate {
         speed: -3.0,
         acceleration: 2.0,
     };

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use assur::dynamics::{Body, Halt, Mesh, Reading, Recording};
 use assur::gears::train::{Shaft, Turned, Turning};
-use assur::motion::Input;
+use assur::motion::InputRate;
 use assur::{Jet, Relation};
 use assur_draw::TrainPose;
 use assur_draw::chart::{Against, At, Axis, Chart, Kind, Sample, Series, Settings};
@@ -249,7 +249,7 @@ impl Course {
             order: column.map_or(0, |column| column.order),
         };
         let settings = Settings {
-            input: Input::ANALOGUES,
+            input: InputRate::ANALOGUES,
             physical: true,
             differenced: false,
         };

@@ -2,7 +2,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::*;
 use crate::mechanism::{LinkageSpec, Quantity};
-use crate::motion::{Column, Input, Motion};
+use crate::motion::{Column, InputRate, Motion};
 use crate::{Assembly, FourBar};
 
 const LENGTHS: [f64; 4] = [0.37, 0.85, 0.55, 0.85];
@@ -121,13 +121,13 @@ fn features_of_the_diagonal() {
     let [l1, _, _, l4] = LENGTHS;
     let motion = motion();
     let diagonal = Quantity::named(motion.mechanism(), "D-B.distance").unwrap();
-    let [[value, ..]] = &motion.features(&[diagonal], Input::ANALOGUES).unwrap()[..] else {
+    let [[value, ..]] = &motion.features(&[diagonal], InputRate::ANALOGUES).unwrap()[..] else {
         panic!("one quantity")
     };
     let mut found: Vec<[f64; 2]> = value
         .extrema
         .iter()
-        .map(|one| [one.crank, one.value])
+        .map(|one| [one.input, one.value])
         .collect();
     found.sort_by(|a, b| a[1].total_cmp(&b[1]));
     let [least, most] = found[..] else {

@@ -6,14 +6,14 @@ use crate::Jet;
 /// How the crank turns at the instant looked at: the same speed and acceleration
 /// are taken at every crank angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Input {
+pub struct InputRate {
     /// ω₁, radians in a unit of time.
     pub speed: f64,
     /// ε₁, radians in a unit of time squared.
     pub acceleration: f64,
 }
 
-impl Input {
+impl InputRate {
     /// The unit of time in which the crank turns by one radian: rates by it are
     /// the derivatives by the crank angle.
     pub const ANALOGUES: Self = Self {
@@ -37,7 +37,7 @@ impl Input {
         })
     }
 
-    /// The `order`-th derivative by time, as [`Input::rates`] has it first.
+    /// The `order`-th derivative by time, as [`InputRate::rates`] has it first.
     pub fn rate<const N: usize>(self, jet: &Jet<N>, order: usize) -> f64 {
         self.rates(jet, order)[0]
     }
