@@ -178,7 +178,7 @@ const ORDERS: &[&str] = &["crates/assur-draw/src/chart.rs"];
 
 /// Who names links: the mechanisms of the catalogue, the mixer, the engine its frame.
 const LINKS: &[&str] = &[
-    "crates/assur/src/mechanism/draft.rs",
+    "crates/assur/src/linkage/spec.rs",
     "crates/assur-file/src/kinds/mixer.rs",
     "crates/assur-file/catalogue/cardan-trammel.json",
     "crates/assur-file/catalogue/chebyshev.json",

@@ -44,6 +44,7 @@ mod relation;
 pub mod sorting;
 pub mod structure;
 pub mod synthesis;
+mod tolerance;
 
 pub use angle::Angle;
 pub use combined_method::CombinedMethod;

@@ -1,0 +1,29 @@
+//! Relative tolerances in a few levels, each with where it comes from. A double has 15.95 decimal digits (ε = 2.2e-16); a
+//! level is compared with what has been divided by its size. A tolerance that is none of these stands beside what it is
+//! used for, with its reason.
+
+/// Rounding of one or two operations: two computations of the same number.
+pub(crate) const EXACT: f64 = 1e-15;
+
+/// Rounding of some dozens of operations: a correction of Newton's method below this has converged.
+pub(crate) const CONVERGED: f64 = 1e-14;
+
+/// Rounding of some thousands of operations, or of some dozens with a condition of 100: the sine of directions that count
+/// as parallel, a pivot that counts as zero.
+pub(crate) const NEGLIGIBLE: f64 = 1e-12;
+
+/// Finer than any dimension is known or drawn: points as near to each other, relative to the size of the drawing, coincide,
+/// and so do inputs, relative to a turn.
+pub(crate) const COINCIDENT: f64 = 1e-9;
+
+/// The greatest coordinate: with it a length of 1 is known to [`COINCIDENT`].
+pub(crate) const FARTHEST: f64 = 1e9;
+
+/// Half of the digits, √ε rounded down: to this a double root is known.
+pub(crate) const DOUBLE_ROOT: f64 = 1e-8;
+
+/// Half of the digits with a margin of ten: two solutions that are farther apart are different.
+pub(crate) const DISTINCT: f64 = 1e-7;
+
+/// A third of the digits, ∛ε rounded down: the step of a difference, and the level to which a triple root is known.
+pub(crate) const TRIPLE_ROOT: f64 = 1e-6;
