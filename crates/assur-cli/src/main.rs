@@ -1,6 +1,8 @@
 //! Assur in the terminal: the mechanisms of the catalogue and of files as tables,
 //! as Assur groups, by their mobility and as drawings; four-bars from positions,
 //! differentials from numbers of teeth.
+//!
+//! A file for each command; `source.rs` finds what a NAME stands for, `words.rs` makes sentences of problems.
 
 mod assemblies;
 mod circuits;

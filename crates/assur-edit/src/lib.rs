@@ -3,6 +3,14 @@
 //!
 //! Links keep the dimensions that they are given; of one that is drawn otherwise the drawing
 //! tells them from then on.
+//!
+//! | file | subject |
+//! |---|---|
+//! | `edit.rs` | every edit as data |
+//! | `draw.rs`, `drive.rs`, `dyads.rs` | what is added; drivers, meshes, what is fixed; dyads |
+//! | `reshape.rs`, `remove.rs`, `selection.rs`, `names.rs` | moved, turned, mirrored; removed; copied and pasted; free names |
+//! | `locks.rs` | lengths and angles that stay while points are moved |
+//! | `advice.rs` | why a drawing does not move, and the edits that let it |
 
 mod advice;
 mod draw;

@@ -1,6 +1,14 @@
 //! The saved form: twins of the engine's types with serde, so that files and
 //! addresses never freeze the engine. All checking of input from outside
 //! happens here and in the constructors of `assur`, once.
+//!
+//! | file | subject |
+//! |---|---|
+//! | `state.rs`, `view.rs`, `kinds/` | the state: its version, the view, a document for each kind (the registry is `kinds/mod.rs`) |
+//! | `lesson.rs`, `picture.rs`, `unit.rs` | a lecturer's lesson with its bounds, the picture behind a drawing, the unit of lengths |
+//! | `catalogue.rs`, folder `catalogue` | mechanisms by name, in categories |
+//! | `problem.rs`, `kinds/*/problem.rs` | everything that can be wrong, as codes with parameters |
+//! | `types.rs` | the shapes for TypeScript (`types.d.ts`) |
 
 mod catalogue;
 mod kinds;

@@ -1,5 +1,14 @@
 //! The engine in the browser. This crate converts between JavaScript's values
 //! and the engine's and computes nothing.
+//!
+//! | file | subject |
+//! |---|---|
+//! | `simulator.rs`, `capabilities.rs`, `kinds/` | the one object of the page; what can be asked of a document; a module for each kind |
+//! | `moving.rs`, `summary.rs`, `profile.rs`, `here.rs` | a linkage that moves; what holds of its whole motion; strokes and dwells; one place of it |
+//! | `driven.rs`, `dimensions.rs`, `change.rs`, `handle.rs` | the hand on the driver; dimensions; what a hand changes; what it takes hold of |
+//! | `table.rs`, `chart.rs`, `equations.rs`, `polygons.rs`, `curvature.rs` | tables, plots, constraint equations, polygons, curvature |
+//! | `design.rs` | the search for a dwell |
+//! | `received.rs`, `offered.rs`, `imported.rs`, `convert.rs`, `canvas.rs` | what comes from outside, checked; documents to begin with; other programs' files; values of JavaScript; a canvas as a backend of plotters |
 
 // No unit test runs there.
 #![cfg(not(all(test, target_family = "wasm")))]

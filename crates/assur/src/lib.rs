@@ -12,6 +12,16 @@
 //! leaves. Numbers of links and points come from a [`mechanism::Mechanism`] and are
 //! of use with that one: only one of another mechanism could be out of range.
 //!
+//! | module | subject |
+//! |---|---|
+//! | [`linkage`], [`structure`], [`mechanism`], [`motion`] | any linkage: its specification, Assur groups, poses, the motion of one branch |
+//! | `position` | dyads in closed form, groups by Newton's method, certified steps, all assemblies of a group |
+//! | [`circuits`], [`polygons`], [`centres`], [`curvature`] | branches over a turn; velocity and acceleration polygons; instant centres; circles of curvature |
+//! | `four_bar` ([`FourBar`]), [`gears`], [`mixer`] | four-bars in closed form; gear pairs and epicyclic trains; the mixer |
+//! | [`mobility`], [`synthesis`], [`dynamics`] | mobility and redundant constraints; four-bars from positions, dwell; a differential with magnetic couplings under load |
+//! | `combined_method`, `relation` | the equations of the source papers in numbers, as printed and as they hold |
+//! | `jet`, `geometry`, `angle`, `index`, `tolerance` | derivatives, points and vectors, whole turns, typed ids, levels of tolerance |
+//!
 //! ```
 //! use assur::{Assembly, FourBar};
 //!
