@@ -21,7 +21,7 @@ const MIXERS: [(&str, Case); 3] = [
 
 /// What a mechanism is shown among.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Group"))]
 #[serde(rename_all = "snake_case")]
 pub enum GalleryCategory {
     /// Up to four links, the frame among them.
