@@ -357,7 +357,7 @@ fn arrows(all: &[Drawn], role: Role) -> Vec<[[f64; 2]; 2]> {
     ends.collect()
 }
 
-/// The field turns the sun one way and the satellites back, in each gap as strongly as it is told.
+/// The field turns the sun one way and the satellites back, in each gap as strongly as given.
 #[test]
 fn forces_on_satellites_are_against_the_torques() {
     let figure = TrainFigure::new(&magnets(), ALIKE);

@@ -448,7 +448,7 @@ fn an_assembly_is_chosen() {
     }
 }
 
-/// Two points of a link at one place give it no direction: said, or told by others of its points.
+/// Two points of a link at one place give it no direction: refused, or given by others of its points.
 #[test]
 fn what_is_drawn_at_one_place() {
     let cases = [

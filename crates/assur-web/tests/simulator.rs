@@ -86,7 +86,7 @@ fn a_table_has_the_golden_numbers_and_reasons() {
     }
     assert!(get(&table, "rows.5.reason").is_null());
 
-    // A right angle of the crank is a dead point; the motion is told from one to the other.
+    // A right angle of the crank is a dead point; the motion goes from one to the other.
     let mut simulator = simulator;
     let state = state();
     for (key, length) in [("l1", 3.0), ("l2", 2.0), ("l3", 3.0), ("l4", 4.0)] {
