@@ -1,4 +1,4 @@
-// What a screen reader is told of drawing and plots: the state at rest, in sentences.
+// The description of drawing and plots for screen readers: the state at rest, in sentences.
 import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
@@ -20,7 +20,7 @@ import { moves } from "assur/state/model.js";
  * @typedef {{ readonly panels: readonly Panel[], readonly against: import("assur/engine.js").Field | null }} Charted
  */
 
-/** So long nothing changes before it is told, in milliseconds: nobody listens to every value of a drag. */
+/** Milliseconds of rest before an announcement: nobody listens to every value of a drag. */
 const PAUSE = 500;
 
 export class Description {
@@ -69,7 +69,7 @@ export class Description {
     const { state, words, revision, problems, place } = snapshot;
     write(this.#plots, plots(snapshot, this.#chart));
     if (state.view.playing) return;
-    // Problems are told as they arise, by an element of their own.
+    // Problems are announced as they arise, by an element of their own.
     const failed = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
     const here = positions(snapshot);
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
@@ -127,7 +127,7 @@ function beside({ summary: { listed, outputs }, readouts, compared, compares, wo
   const value = compared.readouts?.[output.name];
   const difference = differenceOf(output.what, 0, value, readouts?.[output.name]);
   const [of, by] = [value, difference].map((number) => valueText(output, number, words));
-  // What is withheld would be told by how far it is from A.
+  // The difference from A would give a withheld value away.
   const told = withheld.has(readoutOf(output.name, 0)) ? "?" : by;
   return [words.text("told.compared", { name: listedName(output, words), value: of, difference: told })];
 }

@@ -1,4 +1,4 @@
-// The one table of keys: what the handler does, the help shows and screen readers are told.
+// The one table of keys: for the handler, the help and screen readers.
 import { byId, make } from "assur/core/dom.js";
 
 /**

@@ -104,7 +104,7 @@ test("on the scrubber up and down are forward and back", () => {
   for (const [key, more, command] of [["ArrowUp", {}, "forward"], ["ArrowDown", {}, "back"], ["ArrowUp", shift, "forward10"], ["ArrowLeft", {}, "back"], ["Home", {}, "start"]]) assert.equal(press(key, { ...more, target }), command);
 });
 
-test("no combination stands twice, and screen readers are told those of each control", () => {
+test("no combination occurs twice, and each control names its own to screen readers", () => {
   const combos = KEYS.flatMap((key) => key.combos);
   assert.equal(new Set(combos).size, combos.length);
   for (const key of KEYS.filter((one) => one.control)) assert.equal(controls.get(key.control).attributes["aria-keyshortcuts"], key.combos.join(" "));

@@ -163,7 +163,7 @@ test("a broken file is said by its name, with what is wrong in it", async () => 
   }
 });
 
-test("of a file that is none of ours it is told what it is, and what can be opened", async () => {
+test("a file of another kind is named, with the kinds that can be opened", async () => {
   const long = { format: 2, long: "x".repeat(449_978) };
   const opens = "Assur opens its own files (.assur.json), Linkage files (.linkage2) and PMKS+ links.";
   const start = "The file a.b could not be opened; nothing has changed. ";
@@ -182,7 +182,7 @@ test("of a file that is none of ours it is told what it is, and what can be open
   }
 });
 
-test("of a link that cannot be read it is told that part of it may be missing", async () => {
+test("an unreadable link may lack a part, and the message says so", async () => {
   const good = toAddress(stateOf(engine, "jansen"), null);
   for (const hash of ["janssen", good.slice(0, good.indexOf("&d.links=") + 40)]) {
     const { failure } = await takeAddress(`${HOME}#${hash}`, engine, habits);

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { Rendering } from "assur/app/rendering.js";
 
-test("a view that breaks stops no other, is told of once, and is tried again with another mechanism", (t) => {
+test("a view that breaks stops no other, is reported once, and is tried again with another mechanism", (t) => {
   const said = t.mock.method(console, "error", () => {});
   const drawn = [];
   let [broke, whole] = [0, false];

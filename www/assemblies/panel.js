@@ -64,7 +64,7 @@ export class Assemblies {
     const { state, frameInput, stale } = snapshot;
     if (stale) return;
     this.#snapshot = snapshot;
-    // Of what is no linkage none are told.
+    // A document that is not a linkage has none.
     this.#here = (state.view.all_assemblies && attempt(() => this.#page.engine.assemblies(frameInput)).value) || null;
     this.element.hidden = !this.#here;
     if (!state.view.all_assemblies) this.#motions.close();
@@ -169,7 +169,7 @@ export class Assemblies {
     write(this.#count, whole ? count : `${count} ${words.text("assemblies.partial")}`);
     if (shown === null) return;
     const { map, current } = this.#motions;
-    // Where it moves it is told when it rests.
+    // While it moves, the announcement waits for rest.
     if (!state.view.playing) this.#motions.at(frameInput, shown);
     const belonging = current ? this.#motions.belonging : null;
     const fits = belonging?.branches.length === all.length ? belonging : null;

@@ -21,7 +21,7 @@ addEventListener("message", async ({ data }) => {
       postMessage({ revision: data.revision, input, number, belonging: motions.belonging(input, number) });
     }
   } catch (thrown) {
-    // Problems are told of what is asked; anything else has left the engine in no state to go on.
+    // Problems answer the question; any other failure leaves the engine unusable.
     const broken = !Array.isArray(thrown);
     if (broken) console.error(thrown);
     postMessage({ revision: data.revision, lost: true, broken });

@@ -100,7 +100,7 @@ export class NumberRow {
     this.#brief = (value) => (decimals === undefined ? numbers.brief(value) : numbers.upTo(value, decimals)) + unit;
     this.#box.show(value, { brief: this.#brief(value), full: numbers.exact(value) + unit }, invalid);
     if (!range || !this.#slider) return;
-    // A value beyond the slider's range widens it, so that the slider tells the truth.
+    // A value beyond the slider's range widens it, so that the slider shows it.
     // One that is refused stays where it was put.
     if (this.#drafts.has(this.field)) return;
     const [min, max] = [Math.min(range.min, value), Math.max(range.max, value)];

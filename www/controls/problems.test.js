@@ -20,7 +20,7 @@ function said(id, change, words = en) {
   return problems.map((problem) => sentence(problem, words, state.document, (place) => coordinate.onto(place))).join(" ");
 }
 
-test("a length that cannot be is named, with by how much, in the unit of lengths", () => {
+test("an impossible length is named with its excess in the unit of lengths", () => {
   const long = (state) => withDocument(state, { l4: 2 });
   assert.match(said("mixer-a", long), /(l₄|frame).*0\.23/);
   assert.match(said("mixer-a", (state) => withDocument(state, { l1: 3, unit: "cm" }), en.measured("cm")), /0\.75\u00a0cm/);

@@ -78,7 +78,7 @@ export class Numbers {
   }
 
   /**
-   * With as many digits as tell its size, for sentences.
+   * With the digits that show its size, for sentences.
    * @param {number} value
    */
   short(value) {

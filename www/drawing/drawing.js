@@ -1,4 +1,4 @@
-// Drawing: tools over the drawing, a hand for them, and what is told beside it. Loaded when it is asked for.
+// Drawing: tools over the drawing, the pointer that uses them, and the panel beside it. Loaded when it is asked for.
 import { step, unsay } from "assur/drawing/edit.js";
 import { Hand } from "assur/drawing/hand.js";
 import { paint } from "assur/drawing/marks.js";

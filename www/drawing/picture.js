@@ -15,7 +15,7 @@ import { withFurther } from "assur/state/state.js";
 /** What a file may have, in bytes. */
 const LARGEST = 64e6;
 
-/** A new picture takes this share of what is seen, and covers so much of the paper. */
+/** The share of the view that a new picture takes, and its opacity. */
 const SHARE = 0.85;
 const OPACITY = 0.5;
 

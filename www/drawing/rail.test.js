@@ -25,7 +25,7 @@ function begin(view = {}) {
   return { page, type };
 }
 
-test("of an empty sheet it is told that nothing is drawn, of a bar that it has no driver", () => {
+test("the panel of an empty sheet says that nothing is drawn, that of a bar that it has no driver", () => {
   const page = new Page("crank-rocker");
   const rail = new DrawingRail(page, { points: new Set(), links: new Set() }, { remove() {}, duplicate() {}, mirror() {} });
   const section = globalThis.document.getElementById("rail").children.at(0);

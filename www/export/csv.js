@@ -38,7 +38,7 @@ const COLUMNS = Object.freeze({
 /** What stands before all that is of the mechanism with which it is compared. */
 const OF_A = "A: ";
 
-/** Digits of a dimension: no more than what it was before it was drawn. */
+/** Digits of a dimension: those it had before it was drawn. */
 const DIGITS = 12;
 
 const DIMENSIONS = Object.freeze({ length: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });

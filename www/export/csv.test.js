@@ -77,7 +77,7 @@ test("every number of every table is that of the engine at its input, to the las
   }
 });
 
-test("a motion to and fro is told from one dead point to the other, where there are places only", async () => {
+test("the table of an oscillating motion goes from one dead point to the other, where it has positions only", async () => {
   const state = withDocument(stateOf(engine, "mixer-a"), { l1: 3, l2: 2, l3: 3, l4: 4 });
   const csv = await readCsv(write(state, { steps: 72 }));
   assert.equal(csv.rows.length, 37);

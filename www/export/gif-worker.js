@@ -1,11 +1,11 @@
-// Makes a GIF (version 89a) beside the page: first it is told the size, then the pictures, then it writes one after another. Colours are
+// Makes a GIF (version 89a) beside the page: it receives the size first, then the pictures, then it writes one after another. Colours are
 // counted over all pictures, so that all have the same; of each picture but the first only what is another than before is written.
 
 /** Colours of the table; the last entry stands for what stays as it is. */
 const COLOURS = 255;
 const SAME = 255;
 
-/** Colours are told apart by five bits of red, green and blue each. */
+/** Colours are distinguished by five bits of red, green and blue each. */
 const BINS = 1 << 15;
 
 /** @type {{ width: number, height: number, delay: number } | null} delay in hundredths of a second */

@@ -132,7 +132,7 @@ function blank() {
 }
 
 /**
- * The plots under a legend of their curves: by themselves they have no read-outs that tell the colours.
+ * The plots under a legend of their curves: exported plots have no table that explains the colours.
  * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
  * @param {import("assur/core/words.js").Words} words

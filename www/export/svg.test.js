@@ -183,7 +183,7 @@ test("time goes on, and what does not move has no moments", () => {
 
 const work = (more = {}) => ({ signal: new AbortController().signal, tell: () => {}, ...more });
 
-test("every moment has its frame and its numbers, and how far it is is told", async () => {
+test("every moment has its frame and its numbers, and progress is reported", async () => {
   const page = new Page("jansen");
   const told = [];
   const all = [];

@@ -73,7 +73,7 @@ test("text and formula of each step stand before its question", () => {
   assert.match(items[4], /K = Δφ₁ \/ \(360° − Δφ₁\)/);
 });
 
-test("what tells the answer of any question is withheld, whichever step is open", () => {
+test("values that give an answer away are withheld, whichever step is open", () => {
   assert.deepEqual([...print().withheld], ["ratio", "swing-wheel5", "time-ratio"]);
 });
 

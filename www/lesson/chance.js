@@ -71,7 +71,7 @@ export function valueIn({ from, to, step }, share) {
 
 /**
  * @param {unknown} value of JSON
- * @returns {string} of sixteen characters, by which it is told from others
+ * @returns {string} of sixteen characters that identifies it
  */
 export function digest(value) {
   const text = canonical(value);

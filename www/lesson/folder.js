@@ -38,7 +38,7 @@ import { holds, open } from "assur/lesson/show.js";
  * }>} Question
  * `answer`: what the engine says of the mechanism as it is; undefined where it says nothing. One of the `choices`, or a number
  * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms;
- * `hides`: the read-outs that tell the answer, which the page withholds until it was given, or the reader gives up.
+ * `hides`: the read-outs that give the answer away; the page withholds them until it is answered or shown.
  */
 
 /**
@@ -55,7 +55,7 @@ import { holds, open } from "assur/lesson/show.js";
 /**
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{ kind: K, steps: readonly (Step<K> | { [J in Kind]: Step<J> & { kind: J } }[Kind])[] }>} Lesson
- * What `lesson.js` of a lesson's folder exports as `LESSON`. Steps are told apart by their ids, which progress is kept by.
+ * What `lesson.js` of a lesson's folder exports as `LESSON`. Progress is kept by the ids of steps.
  */
 
 /**
@@ -66,7 +66,7 @@ import { holds, open } from "assur/lesson/show.js";
 /** An answer just within its tolerance is not to be lost by rounding, relative to the exact value. */
 const ROUNDING = 1e-9;
 
-/** What the panel is told of a lesson of ours. */
+/** A lesson of ours for the panel. */
 export class FolderLesson {
   #lesson;
   #presets;

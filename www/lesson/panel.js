@@ -31,7 +31,7 @@ import { withView } from "assur/state/state.js";
  * @typedef {Readonly<{
  *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], from: number | null, question: Question | null,
  *   tools: import("assur/lesson/tools.js").Wanted & { figure?: (engine: import("assur/engine.js").Engine) => Figure },
- * }>} Told a step in words; steps are told apart by their ids, which progress is kept by; `from`: the index of the step whose mechanism it shows, null if it
+ * }>} A step in words; progress is kept by its id; `from`: the index of the step whose mechanism it shows, null if it
  * shows none
  * @typedef {{
  *   readonly id: string, readonly name: string, readonly paper?: import("assur/lesson/paper.js").Printed, tell(words: Words): readonly Told[],
@@ -285,7 +285,7 @@ export class LessonPanel {
     this.#turned = false;
   }
 
-  /** Read-outs that tell the answer are withheld until it is given, unless the reader gives up. */
+  /** Withholds read-outs that give the answer away until it is answered or shown. */
   #withhold() {
     const step = this.#step;
     const solved = this.#progress.isSolved(step.id);

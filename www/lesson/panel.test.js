@@ -104,7 +104,7 @@ test("the mechanism with one's own numbers is that of the new name", () => {
   assert.equal(show(), hers);
 });
 
-test("the engine is asked once for an answer, however often it is told", (t) => {
+test("the engine is asked once for an answer, however often it is shown", (t) => {
   const { page, find, type, check } = begin({ number: { quantity: "rocker.angle", within: 0.1 } });
   const asked = t.mock.method(page.engine, "beside");
   find("lesson-reveal").dispatchEvent(new Event("click"));

@@ -95,7 +95,7 @@ export class Paper {
     const written = [summary, input, stale, problems.length, withheld];
     if (this.#numbers.length === 0 || written.every((part, i) => part === this.#written[i])) return;
     this.#written = written;
-    // They would tell the answer that is asked for.
+    // They would give the answer away.
     const asked = stale || withheld.size > 0 ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
     const words = this.#words;
     if (!words) return;

@@ -1,4 +1,4 @@
-// Quantities as lessons name them: `rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`. What they are called, in which unit they are told, and which
+// Quantities as lessons name them: `rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`. Their names, their units, and the
 // read-outs of the page tell them.
 import { called } from "assur/core/names.js";
 import { calledWhole, isLength, readoutOf, symbol } from "assur/core/symbols.js";
@@ -16,7 +16,7 @@ export const W = "W";
 const STROKES = Object.freeze(["", "′", "″"]);
 
 /**
- * What of a motion is told by the status line or the rail, by what stands after the quantity; a mixer has names of its own.
+ * Properties of a motion in the status line or the rail, by the suffix of the quantity; a mixer has names of its own.
  * @type {Readonly<Record<string, (of: string, what: string) => readonly string[]>>}
  */
 const TELLERS = Object.freeze({

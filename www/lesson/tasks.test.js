@@ -142,7 +142,7 @@ test("an angle may be told a turn more or less, a length may not", () => {
   assert.equal(verdictOn(lesson("rocker.angle:swing"), 0, String(swing + 360), "", engine), "not_yet");
 });
 
-test("a lesson is told from others by what it is, not by how it is written down", () => {
+test("a lesson is identified by its content, not by how it is written down", () => {
   const jansen = engine.preset("jansen");
   const lesson = lessonOf(jansen, [], { quantity: "F.y" });
   const read = engine.read(withFurther(initialState(jansen.kind, jansen.document, {}), { lesson })).lesson;
@@ -208,7 +208,7 @@ test("steps of a lesson are put in, moved, changed and taken away; the last one 
   assert.deepEqual(changed({ a: 1, b: 2 }, { b: undefined, c: null, d: 0 }), { a: 1, d: 0 });
 });
 
-test("a question of each sort is told by what it has, and the engine takes it", () => {
+test("a question of each sort is recognised by its parts, and the engine takes it", () => {
   const jansen = engine.preset("jansen");
   for (const [sort, make] of Object.entries(QUESTIONS)) {
     const question = make("?", undefined, "F.y");

@@ -14,7 +14,7 @@ import { withStep } from "assur/lesson/steps.js";
 
 const BOUNDS = Object.freeze(/** @type {const} */ (["from", "to", "step"]));
 
-/** A number first varies by so much of itself, to both sides; what counts by one at least. */
+/** The relative range of a number to both sides at first; whole numbers vary by one at least. */
 const SHARE = 0.1;
 /** In so many steps. */
 const STEPS = 20;

@@ -17,7 +17,7 @@ export const WRITTEN_HERE = "written-here";
 /**
  * @param {Written} lesson
  * @param {import("assur/engine.js").Engine} engine
- * @returns {string} by which it is told from others, however it was written down
+ * @returns {string} that identifies it, however it was written down
  */
 export function digestOf(lesson, engine) {
   return digest(attempt(() => engine.readLesson(lesson)).value ?? lesson);

@@ -1,4 +1,4 @@
-// A lesson that a lecturer has written, as the panel is told of it; around it the name of the reader and the code of the result.
+// A lesson that a lecturer has written, for the panel; around it the name of the reader and the code of the result.
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { attempt } from "assur/core/problem.js";

@@ -58,7 +58,7 @@ function titled(axis, field, { coordinate, words }) {
 }
 
 /**
- * A value of an axis as it is told.
+ * A value of an axis in words.
  * @param {Axis} axis
  * @param {Field} field
  * @param {number} value

@@ -14,7 +14,7 @@ import { withView } from "assur/state/state.js";
 /** What the input is called. */
 const INPUT = "input";
 
-/** How the ready choices are told from other ones: names of quantities have no such mark. */
+/** The mark of ready choices: names of quantities do not have it. */
 const MARK = "|";
 
 /** The choice of two quantities that none of the ready ones is. */

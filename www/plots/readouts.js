@@ -14,7 +14,7 @@ import { written } from "assur/plots/values.js";
 const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
 
-/** Of what is compared with it there are two rows more of each quantity: its own value, and by how much this one differs. */
+/** A comparison adds two rows to each quantity: the value of A, and the difference. */
 const BESIDE = Object.freeze(/** @type {const} */ ({ a: "A", difference: "B − A" }));
 
 export class ReadoutTable {
@@ -62,7 +62,7 @@ export class ReadoutTable {
       const difference = differenceOf(listed.what, order, a, b);
       for (const [value, output] of /** @type {const} */ ([[a, outputs.a], [difference, outputs.difference]])) {
         const said = value === undefined ? null : written(value, listed.what, order, words);
-        // What is withheld would be told by how far it is from A.
+        // The difference from A would give a withheld value away.
         if (output === outputs.difference && withheld.has(readoutOf(listed.name, order))) withhold(output, words);
         else writeReadout(output, said?.text ?? NONE, said?.value);
       }

@@ -79,7 +79,7 @@ function drawTitle(context, panel, coordinate, words, theme) {
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
-/** How curves are named: with the value of one that does not change, in words or bare, without it, by no more than a letter. */
+/** How curves are named: with the value of a constant, in words or bare, without it, or by a letter alone. */
 const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "symbol", "letter"]));
 
 /**

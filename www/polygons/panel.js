@@ -104,7 +104,7 @@ export class Polygons {
     write(this.#step, words.text("polygons.step", { n: words.numbers.exact(at), count: words.numbers.exact(steps.length) }));
     this.#back.disabled = at <= 1;
     const physical = state.view.axes === "physical";
-    // As the plots of lengths have them; of numbers of usual size, so that no power of ten is told with the unit.
+    // Units as in the plots of lengths, of numbers of usual size, so that the unit needs no power of ten.
     const panels = [1, 2].map((order) => /** @type {import("assur/engine.js").Panel} */ ({ kind: "length", order, physical, y0: -1, y1: 1 }));
     const [velocity, acceleration] = panels.map((panel) => unitOf(panel, coordinate, words));
     this.#sheets.forEach(({ canvas, title, scale }, order) => {

@@ -40,7 +40,7 @@ export class Address {
 
   /**
    * @param {State} state
-   * @returns {boolean} whether it has more than a mechanism of the catalogue as it stands there
+   * @returns {boolean} true if it is more than an unchanged mechanism of the catalogue
    */
   isOwn(state) {
     return !this.#presetOf(state) || FURTHER.some((name) => state[name]);

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { Drafts, partOf } from "assur/state/drafts.js";
 
-test("what is typed and not taken is kept until it is, and each change is told", () => {
+test("refused input is kept until it is accepted, and each change is reported", () => {
   let changes = 0;
   const drafts = new Drafts(() => (changes += 1));
   drafts.keep("l1");

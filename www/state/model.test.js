@@ -29,7 +29,7 @@ function begin(id, view = {}) {
   return { engine, drafts, store, model, now, update };
 }
 
-test("a length that cannot be assembled leaves the last good drawing, and says which and by how much", () => {
+test("a length that cannot be assembled leaves the last good drawing, with a message of its name and excess", () => {
   const { now, update, model } = begin("mixer-a");
   const good = now();
   const bad = update((state) => withDocument(state, { l4: 2 }));

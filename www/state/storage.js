@@ -9,7 +9,7 @@ import { withFurther } from "assur/state/state.js";
 const KEY = "assur.state";
 /** The image of a picture behind the drawing by itself: it is long, and seldom another. */
 const IMAGE = "assur.image";
-/** Characters at the end of an image by which it is told from others of its length. */
+/** Characters at the end of an image that distinguish it from others of its length. */
 const TAIL = 48;
 /** Digests of the lecturers' lessons of which answers and names are kept, the one that was worked on last at the end. */
 const LESSONS = "assur.lessons";

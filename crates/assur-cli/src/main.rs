@@ -106,7 +106,7 @@ enum Command {
     /// A scheme of links and pairs, or any linkage as one, also a drawing that is locked, lacks drivers or does not
     /// close: it is taken where it is drawn. Pairs are cut until every contour is open: W is the sum of
     /// the freedoms of what is left, less the constraints of what was cut. q counts the constraints that are
-    /// redundant in space. Where places and axes are known the rank tells how many motions there really are, which
+    /// redundant in space. If places and axes are known the rank gives the true number of motions, which
     /// pairs carry redundant constraints, which links move by themselves, and which pairs to replace.
     Mobility {
         /// Catalogue name or file.

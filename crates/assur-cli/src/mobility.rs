@@ -9,10 +9,10 @@ use serde_json::{Map, Value, json};
 use crate::Failure;
 use crate::source::{Name, Schemed, refused, schemed};
 
-/// How many replacements are told.
+/// Maximum number of replacements in the report.
 const REPLACEMENTS: usize = 20;
 
-/// What people are told, in this order.
+/// The lines of the report, in order.
 const LINES: [&str; 21] = [
     "n",
     "pairs",

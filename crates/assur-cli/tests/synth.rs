@@ -113,7 +113,7 @@ fn family_of_the_example() {
 }
 
 /// Three positions of a crank-rocker with lengths 4, 9, 6 on 10 give it back; so do eight, and five that
-/// are told from other starts.
+/// are counted from other starts.
 #[test]
 fn known_linkages() {
     let linkage = assur::FourBar::new([4.0, 9.0, 6.0, 10.0]).unwrap();

@@ -37,7 +37,7 @@ const MARGIN: Margin = Margin {
     bottom: 22,
 };
 
-/// An axis is not cut to the arcs of a motion where these are a greater share of it: a turn is told at once.
+/// An axis is not cut to the arcs of a motion where these are a greater share of it: a turn is recognised at once.
 const MOST_OF_A_TURN: f64 = 0.8;
 /// Nor where they are a lesser one: of some motions only an instant is left.
 const LEAST_OF_A_TURN: f64 = 0.001;
@@ -381,7 +381,7 @@ impl Panel {
     }
 }
 
-/// What the axis of a motion spans: all that the input is told by, or of a crank that goes to and fro over little of its
+/// The span of the axis of a motion: the whole period of the input, or for a crank that oscillates over a small part of its
 /// turn only where it moves.
 fn axis(cycle: &Cycle) -> [f64; 2] {
     let whole = cycle.axis();

@@ -95,7 +95,7 @@ pub(crate) fn head(list: &mut List, role: Role, neck: Point, tip: Point) {
 
 /// How far hatching is seen beside its line, in units.
 pub(crate) const HATCH: f64 = 1.1;
-/// Strokes of a hatching are so far from each other, in units; a line has no more than so many.
+/// Distance of the strokes of a hatching, in units; the maximum number of strokes of a line.
 const STROKES: f64 = 1.5;
 const MOST_STROKES: f64 = 400.0;
 

@@ -65,7 +65,7 @@ pub struct PolygonPicture {
 }
 
 impl PolygonPicture {
-    /// A polygon on the sheet of its motion after so many of its steps, with the names that points have in it.
+    /// A polygon on the sheet of its motion after some of its steps, with the names of its points.
     pub fn new(
         mechanism: &Mechanism,
         polygon: &Polygon,

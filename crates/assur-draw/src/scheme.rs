@@ -44,7 +44,7 @@ pub struct SchemeView {
     pub ends: Vec<(usize, Point3)>,
     /// From where a spatial scheme is looked at: turned about z, and from above, radians.
     pub look: [f64; 2],
-    /// Pairs that are told of, such as those of a contour that is still closed.
+    /// Highlighted pairs, such as those of a contour that is still closed.
     pub marked: Vec<usize>,
     /// Whether the freedoms of pairs that are left, and the constraints of those that were
     /// cut, are written at them.
@@ -278,7 +278,7 @@ impl SchemeFigure {
             [from, to] => parts::bar(list, role, from, to, half),
             ref corners => {
                 parts::plate(list, role, corners, half);
-                // What lies within the plate hangs on its middle.
+                // Pairs within the plate are joined to its middle.
                 let middle = parts::centroid(corners);
                 for (node, middle) in nodes.iter().zip(middle.into_iter().cycle()) {
                     if !corners.contains(node) {

@@ -33,7 +33,7 @@ const ROLES: [Role; 6] = [
 /// What is said of links in colour, and how large an empty sheet is.
 #[derive(Clone, Debug)]
 pub struct SketchView {
-    /// Links that move by themselves or hang on nothing.
+    /// Links that move by themselves or are joined to nothing.
     pub loose: Vec<String>,
     /// Links that cannot move.
     pub locked: Vec<String>,
@@ -382,7 +382,7 @@ impl Sketch {
     }
 }
 
-/// Of a driven link the crank's colour, else one after the other; of what is told in colour that.
+/// The colour of a link: the crank's if it is driven, that of its state if it is loose or locked, else the next one.
 fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
     let driven = |name: &str| {
         draft

@@ -32,7 +32,7 @@ pub enum WorkingMember {
 }
 
 impl WorkingMember {
-    /// All of them, as the source paper tells the uses.
+    /// All of them, as in the source paper's table of uses.
     pub const ALL: [Self; 7] = [
         Self::Fan,
         Self::Brush,
@@ -78,7 +78,7 @@ pub struct TrainPose {
     /// Their speeds, rad/s.
     pub speeds: [f64; 4],
     /// The torques of the field on sun and ring relative to the greatest it can have there, −1 to 1;
-    /// none where nothing is told of them.
+    /// none where they are not shown.
     pub torques: Option<[f64; 2]>,
     /// The angle of the frame, radians: 0 for who stands on the ground.
     pub ground: f64,

@@ -224,7 +224,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Links of which the drawing tells the dimensions from now on.
+    /// Links whose dimensions are those of the drawing from now on.
     pub(crate) fn redraw(&mut self, which: impl Fn(&LinkDocument) -> bool) {
         let links = self.document.links.iter_mut();
         for link in links.filter(|link| which(link)) {

@@ -194,7 +194,7 @@ pub enum Line {
     Toward([f64; 2]),
 }
 
-/// An outer pair of a group: where it hangs on what is there.
+/// An outer pair of a group: its joint with the existing linkage.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]

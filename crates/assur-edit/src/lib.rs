@@ -1,5 +1,5 @@
 //! What a person draws. An [`Edit`] makes another linkage of one, whether either moves yet or
-//! not: [`edited`]. What keeps a drawing from moving is told with the edits that mend it: [`Advice`].
+//! not: [`edited`]. [`Advice`] gives the reasons why a drawing does not move, with the edits that mend them.
 //!
 //! Links keep the dimensions that they are given; of one that is drawn otherwise the drawing
 //! tells them from then on.

@@ -1,4 +1,4 @@
-//! Lengths and angles that stay as they are while points are moved: the points that hang on those that move come after
+//! Lengths and angles that stay as they are while points are moved: points joined to moving ones follow
 //! them, and where they cannot, what moves stops as near to the hand as it may.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,7 +18,7 @@ const REACHED: f64 = 1e-9;
 const STEP: f64 = 0.05;
 /// Sides of a locked angle do not become shorter than this part of it: of shorter ones the angle is lost in rounding.
 const SHORTEST: f64 = 1e-3;
-/// Below this part of it a way downhill is no longer told by the distance from the targets, which rounds.
+/// Below this part of it the distance from the targets is rounding; the line search stops.
 const FINE: f64 = 1e-5;
 /// Locks that say the same twice leave directions without a number: this one, beside 1, decides nothing else.
 const TWICE: f64 = 1e-12;

@@ -56,7 +56,7 @@ impl Drawing {
         Ok(moved)
     }
 
-    /// Points go where they are wanted, as far as what is locked lets them, and what hangs on them comes along. A link
+    /// Points go where they are wanted, as far as what is locked lets them, and connected points follow. A link
     /// that is not only shifted is as it is drawn from then on. `released` is a lock that does not hold meanwhile.
     fn go(&mut self, wanted: &BTreeMap<String, Vector>, released: Option<&[String]>) {
         let (places, reached) = self.held(wanted, released);

@@ -131,7 +131,7 @@ impl State {
     ///
     /// # Errors
     /// Every problem of the view, and of a document that is no linkage yet. What is wrong
-    /// with the linkage is told by [`LinkageDocument::mechanism`].
+    /// with the linkage, [`LinkageDocument::mechanism`] lists.
     pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         self.check()?;
         self.document.linkage()

@@ -143,7 +143,7 @@ mod tests {
             "links[1].name"
         );
         assert_eq!(path(r#"[[], [[{"": 1, "": 2}]]]"#), "[1][0][0].");
-        // They are told first, whatever else is wrong after them.
+        // They are reported first, whatever else is wrong after them.
         assert_eq!(path(r#"{"a": 1, "a": ]"#), "a");
     }
 

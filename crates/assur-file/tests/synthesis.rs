@@ -19,7 +19,7 @@ fn read(more: &Value) -> SynthesisDocument {
     serde_json::from_value(document(more)).unwrap()
 }
 
-/// The codes of what is wrong, with all that is told of it.
+/// The codes of problems, with their parameters.
 fn refused(more: &Value) -> Vec<Value> {
     let problems = read(more).linkage().unwrap_err();
     let said = problems.iter().map(serde_json::to_value);

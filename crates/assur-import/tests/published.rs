@@ -13,7 +13,7 @@ use assur::motion::Motion;
 use assur_file::LinkageDocument;
 use assur_import::{Imported, read};
 
-/// Lengths may differ by so much of the drawing's size.
+/// Tolerance of lengths, relative to the size of the drawing.
 const WITHIN: f64 = 1e-12;
 
 fn place(name: &str) -> String {

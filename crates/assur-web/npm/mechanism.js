@@ -1,7 +1,7 @@
 // A mechanism by name or of a document, and its poses, without the state of the page around it.
 import { Simulator, catalogue } from "./engine/assur_web.js";
 
-/** How a mechanism is looked at, which the engine is told as well. */
+/** How a mechanism is viewed, for the engine as well. */
 const VIEW = Object.freeze({
   phi_deg: 0, s: 0, t: 0, playing: false, direction: 1, speed: 1, lang: "en", traces: false, plot: "angles", omega: 1, epsilon: 0,
 });

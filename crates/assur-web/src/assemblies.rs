@@ -58,7 +58,7 @@ impl Moving {
         (found, shown)
     }
 
-    /// The same as it is told.
+    /// The same for the page.
     pub(crate) fn assemblies(&self, input: f64) -> AssembliesHere {
         let (found, shown) = self.assembled(input);
         let numbering = self.numbering();

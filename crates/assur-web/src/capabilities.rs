@@ -114,7 +114,7 @@ pub(crate) struct LinkHere {
     pub(crate) wheel: Option<String>,
 }
 
-/// What moves by an input; what is told of it is in its summary.
+/// A document that moves by an input; its properties are in its summary.
 pub(crate) trait Moves {
     /// All of a place of the motion. Where derivatives are unbounded there are no read-outs and no
     /// plotted values.

@@ -41,7 +41,7 @@ pub(crate) struct PolygonStepHere {
     /// The pole, an equation, points by the image of their link, points of a group that is no dyad.
     #[cfg_attr(test, ts(type = "\"pole\" | \"equation\" | \"image\" | \"group\""))]
     kind: &'static str,
-    /// Of an equation the point looked for and the one it is told from.
+    /// The unknown point of an equation and its reference point.
     #[cfg_attr(test, ts(optional = nullable))]
     target: Option<String>,
     #[cfg_attr(test, ts(optional = nullable))]

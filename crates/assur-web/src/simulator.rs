@@ -334,7 +334,7 @@ impl Simulator {
     }
 
     /// Of every constraint equation of the summary at a crank angle its left side,
-    /// its right side and by how much they differ; with order 1 or 2 of its
+    /// its right side and their difference; with order 1 or 2 of its
     /// derivative by the crank angle.
     ///
     /// # Errors

@@ -37,7 +37,7 @@ pub(crate) struct SweepDimension {
 pub(crate) struct SweepColumn {
     /// As in all tables: `rocker.dangle`.
     name: String,
-    /// None where the name is all that is told.
+    /// None if the name says it all.
     quantity: Option<SweepQuantity>,
 }
 
@@ -149,7 +149,7 @@ fn places(moving: &Moving, steps: u32) -> Vec<At> {
     motion.rows(grid).collect()
 }
 
-/// What is told of a circle of curvature: its radius with both derivatives, its centre.
+/// The columns of a circle of curvature: its radius with both derivatives, its centre.
 const OF_CIRCLE: [(&str, usize); 5] = [
     ("radius", 0),
     ("radius", 1),
@@ -233,7 +233,7 @@ impl SweepColumn {
         })
     }
 
-    /// One of which the name is all that is told.
+    /// A column with nothing but its name.
     pub(crate) fn named(name: String) -> Self {
         let quantity = None;
         Self { name, quantity }

@@ -93,7 +93,7 @@ fn directions_are_dragged() {
     }
 }
 
-/// A coupler angle that is given has a ring; trial lengths are drawn as they are, and the formulas of the paper are told of both positions.
+/// A coupler angle that is given has a ring; trial lengths are drawn as they are, and the formulas of the paper are given for both positions.
 #[wasm_bindgen_test]
 fn coupler_angles_and_trial_lengths() {
     let mut simulator = Simulator::new();

@@ -1,10 +1,10 @@
-// What a screen reader is told of the train beyond its pose.
+// The description of a train for screen readers, beyond its pose.
 import { byId, make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 
 /** @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot */
 
-/** So long nothing changes before it is told, in milliseconds. */
+/** Milliseconds of rest before an announcement. */
 const PAUSE = 700;
 
 export class TrainDescription {

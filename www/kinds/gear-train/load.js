@@ -12,7 +12,7 @@ import { edited, withView } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Of the account of energies what is told. */
+/** The lines of the account of energies. */
 const ENERGIES = Object.freeze(["driven", "delivered", "dissipated", "kinetic", "potential", "imbalance"]);
 
 /** A run under load is followed for no longer, seconds. */
@@ -40,7 +40,7 @@ export class LoadView {
     this.#account = make("details", { id: "train-energies" }, [
       make("summary", { "data-t": "energy.heading" }), make("table", { class: "solutions", "data-t-label": "energy.heading" }, [this.#energies]),
     ]);
-    // What is unfolded at rest is told at once.
+    // A part that is unfolded at rest is announced at once.
     this.#account.addEventListener("toggle", () => page.redraw());
     section("gear-train", "load.heading", "load", [
       make("label", { class: "check" }, [this.#loaded, " ", make("span", { "data-t": "field.loaded" })]),

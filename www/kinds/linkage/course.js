@@ -73,7 +73,7 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
  * @param {readonly [number, number]} arc that is magnified
- * @param {readonly [number, number] | null} band that it keeps to; none where the curve itself tells how far it goes
+ * @param {readonly [number, number] | null} band that the output keeps to; null if the curve shows its own range
  * @param {(phi: number) => number | undefined} value
  * @param {Words} words
  * @param {Theme} theme

@@ -21,7 +21,7 @@ import { withDocument } from "assur/state/state.js";
 const PER_CENT = Object.freeze(["1", "2", "5", "10", "20"]);
 const USUAL = "5";
 
-/** Of the mechanisms that are no better, every so many are told: a screen reader would not come to its end. */
+/** Candidates that are no better are announced only now and then: a screen reader could not keep up. */
 const TOLD = 10;
 
 /**

@@ -1,4 +1,4 @@
-// The constraint equations of a linkage at the crank angle there is: both sides in numbers, and by how much they differ.
+// The constraint equations of a linkage at the crank angle there is: both sides and their difference.
 import { degrees } from "assur/core/angles.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";

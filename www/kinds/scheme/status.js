@@ -22,7 +22,7 @@ export const ENTRIES = Object.freeze({
   pairs: ({ counts }, { numbers }) => ({ text: counts.pairs.map(({ freedoms, count }) => `${symbolOf(freedoms)} = ${numbers.exact(count)}`).join(", ") }),
 });
 
-/** Of a task nothing is told: it asks for all of it. @returns {StatusLine<Snapshot>} */
+/** Empty for a task, which asks for all of it. @returns {StatusLine<Snapshot>} */
 export function schemeStatus() {
   return new StatusLine("scheme", Object.entries(ENTRIES).map(([name, say]) => ({
     name: `scheme-${name}`,

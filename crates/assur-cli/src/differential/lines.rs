@@ -1,4 +1,4 @@
-//! What is told of a train, as lines for people.
+//! The report on a train, as lines for people.
 
 use std::io::{self, Write};
 

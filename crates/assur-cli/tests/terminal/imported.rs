@@ -1,4 +1,4 @@
-//! Links of PMKS+ and files of Linkage as NAME: what they come to, and what is told of them beside it.
+//! Links of PMKS+ and files of Linkage as NAME: the linkages they become, and the notes on what was left out.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! What is told of a mechanism.
+//! The report of `assur structure`.
 
 use std::f64::consts::PI;
 
@@ -24,7 +24,7 @@ fn structures() {
     assert_eq!(described["passive"], json!([]));
 }
 
-/// Satellites that only repeat another one are told; one that contradicts it is refused by name.
+/// Satellites that only repeat another one are reported as passive; one that contradicts it is refused by name.
 #[test]
 fn passive_satellites() {
     let text = said(&["structure", "planetary"]);

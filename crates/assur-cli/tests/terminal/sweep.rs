@@ -94,7 +94,7 @@ fn a_motion_over_more_than_a_turn() {
         let crank = table.number(row, "crank.angle").to_degrees();
         assert!((crank - inputs(row)).abs() < 1e-11, "{crank}");
     }
-    // Away from the dead points rows follow each other, by Hermite's formula of fifth order: no part is told
+    // Away from the dead points rows follow each other, by Hermite's formula of fifth order: no part is left out
     // elsewhere.
     let table = Table::of(&said(&["sweep", &file, "--step", "0.25"]));
     for row in 40..1600 {
@@ -114,7 +114,7 @@ fn a_motion_over_more_than_a_turn() {
     }
 }
 
-/// A motion that takes several turns to repeat is told whole.
+/// The table of a motion that takes several turns to repeat has all of them.
 #[test]
 fn several_turns() {
     let table = Table::of(&said(&["sweep", "planetary", "--step", "90"]));

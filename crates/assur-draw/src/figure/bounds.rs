@@ -20,7 +20,7 @@ pub(super) fn size([left, bottom, right, top]: [f64; 4]) -> f64 {
     (right - left).hypot(top - bottom)
 }
 
-/// A rectangle grown around places, on every side by no more than `most`.
+/// A rectangle grown around places, on every side by at most `most`.
 pub(super) fn grown(base: [f64; 4], places: impl Iterator<Item = Point>, most: f64) -> [f64; 4] {
     let [left, bottom, right, top] = base;
     places.fold(base, |b, at| {

@@ -11,7 +11,7 @@ use super::names::Names;
 use super::{Figure, View, bounds};
 use crate::list::{List, Look, Role};
 
-/// What is farther from the drawing than so many of its sizes is not drawn.
+/// Greatest distance from the drawing, relative to its size, at which lines are drawn.
 const REACH: f64 = 4.0;
 /// Lines go on beyond what gives them by so many units.
 const BEYOND: f64 = 6.0;

@@ -24,7 +24,7 @@ const COARSEST_TURN: usize = 60;
 /// A link that turns through so much turns all round: at its ends the motion may
 /// lack a pose.
 const ALL_ROUND: f64 = TAU * (1.0 - 3.0 / TURN as f64);
-/// By so much of an arc what is drawn keeps off its ends: where points fall into one
+/// Relative inset of drawn samples from the ends of an arc: where points fall into one
 /// there, rounding alone decides how links turn about it.
 pub(super) const OFF: f64 = 1e-9;
 /// Steps towards the input at which a link turns back; each makes a turning point
@@ -110,7 +110,7 @@ pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: PointI
             paths.push(Path::Circle(centre, arm.norm()));
             break;
         }
-        // Of the arm's angle what it has more than the link's.
+        // Offset of the arm's angle from the link's.
         let lead = arm.y.atan2(arm.x) - mechanism.angle(pose, link).value();
         let count = (TURN as f64 * (high - low) / TAU).ceil().max(LEAST);
         let place = |i: usize| {

@@ -13,13 +13,13 @@ const POSES: Sampling = Sampling {
     spacing: Spacing::Middles,
     shown: Shown::Spread,
 };
-/// Polygons have room at the scale of the motion if they are no more than so many times as large as the median one: of a
+/// The greatest size of a polygon at the scale of the motion, relative to the median one: of a
 /// motion without dead points that is mostly all of them, next to a dead point vectors grow without bound.
 const MOST: f64 = 10.0;
 const MOST_OF_DEAD: f64 = 3.0;
 /// The pole is at least this share of the sheet's side off its edges.
 const EDGE: f64 = 0.1;
-/// A polygon that goes beyond the sheet by no more than this share is drawn as it is: between two poses that were looked
+/// The share of the sheet by which a polygon may exceed it and is still drawn to scale: between two poses that were looked
 /// at some do.
 const BEYOND: f64 = 1.05;
 /// By how much larger sheets are than one another, and scales smaller, but for powers of ten.

@@ -1,15 +1,15 @@
-//! Where pairs are drawn, of which a place is told or not; what room they take.
+//! Positions of pairs in the drawing, given or not, and the room they take.
 
 use assur::Point;
 use assur::mobility::{Pair, Point3, Scheme, Vector3};
 
 use crate::parts;
 
-/// A pair of which no place is told stands off by this, relative to the size.
+/// Distance of a pair without a given position from its links, relative to the size.
 const ASIDE: f64 = 0.15;
 
 /// Where pairs are. One of which it is not told is beside those that its links have too; where it
-/// is told of none, they stand on a circle, in turn.
+/// is given for none, they are on a circle, in turn.
 pub(super) fn placed(scheme: &Scheme) -> Vec<Point3> {
     let pairs = scheme.pairs();
     let known = || pairs.iter().filter_map(|pair| pair.place);

@@ -13,7 +13,7 @@ use crate::list::{List, Look, Role};
 const LONGEST: f64 = 20.0;
 
 /// Draws it on the line from the main axis through the satellite, which is that of x. What is
-/// farther than `reach` is left out. The longest arrow is always as long: lengths tell the
+/// farther than `reach` is left out. The longest arrow is always as long: lengths show the
 /// velocities relative to one another.
 pub(super) fn draw(list: &mut List, velocities: &Velocities, reach: f64, unit: f64) {
     // Heads of arrows are as broad as that.

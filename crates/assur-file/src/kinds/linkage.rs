@@ -207,7 +207,7 @@ pub struct DriverDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub range: Option<[f64; 2]>,
-    /// Of a further driver by how much its coordinate grows with that of the first; without it as much.
+    /// Rate of a further driver's coordinate by that of the first; 1 by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub rate: Option<f64>,

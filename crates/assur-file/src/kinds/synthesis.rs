@@ -28,7 +28,7 @@ pub struct SynthesisDocument {
     pub phi0_deg: f64,
     /// The positions, in their order.
     pub positions: Vec<PositionDocument>,
-    /// Whether φ₂ and φ₃ are told from starts that may be chosen.
+    /// True if φ₂ and φ₃ are counted from starts that may be chosen.
     #[serde(default)]
     pub free: bool,
     /// Which member of a family: l₂, and l₃ for one whose members all have the same l₂. Where

@@ -33,7 +33,7 @@ impl ShownDocument {
         if self.vary.is_empty() {
             return;
         }
-        // What is wrong with the document itself is told when it is opened.
+        // Faults of the document itself are reported when it is opened.
         let numbers = self.document.numbers().ok();
         for varied in &self.vary {
             varied.check(problems);

@@ -42,7 +42,7 @@ pub(super) struct Link {
     pub(super) name: String,
     pub(super) connectors: Vec<i64>,
     pub(super) wheel: bool,
-    /// Of an actuator by how much it grows and how often in a minute; negative where it shrinks first.
+    /// Stroke of an actuator, and its strokes in a minute; negative if it shrinks first.
     pub(super) stroke: Option<[f64; 2]>,
     /// How far out it is in its stroke as it is drawn.
     pub(super) start: f64,

@@ -9,7 +9,7 @@ use assur::mechanism::FARTHEST;
 use crate::sketch::{Bar, Body, Driver, Joint, Moves, Sketch};
 use crate::{ImportProblem, LeftOut};
 
-/// Angles are told in thousandths of a radian.
+/// Angles are compared in thousandths of a radian.
 const ANGLE_STEP: f64 = 0.001;
 
 /// A joint: a hinge or a prismatic pair.
@@ -210,7 +210,7 @@ impl Plan {
         };
         let mut riders = bars.iter().map(|(bar, _)| *bar);
         let rides = |bar: &usize| Body::Bar(*bar) != on && sketch.bars[*bar].joints.contains(&pin);
-        // Where parts of one link are welded together, older links mean no more than that.
+        // Where parts of one link are welded together, older links mean nothing else.
         let id = &self.pins[pin].id;
         let meet = self
             .members
@@ -276,7 +276,7 @@ impl Plan {
             let moves = match slides[k] {
                 Some(slide) => {
                     let [way, length] = sketch.way(slide);
-                    // Of a slot its ends; of a guide on the ground nothing is told.
+                    // The ends of a slot; a guide on the ground has none.
                     let range = match pin.slot {
                         Some(_) => [way.min(0.0), way.max(length)],
                         None => [way - size, way + size],

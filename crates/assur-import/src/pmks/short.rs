@@ -149,7 +149,7 @@ fn member(section: &str) -> Result<Member, ImportProblem> {
     Ok(Member {
         id: id.to_owned(),
         name: crate::quoted(name),
-        // Which of mass and inertia are chosen is told along with that.
+        // The chosen ones of mass and inertia are encoded along with that.
         root: match root.ok_or_else(broken)? {
             'Y' | 'A' | 'M' | 'G' => true,
             'N' | 'a' | 'm' | 'g' => false,

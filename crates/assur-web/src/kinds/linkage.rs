@@ -54,7 +54,7 @@ impl Linkage {
     }
 }
 
-/// The fields of a linkage that are others where it is drawn anew. The drawing tells the
+/// The fields of a linkage that change if it is redrawn. The drawing gives the
 /// assembly, so none is left that is meant by its number.
 #[derive(Serialize)]
 pub(crate) struct Redrawn {

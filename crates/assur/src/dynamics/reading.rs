@@ -9,7 +9,7 @@ use crate::Angle;
 use crate::gears::train::Turned;
 use crate::relation::Relation;
 
-/// A mesh is told synchronous when it has not slipped for so many of its own swings.
+/// Number of its own swings without a slip after which a mesh counts as synchronous.
 const SWINGS: f64 = 3.0;
 
 /// Everything at one time.

@@ -1,4 +1,4 @@
-//! How quick the equations of motion are, which tells how long a step may be.
+//! Stiffness of the equations of motion, which bounds the step.
 
 use super::equations::{Equations, Following};
 use super::gauss::N;

@@ -50,8 +50,8 @@ impl Cycle {
         }
     }
 
-    /// Both cycles in one, the arcs of the other told by whole turns so that they
-    /// come after these, and by how much they have grown; none where a driver turns
+    /// Both cycles in one, the arcs of the other shifted by whole turns so that they
+    /// come after these, and that shift; none where a driver turns
     /// fully or arcs overlap.
     pub(crate) fn joined(&self, other: &Self) -> Option<(Self, f64)> {
         let ends = |cycle: &Self| Some([cycle.arcs.first()?[0], cycle.arcs.last()?[1]]);

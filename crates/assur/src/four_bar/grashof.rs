@@ -37,7 +37,7 @@ impl Grashof {
 }
 
 impl FourBar {
-    /// Grashof's class; a change point is told apart within
+    /// Grashof's class; a change point is recognised within
     /// |s + l − p − q| ≤ 8 ε (s + l).
     pub fn grashof(&self) -> Grashof {
         let mut sorted = self.lengths;

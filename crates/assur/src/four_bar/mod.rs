@@ -2,7 +2,7 @@
 //!
 //! A = (0, 0) and D = (l₄, 0) on the frame; crank AB at φ₁, coupler BC at φ₂,
 //! rocker DC at φ₃, all from +x. The diagonal BD = l₅ cuts the loop into two
-//! triangles, and everything hangs on two factors of the area of BCD:
+//! triangles, and everything depends on two factors of the area of BCD:
 //!
 //! 16 S² = P Q,  P = (l₂ + l₃)² − l₅²,  Q = l₅² − (l₂ − l₃)²,
 //!
@@ -79,7 +79,7 @@ pub struct FourBar {
     lengths: [f64; 4],
     /// k₁, k₂, k₃, each exactly zero at a change point.
     k: [f64; 3],
-    /// s₁ … s₄: by how much each link is shorter than the others together.
+    /// s₁ … s₄: the sum of the other links minus each link.
     slack: [f64; 4],
     /// l₄ − l₁ and l₂ − l₃, both zero where the diagonal can vanish (deltoid).
     frame_less_crank: f64,

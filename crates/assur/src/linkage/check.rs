@@ -124,7 +124,7 @@ fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<
         shape.get(index).copied()
     };
     let coincide = |a: &String, b: &String| {
-        // A link may be small in the drawing: its own shape tells its size.
+        // A link may be small in the drawing: its own shape gives its size.
         let (ends, size) = match (in_shape(a), in_shape(b), own) {
             (Some(a), Some(b), Some((_, shape))) => {
                 ((Some(a), Some(b)), extent(shape.iter().map(|at| at.coords)))

@@ -268,7 +268,7 @@ pub enum Defect {
         links: Vec<String>,
     },
     /// A point that its links put elsewhere than it is drawn, too far for the
-    /// drawing to tell the assembly.
+    /// drawing to give the assembly.
     Misdrawn {
         /// The point.
         point: String,

@@ -60,7 +60,7 @@ pub(crate) struct Found<const N: usize> {
     complex: Vec<usize>,
     /// What is not real, where derivatives tell it: of solutions of groups, and of dyads that do not reach.
     pub(crate) unreal: Vec<ComplexPair>,
-    /// The square of the sine between two guides that must cross: links that hang on what goes off to infinity where they
+    /// The square of the sine between two guides that must cross: links joined to bodies that go to infinity where they
     /// are parallel may reach it just beside there.
     pub(crate) parallel: Vec<ComplexPair>,
     pub(crate) whole: bool,
@@ -149,7 +149,7 @@ struct Search<'a, const N: usize> {
     mechanism: &'a Mechanism,
     input: Jet<N>,
     signs: AssemblySigns,
-    /// Where bodies are turned to, about: angles are told near it.
+    /// Approximate orientations of the bodies: angles are unwrapped next to them.
     orientations: List<BodyId, Orientation>,
     natural: Vec<f64>,
     tries: usize,

@@ -86,7 +86,7 @@ impl Mechanism {
         let mut state = self.blank_state();
         match self.entry(&self.signs, &mut state) {
             Some(input) => self.start = (input, state),
-            // A closed form tells of the motion without following it.
+            // A closed form gives the motion without following it.
             None if self.whole_closed_form() => {}
             None => {
                 let last = self.steps.ids().next_back();
@@ -132,8 +132,8 @@ impl Mechanism {
         true
     }
 
-    /// Mounts the wheels of a step as they are drawn. What turns them may be told by other whole turns than it is
-    /// drawn by, of which a wheel makes a part of a turn.
+    /// Mounts the wheels of a step as they are drawn. If the body that turns them is counted by other whole turns than in
+    /// the drawing, a wheel makes a part of a turn for each of them.
     fn mount(&mut self, step: StepId, drawn_input: f64, state: &mut State<1>) {
         let drawn = &self.orientations;
         match &mut self.steps[step] {

@@ -1,5 +1,4 @@
-//! What the closed forms of four-bars tell of a whole motion: arcs, dead points,
-//! turns until it repeats. None of it has to be searched for.
+//! Arcs, dead points and periods of motions by the closed forms of four-bars, without a search.
 
 use std::f64::consts::{PI, TAU};
 
@@ -18,7 +17,7 @@ pub(crate) struct DrivenFourBar<'a> {
     /// Which step of the plan.
     pub(crate) step: StepId,
     pub(crate) linkage: &'a FourBar,
-    /// What φ₁ has more than the input.
+    /// Offset of φ₁ from the input.
     pub(crate) angle_offset: f64,
 }
 

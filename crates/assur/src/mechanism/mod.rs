@@ -65,7 +65,7 @@ use readout::constraint;
 #[derive(Clone, Debug)]
 pub struct Mechanism {
     spec: LinkageSpec,
-    /// From where places are told while it is solved.
+    /// Origin of the coordinates used while solving.
     origin: Vector,
     points: List<PointId, BodyPoint>,
     links: List<LinkId, Part>,
@@ -111,7 +111,7 @@ pub struct Mechanism {
 #[derive(Clone, Debug)]
 struct Part {
     body: BodyId,
-    /// What its angle has more than its body's.
+    /// Offset of its angle from its body's.
     angle_offset: f64,
     points: Vec<PointId>,
 }
@@ -181,8 +181,8 @@ impl Mechanism {
         Ok((mechanism, bodies, placements))
     }
 
-    /// The same not joined yet: which way its groups are is still open. Of a drawing of a known pose all angles are
-    /// told by as many whole turns as there.
+    /// The mechanism before its assembly is found. If the drawing is of a known pose, angles have the whole turns of
+    /// that pose.
     fn of(
         resolved: &Resolved<'_>,
         bodies: &Bodies,

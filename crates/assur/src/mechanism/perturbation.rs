@@ -52,14 +52,13 @@ pub(crate) enum NoNeighbour {
 /// A neighbour's bodies are turned no further, radians, and moved no further, relative
 /// to the size.
 const NEAR: f64 = 0.2;
-/// Newton's method comes to what the last solution has become if its second correction
-/// is no more than this part of its first: P. Deuflhard, *Newton Methods for Nonlinear
-/// Problems*, 2004, section 5.1.
+/// Maximum ratio of the second to the first correction of Newton's method at which it converges to the continuation
+/// of the last solution: P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 5.1.
 const CONTRACTION: f64 = 0.125;
 /// The first one is this long at most, relative to the size.
 const CORRECTED: f64 = 0.03;
-/// The determinant of a group's Jacobian changes by no more than this factor: two
-/// solutions that are about to meet are not taken for each other.
+/// Maximum factor by which the determinant of a group's Jacobian may change: two solutions that are about to meet
+/// are not confused.
 const CHANGED: f64 = 2.0;
 
 impl Assembled {

@@ -123,8 +123,7 @@ impl Mechanism {
         Some(together.unwrap_or(NEVER))
     }
 
-    /// Of each body by how much its angle grows with the input, where that is constant by the drivers and the
-    /// numbers of teeth.
+    /// Rate of each body's angle by the input, if the drivers and the numbers of teeth make it constant.
     fn rates_of_bodies(&self) -> List<BodyId, Option<f64>> {
         let mut rates = self.placed_by.same_len(None);
         rates[BodyId::FRAME] = Some(0.0);
@@ -214,8 +213,8 @@ impl Mechanism {
         common(turns.max().unwrap_or(1), self.period_turns())
     }
 
-    /// What the input can be told by without another pose, where the motion does not repeat: the turns after which
-    /// it might, unless that is never over or a group reckons with how often the crank has turned.
+    /// Shift of the input that leaves the pose unchanged, for a motion that does not repeat: the turns after which it
+    /// might, unless there are none or a group counts the turns of the crank.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.rates_of_bodies();
         let mut counted = self.steps.iter().flat_map(|step| match step {

@@ -55,7 +55,7 @@ impl Mechanism {
         matches!(placing, Some(Step::Epicyclic(_))) && !self.carries(body)
     }
 
-    /// Whether a body has more than its hinge, so that one sees how it is turned.
+    /// True if a body has a point off its hinge, so that its orientation is visible.
     pub(super) fn shows_its_angle(&self, body: BodyId) -> bool {
         let mut tracers = self.points.iter().skip(self.spec.points.len());
         self.bodies[body].len() > 1 || tracers.any(|tracer| tracer.body == body)

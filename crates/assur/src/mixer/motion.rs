@@ -35,7 +35,7 @@ impl Mixer {
 
     fn moved(&self, spec: &LinkageSpec) -> Result<Motion, Unmoved> {
         let mechanism = Mechanism::new(spec).map_err(Unmoved::Defects)?;
-        // Where the drawing does not tell the assemblies apart, it is redrawn.
+        // A drawing that fits both assemblies is redrawn.
         let redrawn = mechanism.with_four_bar(self.assembly);
         Ok(Motion::new(redrawn.unwrap_or(mechanism)))
     }

@@ -13,7 +13,7 @@ pub struct Cut {
     pub link: usize,
 }
 
-/// Why cuts do not open a scheme into a chain that hangs on the ground.
+/// Why cuts do not open a scheme into a chain joined to the ground.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CutError {
     /// There is no pair of this name.
@@ -34,7 +34,7 @@ pub enum CutError {
         /// The pairs.
         pairs: Vec<String>,
     },
-    /// Links that hang on nothing any more.
+    /// Links that are joined to nothing any more.
     Apart {
         /// The links.
         links: Vec<String>,

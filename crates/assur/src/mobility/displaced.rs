@@ -1,4 +1,4 @@
-//! Links away from the drawn pose, and by how much their pairs are open then.
+//! Links displaced from the drawn pose, and the gaps of their pairs.
 
 use std::f64::consts::TAU;
 

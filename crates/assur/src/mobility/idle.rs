@@ -9,8 +9,8 @@ use super::{Pair, Scheme, Space};
 impl Scheme {
     /// Idle links, each alone or with another one that is joined to it, in the order of names.
     ///
-    /// Not idle is what is at the end of an open chain; nor what hangs on the ground by a pair of one freedom and is
-    /// all that moves at this instant, a cam in its dwell; nor two links of which one hangs so, a crank in its dead
+    /// Not idle is what is at the end of an open chain; nor a link joined to the ground by a pair of one freedom that is
+    /// all that moves at this instant, a cam in its dwell; nor two links one of which is joined so, a crank in its dead
     /// point with its coupler.
     pub(super) fn idle(
         &self,
@@ -78,7 +78,7 @@ impl Scheme {
         joined.collect()
     }
 
-    /// Of each link whether it is in a contour or between two: what hangs on one pair, at the end of an open chain,
+    /// For each link true if it is in a contour or between two: a link with one pair, at the end of an open chain,
     /// is taken away until nothing more does.
     fn between_others(&self) -> Vec<bool> {
         let mut between = vec![true; self.links().len()];

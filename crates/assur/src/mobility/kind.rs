@@ -29,7 +29,7 @@ pub enum PairKind {
     CylinderOnPlane,
     /// A ball on a plane, or any two surfaces that touch in a point.
     SphereOnPlane,
-    /// A pair of which only the number of its freedoms is told: it can be counted, and has no rank.
+    /// A pair given only by its number of freedoms: it can be counted, and has no rank.
     Class(u8),
 }
 

@@ -32,7 +32,7 @@ pub enum NoRank {
     NoPlace(String),
     /// The first pair without an axis, or without the second direction that its kind has.
     NoAxis(String),
-    /// The first pair of which only the number of freedoms is told.
+    /// The first pair given only by its number of freedoms.
     NoForm(String),
     /// The scheme is not planar, and is asked for its motions in the plane.
     NotPlanar,

@@ -61,7 +61,7 @@ impl Scheme {
     /// The scheme opened by cuts.
     ///
     /// # Errors
-    /// What is cut twice; a contour that is still closed; links that hang on nothing any more.
+    /// A pair cut twice; a contour that is still closed; links that are joined to nothing any more.
     pub fn sections(&self, cuts: &[Cut]) -> Result<Sections, CutError> {
         let open = Open::new(self, cuts)?;
         if let Some(contour) = open.closed() {

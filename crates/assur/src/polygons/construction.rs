@@ -6,7 +6,7 @@ use crate::index::{BodyId, PointId, StepId};
 use crate::mechanism::{Joint, Mechanism, arms_of};
 use crate::position::{Arm, Side, Step, Track};
 
-/// How a point is told from a known one.
+/// The construction of a point from a known one.
 pub(super) struct Way {
     pub(super) from: Node,
     pub(super) by: By,

@@ -37,7 +37,7 @@ pub struct Node {
     pub on: Option<BodyId>,
 }
 
-/// What a point has more than another one.
+/// A component of the difference between two points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// v: of two points of a body that turns, across the line between them.

@@ -145,7 +145,7 @@ fn a_dwell_is_marked_at_its_ends() {
         .map(|mark| mark.crank)
         .collect();
     assert_eq!(marked, [2.0, 2.6, 3.0]);
-    // Where the dwell fills the plot, its extrema are told apart.
+    // Where the dwell fills the plot, its extrema are distinct.
     let marked = curve.marks(-0.01, 0.01);
     assert_eq!(marked.len(), dwell.len());
 }

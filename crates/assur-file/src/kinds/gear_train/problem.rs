@@ -30,7 +30,7 @@ pub enum GearTrainProblem {
     },
     /// There are not two drives, but so many.
     DriveCount { given: usize },
-    /// This shaft, which follows the driven ones, would turn faster than angles are told of, min⁻¹.
+    /// This shaft, which follows the driven ones, would turn faster than angles can be computed, min⁻¹.
     ShaftTooFast {
         shaft: ShaftDocument,
         rpm: f64,

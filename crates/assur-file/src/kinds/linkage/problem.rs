@@ -111,7 +111,7 @@ pub enum LinkageProblem {
     Unreached,
     /// The motion is given up before it comes here.
     Unfollowed,
-    /// What is extreme over the motion is not looked for: it repeats only after so many turns, and no more than `most` are
+    /// Extrema over the motion are not computed: it repeats only after many turns, and at most `most` are
     /// searched.
     TooManyTurns { turns: usize, most: usize },
     /// Links are too short, or too long, to meet.

@@ -41,7 +41,7 @@ pub enum SchemeProblem {
     CutTwice { pair: String },
     /// After these cuts a contour is still closed, over these pairs.
     StillClosed { pairs: Vec<String> },
-    /// After these cuts links hang on nothing.
+    /// After these cuts links are joined to nothing.
     CutOff { links: Vec<String> },
     /// A scheme has no motion.
     NoMotion,

@@ -15,7 +15,7 @@ use super::GearTrain;
 use super::quantity::{BODIES, NUMBERS, Quantity};
 use crate::summary::{CourseSummary, CycleSummary, ListedSummary};
 
-/// So many trains near by are told of.
+/// Maximum number of suggested trains.
 const SUGGESTED: usize = 5;
 
 /// The load can be set to so many times what the magnets hold.

@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::Scheme;
 use crate::summary::HandleSummary;
 
-/// So many ways to mend it are told of at most.
+/// Maximum number of replacements in the summary.
 pub(crate) const MENDED: usize = 200;
 
 /// A pose near by is sought of schemes with so many pairs at most.
@@ -38,7 +38,7 @@ pub(crate) struct SchemeSummary<'a> {
     sections: Option<SectionsSummary<'a>>,
     /// The pairs of a contour that is still closed.
     closed: &'a [String],
-    /// Links that hang on nothing after the cuts.
+    /// Links joined to nothing after the cuts.
     apart: &'a [String],
     /// Cuts that open every contour.
     automatic: Vec<String>,

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::plane::PlaneSummary;
 use super::summary::lengths;
 
-/// Members of the family that are told apart on its curve.
+/// Number of members of the family on its curve.
 const MEMBERS: usize = 240;
 
 /// The linkages that two positions leave.

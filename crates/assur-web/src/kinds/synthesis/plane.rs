@@ -6,7 +6,7 @@ use serde::Serialize;
 /// Parts along each length.
 const PARTS: usize = 40;
 
-/// The least ΣJ that is told from none, in squares of the frame's length.
+/// The least ΣJ that counts as more than zero, in squares of the frame's length.
 const LEAST: f64 = 1e-9;
 
 /// Values at the middles of equal parts of the logarithms of two lengths: for each part of the

@@ -226,7 +226,7 @@ impl PrintedSummary {
 }
 
 impl WeightedSummary {
-    /// Of three positions or more whose angles are told from the frame; the lengths may be none.
+    /// For three positions or more with angles from the frame; without lengths if there are none.
     pub(super) fn new(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Option<Self> {
         let enough = task.positions().len() >= 3 && !document.free;
         let found = enough.then(|| weighted_difference(task)).flatten()?;

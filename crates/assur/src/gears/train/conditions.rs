@@ -57,12 +57,12 @@ pub struct Condition {
 }
 
 /// By so many teeth z₄ may differ from z₁ + z₂ + z₂′ in gears with profile shift: a tooth more or less is half a module of
-/// axis distance, and usual profile shifts of a mesh add up to no more than about a module.
+/// axis distance, and usual profile shifts of a mesh add up to about a module at most.
 const SHIFTED_TEETH: f64 = 2.0;
 
 impl Condition {
     /// Whether gears with profile shift may have a common axis all the same: it is that of coaxiality, is not met, and the
-    /// numbers differ by no more than two teeth.
+    /// numbers differ by at most two teeth.
     pub fn within_profile_shift(&self) -> bool {
         let off = (self.left - self.right).abs();
         self.kind == ConditionKind::Coaxiality && !self.met() && off <= SHIFTED_TEETH

@@ -50,7 +50,7 @@ pub enum InputError {
         /// What is wrong with it.
         fault: Fault,
     },
-    /// A shaft that follows the given ones turns faster than angles are told of.
+    /// A shaft that follows the given ones turns faster than angles can be computed.
     TooFast {
         /// The shaft.
         shaft: Shaft,

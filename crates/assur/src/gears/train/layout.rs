@@ -6,7 +6,7 @@ use crate::gears::{ADDENDUM, MODULE};
 
 /// A train with its satellites at equal angles, in lengths; always sound.
 ///
-/// Whether it can be built is told by its [conditions](Layout::conditions).
+/// Its [conditions](Layout::conditions) decide if it can be built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
     train: Train,

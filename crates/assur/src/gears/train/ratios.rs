@@ -8,7 +8,7 @@ use super::{Differential, Shaft};
 /// of the train.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ratio {
-    /// i, whose speed is told.
+    /// i, whose speed is the numerator.
     pub of: Shaft,
     /// j, relative to whose speed it is.
     pub to: Shaft,

@@ -35,7 +35,7 @@ pub(in crate::mechanism) struct Gear {
     pub(in crate::mechanism) mesh: Mesh,
 }
 
-/// Where a link is: its body, and what its angle has more than the body's.
+/// A link's body and the link's angle offset from it.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::mechanism) struct Placement {
     pub(in crate::mechanism) body: BodyId,

@@ -17,7 +17,7 @@ pub(in crate::mechanism) struct DrivenPair {
 }
 
 pub(in crate::mechanism) enum PairKind {
-    /// A hinge: the driven body, its base, and what the coordinate has more than the angle between them.
+    /// A hinge: the driven body, its base, and the offset of the coordinate from the angle between them.
     Hinge {
         bodies: [BodyId; 2],
         angle_offset: f64,
@@ -89,7 +89,7 @@ pub(in crate::mechanism) fn drawn_beyond_range(
 }
 
 impl Placed<'_> {
-    /// What the angle of a driven link against its base's has more than that of their bodies.
+    /// Offset of a driven link's angle relative to its base from that of their bodies.
     fn angle_offset(&self, driver: &Driver) -> f64 {
         match driver {
             Driver::Crank { link, base, .. } => {
@@ -115,8 +115,8 @@ impl Placed<'_> {
         }
     }
 
-    /// The drawn input. An angle against a link that moves is at most half a turn; that of a known pose is told by as
-    /// many whole turns as there, and so is the driven link.
+    /// The drawn input. An angle against a link that moves is at most half a turn; in a known pose it has
+    /// the whole turns of that pose, and so has the driven link.
     pub(in crate::mechanism) fn drawn_input(
         &mut self,
         spec: &Resolved<'_>,

@@ -12,8 +12,8 @@ use crate::{Point, Vector};
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) spec: &'a LinkageSpec,
-    /// The place from which all others are told while a mechanism is solved: far from the origin of the drawing
-    /// they would lose digits. Places are moved there without rounding (Sterbenz's lemma): two of them close together
+    /// Origin of the coordinates used while solving: far from the origin of the drawing
+    /// coordinates would lose digits. Places are moved there without rounding (Sterbenz's lemma): two of them close together
     /// may tell a direction.
     pub(in crate::mechanism) origin: Vector,
     /// Where points are drawn.

@@ -24,7 +24,7 @@ impl Placed<'_> {
     }
 
     /// Turns the wheels of a group whose angle no point and no guide shows: each from where a mate is at zero, seen
-    /// from their carrier, that of the first coupling that tells. The coordinate of a driven one tells its angle.
+    /// from their carrier, that of the first coupling that gives it. The coordinate of a driven one gives its angle.
     pub(in crate::mechanism) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
         let round = group.iter().copied();
         let round = round.filter(|body| {

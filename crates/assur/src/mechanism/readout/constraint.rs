@@ -136,7 +136,7 @@ impl Parts<'_> {
         having.count() > 1 || spec.slides.iter().any(slides)
     }
 
-    /// What a link's angle has more than its body's.
+    /// Offset of a link's angle from its body's.
     fn angle_offset(&self, link: LinkOrFrame) -> f64 {
         link.map_or(0.0, |link| self.placements[link].angle_offset)
     }

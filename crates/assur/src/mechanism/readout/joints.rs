@@ -160,7 +160,7 @@ impl Mechanism {
         tracers.filter(move |tracer| self.points[*tracer].body == body)
     }
 
-    /// Where a place of the drawing is, seen from where places are told while it is solved, in its size.
+    /// A point of the drawing in the coordinates used while solving, relative to the size.
     pub(crate) fn scaled(&self, place: Point) -> Vector {
         (place.coords - self.origin) / self.scale_of_places()
     }
@@ -180,7 +180,7 @@ impl Mechanism {
         (velocity / self.scale_of_places(), spin)
     }
 
-    /// The place from which places are told while it is solved: a hinge of the frame, or near the drawing.
+    /// Origin of the coordinates used while solving: a hinge of the frame, or a point near the drawing.
     pub(crate) fn middle(&self) -> Point {
         self.origin.into()
     }

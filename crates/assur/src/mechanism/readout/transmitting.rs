@@ -30,7 +30,7 @@ pub struct RrpDyad {
 }
 
 impl Mechanism {
-    /// The angles that tell how well dyads transmit, in the order in which these are solved.
+    /// Transmission and pressure angles of the dyads, in the order of solving.
     pub fn transmitting(&self) -> Vec<Quantity> {
         let steps = self.steps.enumerate();
         let found = steps.filter_map(|(step, placing)| match placing {

@@ -22,7 +22,7 @@ pub struct Closure {
     /// φ₁ = arg r, the coupler's angle at which the least is left open, in (−π, π] from the
     /// frame's direction, φ₀ added. Where the gap is nothing any angle will do: φ₀.
     pub coupler: f64,
-    /// |r| − z₁: by how much the gap is longer than the coupler, in lengths of the frame. Its
+    /// |r| − z₁: excess of the gap over the coupler, in lengths of the frame. Its
     /// square is J.
     pub residual: f64,
 }

@@ -10,7 +10,7 @@ use super::{
 /// The linkages that take up the positions of a task.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Options {
-    /// Those of a curve: two positions, or three that say no more than two.
+    /// Those of a curve: two positions, or three, one of which follows from the others.
     Family(Family),
     /// These alone: three positions, or five with free starts.
     Exact(Vec<Solution>),

@@ -12,7 +12,7 @@ const ROUNDING: f64 = 1e-12;
 const OVERDETERMINED: usize = 4;
 
 impl Direction {
-    /// |Δφ₂|: by how much the output's angle is off at the given input, in the assembly in which it is less. With
+    /// |Δφ₂|: error of the output's angle at the given input, in the assembly in which it is less. With
     /// d = e₀ − z₃e₃ from B to D, the output makes an angle ψ with d, on either side of it; by the law of cosines
     /// tan² ψ/2 = (z₁² − (d − z₂)²) / ((d + z₂)² − z₁²). None where the linkage cannot be closed at this input.
     fn output_error(&self, proportions: Proportions) -> Option<f64> {
@@ -39,7 +39,7 @@ impl Direction {
 }
 
 impl Solution {
-    /// The greatest |Δφ₂| over the positions of a task, radians: by how much the output is off its given angle at the
+    /// The greatest |Δφ₂| over the positions of a task, radians: the error of the output's angle at the
     /// given input, in the nearer assembly. None where the linkage cannot be closed at one of the inputs.
     pub fn output_error(&self, task: &Task) -> Option<f64> {
         let starts = [self.output_start, self.input_start];

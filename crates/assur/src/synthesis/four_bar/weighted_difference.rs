@@ -4,7 +4,7 @@
 //! cos(φ₂ − φ₃) = Z + cos φ₂/z₃ + cos φ₃/z₂, Z = (z₁² − z₂² − z₃² − 1)/(2z₂z₃), is off by
 //! q/(2z₂z₃). So the sum of its squares is ΣwJ with the weights w = ((|r| + z₁)/(2z₂z₃))²: for three
 //! positions the least of both is nothing, at the same linkage; for more the weights differ little
-//! from position to position where J is small, and the two minima by no more than the order of J.
+//! from position to position where J is small, and the two minima differ by the order of J.
 
 use super::{Proportions, Task, linear};
 

@@ -4,7 +4,7 @@ use super::{Angles, Subsystem, System, Unknown, functional, opening, third_pair}
 use crate::relation::Relation;
 
 /// The relations of the paper at each of some positions, in the order of the paper, named with the position's number. `z` are
-/// z₁, z₂, z₃ of the lengths that are looked at: J and the gap are theirs. All other formulas are told of the lengths that
+/// z₁, z₂, z₃ of the lengths that are looked at: J and the gap are theirs. All other formulas are evaluated for the lengths that
 /// close the position: z₁ and the z₂, z₃ that follow from it; where (13) fails there are none. `length` is l₀, and `best` has
 /// of each position the coupler's angle at which these lengths leave the least open, and how much, in lengths of the frame.
 /// Positions with an angle that is not finite have no relations.
@@ -41,7 +41,7 @@ pub fn relations(
     all
 }
 
-/// What is told of a position.
+/// The values of a position.
 struct Told<'a> {
     number: usize,
     angles: &'a Angles,
