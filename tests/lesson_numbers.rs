@@ -2,6 +2,7 @@
 //! engine computes: here those of the Class IV mechanism.
 
 mod assemblies;
+mod class4_notes;
 mod differential;
 mod mixer;
 mod mobility;
@@ -17,7 +18,7 @@ use assur_tests::files::source;
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
 
 /// Lessons that have notes for teachers.
-const WITH_NOTES: [&str; 3] = ["mixer", "mobility", "differential"];
+const WITH_NOTES: [&str; 4] = ["mixer", "class4-dwell", "mobility", "differential"];
 const LESSON: Lesson = Lesson("class4-dwell");
 
 /// A lesson, by its folder.
