@@ -263,7 +263,7 @@ fn the_regulator() -> Vec<String> {
     said
 }
 
-/// The matrix of the six equations for E, G and C.
+/// The determinant of the six equations for E, G and C.
 fn determinant(all: &[Relation]) -> f64 {
     const ROWS: [&str; 6] = ["EB", "EG", "GH", "FK", "LC", "CD"];
     const COLUMNS: [&str; 6] = ["x_E", "y_E", "x_G", "y_G", "x_C", "y_C"];
@@ -308,7 +308,7 @@ fn the_chain() -> Vec<String> {
         "to 10⁻¹²".to_owned(),
         "then b₂ = b₃ = 0, and Cramer's rule is 0/0 in every position".to_owned(),
         format!(
-            "|x_EB| ≥ {eb:.2}, |x_CD| ≥ {cd:.2}, |Δ| ≥ {delta:.2}, |Λ| ≥ {lambda:.2}, and 1 − |f_L|² = {}",
+            "|x_EB| = {eb:.2}, |x_CD| = {cd:.2}, |Δ| = {delta:.2} and |Λ| = {lambda:.2}, and 1 − |f_L|² = {}",
             number("chain", "1 − |f_L|²", 3)
         ),
     ];
