@@ -2,6 +2,7 @@
 //! engine computes: here those of the Class IV mechanism.
 
 mod assemblies;
+mod class4_notes;
 mod differential;
 mod mixer;
 mod mobility;
@@ -17,7 +18,13 @@ use assur_tests::files::source;
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
 
 /// Lessons that have notes for teachers.
-const WITH_NOTES: [&str; 3] = ["mixer", "mobility", "differential"];
+const WITH_NOTES: [&str; 5] = [
+    "mixer",
+    "class4-dwell",
+    "mobility",
+    "differential",
+    "synthesis",
+];
 const LESSON: Lesson = Lesson("class4-dwell");
 
 /// A lesson, by its folder.
@@ -66,19 +73,26 @@ impl Lesson {
     }
 }
 
-/// Notes for teachers are in every language and have the numbers of the English ones, in their order.
+/// Notes for teachers are in every language and have the numbers of the English ones, in their order, and the same commands.
 #[test]
 fn notes_for_teachers_have_the_same_numbers_in_every_language() {
     for lesson in WITH_NOTES.map(Lesson) {
         let values = |lang: &str| {
-            let found = numbers(&lesson.file(&format!("notes.{lang}.md")), lang);
-            found
-                .into_iter()
-                .map(|(value, _)| value)
-                .collect::<Vec<_>>()
+            let text = lesson.file(&format!("notes.{lang}.md"));
+            let parts: Vec<&str> = text.split('`').collect();
+            let prose: Vec<&str> = parts.iter().step_by(2).copied().collect();
+            let commands: Vec<String> = parts
+                .iter()
+                .skip(1)
+                .step_by(2)
+                .map(|one| (*one).to_owned())
+                .collect();
+            let found = numbers(&prose.join(" "), lang);
+            let found: Vec<f64> = found.into_iter().map(|(value, _)| value).collect();
+            (found, commands)
         };
         let english = values("en");
-        assert!(english.len() > 50, "{}: {}", lesson.0, english.len());
+        assert!(english.0.len() > 50, "{}: {}", lesson.0, english.0.len());
         for lang in LANGUAGES {
             assert_eq!(values(lang), english, "{} {lang}", lesson.0);
         }

@@ -1,5 +1,7 @@
 //! The lesson on synthesis from positions: its numbers, and what it claims of linkages.
 
+mod notes;
+
 use assur::motion::Motion;
 use assur::synthesis::four_bar::theorems::{
     Alternative, Angles, System, Truth, Unknown, alternative, conditions, functional, theorems,

@@ -17,7 +17,7 @@ async fn focused(page: &Page) -> String {
 }
 
 /// Presses Tab until an element has the focus, with Shift where that is back: beyond the last element Tab leads out of the page.
-async fn tab_to(page: &Page, id: &str) {
+pub(crate) async fn tab_to(page: &Page, id: &str) {
     let before = format!(
         "return Boolean(document.activeElement.compareDocumentPosition(document.getElementById('{id}')) & Node.DOCUMENT_POSITION_PRECEDING)"
     );

@@ -1,11 +1,16 @@
-//! Every lesson of ours walked through by *Next* alone: right answers are accepted, all others refused.
+//! Every lesson of ours walked through by *Next* alone, by mouse, by keys, by touch on a phone: right answers are
+//! accepted, all others refused.
 
 use std::collections::BTreeMap;
 
+use assur_tests::exhaustive;
 use serde_json::{Value, json};
+use thirtyfour::prelude::*;
 
 use crate::browser::Page;
 use crate::host::home;
+use crate::keyboard::tab_to;
+use crate::touch::tap;
 
 /// Right answers by lesson and step; by the name of the button where a step shows several mechanisms.
 fn lessons() -> BTreeMap<String, Vec<(String, Value)>> {
@@ -17,14 +22,87 @@ const CUT: &str = "return [...document.querySelectorAll('.lesson-body *')]
     .filter((one) => one.checkVisibility() && !one.matches('input, .unseen') && one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX !== 'visible')
     .map(({ id, className, tagName }) => id || className || tagName);";
 
+/// What a lesson is walked with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Hands {
+    Mouse,
+    Keys,
+    Fingers,
+}
+
+/// How a lesson is walked: the hands, the width and height of the screen, the language.
+type Way = (Hands, Option<(u32, u32)>, &'static str);
+
+const PHONE: Option<(u32, u32)> = Some((360, 740));
+
+const WAYS: [Way; 4] = [
+    (Hands::Mouse, None, "en-US"),
+    (Hands::Keys, None, "ru"),
+    (Hands::Fingers, PHONE, "uk"),
+    (Hands::Fingers, PHONE, "kk"),
+];
+
+impl Hands {
+    async fn press(self, page: &Page, id: &str) {
+        match self {
+            Self::Mouse => page.click(id).await,
+            Self::Keys => {
+                tab_to(page, id).await;
+                page.keys(Key::Enter + "").await;
+            }
+            Self::Fingers => tap(page, id).await,
+        }
+    }
+
+    async fn write(self, page: &Page, id: &str, text: &str) {
+        match self {
+            Self::Mouse => page.write(id, text).await,
+            Self::Keys => {
+                tab_to(page, id).await;
+                page.chord(&[Key::Control], 'a').await;
+                page.keys(text.to_owned() + Key::Enter).await;
+            }
+            Self::Fingers => {
+                tap(page, id).await;
+                page.chord(&[Key::Control], 'a').await;
+                page.keys(text.to_owned()).await;
+                tap(page, "lesson-check").await;
+            }
+        }
+    }
+
+    async fn choose(self, page: &Page, choice: &str) {
+        let id = format!("lesson-{choice}");
+        if self != Self::Keys {
+            return self.press(page, &id).await;
+        }
+        // Tab leads to the chosen one of the list, or to its first; back to its last. Arrows go on from there.
+        let stop = "const all = [...document.querySelectorAll('[name=lesson-choice]')];
+            const back = document.activeElement.compareDocumentPosition(all[0]) & Node.DOCUMENT_POSITION_PRECEDING;
+            return (all.find(({ checked }) => checked) ?? all.at(back ? -1 : 0)).id;";
+        let stop = page.ask(stop).await;
+        tab_to(page, stop.as_str().unwrap()).await;
+        if stop == json!(id) {
+            page.keys(" ").await;
+        }
+        while page.focused().await.as_deref() != Some(&id) {
+            page.keys(Key::Down + "").await;
+        }
+    }
+}
+
 /// Types or chooses an answer, and has it checked.
-async fn verdict_on(page: &Page, answer: &Value) -> String {
+async fn verdict_on(page: &Page, hands: Hands, answer: &Value) -> String {
     match answer {
         Value::String(choice) => {
-            page.click(&format!("lesson-{choice}")).await;
-            page.click("lesson-check").await;
+            hands.choose(page, choice).await;
+            hands.press(page, "lesson-check").await;
         }
-        number => page.write("lesson-answer", &number.to_string()).await,
+        number => {
+            hands
+                .write(page, "lesson-answer", &number.to_string())
+                .await;
+        }
     }
     page.attribute("lesson-said", "data-verdict").await.unwrap()
 }
@@ -47,31 +125,47 @@ async fn wrong(page: &Page, right: &Value, before: Option<f64>) -> Vec<Value> {
     .into()
 }
 
-async fn walk(id: &str) {
+/// Walks a lesson: in every way with `--all`, else in one, which differs from lesson to lesson.
+async fn walk(id: &str, turn: usize) {
+    for (_, way) in WAYS
+        .iter()
+        .enumerate()
+        .filter(|(at, _)| exhaustive() || *at == turn)
+    {
+        walk_by(id, *way).await;
+    }
+}
+
+async fn walk_by(id: &str, (hands, screen, lang): Way) {
     let url = format!("{}#jansen&v.playing=false", home());
-    let page = Page::open_at(&url, "en-US").await;
-    page.click("gallery").await;
+    let page = Page::open_at(&url, lang).await;
+    if let Some(size) = screen {
+        page.touched().await;
+        page.screen(size, 2.0).await;
+    }
+    hands.press(&page, "gallery").await;
     let card = format!("gallery-lesson-{id}");
     page.until("the gallery", async || {
         page.count(&format!("#{card}")).await == 1
     })
     .await;
-    page.click(&card).await;
+    hands.press(&page, &card).await;
     page.until("the lesson", async || {
         page.count("#lesson-title").await == 1
     })
     .await;
     // The lesson stays open over the mechanism that was there before.
-    page.click("undo").await;
-    page.settle().await;
+    page.chord(&[Key::Control], 'z').await;
 
     let lessons = lessons();
     let steps = &lessons[id];
     let mut before = None;
     for (number, (step, answers)) in steps.iter().enumerate() {
-        let place = format!("Step {} of {}", number + 1, steps.len());
         let progress = page.text("lesson-progress").await;
-        assert!(progress.contains(&place), "{id} {step}: {progress}");
+        for count in [number + 1, steps.len()] {
+            let count = count.to_string();
+            assert!(progress.contains(&count), "{id} {step}: {progress}");
+        }
         let mut right = answers;
         if let Value::Object(all) = answers {
             // *Next* has brought the first of several mechanisms.
@@ -82,29 +176,29 @@ async fn walk(id: &str) {
             if right.is_null() {
                 // A train that cannot be built yet has no answer; the other one of the step has.
                 let (name, other) = all.iter().find(|(_, right)| !right.is_null()).unwrap();
-                page.click(&format!("lesson-show-{name}")).await;
+                let button = format!("lesson-show-{name}");
+                hands.press(&page, &button).await;
                 page.settle().await;
                 right = other;
             }
         }
         for answer in wrong(&page, right, before).await {
-            let verdict = verdict_on(&page, &answer).await;
+            let verdict = verdict_on(&page, hands, &answer).await;
             assert_eq!(verdict, "not_yet", "{id} {step}: {answer} for {right}");
         }
-        let verdict = verdict_on(&page, right).await;
+        let verdict = verdict_on(&page, hands, right).await;
         assert_eq!(verdict, "right", "{id} {step}: {right}");
         before = right.as_f64();
-        page.click("lesson-on").await;
-        page.settle().await;
+        hands.press(&page, "lesson-on").await;
         assert_eq!(page.text("problem").await, "", "{id} after {step}");
         assert_eq!(page.ask(CUT).await, json!([]), "{id} after {step}");
     }
-    assert_eq!(page.text("lesson-title").await, "What you have learnt");
     let progress = page.text("lesson-progress").await;
-    assert!(
-        progress.contains(&format!("{} right answers", steps.len())),
-        "{progress}"
-    );
+    assert!(progress.contains(&steps.len().to_string()), "{progress}");
+    if lang == "en-US" {
+        assert_eq!(page.text("lesson-title").await, "What you have learnt");
+        assert!(progress.contains("right answers"), "{progress}");
+    }
     assert!(
         page.element("lesson-further")
             .await
@@ -118,32 +212,32 @@ async fn walk(id: &str) {
 
 #[tokio::test]
 async fn assemblies() {
-    walk("assemblies").await;
+    walk("assemblies", 0).await;
 }
 
 #[tokio::test]
 async fn class4_dwell() {
-    walk("class4-dwell").await;
+    walk("class4-dwell", 0).await;
 }
 
 #[tokio::test]
 async fn differential() {
-    walk("differential").await;
+    walk("differential", 1).await;
 }
 
 #[tokio::test]
 async fn mixer() {
-    walk("mixer").await;
+    walk("mixer", 2).await;
 }
 
 #[tokio::test]
 async fn mobility() {
-    walk("mobility").await;
+    walk("mobility", 3).await;
 }
 
 #[tokio::test]
 async fn synthesis() {
-    walk("synthesis").await;
+    walk("synthesis", 0).await;
 }
 
 /// Each lesson has a test here.

@@ -28,7 +28,7 @@ async fn show(page: &Page, id: &str) {
 }
 
 /// A finger on the middle of an element.
-async fn tap(page: &Page, id: &str) {
+pub(crate) async fn tap(page: &Page, id: &str) {
     show(page, id).await;
     let area = page.element(id).await.rect().await.unwrap();
     page.fingers(id, &[vec![(0.5 * area.width, 0.5 * area.height)]])

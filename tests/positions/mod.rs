@@ -1,6 +1,7 @@
 //! The four-bar from given positions.
 
 mod approximations;
+mod continuity;
 mod draw;
 mod example;
 mod family;
@@ -8,7 +9,9 @@ mod function;
 mod least;
 mod motion;
 mod options;
+mod ranges;
 mod ranking;
 mod recovered;
 mod refused;
+mod subsystems;
 mod theorems;

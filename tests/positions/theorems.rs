@@ -11,7 +11,7 @@ use assur::synthesis::four_bar::{Position, TwoPositions};
 
 use super::draw::{Dice, task};
 
-fn angles(degrees: [f64; 3]) -> Angles {
+pub(super) fn angles(degrees: [f64; 3]) -> Angles {
     let [coupler, output, input] = degrees.map(f64::to_radians);
     Angles {
         frame: 0.0,
@@ -142,8 +142,18 @@ fn counted(sets: u32) -> Counts {
         // Theorems 3, 4 and 5 fail on the same angles.
         let fails = told.map(|one| one.conditions && !one.truth);
         assert!(!fails[0] && !fails[1] && fails[2] == fails[3] && fails[3] == fails[4]);
+        // They do where all three vectors point to one side of e₀ and e₁ is the nearest to it.
+        let turns = [angles.coupler, angles.output, angles.input];
+        let turns = turns.map(|turn| (turn - angles.frame + PI).rem_euclid(TAU) - PI);
+        let one_side = turns.map(|turn| turn > 0.0);
+        let nearest = turns.iter().all(|turn| turns[0].abs() <= turn.abs());
+        let beyond = one_side == [true; 3] || one_side == [false; 3];
+        assert_eq!(fails[4], beyond && nearest, "{angles:?}");
         let by = angles.subsystem(Unknown::Coupler).unwrap();
         let each = [0, 1].map(|k| alternative(by.constant[k], by.slope[k]));
+        // Where every z₁ does for one length and some z₁ for the other, there are lengths.
+        let enough = each.contains(&Alternative::Always) && !each.contains(&Alternative::Never);
+        assert!(solvable || !enough, "{angles:?}");
         let place = match each {
             [Alternative::First { .. }, Alternative::First { .. }] => &mut counts.both_first,
             [Alternative::Second { .. }, Alternative::Second { .. }] => &mut counts.both_second,
@@ -207,6 +217,9 @@ fn counts_are_known(sets: u32) {
     near(counts.both_first[0], 33_315, "both first");
     near(counts.both_second[0], 33_526, "both second");
     assert_eq!([counts.both_first[1], counts.both_second[1]], [0, 0]);
+    // (14) and (25) read as P ≥ 0 and Q ≤ 0 make theorem 3 true: it then misses 83 %.
+    let missed = counts.solvable - counts.both_first[0];
+    near(missed, 199_896 - 33_315, "missed by the first parts alone");
     near(counts.mixed[0], 66_722, "mixed");
     assert_eq!(counts.mixed[1], third[2], "only these fail");
 }
@@ -345,80 +358,4 @@ fn ranks_of_the_system() {
     let line = angles([30.0, 210.0, 30.0]);
     assert_eq!(System::new(&[line]).unwrap().rank, 1);
     assert_eq!(System::new(&[]), None);
-}
-
-/// The subsystems are one and the same: what is chosen in one comes out of the others.
-#[test]
-fn subsystems_agree() {
-    let mut dice = Dice::new(348);
-    for _ in 0..1000 {
-        let [coupler, output, input] = [(); 3].map(|()| dice.angle());
-        let angles = Angles {
-            frame: dice.angle(),
-            coupler,
-            output,
-            input,
-        };
-        let z1 = dice.ratio(10.0);
-        let by = angles.subsystem(Unknown::Coupler).unwrap();
-        assert_eq!(by.of, [Unknown::Output, Unknown::Input]);
-        let [z2, z3] = [0, 1].map(|k| by.constant[k] + by.slope[k] * z1);
-        for (third, chosen, expected) in [
-            (Unknown::Output, z2, [z1, z3]),
-            (Unknown::Input, z3, [z1, z2]),
-        ] {
-            let by = angles.subsystem(third).unwrap();
-            for k in 0..2 {
-                let z = by.constant[k] + by.slope[k] * chosen;
-                let size = 1.0 + (by.slope[k] * chosen).abs() + expected[k].abs();
-                assert!(
-                    (z - expected[k]).abs() < 1e-9 * size * size,
-                    "{z} {expected:?}"
-                );
-            }
-        }
-    }
-}
-
-/// Condition (13) fails where input and output are parallel: then one z₁ alone may do.
-#[test]
-fn parallel_links() {
-    // e₃ = −e₂: any more of one makes up for the other.
-    let opposite = angles([20.0, 70.0, 250.0]);
-    assert_eq!(opposite.subsystem(Unknown::Coupler), None);
-    let all = conditions(&opposite);
-    assert_eq!(all[0].number, 13);
-    assert!(!all[0].holds);
-    let Some(Truth::Parallel { coupler: Some(z1) }) = truth(&opposite) else {
-        panic!();
-    };
-    let (z3, rest) = (0.5, {
-        let [c, o] = [20.0_f64, 70.0].map(f64::to_radians);
-        o.cos() - z1 * (o - c).cos()
-    });
-    assert!(functional(&opposite, [z1, rest + z3, z3]) < 1e-28);
-    let told = theorems(&opposite).unwrap();
-    assert!(told.iter().take(3).all(|theorem| !theorem.conditions));
-    // e₃ = e₂: only the sum counts, and it must be positive.
-    assert_eq!(
-        truth(&angles([100.0, 70.0, 70.0])),
-        Some(Truth::Parallel { coupler: None })
-    );
-    let same = truth(&angles([320.0, 70.0, 70.0])).unwrap();
-    assert!(same.holds(), "{same:?}");
-    assert_eq!(
-        truth(&angles([0.0, 180.0, 0.0])),
-        Some(Truth::InLine { closes: true })
-    );
-    assert_eq!(
-        truth(&angles([10.0, 10.0, 190.0])),
-        Some(Truth::InLine { closes: false })
-    );
-    let nan = Angles {
-        coupler: f64::NAN,
-        ..opposite
-    };
-    assert_eq!(truth(&nan), None);
-    assert_eq!(theorems(&nan), None);
-    assert!(conditions(&nan).is_empty());
 }

@@ -5,7 +5,7 @@ use assur::synthesis::four_bar::theorems::{
 };
 use assur::synthesis::four_bar::{Frame, Position, Task, TwoPositions};
 
-use super::angles;
+use super::{angles, sets};
 
 /// (13) is not necessary for a solution: e₂ and e₃ are opposite, and these lengths close the loop.
 #[test]
@@ -95,5 +95,28 @@ fn synthesis_theorems_speak_of_one_position() {
                 .holds()
         });
         assert!(solvable.count() > 80);
+    }
+}
+
+/// Without φ₁ the theorems would say nothing: (12) alone, in which it does not occur, has positive lengths in every position,
+/// any z₂ and z₃ with z₁ = |e₀ − z₂e₂ − z₃e₃|.
+#[test]
+fn synthesis_12_alone_is_solvable_in_every_position() {
+    for angles in sets() {
+        let dot = |one: f64, other: f64| (one - other).cos();
+        let [e02, e03, e23] = [
+            dot(angles.frame, angles.output),
+            dot(angles.frame, angles.input),
+            dot(angles.output, angles.input),
+        ];
+        for [z2, z3] in [[0.7, 1.3], [2.0, 0.4], [1.1, 3.0]] {
+            let gap = [f64::cos, f64::sin]
+                .map(|of| of(angles.frame) - z2 * of(angles.output) - z3 * of(angles.input));
+            let z1 = gap[0].hypot(gap[1]);
+            let constant = (z1 * z1 - z2 * z2 - z3 * z3 - 1.0) / (2.0 * z2 * z3);
+            assert!(z1 > 0.0);
+            let off = e03 / z2 + e02 / z3 + constant - e23;
+            assert!(off.abs() < 1e-13, "{angles:?} {off}");
+        }
     }
 }

@@ -4,6 +4,7 @@ import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
+import { subscript } from "assur/core/symbols.js";
 import { edited } from "assur/state/state.js";
 
 /**
@@ -16,9 +17,9 @@ import { edited } from "assur/state/state.js";
 
 /** The shafts with the numbers of their links and their colours. */
 export const SHAFTS = Object.freeze({
-  sun: Object.freeze({ number: "₁", role: "crank" }),
-  carrier: Object.freeze({ number: "₃", role: "rocker" }),
-  ring: Object.freeze({ number: "₄", role: "accent2" }),
+  sun: Object.freeze({ number: "1", role: "crank" }),
+  carrier: Object.freeze({ number: "3", role: "rocker" }),
+  ring: Object.freeze({ number: "4", role: "accent2" }),
 });
 
 const SPEEDS = Object.freeze({ min: -120, max: 120, step: 1 });
@@ -121,7 +122,7 @@ class DriveRow {
     if (!drive) return;
     const { shaft, to, rpm, factor = 1, start_s: start = 0 } = drive;
     const { number, role } = SHAFTS[shaft];
-    write(this.#name, to ? `${called(shaft, words)}: ω${number} = cω${SHAFTS[to].number}` : `${called(shaft, words)}: n${number}, ${words.text("unit.per_min")}`);
+    write(this.#name, to ? `${called(shaft, words)}: ω${subscript(number)} = cω${subscript(SHAFTS[to].number)}` : `${called(shaft, words)}: n${subscript(number)}, ${words.text("unit.per_min")}`);
     this.#name.style.setProperty("--accent", `var(--role-${role})`);
     this.element.style.setProperty("--accent", `var(--role-${role})`);
     this.#hold.setAttribute("aria-pressed", String(!to && rpm === 0));
