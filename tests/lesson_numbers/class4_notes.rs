@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use assur::mechanism::{Method, Pose, Quantity};
-use assur::motion::{Extremum, Features, Input, Motion, OutputProfile, Phase, PhaseKind};
+use assur::motion::{Extremum, Features, InputRate, Motion, OutputProfile, Phase, PhaseKind};
 use assur::{CombinedMethod, Relation};
 use nalgebra::SMatrix;
 use serde_json::{Value, json};
@@ -122,7 +122,7 @@ fn the_dwell() -> Vec<String> {
     let motion = drawn();
     let output = output(&motion);
     let [psi, first, second]: [Features; 3] = {
-        let mut found = motion.features(&[output], Input::ANALOGUES).unwrap();
+        let mut found = motion.features(&[output], InputRate::ANALOGUES).unwrap();
         found.remove(0)
     };
     let [low, high @ ..] = &psi.extrema[..] else {
@@ -140,7 +140,7 @@ fn the_dwell() -> Vec<String> {
             format!(
                 "{} (at {:.1}°)",
                 written(one.value, 3),
-                one.crank.to_degrees()
+                one.input.to_degrees()
             )
         });
         format!("between {one} and {other}")
@@ -150,10 +150,10 @@ fn the_dwell() -> Vec<String> {
         format!(
             "ψ swings by {swing:.3}°, from {:.3}° at φ₁ = {:.3}° to {:.3}° at φ₁ = {:.3}°. From there to φ₁ = {:.3}°",
             low.value.to_degrees(),
-            low.crank.to_degrees(),
+            low.input.to_degrees(),
             begin.value.to_degrees(),
-            begin.crank.to_degrees(),
-            end.crank.to_degrees(),
+            begin.input.to_degrees(),
+            end.input.to_degrees(),
         ),
         format!(
             "which differ by {:.4}° only",
@@ -190,7 +190,7 @@ fn the_dwell() -> Vec<String> {
 
     let [fastest, hardest] = [&first, &second].map(|of| ends(of).map(|one| one.value.abs()));
     let [fastest, hardest] = [fastest, hardest].map(|[a, b]| a.max(b));
-    let within = |one: &&Extremum| (begin.crank..end.crank).contains(&one.crank);
+    let within = |one: &&Extremum| (begin.input..end.input).contains(&one.input);
     let left = first.extrema.iter().filter(within);
     let left = left.fold(0.0, |most: f64, one| most.max(one.value.abs()));
     said.extend([
