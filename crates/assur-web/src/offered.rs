@@ -1,5 +1,6 @@
-//! Documents to begin with.
+//! Documents to begin with, and the names of roles.
 
+use assur_draw::ROLES;
 use assur_file::{Document, DraftDocument, Preset, Shelf};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
@@ -36,4 +37,10 @@ pub fn catalogue() -> Result<JsValue, JsValue> {
 pub fn shelves() -> Result<JsValue, JsValue> {
     let all: Result<Vec<Shelf>, _> = assur_file::shelves().collect();
     Ok(to_js(&all.map_err(thrown)?))
+}
+
+/// The names of the roles of display lists and palettes, in order.
+#[wasm_bindgen(js_name = roleNames)]
+pub fn role_names() -> Vec<String> {
+    ROLES.map(str::to_owned).to_vec()
 }

@@ -1,7 +1,8 @@
 //! The one object the page talks to.
 
+mod refusal;
+
 use assur::Point;
-use assur_draw::ROLES;
 use assur_edit::Edit;
 use assur_file::{LengthUnit, Problem};
 use plotters::prelude::IntoDrawingArea;
@@ -15,6 +16,8 @@ use crate::convert::{read, read_value, thrown, to_js};
 use crate::kinds::{as_kind, draft, open};
 use crate::moving::Moving;
 use crate::table::SweepTable;
+use refusal::place;
+pub(crate) use refusal::{bad, one};
 
 /// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the
 /// unit of the lengths. What fails throws an array of problems, `{code, …}`, and changes
@@ -393,30 +396,4 @@ impl Simulator {
         let edited = self.document()?.edited();
         edited.ok_or_else(|| one(bad("", "nothing can be dragged")))
     }
-}
-
-/// A place of the drawing.
-fn place(x: f64, y: f64) -> Result<Point, JsValue> {
-    let place = Point::new(x, y);
-    let finite = place.coords.iter().all(|x| x.is_finite());
-    finite.then_some(place).ok_or_else(|| one(unknown("place")))
-}
-
-/// One problem as it is thrown.
-pub(crate) fn one(problem: Problem) -> JsValue {
-    thrown([problem])
-}
-
-/// What is not as it must be, with its path.
-pub(crate) fn bad(path: &str, detail: &str) -> Problem {
-    Problem::BadState {
-        path: path.to_owned(),
-        detail: detail.to_owned(),
-    }
-}
-
-/// The names of the roles of display lists and palettes, in order.
-#[wasm_bindgen(js_name = roleNames)]
-pub fn role_names() -> Vec<String> {
-    ROLES.map(str::to_owned).to_vec()
 }

@@ -1,5 +1,7 @@
 //! What the page shows of a whole motion.
 
+mod outputs;
+
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -371,50 +373,5 @@ impl<'a> ListedSummary<'a> {
             of,
             role: moving.plotted_role(quantity).unwrap_or(role),
         }
-    }
-}
-
-impl OutputSummary {
-    /// What its profile says; of a motion that is not searched, the name alone.
-    fn new(name: &str, profile: Option<&OutputProfile<'_>>) -> Self {
-        let limits = profile.map(OutputProfile::limits).unwrap_or_default();
-        let swings = profile.map(OutputProfile::swings).unwrap_or_default();
-        let travels = profile.map(OutputProfile::travels).unwrap_or_default();
-        Self {
-            name: name.to_owned(),
-            searched: profile.is_some(),
-            swing: swings.into_iter().map(between).collect(),
-            turns: travels.into_iter().map(|travel| travel / TAU).collect(),
-            limits: (limits.into_iter())
-                .map(|limit| LimitSummary {
-                    input: limit.input,
-                    value: limit.value,
-                })
-                .collect(),
-            time_ratio: profile.and_then(OutputProfile::time_ratio),
-        }
-    }
-}
-
-impl CycleSummary {
-    fn new(cycle: &Cycle) -> Self {
-        let [start, end] = cycle.axis();
-        Self {
-            start,
-            end,
-            full: cycle.is_full(),
-            arcs: cycle.arcs().to_vec(),
-        }
-    }
-}
-
-fn between(swing: Swing) -> Option<Between> {
-    match swing {
-        Swing::Turns => None,
-        Swing::Between { min, max } => Some(Between {
-            min,
-            max,
-            stroke: swing.stroke()?,
-        }),
     }
 }

@@ -6,7 +6,7 @@ use super::*;
 /// degrees.
 fn of(link: f64) -> [f64; 2] {
     let four_bar = FourBar::new([1.0, link, link, 4.0]).unwrap();
-    axis(&four_bar.cycle()).map(f64::to_degrees)
+    super::panel::axis(&four_bar.cycle()).map(f64::to_degrees)
 }
 
 /// How far the crank of that four-bar comes, degrees: the law of cosines.

@@ -1,5 +1,7 @@
 //! A differential train by time, as it is saved: wheels with magnets or teeth, two drives, and what loads it.
 
+mod shafts;
+
 use assur::dynamics::{self, Poles, Run, Start};
 use assur::gears::train::{
     ConditionKind, Coupling, Drive, Input, Layout, Shaft, TimedInput, Train, Turning,
@@ -181,47 +183,6 @@ pub struct DriveDocument {
 
 fn one() -> f64 {
     1.0
-}
-
-impl From<ShaftDocument> for Shaft {
-    fn from(shaft: ShaftDocument) -> Self {
-        match shaft {
-            ShaftDocument::Sun => Self::Sun,
-            ShaftDocument::Carrier => Self::Carrier,
-            ShaftDocument::Ring => Self::Ring,
-        }
-    }
-}
-
-impl From<Shaft> for ShaftDocument {
-    fn from(shaft: Shaft) -> Self {
-        match shaft {
-            Shaft::Sun => Self::Sun,
-            Shaft::Carrier => Self::Carrier,
-            Shaft::Ring => Self::Ring,
-        }
-    }
-}
-
-impl From<CouplingDocument> for Coupling {
-    fn from(coupling: CouplingDocument) -> Self {
-        match coupling {
-            CouplingDocument::Magnetic => Self::Magnetic,
-            CouplingDocument::Contact => Self::Contact,
-        }
-    }
-}
-
-impl ObserverDocument {
-    /// The shaft on which he stands; none: he stands on the ground.
-    pub fn shaft(self) -> Option<Shaft> {
-        match self {
-            Self::Ground => None,
-            Self::Sun => Some(Shaft::Sun),
-            Self::Carrier => Some(Shaft::Carrier),
-            Self::Ring => Some(Shaft::Ring),
-        }
-    }
 }
 
 /// What a document comes to.

@@ -1,5 +1,7 @@
 //! What is read and plotted of a differential over time.
 
+mod moves;
+
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -337,103 +339,4 @@ fn of_run(reading: &Reading) -> [f64; OF_RUN.len()] {
         energy.delivered,
         energy.imbalance(),
     ]
-}
-
-impl Moves for GearTrain {
-    fn at(&self, input: f64) -> Result<Here, Problem> {
-        let input = on_axis(input);
-        let known = self.course.known(input);
-        let rates = |quantity| known.rates(quantity);
-        let rest = known.reading.iter().flat_map(of_run);
-        Ok(Here {
-            frame: self.figure.frame(&self.course.pose(&known)),
-            handles: Vec::new(),
-            readouts: [input]
-                .into_iter()
-                .chain(self.course.quantities().flat_map(rates))
-                .chain(rest)
-                .collect(),
-            plotted: self.course.on_plots(input, &known),
-        })
-    }
-
-    fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem> {
-        Ok(self.course.on_plots(input, &self.course.known(input)))
-    }
-
-    fn why(&self, _input: f64) -> Option<Problem> {
-        None
-    }
-
-    fn readout_names(&self) -> Vec<String> {
-        let quantities = self.course.quantities().flat_map(|one| {
-            let name = one.name();
-            STROKES.map(|stroke| [&name, stroke].concat())
-        });
-        ["input".to_owned()]
-            .into_iter()
-            .chain(quantities)
-            .chain(self.course.names_of_run())
-            .collect()
-    }
-
-    /// A run begins again after its end; else time goes on.
-    fn advance(&self, input: f64, by: f64) -> (f64, f64) {
-        let next = input + by;
-        if !next.is_finite() {
-            (0.0, 1.0)
-        } else if self.course.loaded() {
-            // A run that halts at once has no length to go round.
-            let end = self.course.end();
-            (if end > 0.0 { next.rem_euclid(end) } else { 0.0 }, 1.0)
-        } else if next < 0.0 {
-            (-next, -1.0)
-        } else {
-            (next.min(Turning::LONGEST), 1.0)
-        }
-    }
-
-    fn chart(&self, around: f64) -> Cow<'_, Chart> {
-        match &self.course.chart {
-            Some(chart) => Cow::Borrowed(chart),
-            None => Cow::Owned(self.course.plotted_around(around)),
-        }
-    }
-
-    fn against(&self, around: f64) -> Option<Cow<'_, Against>> {
-        let course = &self.course;
-        let pair = course.pair.as_ref()?;
-        Some(match &course.against {
-            Some(against) => Cow::Borrowed(against),
-            None => Cow::Owned(course.plotted_against(pair, &course.around(around).1)),
-        })
-    }
-
-    fn numbers(&self) -> &BTreeMap<String, String> {
-        self.course.numbers()
-    }
-
-    fn table(&self, steps: u32) -> SweepTable {
-        let steps = steps.max(1);
-        let row = |step: u32| {
-            let input = self.course.end() * f64::from(step) / f64::from(steps);
-            let known = self.course.known(input);
-            let quantities = self.course.quantities();
-            let rates = quantities.flat_map(|one| known.rates(one));
-            let rest = known.reading.iter().flat_map(of_run);
-            SweepRow {
-                input,
-                values: rates.chain(rest).map(Some).collect(),
-                reason: None,
-            }
-        };
-        let columns = self.course.quantities().flat_map(Quantity::columns);
-        let columns = columns.chain(self.course.names_of_run());
-        SweepTable {
-            dimensions: Vec::new(),
-            columns: columns.map(SweepColumn::named).collect(),
-            rows: (0..=steps).map(row).collect(),
-            compared: None,
-        }
-    }
 }

@@ -1,0 +1,54 @@
+//! Panels in pixels, and the axis of a motion.
+
+use super::*;
+
+impl Panel {
+    /// How many pixels there are to a unit along x and y.
+    pub(super) fn to_pixels(&self) -> [f64; 2] {
+        let span = |[from, to]: [f64; 2]| to - from;
+        [self.width / span(self.x), self.height / span(self.y)]
+    }
+
+    /// Points of the curves at least this far from each other, pixels.
+    const APART: f64 = 4.0;
+
+    /// Points along the curves of a plot.
+    pub(super) fn along(&self, plot: &Plot) -> Vec<f64> {
+        let ([x0, x1], [y0, y1]) = (self.x, self.y);
+        let mut points = Vec::new();
+        for run in plot.curves.iter().flat_map(|curve| curve.within(y0, y1)) {
+            let mut last = [f64::INFINITY; 2];
+            for (x, y) in run {
+                let at = [
+                    self.left + self.width * (x - x0) / (x1 - x0),
+                    self.top + self.height * (y1 - y) / (y1 - y0),
+                ];
+                if (at[0] - last[0]).hypot(at[1] - last[1]) >= Self::APART {
+                    points.extend(at);
+                    last = at;
+                }
+            }
+        }
+        points
+    }
+}
+
+/// The span of the axis of a motion: the whole period of the input, or for a crank that oscillates over a small part of its
+/// turn only where it moves.
+pub(super) fn axis(cycle: &Cycle) -> [f64; 2] {
+    let whole = cycle.axis();
+    let (Some(_), false, [[from, _], .., [_, to]] | [[from, to]]) =
+        (cycle.period(), cycle.is_full(), cycle.arcs())
+    else {
+        return whole;
+    };
+    let beside = BESIDE * (to - from);
+    let fitted = [from - beside, to + beside];
+    let span = |[from, to]: [f64; 2]| to - from;
+    let share = span(fitted) / span(whole);
+    if (LEAST_OF_A_TURN..MOST_OF_A_TURN).contains(&share) {
+        fitted
+    } else {
+        whole
+    }
+}

@@ -1,0 +1,170 @@
+//! A document as a mechanism and a motion.
+
+use super::*;
+
+impl LinkageDocument {
+    /// Says where a document of the first version came from, which only its title told.
+    pub(crate) fn recognise(&mut self) {
+        let title = self.title.as_deref();
+        let known = |name: &&str| catalogue::title(name).as_deref() == title;
+        if self.origin.is_none() && title.is_some() {
+            self.origin = catalogue::gallery().find(known).map(str::to_owned);
+        }
+    }
+
+    /// Checks single fields, of what need not move yet.
+    ///
+    /// # Errors
+    /// Every problem at once, each naming the field.
+    pub fn check(&self) -> Result<(), Vec<Problem>> {
+        let problems = check::problems(self);
+        if problems.is_empty() {
+            return Ok(());
+        }
+        Err(problems.into_iter().map(Problem::from).collect())
+    }
+
+    /// The mechanism that is described, drawn in the assembly that moves.
+    ///
+    /// # Errors
+    /// Every problem at once, each naming the field, or the links and points, at
+    /// fault. What is wrong with single fields comes first and alone. An assembly
+    /// that there is not.
+    pub fn mechanism(&self) -> Result<Mechanism, Vec<Problem>> {
+        self.check()?;
+        let drawn = Mechanism::new(&self.spec()).map_err(LinkageProblem::all)?;
+        let Some(number) = self.assembly else {
+            return Ok(drawn);
+        };
+        let all = drawn.signed_assemblies();
+        if number == all.drawn() + 1 {
+            return Ok(drawn);
+        }
+        let other = number.checked_sub(1).and_then(|k| all.assembly(k));
+        other.ok_or_else(|| {
+            vec![Problem::OutOfRange {
+                field: "assembly".into(),
+                value: number as f64,
+                min: 1.0,
+                max: all.count() as f64,
+            }]
+        })
+    }
+
+    /// The document by its kind: a linkage where it moves, else a drawing.
+    pub fn as_it_moves(self) -> Document {
+        if self.mechanism().is_ok() {
+            Document::Linkage(self)
+        } else {
+            Document::Draft(DraftDocument(self))
+        }
+    }
+
+    /// The mechanism by its dimensions alone, drawn in one of its assemblies at an input; see
+    /// [`Mechanism::assembled`].
+    ///
+    /// # Errors
+    /// As of [`Self::mechanism`], other than that the drawing does not close. None where there is no assembly.
+    pub fn assembled(&self, input: Option<f64>) -> Result<Option<Mechanism>, Vec<Problem>> {
+        self.check()?;
+        Mechanism::assembled(&self.spec(), input).map_err(LinkageProblem::all)
+    }
+
+    /// The same document with the linkage as it is drawn in another pose; no assembly is then named.
+    pub fn redrawn(&self, draft: &LinkageSpec) -> Self {
+        let drawn = Self::new(draft);
+        Self {
+            points: drawn.points,
+            links: drawn.links,
+            drivers: drawn.drivers,
+            tracers: drawn.tracers,
+            assembly: None,
+            ..self.clone()
+        }
+    }
+
+    /// The motion of the mechanism.
+    ///
+    /// # Errors
+    /// As of [`Self::mechanism`].
+    pub fn motion(&self) -> Result<Motion, Vec<Problem>> {
+        self.mechanism().map(Motion::new)
+    }
+
+    /// The link by whose angle assemblies are numbered: that of the first plot, where this is an angle, or else the last
+    /// that is placed. None of a mechanism without links.
+    pub fn output(&self, mechanism: &Mechanism) -> Option<LinkId> {
+        let first = self.plots.first();
+        match first.and_then(|name| Quantity::named(mechanism, name)) {
+            Some(Quantity::Angle(link)) => Some(link),
+            _ => mechanism.output(),
+        }
+    }
+
+    /// The outputs, of which swing and time ratio are listed: the quantities that the document plots, or else those of
+    /// textbooks.
+    pub fn outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
+        let named = self.plots.iter();
+        let named = named.filter_map(|name| Quantity::named(mechanism, name));
+        let named: Vec<Quantity> = named.collect();
+        if named.is_empty() {
+            self.usual_outputs(mechanism)
+        } else {
+            named
+        }
+    }
+
+    /// The outputs of textbooks: places of sliders on guides of the frame, then angles of links that are hinged on the frame; of a
+    /// linkage that has neither the angles of all links. A driven link is none.
+    fn usual_outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
+        let draft = self.spec();
+        let driven: Vec<&str> = (draft.drivers.iter())
+            .filter_map(|driver| draft.driven(driver))
+            .collect();
+        let free = |link: &str| !driven.contains(&link);
+        let guided = self.slides.iter().filter(|slide| slide.on == FRAME);
+        let guided: Vec<&SlideDocument> = guided.filter(|slide| free(&slide.link)).collect();
+        let at = |name: &String| self.points.iter().find(|point| point.name == *name);
+        let places = guided.iter().filter_map(|slide| {
+            let [from, to] = [at(&slide.line[0])?.at, at(&slide.line[1])?.at];
+            let point = mechanism.point(&slide.point)?;
+            let level = (to[0] - from[0]).abs() >= (to[1] - from[1]).abs();
+            Some(if level {
+                Quantity::X(point)
+            } else {
+                Quantity::Y(point)
+            })
+        });
+        let hinged = self.links.iter().filter(|link| {
+            let slides = guided.iter().any(|slide| slide.link == link.name);
+            let on_frame = link.points.iter().any(|point| self.frame.contains(point));
+            free(&link.name) && on_frame && !slides && link.fixed_to.is_none()
+        });
+        let angle = |link: &LinkDocument| mechanism.link(&link.name).map(Quantity::Angle);
+        let outputs: Vec<Quantity> = places.chain(hinged.filter_map(angle)).collect();
+        if !outputs.is_empty() {
+            return outputs;
+        }
+        let others = self.links.iter();
+        let others = others.filter(|link| free(&link.name) && link.fixed_to.is_none());
+        others.filter_map(angle).collect()
+    }
+
+    /// The quantities, of one kind, that a choice of the page names: `angles` those
+    /// the document asks for, else all angles; `LINK.angle`; a point, both of its
+    /// coordinates. None where there is nothing of the name.
+    pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
+        if choice == "angles" {
+            let mut asked = self.outputs(mechanism);
+            match asked.first().map(|one| one.is_angle()) {
+                Some(kind) => asked.retain(|one| one.is_angle() == kind),
+                None => asked = mechanism.link_ids().map(Quantity::Angle).collect(),
+            }
+            return Some(asked);
+        }
+        if let Some(point) = mechanism.point(choice) {
+            return Some(vec![Quantity::X(point), Quantity::Y(point)]);
+        }
+        Quantity::named(mechanism, choice).map(|one| vec![one])
+    }
+}

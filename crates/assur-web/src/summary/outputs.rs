@@ -1,0 +1,48 @@
+//! Swings and cycles in a summary.
+
+use super::*;
+
+impl OutputSummary {
+    /// What its profile says; of a motion that is not searched, the name alone.
+    pub(super) fn new(name: &str, profile: Option<&OutputProfile<'_>>) -> Self {
+        let limits = profile.map(OutputProfile::limits).unwrap_or_default();
+        let swings = profile.map(OutputProfile::swings).unwrap_or_default();
+        let travels = profile.map(OutputProfile::travels).unwrap_or_default();
+        Self {
+            name: name.to_owned(),
+            searched: profile.is_some(),
+            swing: swings.into_iter().map(between).collect(),
+            turns: travels.into_iter().map(|travel| travel / TAU).collect(),
+            limits: (limits.into_iter())
+                .map(|limit| LimitSummary {
+                    input: limit.input,
+                    value: limit.value,
+                })
+                .collect(),
+            time_ratio: profile.and_then(OutputProfile::time_ratio),
+        }
+    }
+}
+
+impl CycleSummary {
+    pub(super) fn new(cycle: &Cycle) -> Self {
+        let [start, end] = cycle.axis();
+        Self {
+            start,
+            end,
+            full: cycle.is_full(),
+            arcs: cycle.arcs().to_vec(),
+        }
+    }
+}
+
+fn between(swing: Swing) -> Option<Between> {
+    match swing {
+        Swing::Turns => None,
+        Swing::Between { min, max } => Some(Between {
+            min,
+            max,
+            stroke: swing.stroke()?,
+        }),
+    }
+}

@@ -1,0 +1,154 @@
+//! Links, points, bodies and steps of a mechanism, by id and by name.
+
+use super::*;
+
+impl Mechanism {
+    /// The linkage as it is drawn.
+    pub fn spec(&self) -> &LinkageSpec {
+        &self.spec
+    }
+
+    /// The moving links in the order of the draft, by name.
+    pub fn links(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.spec.links.iter().map(|link| link.name.as_str())
+    }
+
+    /// The points in the order of the draft, then its tracers, by name.
+    pub fn points(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.point_ids().map(|point| self.point_name(point))
+    }
+
+    /// The moving links in the order of the draft.
+    pub fn link_ids(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = LinkId> + ExactSizeIterator + Clone + use<> {
+        self.links.ids()
+    }
+
+    /// The points in the order of the draft, then its tracers.
+    pub fn point_ids(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = PointId> + ExactSizeIterator + Clone + use<> {
+        self.points.ids()
+    }
+
+    /// The moving link of a name.
+    pub fn link(&self, name: &str) -> Option<LinkId> {
+        self.links().position(|link| link == name).map(LinkId::at)
+    }
+
+    /// The point of a name.
+    pub fn point(&self, name: &str) -> Option<PointId> {
+        let found = self.points().position(|point| point == name);
+        found.map(PointId::at)
+    }
+
+    /// The name of a link.
+    pub fn link_name(&self, link: LinkId) -> &str {
+        &self.spec.links[link.index()].name
+    }
+
+    /// The name of a point.
+    pub fn point_name(&self, point: PointId) -> &str {
+        match self.tracer(point) {
+            Some(tracer) => &tracer.name,
+            None => &self.spec.points[point.index()].name,
+        }
+    }
+
+    /// The points of a link.
+    pub fn points_of(&self, link: LinkId) -> &[PointId] {
+        &self.links[link].points
+    }
+
+    /// The link that a link is fixed to in the end, itself if to none; none where
+    /// that is the frame.
+    pub fn root_of(&self, link: LinkId) -> LinkOrFrame {
+        self.link_of(self.links[link].body)
+    }
+
+    /// The links that can be driven: cranks, what slides along a line of the frame, and what is driven now.
+    pub fn drivable(&self) -> Vec<&str> {
+        self.spec.drivable()
+    }
+
+    /// The links that can be driven as cranks: hinged on the frame, fixed to no other.
+    pub fn cranks(&self) -> impl Iterator<Item = LinkId> + '_ {
+        let links = &self.spec.links;
+        self.link_ids()
+            .filter(|link| self.spec.is_crank(&links[link.index()]))
+    }
+
+    /// Driver and Assur groups, then passive links. Its links are bodies, by their indices.
+    pub fn structure(&self) -> &Structure {
+        &self.structure
+    }
+
+    /// The bodies: the frame, then the links that are fixed to no other.
+    pub fn bodies(&self) -> impl ExactSizeIterator<Item = BodyId> + Clone + use<> {
+        self.bodies.ids()
+    }
+
+    /// The link that a body was made for, or the frame.
+    pub(crate) fn link_of(&self, body: BodyId) -> LinkOrFrame {
+        self.made_for[body]
+    }
+
+    /// The name of a body: of the link that it was made for.
+    pub fn body_name(&self, body: BodyId) -> &str {
+        self.made_for[body].map_or(FRAME, |link| self.link_name(link))
+    }
+
+    /// The names of the structure's links, in their order.
+    pub fn body_names(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.bodies().map(|body| self.body_name(body))
+    }
+
+    /// The doubled links, in the order of the draft.
+    pub fn doubled(&self) -> &[DoubledLink] {
+        &self.doubled
+    }
+
+    /// The structural formula: [its terms](Self::terms) in turn.
+    pub fn formula(&self) -> String {
+        self.terms().join(" → ")
+    }
+
+    /// The terms of the structural formula with the names of links: of the structure, then of the doubled links.
+    pub fn terms(&self) -> Vec<String> {
+        let body_name = |link| self.body_name(BodyId::at(link));
+        let doubled = self.doubled.iter();
+        let doubled = doubled.map(|one| format!("{}({})", one.symbol(), self.link_name(one.link)));
+        self.structure
+            .terms(body_name)
+            .into_iter()
+            .chain(doubled)
+            .collect()
+    }
+
+    /// The links that a step of the plan places, by name.
+    pub fn links_of(&self, step: StepId) -> impl Iterator<Item = &str> {
+        let bodies = self.steps[step].bodies().into_iter();
+        bodies.map(|body| self.body_name(body))
+    }
+
+    /// The kind of singular position that a dead point of a step of the plan is.
+    pub fn singularity(&self, step: StepId) -> Singularity {
+        self.steps[step].singularity()
+    }
+
+    /// The diagonal of the drawing.
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// The drawn input.
+    pub fn drawn_input(&self) -> f64 {
+        self.drawn_input
+    }
+
+    /// True where the first driver is a crank; else it is a slide.
+    pub fn turns(&self) -> bool {
+        self.range.is_none()
+    }
+}
