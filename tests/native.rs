@@ -10,6 +10,7 @@ mod driven_pairs;
 mod drivers;
 mod dynamics;
 mod errata;
+mod examples;
 mod gallery;
 mod golden;
 mod lesson_names;
