@@ -169,19 +169,19 @@ function keyOf(item) {
  * @returns {string} its value and, where that is another, the one by the relation as it is printed
  */
 export function compared({ item, name, angle, turned, count, value, printed }, words) {
-  const said = (/** @type {"differs" | "undefined"} */ what) => {
-    const own = `${keyOf(item)}.${what}`;
-    return words.has(own) ? own : `lesson.paper.${what}`;
+  const said = (/** @type {string} */ common) => {
+    const own = `${keyOf(item)}${common.slice(common.lastIndexOf("."))}`;
+    return words.has(own) ? own : common;
   };
   const number = (/** @type {number} */ one) => {
     if (count) return words.numbers.exact(one);
     return angle ? `${words.numbers.fixed(degrees(one), IN_DEGREES)}°` : words.numbers.fixed(one, DECIMALS);
   };
-  if (printed === null) return words.text(said("undefined"), { name, value: number(value) });
+  if (printed === null) return words.text(said("lesson.paper.undefined"), { name, value: number(value) });
   const off = printed - value;
   const apart = angle && !turned ? off - 2 * Math.PI * Math.round(off / (2 * Math.PI)) : off;
   if (Math.abs(apart) <= SAME * (1 + Math.abs(value))) return `${name} = ${number(value)}`;
-  return words.text(said("differs"), { name, value: number(value), printed: number(printed), off: number(apart) });
+  return words.text(said("lesson.paper.differs"), { name, value: number(value), printed: number(printed), off: number(apart) });
 }
 
 /** @param {string} text an element of MathML, made by the build */
