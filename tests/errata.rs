@@ -75,10 +75,10 @@ fn mixer_relations() {
         let mut wrong: BTreeMap<&str, usize> = BTreeMap::new();
         for crank in cranks() {
             let relations = mixer.relations(crank).unwrap();
-            assert_eq!(relations.len(), 48);
+            assert_eq!(relations.len(), 57);
             for one in relations {
                 let printed = one.printed.unwrap();
-                let off = if one.is_angle {
+                let off = if one.is_angle && !one.is_turned {
                     angle_between(one.value, printed)
                 } else {
                     (one.value - printed).abs()
@@ -97,6 +97,68 @@ fn mixer_relations() {
         );
         assert_eq!(wrong["002.(26)"], 3 * 36, "{wrong:?}");
     }
+}
+
+/// (1), (7), (17) and (21) are closed contours: both coordinates of each sum are zero.
+#[test]
+fn mixer_contours_are_closed() {
+    let mixer = Mixer::new(&Case::A.dimensions()).unwrap();
+    for crank in cranks() {
+        let relations = mixer.relations(crank).unwrap();
+        for item in ["002.(1)", "002.(7)", "002.(17)", "002.(21)"] {
+            let sums: Vec<_> = relations.iter().filter(|one| one.item == item).collect();
+            assert_eq!(sums.len(), 2, "{item}");
+            for sum in sums {
+                assert_eq!(sum.value, 0.0);
+                assert_near(sum.printed.unwrap(), 0.0, 1e-14, item);
+            }
+        }
+    }
+}
+
+/// (25), (26) and u: the angles of the wheels and their analogues are those of wheels 4 and 5 in the linkage that is made of
+/// the mixer, and u is their ratio.
+#[test]
+fn mixer_25_wheels_of_the_linkage() {
+    for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {
+        let dimensions = assur::mixer::Dimensions {
+            mesh,
+            ..Case::A.dimensions()
+        };
+        let mixer = Mixer::new(&dimensions).unwrap();
+        let motion = mixer.motion().unwrap();
+        let mechanism = motion.mechanism();
+        for crank in cranks() {
+            let relations = mixer.relations(crank).unwrap();
+            let of = |item: &str, k: usize| {
+                let mut found = relations.iter().filter(|one| one.item == item);
+                found.nth(k).unwrap().value
+            };
+            let pose = motion.pose::<3>(crank).unwrap();
+            let [wheel4, wheel5] = ["wheel4", "wheel5"]
+                .map(|name| mechanism.angle(&pose, mechanism.link(name).unwrap()));
+            for order in 0..3 {
+                let [four, five] = [wheel4, wheel5].map(|jet| jet.derivative(order));
+                assert_near(of("002.(25)", order), four, 1e-10, "ψ₄");
+                assert_near(of("002.(26)", order), five, 1e-10, "ψ₅");
+            }
+            let u = wheel5.derivative(1) / wheel4.derivative(1);
+            assert_near(of("002.u", 0), u, 1e-9, "u");
+        }
+    }
+}
+
+/// The angle of wheel 5 is not folded: at φ₁ = 90° of case a it has turned by −184°, and by 184° as printed, a turn and 8°
+/// apart.
+#[test]
+fn mixer_26_is_apart_by_more_than_a_turn() {
+    let mixer = Mixer::new(&Case::A.dimensions()).unwrap();
+    let relations = mixer.relations(std::f64::consts::FRAC_PI_2).unwrap();
+    let mut found = relations.iter();
+    let first = found.find(|one| one.item == "002.(26)").unwrap();
+    assert!(first.is_turned && first.is_angle);
+    let off = (first.printed.unwrap() - first.value).to_degrees();
+    assert_near(off, 368.0, 0.01, "difference");
 }
 
 /// Where the printed relations divide by zero they have no value: (3) at φ₁ = 0.

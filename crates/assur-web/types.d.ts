@@ -332,6 +332,10 @@ export type RelationHere = { item: string, name: string,
  */
 angle: boolean, 
 /**
+ * Whether it is an angle through which something has turned, so that whole turns count.
+ */
+turned: boolean, 
+/**
  * Whether it counts something, and is a whole number.
  */
 count: boolean, value: number, 

@@ -70,7 +70,7 @@ fn class4_relations() {
     let mut wrong: BTreeMap<&str, usize> = BTreeMap::new();
     for crank in cranks() {
         let all = relations(&motion, crank);
-        assert_eq!(all.len(), 201);
+        assert_eq!(all.len(), 202);
         for one in all {
             if off(&one) > 1e-10 * (1.0 + one.value.abs()) {
                 *wrong.entry(one.item).or_default() += 1;
@@ -141,6 +141,51 @@ fn class4_system_of_six() {
     }
 }
 
+/// The letters of fig. 1 are lengths of the drawing, and the differences are those of its points, first letter minus second.
+#[test]
+fn class4_letters_are_those_of_the_drawing() {
+    let draft = dwell();
+    let at = |name: &str| draft.points.iter().find(|one| one.name == name).unwrap().at;
+    let motion = drawn();
+    for crank in cranks().chain([motion.mechanism().home()]) {
+        let all = relations(&motion, crank);
+        for (letter, from, to) in [
+            ("g", "H", "G"),
+            ("t", "H", "L"),
+            ("e", "G", "E"),
+            ("f", "G", "F"),
+            ("r", "C", "L"),
+            ("p", "C", "K"),
+            ("c", "D", "C"),
+        ] {
+            let length = (at(to) - at(from)).norm();
+            assert_near(value(&all, "003.letters", letter), length, 1e-9, letter);
+        }
+        for (corner, at_corner, from, to) in [
+            ("η_H", "H", "G", "L"),
+            ("η_G", "G", "E", "F"),
+            ("η_C", "C", "L", "K"),
+        ] {
+            let [from, to] = [from, to].map(|name| at(name) - at(at_corner));
+            let angle = from.perp(&to).atan2(from.dot(&to));
+            assert!(
+                angle_between(value(&all, "003.letters", corner), angle) < 1e-9,
+                "{corner}"
+            );
+        }
+    }
+    let (motion, home) = (&motion, motion.mechanism().home());
+    let all = relations(motion, home);
+    for way in [
+        "EB", "EG", "GH", "GF", "CD", "FK", "KC", "LC", "FE", "LG", "LK", "LH",
+    ] {
+        let [x, y] = ["x", "y"].map(|axis| value(&all, "003.diff", &format!("{axis}_{way}")));
+        let expected = at(&way[..1]) - at(&way[1..]);
+        assert_near(x, expected.x, 1e-9, way);
+        assert_near(y, expected.y, 1e-9, way);
+    }
+}
+
 /// b₂ and b₃ are (1 − |f_L|²) times y_GH and x_GH.
 #[test]
 fn class4_b2_b3_by_the_ratio() {
@@ -150,6 +195,12 @@ fn class4_b2_b3_by_the_ratio() {
         let apart = value(&all, "003.chain", "1 − |f_L|²");
         for (item, name, way) in [("003.b2", "b_2", "y_GH"), ("003.b3", "b_3", "x_GH")] {
             let expected = apart * value(&all, "003.diff", way);
+            assert_near(
+                value(&all, "003.b2", "y_GH"),
+                value(&all, "003.diff", "y_GH"),
+                0.0,
+                way,
+            );
             assert_near(value(&all, item, name), expected, 1e-12, name);
         }
     }

@@ -51,8 +51,8 @@ fn speeds(train: &Train, sun: f64, ring: f64) -> [f64; 4] {
     ]
 }
 
-/// All relations of the differential's paper: as printed they give the value, but for (2) and the claim that parted pitch
-/// circles part the wheels.
+/// All relations of the differential's paper: as printed they give the value, but for (2). Tips of teeth of the addendum m are
+/// 2m nearer than the pitch circles.
 #[test]
 fn differential_relations() {
     for teeth in [[20.0, 10.0, 43.0], [20.0, 10.0, 49.0], [17.0, 5.0, 90.0]] {
@@ -62,16 +62,21 @@ fn differential_relations() {
             for [sun, ring] in [[6.0, 3.0], [6.0, 0.0], [0.0, -4.0], [-1.5, 8.0]] {
                 let at = speeds(&train, sun, ring);
                 let relations = layout.relations(Coupling::Magnetic, &at);
-                assert_eq!(relations.len(), 32);
+                assert_eq!(relations.len(), 34);
                 for one in &relations {
                     assert!(one.value.is_finite(), "{one:?}");
                     let printed = one.printed.unwrap();
                     match one.item {
                         "004.(2)" => assert_near(printed, -one.value, 1e-12),
-                        // Teeth of the addendum m on both wheels.
-                        "004.open" => assert_near(printed - one.value, 4.0, 1e-12),
                         _ => assert_near(printed, one.value, 1e-12),
                     }
+                }
+                let open = relations.iter().filter(|one| one.item == "004.open");
+                let open: Vec<f64> = open.map(|one| one.value).collect();
+                let [gaps, tips] = [&open[..2], &open[2..]];
+                assert_eq!(gaps, layout.gaps().unwrap());
+                for (gap, tip) in gaps.iter().zip(tips) {
+                    assert_near(gap - tip, 4.0, 1e-12);
                 }
                 let contact = layout.relations(Coupling::Contact, &at);
                 assert_eq!(contact.len(), 27);
@@ -107,6 +112,8 @@ fn differential_relations_by_hand() {
         ("004.(1)", "δ₁₂", 3.0),
         ("004.(2)", "δ₂₄", 3.0),
         ("004.coaxial", "δ₁₂ + δ₂₄", 6.0),
+        ("004.open", "δ₁₂", 3.0),
+        ("004.open", "δ₂₄", 3.0),
         ("004.open", "c₁₂", -5.0),
         ("004.open", "c₂₄", -5.0),
     ] {

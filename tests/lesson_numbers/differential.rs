@@ -99,7 +99,10 @@ fn expected() -> BTreeMap<&'static str, Vec<f64>> {
             ],
         ),
         ("hold.hint", vec![0.0, 7.0]),
-        ("superposition.text", vec![4.0, 5.0, 6.0, 4.0, 7.0]),
+        (
+            "superposition.text",
+            vec![4.0, 5.0, 6.0, 4.0, 7.0, 1.0, 30.0],
+        ),
         ("superposition.hint", vec![5.0]),
         ("ratios.text", vec![sun, carrier, ring, 8.0, 9.0, 10.0]),
         ("ratios.right", vec![1.0, 2.0]),

@@ -121,8 +121,17 @@ export class Paper {
  * @returns {Node[]} its number in the paper and its formulas as they are printed
  */
 function head({ item, printed }) {
-  const [label] = /\(\d+\)/.exec(item) ?? [""];
+  const label = labelled(item);
   return [...(label === "" ? [] : [make("b", {}, [label])]), ...printed.map(math)];
+}
+
+/**
+ * @param {string} item the id of an item: the paper, then what it is
+ * @returns {string} the number of an equation, with its brackets; empty of all that is none
+ */
+export function labelled(item) {
+  const [, label = ""] = /^\d+\.(\(\d+\))/.exec(item) ?? [];
+  return label;
 }
 
 /**
@@ -131,7 +140,7 @@ function head({ item, printed }) {
  * @returns {Node[]} whether it holds, why, and what holds instead
  */
 function verdict(item, words) {
-  const key = `paper.${item.item.slice(item.item.indexOf(".") + 1)}`;
+  const key = keyOf(item.item);
   const said = words.has(key) ? [make("p", {}, withSubscripts(words.text(key)))] : [];
   return [...said, ...holds(item, words)];
 }
@@ -142,7 +151,16 @@ function verdict(item, words) {
  * @returns {Node[]} whether it holds, and what holds instead
  */
 function holds({ verdict: held, instead }, words) {
-  return [make("p", { class: "paper-verdict", "data-verdict": held }, [words.text(`lesson.printed.${held}`)]), ...instead.map(math)];
+  const led = held === "false" && instead.length > 0 ? [make("p", {}, [words.text("lesson.paper.instead")])] : [];
+  return [make("p", { class: "paper-verdict", "data-verdict": held }, [words.text(`lesson.printed.${held}`)]), ...led, ...instead.map(math)];
+}
+
+/**
+ * @param {string} item
+ * @returns {string} the key of what is said of it; what is said of its numbers, if it has words of its own for them, begins with it
+ */
+function keyOf(item) {
+  return `paper.${item.slice(item.indexOf(".") + 1)}`;
 }
 
 /**
@@ -150,16 +168,20 @@ function holds({ verdict: held, instead }, words) {
  * @param {Words} words
  * @returns {string} its value and, where that is another, the one by the relation as it is printed
  */
-export function compared({ name, angle, count, value, printed }, words) {
+export function compared({ item, name, angle, turned, count, value, printed }, words) {
+  const said = (/** @type {string} */ common) => {
+    const own = `${keyOf(item)}${common.slice(common.lastIndexOf("."))}`;
+    return words.has(own) ? own : common;
+  };
   const number = (/** @type {number} */ one) => {
     if (count) return words.numbers.exact(one);
     return angle ? `${words.numbers.fixed(degrees(one), IN_DEGREES)}°` : words.numbers.fixed(one, DECIMALS);
   };
-  if (printed === null) return words.text("lesson.paper.undefined", { name, value: number(value) });
+  if (printed === null) return words.text(said("lesson.paper.undefined"), { name, value: number(value) });
   const off = printed - value;
-  const apart = angle ? off - 2 * Math.PI * Math.round(off / (2 * Math.PI)) : off;
+  const apart = angle && !turned ? off - 2 * Math.PI * Math.round(off / (2 * Math.PI)) : off;
   if (Math.abs(apart) <= SAME * (1 + Math.abs(value))) return `${name} = ${number(value)}`;
-  return words.text("lesson.paper.differs", { name, value: number(value), printed: number(printed), off: number(apart) });
+  return words.text(said("lesson.paper.differs"), { name, value: number(value), printed: number(printed), off: number(apart) });
 }
 
 /** @param {string} text an element of MathML, made by the build */

@@ -83,6 +83,8 @@ pub(crate) struct RelationHere {
     name: Cow<'static, str>,
     /// Whether it is an angle, radians.
     angle: bool,
+    /// Whether it is an angle through which something has turned, so that whole turns count.
+    turned: bool,
     /// Whether it counts something, and is a whole number.
     count: bool,
     value: f64,
@@ -96,6 +98,7 @@ impl From<Relation> for RelationHere {
             item: relation.item,
             name: relation.name,
             angle: relation.is_angle,
+            turned: relation.is_turned,
             count: relation.is_count,
             value: relation.value,
             printed: relation.printed,

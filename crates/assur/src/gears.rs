@@ -27,7 +27,7 @@ pub enum Mesh {
     External,
     /// The larger wheel is a ring with inner teeth: the sense is kept.
     Internal,
-    /// The mixer paper's (26), φ₅ = +u φ₃, with outer teeth on both. A pair of
+    /// The mixer paper's (26), ψ₅ = +u φ₃, with outer teeth on both. A pair of
     /// such wheels would reverse the sense; the sign is that of a train with an
     /// idler between them, and so it is drawn.
     AsPrinted,
@@ -123,7 +123,7 @@ impl GearPair {
         self.centre_line
     }
 
-    /// The signed transmission ratio dφ₅/dφ₃: −u in external mesh, +u in
+    /// The signed transmission ratio dψ₅/dφ₃: −u in external mesh, +u in
     /// internal mesh and as printed.
     pub fn ratio(&self) -> f64 {
         let u = f64::from(self.driver) / f64::from(self.driven);

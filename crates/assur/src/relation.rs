@@ -13,6 +13,8 @@ pub struct Relation {
     pub name: Cow<'static, str>,
     /// Whether it is an angle, radians; else a length or a number.
     pub is_angle: bool,
+    /// Whether it is an angle through which something has turned, so that whole turns count; any other angle is a direction.
+    pub is_turned: bool,
     /// Whether it counts something, and is a whole number.
     pub is_count: bool,
     /// Its value in the pose.
@@ -32,10 +34,20 @@ impl Relation {
             item,
             name: name.into(),
             is_angle: false,
+            is_turned: false,
             is_count: false,
             value,
             printed: printed.is_finite().then_some(printed),
         }
+    }
+
+    /// A quantity that is shown beside the relations, of which nothing else is printed.
+    pub(crate) fn shown(
+        item: &'static str,
+        name: impl Into<Cow<'static, str>>,
+        value: f64,
+    ) -> Self {
+        Self::of(item, name, value, value)
     }
 
     /// Both coordinates of a vector.
@@ -60,6 +72,18 @@ impl Relation {
         Self {
             is_angle: true,
             ..Self::of(item, name, value, printed)
+        }
+    }
+
+    pub(crate) fn turned(
+        item: &'static str,
+        name: impl Into<Cow<'static, str>>,
+        value: f64,
+        printed: f64,
+    ) -> Self {
+        Self {
+            is_turned: true,
+            ..Self::angle(item, name, value, printed)
         }
     }
 

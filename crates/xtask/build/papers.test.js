@@ -48,6 +48,14 @@ function file(place) {
   return place.split(" ")[0];
 }
 
+test("the tests that docs/errata.md names are there", () => {
+  const tests = ["tests/errata.rs", ...readdirSync(path.join(ROOT, "tests/errata"), { recursive: true, encoding: "utf8" }).map((name) => `tests/errata/${name}`)];
+  const written = tests.filter((name) => name.endsWith(".rs")).map(read).join("\n");
+  const named = [...read("docs/errata.md").matchAll(/`(?:tests\/errata\.rs::)?((?:mixer|class4|synthesis|mobility|differential)_[a-z0-9_]+)`/g)].map(([, name]) => name);
+  assert.ok(named.length > 50, `${named.length}`);
+  for (const name of named) assert.match(written, new RegExp(`fn ${name}\\(`), name);
+});
+
 test("equations and worked numbers have a test", () => {
   for (const { item, printed = [], test: check } of PAPERS.flatMap(({ items }) => items)) if (printed.length > 0 || /\.case/.test(item)) assert.ok(check, item);
 });

@@ -72,11 +72,11 @@ function wide(label, content) {
 
 /**
  * @param {string} name as 3/1(4)
- * @returns {string} u₃₁⁽⁴⁾
+ * @returns {string} U₃₁⁽⁴⁾
  */
 export function notation(name) {
   const [, of, to, held] = /^(\d)\/(\d)\((\d)\)$/.exec(name) ?? [];
-  return `u${subscript(of + to)}⁽${HIGH[/** @type {"1" | "3" | "4"} */ (held)]}⁾`;
+  return `U${subscript(of + to)}⁽${HIGH[/** @type {"1" | "3" | "4"} */ (held)]}⁾`;
 }
 
 /**

@@ -5,7 +5,7 @@
  * @typedef {import("assur/engine.js").Summaries["gear-train"]} Summary
  */
 
-/** The six ratios u_ij⁽ᵏ⁾, by i and j. */
+/** The six ratios U_ij⁽ᵏ⁾, by i and j. */
 const RATIOS = Object.freeze(["13", "31", "34", "43", "14", "41"]);
 
 /** @type {import("assur/lesson/folder.js").Lesson<"gear-train">} */

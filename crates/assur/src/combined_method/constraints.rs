@@ -247,7 +247,8 @@ fn differences(places: &Places) -> Vec<Relation> {
         (["x_LH", "y_LH"], places.lh()),
     ];
     let all = all.into_iter();
-    all.flat_map(|(names, way)| Relation::both("003.diff", names, way[0], way[0]))
+    all.flat_map(|([x, y], [way, ..])| [(x, way.x), (y, way.y)])
+        .map(|(name, value)| Relation::shown("003.diff", name, value))
         .collect()
 }
 
@@ -262,12 +263,12 @@ fn letters(places: &Places) -> Vec<Relation> {
     for ([one, other, corner], way, ratio) in sides {
         let (length, angle) = (way[0].norm(), ratio.y.atan2(ratio.x));
         let second = length * ratio.norm();
-        all.push(Relation::of("003.letters", one, length, length));
-        all.push(Relation::of("003.letters", other, second, second));
+        all.push(Relation::shown("003.letters", one, length));
+        all.push(Relation::shown("003.letters", other, second));
         all.push(Relation::angle("003.letters", corner, angle, angle));
     }
     let output = places.cd()[0].norm();
-    all.push(Relation::of("003.letters", "c", output, output));
+    all.push(Relation::shown("003.letters", "c", output));
     all
 }
 

@@ -129,7 +129,7 @@ impl First {
         all
     }
 
-    fn printed_b(&self, places: &Places) -> [Relation; 5] {
+    fn printed_b(&self, places: &Places) -> [Relation; 6] {
         let c = &self.c;
         let [_, b1, b2, b3, b4, b5] = self.b;
         let [fk, gh, lh] = [places.fk(), places.gh(), places.lh()].map(|way| way[0]);
@@ -144,6 +144,7 @@ impl First {
         [
             Relation::of("003.b1", "b_1", b1, printed[0]),
             Relation::of("003.b2", "b_2", b2, printed[1]),
+            Relation::shown("003.b2", "y_GH", gh.y),
             Relation::of("003.b3", "b_3", b3, printed[2]),
             Relation::of("003.b4", "b_4", b4, printed[3]),
             Relation::of("003.b5", "b_5", b5, printed[4]),

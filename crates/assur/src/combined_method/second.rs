@@ -222,7 +222,7 @@ pub(super) fn chain(places: &Places, first: &First) -> Vec<Relation> {
         ("Λ", first.lambda),
         ("1 − |f_L|²", apart),
     ] {
-        all.push(Relation::of("003.chain", name, divisor, divisor));
+        all.push(Relation::shown("003.chain", name, divisor));
     }
     all
 }

@@ -44,7 +44,7 @@ pub(super) fn rows(places: &Places, first: &First, second: &Second) -> Vec<Relat
     let named = all.into_iter().flat_map(|(item, coefficients, right)| {
         let numbers = coefficients.into_iter().chain(right);
         let named = NAMES.into_iter().zip(numbers);
-        named.map(move |(name, value)| Relation::of(item, name, value, value))
+        named.map(move |(name, value)| Relation::shown(item, name, value))
     });
     named.collect()
 }

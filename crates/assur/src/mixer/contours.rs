@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::Mixer;
 use crate::relation::Relation;
-use crate::{Assembly, FourBar, Link, Offset, Pose, Unsolved};
+use crate::{Assembly, FourBar, Link, Offset, Pose, Unsolved, Vector};
 
 impl Mixer {
     /// The paper's relations at a crank angle φ₁, radians, in the order of the paper. Lengths are in the unit of the
@@ -22,14 +22,16 @@ impl Mixer {
         Ok(all)
     }
 
-    /// (2) to (6): the triangles ABD and BCD. The paper's first assembly is the one with φ₃₅ less than half a turn.
+    /// (1) to (6): the triangles ABD and BCD. The paper's first assembly is the one with φ₃₅ less than half a turn.
     fn triangles(&self, pose: &Pose<3>) -> Result<Vec<Relation>, Unsolved> {
         let [l1, l2, l3, l4] = self.linkage.lengths();
         let crank = pose.crank.value();
         let (sin, cos) = crank.sin_cos();
         let l5 = (l4 - l1 * cos).hypot(l1 * sin);
         let phi5 = (-l1 * sin).atan2(l4 - l1 * cos);
-        let mut all = vec![
+        let sum = along(l1, crank) + along(l5, phi5) - along(l4, 0.0);
+        let mut all = Vec::from(closed("002.(1)", sum));
+        all.extend([
             Relation::of("002.(2)", "Σx", 0.0, l1 * cos + l5 * phi5.cos() - l4),
             Relation::of("002.(2)", "Σy", 0.0, l1 * sin + l5 * phi5.sin()),
             Relation::angle(
@@ -39,7 +41,7 @@ impl Mixer {
                 (-l1 * sin / (l4 - l1 * cos)).atan(),
             ),
             Relation::of("002.(3)l5", "l₅", l5, -l1 * sin / phi5.sin()),
-        ];
+        ]);
         let here = pose.rocker.value() - phi5;
         let at_b = pose.coupler.value() - phi5;
         all.extend([
@@ -89,14 +91,14 @@ impl Mixer {
         Ok(all)
     }
 
-    /// (25), (26): the wheels, with u as the paper has it, without a sign.
+    /// (25), (26): the wheels, with u as the paper has it, without a sign; and u, which has one.
     fn wheels(&self, pose: &Pose<3>) -> Vec<Relation> {
         let mut all = Vec::new();
         let strokes = [["ψ₄", "ψ₅"], ["ψ₄′", "ψ₅′"], ["ψ₄″", "ψ₅″"]];
         let first = self.gears.pairs().first();
         for (order, names) in strokes.into_iter().enumerate() {
             let relation = if order == 0 {
-                Relation::angle
+                Relation::turned
             } else {
                 Relation::of
             };
@@ -107,11 +109,25 @@ impl Mixer {
                 relation("002.(26)", names[1], driven, pair.ratio().abs() * rocker)
             }));
         }
+        all.extend(first.map(|pair| {
+            let rates = [pair.driven(pose.rocker), pose.rocker].map(|angle| angle.derivative(1));
+            Relation::of("002.u", "u", pair.ratio(), rates[0] / rates[1])
+        }));
         all
     }
 }
 
-/// (8) to (13): the contour ABCD, both sides of each equation, and the analogues.
+/// A vector by its length and direction.
+fn along(length: f64, angle: f64) -> Vector {
+    Vector::new(angle.cos(), angle.sin()) * length
+}
+
+/// The sum of the vectors of a closed contour.
+fn closed(item: &'static str, sum: Vector) -> [Relation; 2] {
+    Relation::both(item, ["Σx", "Σy"], Vector::zeros(), sum)
+}
+
+/// (7) to (13): the contour ABCD, both sides of each equation, and the analogues.
 fn derivatives(linkage: &FourBar, pose: &Pose<3>) -> Vec<Relation> {
     let [l1, l2, l3, l4] = linkage.lengths();
     let (s1, c1) = pose.crank.value().sin_cos();
@@ -120,7 +136,9 @@ fn derivatives(linkage: &FourBar, pose: &Pose<3>) -> Vec<Relation> {
     let p1 = pose.crank.value();
     let ((s2, c2), (s3, c3)) = (p2.sin_cos(), p3.sin_cos());
     let [sin32, cos32] = [(p3 - p2).sin(), (p3 - p2).cos()];
-    vec![
+    let links = along(l1, p1) + along(l2, p2) - along(l3, p3) - along(l4, 0.0);
+    let mut all = Vec::from(closed("002.(7)", links));
+    all.extend([
         Relation::of("002.(8)", "l₃ cos φ₃", l3 * c3, -l4 + l1 * c1 + l2 * c2),
         Relation::of("002.(8)", "l₃ sin φ₃", l3 * s3, l1 * s1 + l2 * s2),
         Relation::of(
@@ -161,7 +179,8 @@ fn derivatives(linkage: &FourBar, pose: &Pose<3>) -> Vec<Relation> {
             a2,
             (l1 * (p1 - p3).cos() - v3 * v3 * l3 + v2 * v2 * l2 * cos32) / (l2 * sin32),
         ),
-    ]
+    ]);
+    all
 }
 
 /// (14) to (24): the centres of mass in the middles of crank, coupler and rocker.
@@ -176,13 +195,18 @@ fn centres(linkage: &FourBar, pose: &Pose<3>) -> Vec<Relation> {
         .map(|link| linkage.carried(pose, link, Offset::MIDDLE));
     let x = |centre: usize, order: usize| places[centre].derivative(order).x;
     let y = |centre: usize, order: usize| places[centre].derivative(order).y;
-    vec![
+    let of_c2 = along(l1, pose.crank.value()) + along(h2, p2) - places[1].derivative(0);
+    let of_c3 = places[2].derivative(0) - along(h3, p3) - along(l4, 0.0);
+    let mut all = vec![
         Relation::of("002.(14)", "x_C1", x(0, 0), h1 * c1),
         Relation::of("002.(14)", "y_C1", y(0, 0), h1 * s1),
         Relation::of("002.(15)", "x′_C1", x(0, 1), -h1 * s1),
         Relation::of("002.(15)", "y′_C1", y(0, 1), h1 * c1),
         Relation::of("002.(16)x", "x″_C1", x(0, 2), -h1 * c1),
         Relation::of("002.(16)y", "y″_C1", y(0, 2), h1 * s1),
+    ];
+    all.extend(closed("002.(17)", of_c2));
+    all.extend([
         Relation::of("002.(18)", "x_C2", x(1, 0), l1 * c1 + h2 * c2),
         Relation::of("002.(18)", "y_C2", y(1, 0), l1 * s1 + h2 * s2),
         Relation::of("002.(19)", "x′_C2", x(1, 1), -l1 * s1 - h2 * s2 * v2),
@@ -199,6 +223,9 @@ fn centres(linkage: &FourBar, pose: &Pose<3>) -> Vec<Relation> {
             y(1, 2),
             -l1 * s1 - h2 * s2 * v2 * v2 + h2 * c2 * a2,
         ),
+    ]);
+    all.extend(closed("002.(21)", of_c3));
+    all.extend([
         Relation::of("002.(22)", "x_C3", x(2, 0), l4 + h3 * c3),
         Relation::of("002.(22)", "y_C3", y(2, 0), h3 * s3),
         Relation::of("002.(23)", "x′_C3", x(2, 1), -h3 * s3 * v3),
@@ -215,5 +242,6 @@ fn centres(linkage: &FourBar, pose: &Pose<3>) -> Vec<Relation> {
             y(2, 2),
             h3 * s3 * v3 * v3 + h3 * c3 * a3,
         ),
-    ]
+    ]);
+    all
 }

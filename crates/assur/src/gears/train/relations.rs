@@ -42,8 +42,10 @@ impl Layout {
             Relation::of("004.(1)", "δ₁₂", gaps[0], distance - least),
             Relation::of("004.(2)", "δ₂₄", gaps[1], distance - most),
             Relation::of("004.coaxial", "δ₁₂ + δ₂₄", gaps[0] + gaps[1], most - least),
-            Relation::of("004.open", "c₁₂", clearances[0], gaps[0]),
-            Relation::of("004.open", "c₂₄", clearances[1], gaps[1]),
+            Relation::shown("004.open", "δ₁₂", gaps[0]),
+            Relation::shown("004.open", "δ₂₄", gaps[1]),
+            Relation::shown("004.open", "c₁₂", clearances[0]),
+            Relation::shown("004.open", "c₂₄", clearances[1]),
         ]
     }
 
