@@ -23,7 +23,7 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-const BUILT: [(&str, &[&str]); 63] = [
+const BUILT: [(&str, &[&str]); 64] = [
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
@@ -74,6 +74,7 @@ const BUILT: [(&str, &[&str]); 63] = [
     ("lesson.", &["www/lesson/panel.js"]),
     // Whether an item of a paper holds.
     ("lesson.printed.", &["crates/xtask/build/papers.js"]),
+    ("lesson.instead.", &["crates/xtask/build/papers.js"]),
     // What the mechanisms of the catalogue call their links.
     ("link.", LINKS),
     ("import.", &["crates/assur-import/src/left_out.rs"]),
