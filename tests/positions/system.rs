@@ -41,7 +41,7 @@ fn ranks_of_the_system() {
         }
     }
     let line = System::new(&[angles([30.0, 210.0, 30.0])]).unwrap();
-    assert_eq!((line.rank, line.augmented_rank()), (1, 2));
+    assert_eq!((line.rank, line.augmented_rank()), (1, 1));
     assert_eq!(System::new(&[]), None);
 }
 
