@@ -272,6 +272,11 @@ fn synthesis_15_sign_before_the_coupler() {
             assert!(functional(&angles, of(1.0, z1)) < 1e-26);
             let open = functional(&angles, of(-1.0, z1)).sqrt();
             assert_near(open, 2.0 * z1, 1e-13, "open as printed");
+            let told = relations(&[angles], [z1, 1.0, 1.0], 10.0, &[[0.1, 0.2]]);
+            let mut gaps = told.iter().filter(|one| one.item == "000.(16)");
+            let gap = gaps.find(|one| one.name.contains('|')).unwrap();
+            assert_near(gap.value, 0.0, 1e-13, "the gap");
+            assert_near(gap.printed.unwrap(), 2.0 * z1, 1e-13, "as printed");
         }
         // The ends of the ranges: there a length is nothing, at −P/Q and not at P/Q.
         for k in 0..2 {
