@@ -147,7 +147,7 @@ fn class4_letters_are_those_of_the_drawing() {
     let draft = dwell();
     let at = |name: &str| draft.points.iter().find(|one| one.name == name).unwrap().at;
     let motion = drawn();
-    for crank in cranks().chain([motion.mechanism().home()]) {
+    for crank in cranks().chain([motion.mechanism().drawn_input()]) {
         let all = relations(&motion, crank);
         for (letter, from, to) in [
             ("g", "H", "G"),
@@ -174,7 +174,7 @@ fn class4_letters_are_those_of_the_drawing() {
             );
         }
     }
-    let (motion, home) = (&motion, motion.mechanism().home());
+    let (motion, home) = (&motion, motion.mechanism().drawn_input());
     let all = relations(motion, home);
     for way in [
         "EB", "EG", "GH", "GF", "CD", "FK", "KC", "LC", "FE", "LG", "LK", "LH",

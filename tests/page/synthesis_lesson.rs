@@ -58,6 +58,40 @@ async fn steps_have_their_tools() {
     page.close().await;
 }
 
+/// The main line of a step has a formula as it holds; the fold has both forms, and says which of them holds.
+#[tokio::test]
+async fn main_lines_have_what_holds() {
+    let page = Page::open().await;
+    lesson(&page).await;
+    go_on(&page, 2).await;
+    let formulas = async |place: &str, item: &str| {
+        let script = format!(
+            "return [...document.querySelectorAll('{place} [data-item=\"{item}\"] math')].map((one) => one.textContent.replaceAll(/\\s/g, ''))"
+        );
+        page.ask(&script).await
+    };
+    let main = ".lesson-body .printed:not(#lesson-paper *)";
+    let [right, wrong] = ["z2=P2+Q2z1", "z2=P2−Q2z1"];
+    assert_eq!(formulas(main, "000.(16)").await, json!([right]));
+    assert_eq!(
+        formulas("#lesson-paper", "000.(16)").await,
+        json!([wrong, right])
+    );
+    let said = "return [...document.querySelectorAll('#lesson-paper [data-item] .paper-verdict')].map((one) => one.textContent)";
+    let said = page.ask(said).await.to_string();
+    assert!(said.contains("It should read:"), "{said}");
+    // Theorem 5: what holds instead.
+    go_on(&page, 4).await;
+    let whole = formulas(main, "000.T5").await;
+    assert_eq!(whole.as_array().map(Vec::len), Some(4), "{whole}");
+    assert!(whole[2].as_str().unwrap().contains('¬'), "{whole}");
+    let said = page
+        .ask("return document.querySelector('#lesson-paper [data-item=\"000.T5\"] .paper-verdict').textContent")
+        .await;
+    assert_eq!(said, json!("It does not hold. What holds:"));
+    page.close().await;
+}
+
 /// The paper's own way: coupler angles are typed until (14) and (25) hold, then lengths are tried.
 #[tokio::test]
 async fn coupler_angles_and_lengths_are_tried() {

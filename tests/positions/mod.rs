@@ -14,4 +14,5 @@ mod ranking;
 mod recovered;
 mod refused;
 mod subsystems;
+mod system;
 mod theorems;

@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
 use assur::synthesis::four_bar::theorems::{
-    Alternative, Angles, System, Truth, Unknown, alternative, conditions, functional, opening,
-    theorems, third_pair, truth,
+    Alternative, Angles, Truth, Unknown, alternative, conditions, functional, opening, theorems,
+    third_pair, truth,
 };
 use assur::synthesis::four_bar::{Position, TwoPositions};
 
 use super::draw::{Dice, task};
 
+/// φ₁, φ₂, φ₃ in degrees, the frame along the x-axis.
 pub(super) fn angles(degrees: [f64; 3]) -> Angles {
     let [coupler, output, input] = degrees.map(f64::to_radians);
     Angles {
@@ -130,6 +131,19 @@ fn counted(sets: u32) -> Counts {
             let cases = cases.into_iter().filter(|number| holds(*number)).count();
             assert_eq!(cases, usize::from(truth_of(exact)), "{angles:?}");
         }
+        // Each case is a pair of signs of P and Q.
+        let by = angles.subsystem(Unknown::Coupler).unwrap();
+        let [[p2, p3], [q2, q3]] = [by.constant, by.slope];
+        for (number, signs) in [
+            (33, p2 <= 0.0 && q2 > 0.0),
+            (34, p2 >= 0.0 && q2 > 0.0),
+            (35, p2 >= 0.0 && q2 < 0.0),
+            (36, p3 <= 0.0 && q3 > 0.0),
+            (37, p3 >= 0.0 && q3 < 0.0),
+            (38, p3 >= 0.0 && q3 > 0.0),
+        ] {
+            assert_eq!(holds(number), signs, "({number}) {angles:?}");
+        }
         // With the pair that it leaves out theorem 5 is exact; the cone says the same.
         let told = theorems(&angles).unwrap();
         let pair = third_pair(&angles).unwrap();
@@ -149,7 +163,6 @@ fn counted(sets: u32) -> Counts {
         let nearest = turns.iter().all(|turn| turns[0].abs() <= turn.abs());
         let beyond = one_side == [true; 3] || one_side == [false; 3];
         assert_eq!(fails[4], beyond && nearest, "{angles:?}");
-        let by = angles.subsystem(Unknown::Coupler).unwrap();
         let each = [0, 1].map(|k| alternative(by.constant[k], by.slope[k]));
         // Where every z₁ does for one length and some z₁ for the other, there are lengths.
         let enough = each.contains(&Alternative::Always) && !each.contains(&Alternative::Never);
@@ -319,43 +332,4 @@ fn two_positions_are_not_two_times_one() {
         line.output * line.right < 0.0 && line.input * line.right < 0.0,
         "{line:?}"
     );
-}
-
-/// One position: a Gram matrix of plane vectors, of rank two, or one where all are parallel; its
-/// least ΣJ is nothing. More positions have rank three.
-#[test]
-fn ranks_of_the_system() {
-    let mut dice = Dice::new(347);
-    for _ in 0..2000 {
-        let one = |dice: &mut Dice| Angles {
-            frame: dice.angle(),
-            coupler: dice.angle(),
-            output: dice.angle(),
-            input: dice.angle(),
-        };
-        let [a, b] = [one(&mut dice), one(&mut dice)];
-        let single = System::new(&[a]).unwrap();
-        assert_eq!((single.rank, single.minimum()), (2, None));
-        let both = System::new(&[a, b]).unwrap();
-        assert_eq!(both.rank, 3);
-        let least = both.minimum().unwrap();
-        let sum = |z: [f64; 3]| functional(&a, z) + functional(&b, z);
-        let size = least.iter().fold(1.0, |most: f64, z| most.max(z.abs()));
-        assert!((both.value(least) - sum(least)).abs() < 1e-12 * size * size);
-        let positive = both.positive_minimum();
-        assert!(positive.z.iter().all(|z| *z >= 0.0));
-        assert!((positive.value - sum(positive.z)).abs() < 1e-12 * (1.0 + sum(positive.z)));
-        assert!(positive.value >= sum(least) - 1e-12 * size * size);
-        for _ in 0..20 {
-            let near = positive.z.map(|z| (z + dice.between(-0.1, 0.1)).max(0.0));
-            assert!(sum(near) >= positive.value - 1e-12);
-        }
-        let solvable = truth(&a).unwrap().holds();
-        let alone = single.positive_minimum();
-        let size = alone.z.iter().fold(1.0, |most: f64, z| most.max(*z));
-        assert!(!solvable || alone.value < 1e-13 * size * size, "{alone:?}");
-    }
-    let line = angles([30.0, 210.0, 30.0]);
-    assert_eq!(System::new(&[line]).unwrap().rank, 1);
-    assert_eq!(System::new(&[]), None);
 }

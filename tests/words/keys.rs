@@ -2,7 +2,7 @@
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-pub(super) const BUILT: [(&str, &[&str]); 63] = [
+pub(super) const BUILT: [(&str, &[&str]); 64] = [
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
@@ -53,6 +53,7 @@ pub(super) const BUILT: [(&str, &[&str]); 63] = [
     ("lesson.", &["www/lesson/panel.js"]),
     // Whether an item of a paper holds.
     ("lesson.printed.", &["crates/xtask/build/papers.js"]),
+    ("lesson.instead.", &["crates/xtask/build/papers.js"]),
     // What the mechanisms of the catalogue call their links.
     ("link.", LINKS),
     ("import.", &["crates/assur-import/src/left_out.rs"]),

@@ -48,7 +48,7 @@ import { holds, open } from "assur/lesson/show.js";
  *   controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[], figure?: (engine: Engine) => Figure,
  * }>} Step
  * `kind`: of the documents that it shows and asks about, where it is not the lesson's; `formula`: one with a number in it is written with
- * the reader's decimal sign; `relations`: items of the paper in its main line. In the step itself stand its `controls`, by their fields, its `readouts`,
+ * the reader's decimal sign; `relations`: items of the paper in its main line, as they hold. In the step itself stand its `controls`, by their fields, its `readouts`,
  * by what follows `out-` in their ids, the parts of the page that it `lends`, by their ids, and a `figure` of its own.
  */
 

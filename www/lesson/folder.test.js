@@ -10,7 +10,7 @@ import { LANGUAGES, tableOf } from "assur/tests/words.js";
 const LESSONS = new URL("../lessons/", import.meta.url);
 const read = (path) => JSON.parse(readFileSync(new URL(path, LESSONS), "utf8"));
 
-/** What is right, by lesson and step; of a step whose buttons have names by those, null where nothing is right yet. */
+/** What is right, by lesson and step; of a step whose buttons have names by those, null where nothing is right yet, false where something else is asked about. */
 const LISTS = JSON.parse(readFileSync(new URL("../../tests/data/page/lesson_answers.json", import.meta.url), "utf8"));
 const ANSWERS = Object.fromEntries(Object.entries(LISTS).map(([id, steps]) => [id, Object.fromEntries(steps)]));
 
@@ -84,13 +84,17 @@ for (const [id, answers] of Object.entries(ANSWERS)) {
 
 /**
  * @param {object} step
- * @param {number | string | null} right
+ * @param {number | string | false | null} right
  * @param {import("assur/state/model.js").AnySnapshot} now
  * @param {{ words: Words, question: import("assur/lesson/panel.js").Question }[]} languages
  * @param {string} what
  */
 function check({ question: asked }, right, now, languages, what) {
   for (const { words, question } of languages) {
+    if (right === false) {
+      assert.deepEqual([question.judge("1", now), question.answer(now)], ["none", null], what);
+      continue;
+    }
     if (right === null) {
       // It is right once the reader has mended what is shown.
       for (const given of ["1", "20"]) assert.equal(question.judge(given, now), "not_yet", what);

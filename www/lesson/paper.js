@@ -66,7 +66,7 @@ export class Paper {
     this.#numbers = [];
     this.#written = [];
     this.#step = step;
-    this.main.replaceChildren(...items.filter(({ item }) => main.includes(item)).map((item) => this.#row(item)));
+    this.main.replaceChildren(...items.filter(({ item }) => main.includes(item)).map((item) => this.#row(asItHolds(item))));
     const wrong = closes ? this.#items.filter((item) => item.step !== step && WRONG.includes(item.verdict)) : [];
     /** @type {HTMLElement[][]} */
     const [rows, errata] = [items, wrong].map((some) => some.map((item) => this.#row(item, verdict(item, words))));
@@ -118,6 +118,14 @@ export class Paper {
 
 /**
  * @param {Item} item
+ * @returns {Item} with the formulas that hold, for the main line
+ */
+function asItHolds(item) {
+  return item.instead.length > 0 ? { ...item, printed: item.instead } : item;
+}
+
+/**
+ * @param {Item} item
  * @returns {Node[]} its number in the paper and its formulas as they are printed
  */
 function head({ item, printed }) {
@@ -151,8 +159,8 @@ function verdict(item, words) {
  * @returns {Node[]} whether it holds, and what holds instead
  */
 function holds({ verdict: held, instead }, words) {
-  const led = held === "false" && instead.length > 0 ? [make("p", {}, [words.text("lesson.paper.instead")])] : [];
-  return [make("p", { class: "paper-verdict", "data-verdict": held }, [words.text(`lesson.printed.${held}`)]), ...led, ...instead.map(math)];
+  const said = [`lesson.printed.${held}`, ...(instead.length > 0 ? [`lesson.instead.${held}`] : [])].filter((key) => words.has(key));
+  return [make("p", { class: "paper-verdict", "data-verdict": held }, [said.map((key) => words.text(key)).join(" ")]), ...instead.map(math)];
 }
 
 /**

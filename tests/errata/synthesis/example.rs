@@ -9,21 +9,45 @@ use assur_tests::assert_near;
 
 use super::{PRINTED, angles, example, member};
 
-/// Two positions: with z₁ given, the main equation is of the fourth degree in Z; with z₂ given all is linear.
+/// Two positions with z₁ given: the main equation makes u = 1/z₂ and v = 1/z₃ linear in Z, and what Z stands for is then an equation
+/// of the fourth degree in it, of which a member of the family is a root. With z₂ given all is linear: `TwoPositions`.
 #[test]
 fn synthesis_two_positions_are_a_quartic() {
-    let (solution, _) = member();
-    let Proportions {
-        coupler,
-        output,
-        input,
-    } = solution.proportions;
-    let [u, v] = [output.recip(), input.recip()];
+    let (solution, positions) = member();
+    let z = solution.proportions;
+    let coupler = z.coupler;
+    // e₀e₃ u + e₀e₂ v = e₂e₃ − Z in both positions.
+    let rows = positions.map(|at| [at.input.cos(), at.output.cos()]);
+    let between = positions.map(|at| (at.output - at.input).cos());
+    let across = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
+    let lengths = |constant: f64| {
+        let right = between.map(|one| one - constant);
+        let u = (right[0] * rows[1][1] - right[1] * rows[0][1]) / across;
+        let v = (right[1] * rows[0][0] - right[0] * rows[1][0]) / across;
+        [u, v]
+    };
+    let left = |constant: f64| {
+        let [u, v] = lengths(constant);
+        (coupler.powi(2) - 1.0) * (u * v).powi(2) - u * u - v * v - 2.0 * constant * u * v
+    };
     let constant =
-        (coupler.powi(2) - output.powi(2) - input.powi(2) - 1.0) / (2.0 * output * input);
-    let quartic =
-        (coupler.powi(2) - 1.0) * (u * v).powi(2) - u * u - v * v - 2.0 * constant * u * v;
-    assert_near(quartic, 0.0, 1e-12, "the quartic");
+        (coupler.powi(2) - z.output.powi(2) - z.input.powi(2) - 1.0) / (2.0 * z.output * z.input);
+    let [u, v] = lengths(constant);
+    assert_near(u, z.output.recip(), 1e-12, "1/z₂");
+    assert_near(v, z.input.recip(), 1e-12, "1/z₃");
+    assert_near(left(constant), 0.0, 1e-12, "a root");
+    assert!(left(constant + 0.1).abs() > 0.1, "no other number");
+    // Fourth differences of a polynomial of the fourth degree are one number, and not nothing; fifth ones are.
+    let values: Vec<f64> = (-3..=3).map(|k| left(f64::from(k))).collect();
+    let mut differences = values;
+    for _ in 0..4 {
+        differences = differences.windows(2).map(|two| two[1] - two[0]).collect();
+    }
+    for fourth in &differences {
+        assert_near(*fourth, -2511.74, 5e-3, "fourth differences");
+    }
+    let fifth = differences.windows(2).map(|two| two[1] - two[0]);
+    assert!(fifth.into_iter().all(|fifth| fifth.abs() < 1e-9));
 }
 
 /// Three positions: the linear system in Z, 1/z₂, 1/z₃ tells whether there are positive lengths, which the paper calls

@@ -1,7 +1,7 @@
 //! The conditions and theorems, as they are printed.
 
 use assur::synthesis::four_bar::theorems::{
-    Truth, Unknown, conditions, functional, theorems, truth,
+    Angles, Truth, Unknown, conditions, functional, theorems, truth,
 };
 use assur::synthesis::four_bar::{Frame, Position, Task, TwoPositions};
 
@@ -31,6 +31,26 @@ fn synthesis_14_leaves_out_what_is_always_positive() {
     assert!(!told[0].conditions && told[0].truth);
     assert!(!told[2].conditions && told[2].truth);
     assert!(told[4].conditions && told[4].truth);
+}
+
+/// (29) and (30) are (14) and (25) with strict signs: where Q is nothing, the coupler being parallel to input or output, the loose ones
+/// hold and the strict ones do not, and theorem 4 does not apply.
+#[test]
+fn synthesis_29_and_30_are_strict() {
+    for (degrees, loose, strict) in [
+        ([45.0, 240.0, 45.0], 14, 29),
+        ([240.0, 240.0, 45.0], 25, 30),
+    ] {
+        let angles = angles(degrees);
+        let by = angles.subsystem(Unknown::Coupler).unwrap();
+        assert_eq!(by.slope[usize::from(loose == 25)], 0.0);
+        let holds = |number: u8| {
+            let all = conditions(&angles);
+            all.iter().any(|one| one.number == number && one.holds)
+        };
+        assert!(holds(loose) && !holds(strict), "{degrees:?}");
+        assert!(!theorems(&angles).unwrap()[3].conditions, "{degrees:?}");
+    }
 }
 
 /// Theorems 1 and 2 tell when lengths are real: always, where (13) holds, whatever φ₁ is; (14) and (25) add nothing.
@@ -119,4 +139,41 @@ fn synthesis_12_alone_is_solvable_in_every_position() {
             assert!(off.abs() < 1e-13, "{angles:?} {off}");
         }
     }
+}
+
+/// Revolute pairs alone are a restriction. With a slider in place of the output its direction is the same in both positions and its
+/// length another in each: a crank and a coupler of given lengths take up both, where no four-bar with one length of the output does.
+#[test]
+fn synthesis_revolute_pairs_are_a_restriction() {
+    let guide = 200.0_f64.to_radians();
+    let inputs = [45.0_f64, 60.0].map(f64::to_radians);
+    let positions = inputs.map(|input| Position::new(guide, input));
+    let frame = Frame {
+        length: 1.0,
+        angle: 0.0,
+    };
+    let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
+    assert!(matches!(
+        TwoPositions::new(&task),
+        Some(TwoPositions::None(_))
+    ));
+    let (coupler, input) = (0.9, 0.4);
+    let outputs = inputs.map(|turn| {
+        // p = e₀ − z₃e₃ is z₁ from the guide's point z₂e₂.
+        let p = [1.0 - input * turn.cos(), -input * turn.sin()];
+        let along = p[0] * guide.cos() + p[1] * guide.sin();
+        let across = p[0] * guide.sin() - p[1] * guide.cos();
+        let output = along + (coupler * coupler - across * across).sqrt();
+        let gap = [p[0] - output * guide.cos(), p[1] - output * guide.sin()];
+        let angles = Angles {
+            frame: 0.0,
+            coupler: gap[1].atan2(gap[0]),
+            output: guide,
+            input: turn,
+        };
+        assert!(functional(&angles, [coupler, output, input]) < 1e-30);
+        output
+    });
+    assert!(outputs.iter().all(|output| *output > 0.01));
+    assert!((outputs[0] - outputs[1]).abs() > 0.1, "{outputs:?}");
 }

@@ -9,6 +9,12 @@ import { degrees } from "assur/core/angles.js";
 /** Which of the lengths the shortest one is, in the order of the links. */
 const LINKS = Object.freeze(["coupler", "output", "input", "frame"]);
 
+/** The example of the paper: l₀, and φ₂ and φ₃ of its positions, degrees. */
+const EXAMPLE = Object.freeze({ frame: 10.4, positions: [[240, 45], [253, 60]] });
+
+/** Numbers that differ by less are the same. */
+const SAME = 1e-9;
+
 /** @type {import("assur/lesson/folder.js").Lesson<"synthesis">} */
 export const LESSON = Object.freeze({ kind: "synthesis", steps: [
   {
@@ -129,9 +135,13 @@ function first({ wanted: [one] }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} the least l₂ at which the class of a family's members changes
+ * @returns {number | undefined} the least l₂ at which the class of a family's members changes, of the example of the paper
  */
-function grashofFrom({ family }) {
+function grashofFrom({ family, wanted, frame }) {
+  const near = (/** @type {number} */ one, /** @type {number} */ other) => Math.abs(one - other) < SAME;
+  /** @type {(position: Summary["wanted"][number], k: number) => boolean} */
+  const given = ({ output, input }, k) => EXAMPLE.positions[k].every((angle, i) => near(angle, degrees([output, input][i])));
+  if (!near(frame, EXAMPLE.frame) || wanted.length !== EXAMPLE.positions.length || !wanted.every(given)) return undefined;
   const changes = family?.changes.map(([, output]) => output) ?? [];
   return changes.length > 0 ? Math.min(...changes) : undefined;
 }

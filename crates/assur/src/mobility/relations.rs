@@ -48,6 +48,8 @@ impl Scheme {
             } else {
                 // As a mechanism that has W = 1 for all that.
                 relation("001.fig2a.q.meaning", "W", open.mobility, 1);
+                let printed = in_space + 1 - of_space;
+                relation("001.fig2a.q.meaning", "q", open.redundant, printed);
             }
             if let Some(by_plane) = counts.redundant_by_plane() {
                 let ones = sum(&counts.pairs, |_| 1);

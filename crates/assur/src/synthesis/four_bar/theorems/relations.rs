@@ -1,12 +1,14 @@
 //! The formulas of the paper in numbers, as they hold and as they are printed (Sinchev and Mukhanova, (3) to (38)).
 
-use super::{Angles, Subsystem, System, Unknown, functional, opening, third_pair};
+use super::{
+    Alternative, Angles, Subsystem, System, Unknown, alternative, functional, opening, third_pair,
+};
 use crate::relation::Relation;
 
 /// The relations of the paper at each of some positions, in the order of the paper, named with the position's number. `z` are
-/// z₁, z₂, z₃ of the lengths that are looked at: J and the gap are theirs. All other formulas are evaluated for the lengths that
-/// close the position: z₁ and the z₂, z₃ that follow from it; where (13) fails there are none. `length` is l₀, and `best` has
-/// of each position the coupler's angle at which these lengths leave the least open, and how much, in lengths of the frame.
+/// z₁, z₂, z₃ of the lengths that are looked at: (1), J and its derivatives, and the gap are theirs. All other formulas are evaluated for
+/// the lengths that close the position: z₁ and the z₂, z₃ that follow from it; where (13) fails there are none. `length` is l₀, and
+/// `best` has of each position the coupler's angle at which these lengths leave the least open, and how much, in lengths of the frame.
 /// Positions with an angle that is not finite have no relations.
 pub fn relations(
     positions: &[Angles],
@@ -15,15 +17,26 @@ pub fn relations(
     best: &[[f64; 2]],
 ) -> Vec<Relation> {
     let mut all = Vec::new();
+    for (name, z) in ["z₁", "z₂", "z₃"].into_iter().zip(z) {
+        all.push(Relation::of("000.z", name, z, z));
+    }
     if let Some(system) = System::new(positions) {
-        let sum = positions.iter().map(|angles| functional(angles, z)).sum();
-        all.push(Relation::of("000.lemma", "ΣJ", system.value(z), sum));
+        let sum = |z| positions.iter().map(|angles| functional(angles, z)).sum();
+        let least = system.positive_minimum();
+        all.push(Relation::of(
+            "000.lemma",
+            "min ΣJ",
+            least.value,
+            sum(least.z),
+        ));
+        all.push(Relation::of("000.lemma", "ΣJ", system.value(z), sum(z)));
     }
     for (k, (angles, [coupler, gap])) in positions.iter().zip(best).enumerate() {
         if !angles.is_finite() {
             continue;
         }
         let mut told = Told::new(k, angles);
+        told.contour(z, length);
         told.functional(z);
         told.system();
         if let Some(by) = angles.subsystem(Unknown::Coupler) {
@@ -107,8 +120,24 @@ impl<'a> Told<'a> {
         [frame, coupler, output, input][i]
     }
 
-    /// (3), and the products of directions.
+    /// (1): what is left of the contour, along the axes.
+    fn contour(&mut self, [z1, z2, z3]: [f64; 3], length: f64) {
+        let open = |of: fn(f64) -> f64| {
+            let links = z1 * of(self.turn(1)) + z2 * of(self.turn(2)) + z3 * of(self.turn(3));
+            length * (links - of(self.turn(0)))
+        };
+        let [x, y] = [open(f64::cos), open(f64::sin)];
+        self.same("000.(1)", "l₁e₁ + l₂e₂ + l₃e₃ − l₀e₀, x", x);
+        self.same("000.(1)", "l₁e₁ + l₂e₂ + l₃e₃ − l₀e₀, y", y);
+    }
+
+    /// (3), its least value and its derivatives (4), and the products of directions.
     fn functional(&mut self, [z1, z2, z3]: [f64; 3]) {
+        if let Some(system) = System::new(&[*self.angles]) {
+            let least = system.positive_minimum();
+            let there = functional(self.angles, least.z);
+            self.of("000.lemma", "min J", least.value, there);
+        }
         let squares = 1.0 + z1 * z1 + z2 * z2 + z3 * z3;
         let products =
             z1 * z2 * self.dot(1, 2) + z1 * z3 * self.dot(1, 3) + z2 * z3 * self.dot(2, 3);
@@ -130,14 +159,18 @@ impl<'a> Told<'a> {
         ] {
             self.same("000.(6)", name, self.dot(i, j));
         }
+        for (name, i) in [("∂J/∂z₁", 1), ("∂J/∂z₂", 2), ("∂J/∂z₃", 3)] {
+            let row = z1 * self.dot(i, 1) + z2 * self.dot(i, 2) + z3 * self.dot(i, 3);
+            self.same("000.(4)", name, 2.0 * (row - self.dot(0, i)));
+        }
     }
 
     /// The ranks, and the determinants of the subsystems in z₂, z₃.
     fn system(&mut self) {
         let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
         if let Some(system) = System::new(&[*self.angles]) {
-            let rank = isize::try_from(system.rank).unwrap_or_default();
-            for name in ["rank A", "rank Ā"] {
+            for (name, rank) in [("rank A", system.rank), ("rank Ā", system.augmented_rank())] {
+                let rank = isize::try_from(rank).unwrap_or_default();
                 let told = Relation::count("000.rank", self.name(name), rank, 2);
                 self.all.push(told);
             }
@@ -162,7 +195,7 @@ impl<'a> Told<'a> {
         );
     }
 
-    /// (4) to (16), (26), (31), (32): formulas of lengths that close the position.
+    /// (5) to (16), (26), (31), (32): formulas of lengths that close the position.
     fn closed(&mut self, by: &Subsystem, z1: f64) {
         let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
         let [e01, e02, e03] = [self.dot(0, 1), self.dot(0, 2), self.dot(0, 3)];
@@ -173,13 +206,6 @@ impl<'a> Told<'a> {
             e12 * z1 + z2 + e23 * z3,
             e13 * z1 + e23 * z2 + z3,
         ];
-        for (name, row, right) in [
-            ("∂J/∂z₁", rows[0], e01),
-            ("∂J/∂z₂", rows[1], e02),
-            ("∂J/∂z₃", rows[2], e03),
-        ] {
-            self.of("000.(4)", name, 2.0 * (row - right), 0.0);
-        }
         for (name, row, right) in [
             ("e₀e₁", rows[0], e01),
             ("e₀e₂", rows[1], e02),
@@ -203,11 +229,13 @@ impl<'a> Told<'a> {
         self.of("000.(10)", "−e₁e₂z₁", -e12 * z1, a);
         self.of("000.(10)", "−e₁e₃z₁", -e13 * z1, b);
         let across = 1.0 - e23 * e23;
-        let printed = a * a + b * b - 2.0 * a * b;
-        self.of("000.(11)", "z₁²(1 − (e₂e₃)²)", z1 * z1 * across, printed);
+        let eleventh = |between: f64| a * a + b * b - 2.0 * between * a * b;
+        self.of("000.(11)", "z₁²(1 − (e₂e₃)²)", eleventh(e23), eleventh(1.0));
         let constant = (z1 * z1 - z2 * z2 - z3 * z3 - 1.0) / (2.0 * z2 * z3);
-        self.of("000.(12)", "e₂e₃", e23, e03 * z2 + e02 * z3 - constant);
-        self.same("000.(12).Z", "Z", constant);
+        if constant.is_finite() {
+            self.of("000.(12)", "e₂e₃", e23, e03 * z2 + e02 * z3 - constant);
+            self.same("000.(12).Z", "Z", constant);
+        }
         for item in ["000.(13)", "000.(24)"] {
             self.of(item, "√(1 − (e₂e₃)²)", self.sin(3, 2).abs(), across.sqrt());
         }
@@ -234,6 +262,13 @@ impl<'a> Told<'a> {
             }
         }
         self.of("000.(16)", "z₂", z2, p2 - q2 * z1);
+        let printed = [z1, p2 - q2 * z1, p3 - q3 * z1];
+        self.of(
+            "000.(16)",
+            "|z₁e₁ + z₂e₂ + z₃e₃ − e₀|",
+            functional(self.angles, [z1, z2, z3]).sqrt(),
+            functional(self.angles, printed).sqrt(),
+        );
         self.of("000.(26)", "z₃", z3, p3 - q3 * z1);
         for (item, name, [sin, cos], z, i) in [
             (
@@ -284,9 +319,12 @@ impl<'a> Told<'a> {
         }
         if q2 != 0.0 {
             self.same("000.(20).cut", "z₁(z₂ = 0)", -p2 / q2);
-            for item in ["000.(21)", "000.(23)"] {
-                self.of(item, "z₁(z₂ = 0)", -p2 / q2, p2 / q2);
-            }
+        }
+        // Of the two ranges the one that applies, if one does.
+        match alternative(p2, q2) {
+            Alternative::First { below } => self.of("000.(21)", "z₁(z₂ = 0)", below, p2 / q2),
+            Alternative::Second { above } => self.of("000.(23)", "z₁(z₂ = 0)", above, p2 / q2),
+            Alternative::Always | Alternative::Never => {}
         }
     }
 

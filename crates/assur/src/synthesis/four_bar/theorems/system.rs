@@ -21,8 +21,7 @@ pub struct System {
     pub matrix: [[f64; 3]; 3],
     /// Σ eᵢ·e₀.
     pub right: [f64; 3],
-    /// The rank of the matrix, and of the matrix with the right-hand side: always the same, so
-    /// that there is a minimum.
+    /// The rank of the matrix.
     pub rank: usize,
     /// How many positions.
     pub positions: usize,
@@ -63,6 +62,18 @@ impl System {
             rank: rank(matrix),
             positions: positions.len(),
         })
+    }
+
+    /// The rank of the matrix with the right-hand side, that of A + bbᵀ: A has no negative eigenvalues, so that its columns and b
+    /// span what those of A + bbᵀ do. It is always the rank of the matrix alone: there is a minimum.
+    pub fn augmented_rank(&self) -> usize {
+        let mut matrix = self.matrix;
+        for (row, left) in matrix.iter_mut().zip(self.right) {
+            for (element, right) in row.iter_mut().zip(self.right) {
+                *element += left * right;
+            }
+        }
+        rank(matrix)
     }
 
     /// ΣJ.
