@@ -27,7 +27,7 @@ const METHODS = {
 
 /** What each function of the module is called with. */
 const FUNCTIONS = {
-  blank: [], catalogue: [], checkKeys: ["{}"], isImport: ["{}"], numbersOf: [state], qr_code: ["text"], readImport: ["{}"], readLesson: [{}], readState: [state], roleNames: [],
+  blank: [], catalogue: [], checkKeys: ["{}"], functionPositions: [{ of: "log10", x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] }, 3, false], isImport: ["{}"], numbersOf: [state], qr_code: ["text"], readImport: ["{}"], readLesson: [{}], readState: [state], roleNames: [],
   shelves: [], task: [1],
 };
 

@@ -1,9 +1,9 @@
-//! Documents to begin with.
+//! Documents to begin with, and positions of a synthesis.
 
-use assur_file::{Document, DraftDocument, Preset, Shelf};
+use assur_file::{Document, DraftDocument, FunctionDocument, Preset, Shelf};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-use crate::convert::{thrown, to_js};
+use crate::convert::{read_value, thrown, to_js};
 use crate::kinds::scheme_task;
 
 /// A task for practice, by its number: `{kind, document}`.
@@ -36,4 +36,19 @@ pub fn catalogue() -> Result<JsValue, JsValue> {
 pub fn shelves() -> Result<JsValue, JsValue> {
     let all: Result<Vec<Shelf>, _> = assur_file::shelves().collect();
     Ok(to_js(&all.map_err(thrown)?))
+}
+
+/// So many positions on a function, as a document has both: in Chebyshev's spacing, or in even steps with the ends.
+///
+/// # Errors
+/// What is wrong with the function.
+#[wasm_bindgen(js_name = functionPositions)]
+pub fn function_positions(
+    function: &JsValue,
+    count: usize,
+    even: bool,
+) -> Result<JsValue, JsValue> {
+    let function: FunctionDocument = read_value(function)?;
+    let positions = function.positions(count, even).map_err(thrown)?;
+    Ok(to_js(&positions))
 }
