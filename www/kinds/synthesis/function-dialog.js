@@ -53,7 +53,7 @@ export function openFunction(page) {
     event.preventDefault();
     const { value, problems } = attempt(() => made(form, page));
     form.mark(new Set(problems.map(({ field }) => field)));
-    problem.textContent = problems.map((one) => sentence(one, words)).join(" ");
+    problem.textContent = [...new Set(problems.map((one) => sentence(one, words)))].join(" ");
     if (!value) return;
     const [{ input_deg: input }] = value.positions;
     page.history.step(() => take({ document: value, input: radians(input) }, page));
@@ -93,10 +93,10 @@ function makeForm(document, words) {
   });
 
   const [kind, inner] = typeof of === "string" ? [of, null] : /** @type {["power" | "table", unknown]} */ (Object.entries(of)[0]);
-  const kinds = /** @type {[string, string][]} */ (/** @type {const} */ (["log10", "exp", "sin"]).map((one) => [one, formula(one, words)]));
-  kinds[2][1] = words.text("function.sin");
-  kinds.splice(1, 0, ["power", "y = x^p"]);
-  const chosen = select("function-of", [...kinds, ["table", words.text("function.table")]], kind);
+  const chosen = select("function-of", [
+    ["log10", formula("log10", words)], ["power", "y = x^p"], ["exp", formula("exp", words)],
+    ["sin", words.text("function.sin")], ["table", words.text("function.table")],
+  ], kind);
   const power = box("function-power", "function-power-name", numbers.exact(typeof inner === "number" ? inner : POWER));
   const powered = make("label", { id: "function-powered" }, [named("function-power-name", "function.power"), " ", power]);
   const rows = make("textarea", { id: "function-rows", class: "control", rows: "5", spellcheck: "false", "aria-labelledby": "function-rows-name" });
@@ -109,10 +109,10 @@ function makeForm(document, words) {
   const counts = Array.from({ length: MOST - 1 }, (_, k) => String(k + 2)).map((n) => /** @type {[string, string]} */ ([n, n]));
   const count = select("function-count", counts, String(document.function ? Math.min(document.positions.length, MOST) : COUNT));
   const spacing = select("function-spacing", [["chebyshev", words.text("function.chebyshev")], ["even", words.text("function.even")]], "chebyshev");
-  const table = [named("function-rows-name", "function.rows"), make("div", {}, [rows])];
+  const pasted = [named("function-rows-name", "function.rows"), make("div", {}, [rows])];
   const fit = () => {
     powered.hidden = chosen.value !== "power";
-    for (const one of table) one.hidden = chosen.value !== "table";
+    for (const one of pasted) one.hidden = chosen.value !== "table";
     // A table tells from where to where it goes.
     for (const one of ranges[0].row) one.hidden = chosen.value === "table";
   };
@@ -124,7 +124,7 @@ function makeForm(document, words) {
   return {
     rows: [
       named("function-of-name", "field.function.of"), make("div", {}, [chosen, powered]),
-      ...table, ...ranges.flatMap(({ row }) => row),
+      ...pasted, ...ranges.flatMap(({ row }) => row),
       named("function-count-name", "positions.heading"), make("div", {}, [count]),
       named("function-spacing-name", "function.spacing"), make("div", {}, [spacing]),
     ],
@@ -141,14 +141,17 @@ function makeForm(document, words) {
         if (value === null) problems.push({ code: "not_a_number", field });
         return value ?? 0;
       };
-      const pairs = chosen.value === "table" ? tableOf(rows.value, problems) : [];
-      const read = {
-        of: /** @type {Wanted["of"]} */ (chosen.value === "table" ? { table: pairs } : chosen.value === "power" ? { power: number(power.value, "function.power") } : chosen.value),
-        ...Object.fromEntries(ranges.filter(({ row }) => !row[0].hidden).map(({ part, boxes: [from, to] }) => [part, [number(from.value, `function.${part}`), number(to.value, `function.${part}`)]])),
+      const pair = (/** @type {number} */ k) => {
+        const { part, boxes: [from, to] } = ranges[k];
+        return /** @type {[number, number]} */ ([from, to].map((one) => number(one.value, `function.${part}`)));
       };
+      const table = chosen.value === "table" ? tableOf(rows.value, problems) : null;
+      const of = /** @type {Wanted["of"]} */ (table ? { table } : chosen.value === "power" ? { power: number(power.value, "function.power") } : chosen.value);
+      /** @type {Wanted["x"]} */
+      const x = table ? [table[0]?.[0] ?? 0, table.at(-1)?.[0] ?? 0] : pair(0);
+      const wanted = { of, x, input_deg: pair(1), output_deg: pair(2) };
       if (problems.length > 0) throw new Refusal(problems);
-      const whole = { x: [pairs[0]?.[0] ?? 0, pairs.at(-1)?.[0] ?? 0], ...read };
-      return { wanted: /** @type {Wanted} */ (whole), count: Number(count.value), even: spacing.value === "even" };
+      return { wanted, count: Number(count.value), even: spacing.value === "even" };
     },
   };
 }
