@@ -161,7 +161,7 @@ function makeForm(document, words) {
  * @param {Problem[]} problems where lines that are none are put down
  * @returns {[number, number][]}
  */
-function tableOf(text, problems) {
+export function tableOf(text, problems) {
   const lines = text.split("\n").map((line) => line.trim()).filter(Boolean);
   return lines.map((line, k) => {
     const parts = line.split(BETWEEN);
