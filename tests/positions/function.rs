@@ -108,8 +108,8 @@ fn functions_of_the_literature() {
         let curve = curve.unwrap().unwrap();
         assert!(curve.complete);
         let greatest = curve.greatest.unwrap();
-        assert_eq!(greatest.x, at);
-        assert!((greatest.error().unwrap() - error).abs() < 1e-13);
+        assert!((greatest.x - at).abs() < 1e-9);
+        assert!((greatest.error().unwrap() - error).abs() < 1e-12);
     };
     check(
         &f64::log10,

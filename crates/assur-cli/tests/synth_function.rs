@@ -1,7 +1,5 @@
 //! `assur synth --function` as it is run: positions on a function, how far linkages are off it, what is none.
 
-use serde_json::Value;
-
 use crate::synth::{json, number, refused, said, synth};
 
 const LOG: [&str; 8] = [
@@ -32,10 +30,8 @@ fn positions_on_a_function() {
     }
     let error = &solution["function"];
     assert!((number(&error["greatest_error"]) + 0.000521470237586174).abs() < 1e-12);
-    assert_eq!(
-        (number(&error["at_x"]), &error["unbroken"]),
-        (2.0, &Value::Bool(true))
-    );
+    assert!((number(&error["at_x"]) - 2.0).abs() < 1e-9);
+    assert_eq!(error["unbroken"], true);
     let text = said(&log(&["--frame", "10"]));
     for line in [
         "position       245.09775,120",
@@ -89,15 +85,15 @@ fn functions_that_are_none() {
     for (more, said) in [
         (
             vec!["--x", "2,2"],
-            "Interval of x: the two ends must be different numbers.",
+            "--x: the two ends must be different numbers.",
         ),
         (
             vec!["--x=-1,2"],
-            "Interval of x: the function has no value at x = -1.",
+            "--x: the function has no value at x = -1.",
         ),
         (
             vec!["--input", "9,9"],
-            "Driver φ₃: the two ends must be different numbers.",
+            "--input: the two ends must be different numbers.",
         ),
         (
             vec!["--function", "x^y"],

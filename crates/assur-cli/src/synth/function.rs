@@ -9,7 +9,7 @@ use crate::words::Words;
 
 /// What is asked for.
 #[derive(Args)]
-pub(crate) struct Asked {
+pub(crate) struct OnFunction {
     /// Instead of positions a function y = f(x): log10, exp, sin (x in degrees), x^P with a number P, or a file with x
     /// and y in each line. x becomes the angle of the driver, y that of the output link, both linearly.
     #[arg(long, value_name = "F", requires_all = ["input", "output"])]
@@ -36,6 +36,14 @@ pub(crate) struct Asked {
     even: bool,
 }
 
+/// How what is at fault is called here.
+const OPTIONS: [(&str, &str); 4] = [
+    ("function.of", "--function"),
+    ("function.x", "--x"),
+    ("function.input_deg", "--input"),
+    ("function.output_deg", "--output"),
+];
+
 /// Reads two numbers.
 fn pair(text: &str) -> Result<[f64; 2], String> {
     numbers(text).ok_or_else(|| "two numbers are wanted, as 1,2".to_owned())
@@ -49,7 +57,7 @@ fn numbers(text: &str) -> Option<[f64; 2]> {
     parts.ok()?.try_into().ok()
 }
 
-impl Asked {
+impl OnFunction {
     /// The positions on the function and the function, where one is asked for.
     ///
     /// # Errors
@@ -82,7 +90,11 @@ impl Asked {
                 let words = Words::english()?;
                 let said = problems.iter().map(|problem| words.sentence(problem));
                 let said: Vec<String> = said.collect::<Result<_, _>>()?;
-                return Err(Failure::Input(said.join("\n")));
+                let mut said = said.join("\n");
+                for (field, option) in OPTIONS {
+                    said = said.replace(field, option);
+                }
+                return Err(Failure::Input(said));
             }
         };
         let degrees = positions.iter().map(|position| Degrees {

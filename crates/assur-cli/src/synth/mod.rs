@@ -17,6 +17,7 @@ use serde_json::{Value, json};
 use crate::Failure;
 use crate::words::number;
 use described::Report;
+use function::OnFunction;
 
 /// Of a family so many members are shown, and of a search so many minima.
 const SHOWN: usize = 5;
@@ -29,7 +30,7 @@ pub(crate) struct Asked {
     #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required_unless_present = "function", conflicts_with = "function", value_parser = degrees, allow_hyphen_values = true)]
     positions: Vec<Degrees>,
     #[command(flatten)]
-    function: function::Asked,
+    function: OnFunction,
     /// Length of the frame; all lengths are in its unit.
     #[arg(
         value_parser = number,

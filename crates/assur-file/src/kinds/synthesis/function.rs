@@ -73,6 +73,11 @@ impl FunctionDocument {
     /// # Errors
     /// Every reason why it is none.
     pub fn wanted(&self) -> Result<Wanted, Vec<Problem>> {
+        self.mapped(f64::to_radians)
+    }
+
+    /// The function with its angles in another unit.
+    fn mapped(&self, unit: impl Fn(f64) -> f64) -> Result<Wanted, Vec<Problem>> {
         let f = self.of.function()?;
         let [from, to] = self.x;
         // Powers may have no value at 0, in the middle of the interval.
@@ -81,8 +86,7 @@ impl FunctionDocument {
         if let Some(x) = undefined.filter(|x| x.is_finite()) {
             return Err(problems(vec![FunctionError::Undefined { x }]));
         }
-        let [input, output] =
-            [self.input_deg, self.output_deg].map(|ends| ends.map(f64::to_radians));
+        let [input, output] = [self.input_deg, self.output_deg].map(|ends| ends.map(&unit));
         let mapping = Mapping::new(self.x, self.x.map(&f), input, output).map_err(problems)?;
         Ok(Wanted { mapping, f })
     }
@@ -96,7 +100,7 @@ impl FunctionDocument {
         count: usize,
         even: bool,
     ) -> Result<Vec<PositionDocument>, Vec<Problem>> {
-        let Wanted { mapping, f } = self.wanted()?;
+        let Wanted { mapping, f } = self.mapped(|degrees| degrees)?;
         let made = match count {
             0 | 1 => Err(FunctionError::Count(count)),
             _ if even => mapping.even(count, &f),
@@ -104,8 +108,8 @@ impl FunctionDocument {
         };
         let made = made.map_err(|error| problems(vec![error]))?;
         let saved = made.iter().map(|position| PositionDocument {
-            output_deg: position.output.to_degrees(),
-            input_deg: position.input.to_degrees(),
+            output_deg: position.output,
+            input_deg: position.input,
             weight: position.weight,
             coupler_deg: None,
         });
@@ -149,8 +153,12 @@ fn problems(errors: Vec<FunctionError>) -> Vec<Problem> {
             row: row + 1,
         },
     };
+    // Of one x there is one value.
+    let empty = errors.contains(&FunctionError::Interval);
+    let told = |error: &FunctionError| !empty || *error != FunctionError::Values;
     errors
         .into_iter()
+        .filter(told)
         .map(|error| problem(error).into())
         .collect()
 }
