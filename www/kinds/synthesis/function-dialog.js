@@ -89,7 +89,7 @@ function makeForm(document, words) {
     return box;
   };
   const box = (/** @type {string} */ id, /** @type {string} */ by, /** @type {string} */ value) => make("input", {
-    id, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", size: "7", "aria-labelledby": by, value,
+    id, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", size: "6", "aria-labelledby": by, value,
   });
 
   const [kind, inner] = typeof of === "string" ? [of, null] : /** @type {["power" | "table", unknown]} */ (Object.entries(of)[0]);
@@ -103,7 +103,7 @@ function makeForm(document, words) {
   rows.value = Array.isArray(inner) ? inner.map((row) => row.map(numbers.exact, numbers).join(" ")).join("\n") : "";
   const ranges = RANGES.map(([part, unit]) => {
     const boxes = ends[part].map((end, k) => box(`function-${part}-${k}`, `function-${part}-name function-${part}-${k}-name`, numbers.exact(end) + unit));
-    const cells = boxes.flatMap((one, k) => [named(`${one.id}-name`, k === 0 ? "function.from" : "function.to"), one]);
+    const cells = boxes.map((one, k) => make("span", { class: "function-end" }, [named(`${one.id}-name`, k === 0 ? "function.from" : "function.to"), " ", one]));
     return { part, boxes, row: [named(`function-${part}-name`, `field.function.${part}`), make("div", {}, cells)] };
   });
   const counts = Array.from({ length: MOST - 1 }, (_, k) => String(k + 2)).map((n) => /** @type {[string, string]} */ ([n, n]));

@@ -19,6 +19,7 @@ const SVG = "http://www.w3.org/2000/svg";
 const [WIDE, HIGH] = [100, 30];
 
 export class FunctionView {
+  #model;
   #said = make("p", { id: "function-said" });
   #plot = document.createElementNS(SVG, "svg");
   #ends = make("p", { class: "function-ends" });
@@ -28,6 +29,7 @@ export class FunctionView {
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
+    this.#model = page.model;
     const open = make("button", { id: "function-open", class: "control add", type: "button", "data-t": "function.open" });
     open.addEventListener("click", async () => {
       const part = await awaited(import("assur/kinds/synthesis/function-dialog.js")).catch(() => null);
@@ -49,9 +51,12 @@ export class FunctionView {
 
   /** @param {Snapshot} snapshot */
   render({ state: { document: { function: wanted } }, summary: { function: error }, words }) {
-    if (this.#shown.same(wanted, error, words)) return;
-    this.#there.hidden = !wanted || !error;
-    if (!wanted || !error) return;
+    const { document } = this.#model.good;
+    // What is drawn may have come of positions on another function, where those on this one have no linkage.
+    const isDrawn = "function" in document && document.function === wanted;
+    if (this.#shown.same(wanted, isDrawn, error, words)) return;
+    this.#there.hidden = !isDrawn || !wanted || !error;
+    if (!isDrawn || !wanted || !error) return;
     write(this.#said, said(wanted, error, words));
     const most = Math.abs(error.greatest?.[1] ?? 0);
     this.#plot.replaceChildren(path(`M0 ${HIGH / 2}H${WIDE}`, "line"), path(curve(error, wanted.x, most), "rocker"));
