@@ -1,9 +1,10 @@
 //! Documents to begin with, and positions of a synthesis.
 
-use assur_file::{Document, DraftDocument, FunctionDocument, Preset, Shelf};
+use assur_file::{Document, DraftDocument, Preset, Shelf};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-use crate::convert::{read_value, thrown, to_js};
+use crate::capabilities::unknown;
+use crate::convert::{read, thrown, to_js};
 use crate::kinds::scheme_task;
 
 /// A task for practice, by its number: `{kind, document}`.
@@ -38,17 +39,17 @@ pub fn shelves() -> Result<JsValue, JsValue> {
     Ok(to_js(&all.map_err(thrown)?))
 }
 
-/// So many positions on a function, as a document has both: in Chebyshev's spacing, or in even steps with the ends.
+/// So many positions on the function of a state of the page, a synthesis: in Chebyshev's spacing, or in even steps with the ends.
 ///
 /// # Errors
-/// What is wrong with the function.
+/// What is wrong with the function, or that there is none.
 #[wasm_bindgen(js_name = functionPositions)]
-pub fn function_positions(
-    function: &JsValue,
-    count: usize,
-    even: bool,
-) -> Result<JsValue, JsValue> {
-    let function: FunctionDocument = read_value(function)?;
+pub fn function_positions(state: &JsValue, count: usize, even: bool) -> Result<JsValue, JsValue> {
+    let function = match read(state)?.document {
+        Document::Synthesis(document) => document.function,
+        _ => None,
+    };
+    let function = function.ok_or_else(|| thrown([unknown("function")]))?;
     let positions = function.positions(count, even).map_err(thrown)?;
     Ok(to_js(&positions))
 }

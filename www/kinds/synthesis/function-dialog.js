@@ -8,6 +8,7 @@ import { Refusal, attempt } from "assur/core/problem.js";
 import { formula } from "assur/kinds/synthesis/function.js";
 import { MOST } from "assur/kinds/synthesis/positions.js";
 import { take } from "assur/state/change.js";
+import { alone, edited } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/kinds/synthesis/function.js").Wanted} Wanted
@@ -68,9 +69,10 @@ export function openFunction(page) {
  * @param {import("assur/app/page.js").Page} page
  * @returns {Partial<Document> & Pick<Document, "positions">} what the document has then: nothing that was chosen for other positions
  */
-function made(form, { engine }) {
+function made(form, { engine, store }) {
   const { wanted, count, even } = form.read();
-  const positions = /** @type {Document["positions"]} */ (engine.ask(() => functionPositions(wanted, count, even)));
+  const state = alone(edited(store.get(), "synthesis", () => ({ function: wanted })));
+  const positions = /** @type {Document["positions"]} */ (engine.ask(() => functionPositions(state, count, even)));
   return { function: wanted, positions, free: false, member: null, solution: null, trial: null };
 }
 

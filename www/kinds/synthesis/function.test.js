@@ -14,13 +14,15 @@ import { LANGUAGES, wordsOf } from "assur/tests/words.js";
 const LOG = Object.freeze({ of: "log10", x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] });
 
 const engine = newEngine();
-const ask = (wanted, count, even) => attempt(() => engine.ask(() => functionPositions({ ...LOG, ...wanted }, count, even)));
+const PAIR = Object.freeze([{ output_deg: 240, input_deg: 45 }, { output_deg: 253, input_deg: 60 }]);
+const stateOf = (wanted, positions = PAIR) => initialState("synthesis", { frame: 10, positions, function: wanted }, { playing: false });
+const ask = (wanted, count, even) => attempt(() => engine.ask(() => functionPositions(stateOf({ ...LOG, ...wanted }), count, even)));
 
 test("positions stand at Chebyshev's places or in even steps, and the linkage is compared with the function", () => {
   const { value: even } = ask({}, 5, true);
   assert.deepEqual(even.map(({ input_deg: input }) => Math.round(input * 1e9) / 1e9), [90, 105, 120, 135, 150]);
   const { value: positions } = ask({}, 3, false);
-  const state = initialState("synthesis", { frame: 10, positions, function: LOG }, { playing: false });
+  const state = stateOf(LOG, positions);
   const { function: error, from } = engine.set(state);
   assert.equal(from, "exact");
   assert.equal(error.complete, true);
@@ -33,7 +35,7 @@ test("positions stand at Chebyshev's places or in even steps, and the linkage is
   const signs = error.curve.map(([, off]) => Math.sign(off));
   assert.equal(signs.filter((sign, k) => k > 0 && sign !== signs[k - 1]).length, 3);
   assert.deepEqual(engine.read(fromFile(toFile(state))).document, engine.read(state).document);
-  assert.equal(engine.set(initialState("synthesis", { frame: 10, positions }, {})).function, null);
+  assert.equal(engine.set(stateOf(null, positions)).function, null);
 });
 
 test("what is wrong with a function has a sentence in every language that names the field", () => {

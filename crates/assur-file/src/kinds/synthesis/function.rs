@@ -77,7 +77,7 @@ impl FunctionDocument {
     }
 
     /// The function with its angles in another unit.
-    fn mapped(&self, unit: impl Fn(f64) -> f64) -> Result<Wanted, Vec<Problem>> {
+    fn mapped(&self, unit: fn(f64) -> f64) -> Result<Wanted, Vec<Problem>> {
         let f = self.of.function()?;
         let [from, to] = self.x;
         // Powers may have no value at 0, in the middle of the interval.
@@ -86,7 +86,7 @@ impl FunctionDocument {
         if let Some(x) = undefined.filter(|x| x.is_finite()) {
             return Err(problems(vec![FunctionError::Undefined { x }]));
         }
-        let [input, output] = [self.input_deg, self.output_deg].map(|ends| ends.map(&unit));
+        let [input, output] = [self.input_deg, self.output_deg].map(|ends| ends.map(unit));
         let mapping = Mapping::new(self.x, self.x.map(&f), input, output).map_err(problems)?;
         Ok(Wanted { mapping, f })
     }
