@@ -127,7 +127,7 @@ function makeForm(document, words) {
     rows: [
       named("function-of-name", "field.function.of"), make("div", {}, [chosen, powered]),
       ...pasted, ...ranges.flatMap(({ row }) => row),
-      named("function-count-name", "positions.heading"), make("div", {}, [count]),
+      named("function-count-name", "function.count"), make("div", {}, [count]),
       named("function-spacing-name", "function.spacing"), make("div", {}, [spacing]),
     ],
     /** @param {ReadonlySet<string | undefined>} wrong fields */
