@@ -108,7 +108,7 @@ async fn powers_and_tables() {
     assert_eq!(page.written("function-power").await, "1.5");
     assert_eq!(page.written("function-output_deg-1").await, "195°");
     page.choose("function-of", "table").await;
-    fill(&page, "function-rows", "1 1\n2; 2,83\n3, 5.2\n4\t8").await;
+    fill(&page, "function-rows", "1 1\n2; 2,83\n3, 5.2\n4 8").await;
     page.choose("function-count", "7").await;
     page.choose("function-spacing", "even").await;
     page.click("function-set").await;
