@@ -532,7 +532,11 @@ solution?: number | null,
 /**
  * Lengths l₁, l₂, l₃ that are shown instead of a solution.
  */
-trial?: [number, number, number] | null, };
+trial?: [number, number, number] | null, 
+/**
+ * The function with which what is shown is compared, wherever the positions come from.
+ */
+function?: FunctionDocument | null, };
 export type PositionDocument = { 
 /**
  * φ₂, from the joint with the coupler to the fixed pivot.
@@ -551,6 +555,24 @@ weight: number,
  * that is shown.
  */
 coupler_deg?: number | null, };
+export type FunctionDocument = { 
+/**
+ * f.
+ */
+of: FormulaDocument, 
+/**
+ * From which x to which.
+ */
+x: [number, number], 
+/**
+ * φ₃ at these x, degrees.
+ */
+input_deg: [number, number], 
+/**
+ * φ₂ at the y of these x, degrees.
+ */
+output_deg: [number, number], };
+export type FormulaDocument = "log10" | "exp" | "sin" | { "power": number } | { "table": Array<[number, number]> };
 export type GearTrainDocument = { 
 /**
  * What it is called.

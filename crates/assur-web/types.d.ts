@@ -451,6 +451,10 @@ printed: PrintedSummary | null,
  */
 weighted: WeightedSummary | null, 
 /**
+ * How far what is drawn is off the wanted function, where the document has one.
+ */
+function: FunctionSummary | null, 
+/**
  * What is drawn, as a linkage for the simulator.
  */
 linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
@@ -494,6 +498,19 @@ passive: Array<string>,
  * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type FunctionSummary = { 
+/**
+ * x in even steps, and by how much the linkage's y is too great there; null where it cannot go.
+ */
+curve: Array<[number, number | null]>, 
+/**
+ * The same where the error is greatest; none where the linkage reaches nothing of the interval.
+ */
+greatest: [number, number] | null, 
+/**
+ * Whether it goes through the whole interval without a break.
+ */
+complete: boolean, };
 export type SolutionSummary = { 
 /**
  * l₁, l₂, l₃.

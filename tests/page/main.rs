@@ -68,6 +68,7 @@ mod share;
 mod slide;
 mod steps;
 mod synthesis;
+mod synthesis_function;
 mod synthesis_lesson;
 mod tasks;
 mod textbook;

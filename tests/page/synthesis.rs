@@ -45,7 +45,7 @@ fn link(document: &Value) -> String {
 }
 
 /// The page with a document, and all that is of its kind.
-async fn open(document: &Value) -> Page {
+pub(crate) async fn open(document: &Value) -> Page {
     let page = Page::open_at(&link(document), "en-US").await;
     there(&page).await;
     assert_eq!(page.text("notice-text").await, "");
@@ -63,7 +63,7 @@ pub(crate) async fn there(page: &Page) {
 }
 
 /// l₁, l₂, l₃ of the solutions in the list.
-async fn listed(page: &Page) -> Vec<String> {
+pub(crate) async fn listed(page: &Page) -> Vec<String> {
     let script = "return [...document.querySelectorAll('[data-field=solutions] label')].map((one) => one.textContent.trim())";
     let all = page.ask(script).await;
     let all = all.as_array().unwrap().iter();
@@ -128,7 +128,7 @@ async fn positions_are_typed_added_and_removed() {
 }
 
 /// What the fields of the positions hold.
-async fn directions(page: &Page) -> Vec<(String, String)> {
+pub(crate) async fn directions(page: &Page) -> Vec<(String, String)> {
     let script = "return [...document.querySelectorAll('#positions .card:not([hidden]) input')]
         .filter((one) => /output|input/.test(one.id)).map((one) => [one.id, one.value])";
     let all = page.ask(script).await;

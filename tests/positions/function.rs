@@ -89,6 +89,48 @@ fn error_vanishes_at_precision_positions() {
     assert!(dense > 1e-3, "{dense}");
 }
 
+/// Functions of the literature (Freudenstein 1955; Hartenberg and Denavit 1964). Lengths and greatest errors were worked out apart from
+/// this code: Freudenstein's equation at Chebyshev's places by Cramer's rule, then the triangle of coupler and output at 20,001 places.
+#[test]
+fn functions_of_the_literature() {
+    type Known = ([f64; 3], [f64; 2]);
+    let check = |f: &dyn Fn(f64) -> f64, x: [f64; 2], ends: [[f64; 2]; 2], known: Known| {
+        let [input, output] = ends.map(|ends| ends.map(f64::to_radians));
+        let mapping = Mapping::new(x, x.map(f), input, output).unwrap();
+        let positions = mapping.precision(3, f).unwrap();
+        let solution = three(&positions);
+        let z = solution.proportions;
+        let (lengths, [error, at]) = known;
+        for (found, known) in [z.coupler, z.output, z.input].iter().zip(lengths) {
+            assert!((found - known).abs() < 1e-12, "{z:?}");
+        }
+        let curve = mapping.error_curve(&task(&positions), &solution, 101, f);
+        let curve = curve.unwrap().unwrap();
+        assert!(curve.complete);
+        let greatest = curve.greatest.unwrap();
+        assert!((greatest.x - at).abs() < 1e-9);
+        assert!((greatest.error().unwrap() - error).abs() < 1e-12);
+    };
+    check(
+        &f64::log10,
+        [1.0, 2.0],
+        [[90.0, 150.0], [210.0, 270.0]],
+        (
+            [1.6581561403242848, 0.7156565718615332, 0.7130240539785865],
+            [-0.000521470237586174, 2.0],
+        ),
+    );
+    check(
+        &|x| x.powf(1.5),
+        [1.0, 4.0],
+        [[345.0, 405.0], [105.0, 195.0]],
+        (
+            [3.1854353345417987, 1.2000711124593582, 4.652938288321832],
+            [0.006896759194007911, 4.0],
+        ),
+    );
+}
+
 /// y = log₂ x from 1 to 2, both angles over 60°, the starts free: five precision positions are off by
 /// less than 10⁻⁴, three from the same starts by more, the least squares of many by less.
 #[test]

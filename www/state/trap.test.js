@@ -17,6 +17,9 @@ const { palette, scale } = themeOf(engine.roles);
 const REQUEST = { width: 400, height: 300, palette, scale, ratio: 1, whole: false, only: "all", around: 0 };
 const EDIT = { edit: "place", point: "B", at: [1, 1] };
 
+const ENDS = { x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] };
+const FUNCTION = { ...state, kind: "synthesis", document: { frame: 1, positions: [], function: { of: "log10", ...ENDS } } };
+
 /** What each method of a simulator is called with. */
 const METHODS = {
   set: [state], lengths: [], choosesLengths: [], labelNames: [], scene: [], at: [INPUT], plotted: [INPUT], why: [INPUT], readoutNames: [], drag: ["B", INPUT, 1, 1],
@@ -27,7 +30,7 @@ const METHODS = {
 
 /** What each function of the module is called with. */
 const FUNCTIONS = {
-  blank: [], catalogue: [], checkKeys: ["{}"], isImport: ["{}"], numbersOf: [state], qr_code: ["text"], readImport: ["{}"], readLesson: [{}], readState: [state], roleNames: [],
+  blank: [], catalogue: [], checkKeys: ["{}"], functionPositions: [FUNCTION, 3, false], isImport: ["{}"], numbersOf: [state], qr_code: ["text"], readImport: ["{}"], readLesson: [{}], readState: [state], roleNames: [],
   shelves: [], task: [1],
 };
 

@@ -140,7 +140,8 @@ enum Command {
     /// Finds the four-bars that take up given positions, with a verdict on each.
     ///
     /// l0 is the frame, l1 the coupler, l2 the output link, l3 the driver. Two positions leave a family, three one
-    /// linkage, more the best compromise with l1, l2, l3 from a tenth of l0 to ten times l0.
+    /// linkage, more the best compromise with l1, l2, l3 from a tenth of l0 to ten times l0. With --function the positions
+    /// are put on a function y = f(x), and the greatest error of y is told with the x where it is.
     Synth(synth::Asked),
 }
 

@@ -8,5 +8,6 @@
 mod differential;
 mod mobility;
 mod synth;
+mod synth_function;
 mod terminal;
 mod trains;

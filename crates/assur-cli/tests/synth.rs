@@ -4,14 +4,14 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-fn synth(arguments: &[&str]) -> Output {
+pub(crate) fn synth(arguments: &[&str]) -> Output {
     let program = env!("CARGO_BIN_EXE_assur");
     let mut command = Command::new(program);
     command.arg("synth").args(arguments).output().unwrap()
 }
 
 /// Standard output of a run that went well.
-fn said(arguments: &[&str]) -> String {
+pub(crate) fn said(arguments: &[&str]) -> String {
     let output = synth(arguments);
     let complaint = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success(), "{arguments:?}: {complaint}");
@@ -19,20 +19,20 @@ fn said(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-fn json(arguments: &[&str]) -> Value {
+pub(crate) fn json(arguments: &[&str]) -> Value {
     let all: Vec<&str> = arguments.iter().copied().chain(["--json"]).collect();
     serde_json::from_str(&said(&all)).unwrap()
 }
 
 /// The sentence of a run that went wrong.
-fn refused(arguments: &[&str]) -> String {
+pub(crate) fn refused(arguments: &[&str]) -> String {
     let output = synth(arguments);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}");
     assert!(output.stdout.is_empty());
     String::from_utf8(output.stderr).unwrap()
 }
 
-fn number(value: &Value) -> f64 {
+pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 

@@ -41,6 +41,7 @@ pub use kinds::numbers::NumberField;
 pub use kinds::scheme::{
     EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument, SchemeProblem,
 };
+pub use kinds::synthesis::function::{FormulaDocument, FunctionDocument, Wanted};
 pub use kinds::synthesis::{PositionDocument, Synthesis, SynthesisDocument, SynthesisProblem};
 pub use kinds::{Document, Kind, Moved};
 pub use lesson::{

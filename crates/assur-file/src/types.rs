@@ -20,6 +20,7 @@ use crate::kinds::numbers::NumberField;
 use crate::kinds::scheme::{
     EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument,
 };
+use crate::kinds::synthesis::function::{FormulaDocument, FunctionDocument};
 use crate::kinds::synthesis::{PositionDocument, SynthesisDocument};
 use crate::lesson::{
     ChoiceDocument, LessonDocument, NumberDocument, QuestionDocument, ReachDocument, ShownDocument,
@@ -61,6 +62,8 @@ fn the_scripts_know_what_is_saved() {
         EndDocument::decl(&config),
         SynthesisDocument::decl(&config),
         PositionDocument::decl(&config),
+        FunctionDocument::decl(&config),
+        FormulaDocument::decl(&config),
         GearTrainDocument::decl(&config),
         FormDocument::decl(&config),
         CouplingDocument::decl(&config),

@@ -1,6 +1,6 @@
 //! The saved form of a synthesis: what is left out, what is shown, what is refused.
 
-use assur_file::{Document, Kind, State, SynthesisDocument};
+use assur_file::{Document, FunctionDocument, Kind, State, SynthesisDocument};
 use serde_json::{Value, json};
 
 /// The example of the paper with some fields more.
@@ -136,4 +136,101 @@ fn what_is_wrong_is_named() {
     assert_eq!(refused(&weighed)[0]["field"], "positions[0].weight");
     assert_eq!(codes(&json!({"member": [-1, 1]})), ["not_a_number"]);
     assert_eq!(codes(&json!({"trial": [100, 1, 1]})), ["too_long"]);
+}
+
+/// log₁₀ x from 1 to 2 over 60° of either link.
+fn function(of: &Value) -> Value {
+    json!({"of": of, "x": [1, 2], "input_deg": [90, 150], "output_deg": [210, 270]})
+}
+
+fn wanted(of: &Value) -> FunctionDocument {
+    serde_json::from_value(function(of)).unwrap()
+}
+
+/// Positions on a function at Chebyshev's places or in even steps; the document keeps it and is refused with a bad one.
+#[test]
+fn functions_give_positions() {
+    let log = wanted(&json!("log10"));
+    let half = 3.0_f64.sqrt() / 4.0;
+    for (count, even, places) in [
+        (3, false, vec![1.5 - half, 1.5, 1.5 + half]),
+        (5, true, vec![1.0, 1.25, 1.5, 1.75, 2.0]),
+    ] {
+        let positions = log.positions(count, even).unwrap();
+        assert_eq!(positions.len(), count);
+        for (position, x) in positions.iter().zip(places) {
+            assert!((position.input_deg - (30.0 + 60.0 * x)).abs() < 1e-12);
+            let output = 210.0 + 60.0 * x.log10() / 2_f64.log10();
+            assert!((position.output_deg - output).abs() < 1e-12);
+        }
+    }
+    let more = json!({"positions": log.positions(3, false).unwrap(), "function": log});
+    let kept = read(&more);
+    let written = serde_json::to_value(&kept).unwrap();
+    assert_eq!(written["function"]["of"], "log10");
+    assert_eq!(
+        serde_json::from_value::<SynthesisDocument>(written).unwrap(),
+        kept
+    );
+    assert!(serde_json::to_value(read(&json!({}))).unwrap()["function"].is_null());
+    let solved = kept.synthesis().unwrap();
+    let curve = log.wanted().unwrap();
+    let curve = curve.error_curve(&solved.task, &solved.shown).unwrap();
+    let greatest = curve.greatest.unwrap();
+    assert!(curve.complete && (greatest.x - 2.0).abs() < 1e-9);
+    assert!((greatest.error().unwrap() + 0.000521470237586174).abs() < 1e-12);
+    let values = |of: &Value, degrees: f64| {
+        let positions = wanted(of).positions(3, true).unwrap();
+        assert!((positions[1].output_deg - degrees).abs() < 1e-9, "{of}");
+    };
+    values(&json!({"power": 2}), 210.0 + 60.0 * 1.25 / 3.0);
+    values(&json!({"table": [[0, 1], [1, 3], [2, 4]]}), 240.0);
+    values(&json!("exp"), 210.0 + 60.0 / (1.0 + 0.5_f64.exp()));
+    let sin = |degrees: f64| degrees.to_radians().sin();
+    let share = (sin(1.5) - sin(1.0)) / (sin(2.0) - sin(1.0));
+    values(&json!("sin"), 210.0 + 60.0 * share);
+}
+
+#[test]
+fn what_is_wrong_with_a_function_is_named() {
+    let refused = |changed: &Value| {
+        let mut function = function(&json!("log10"));
+        for (key, value) in changed.as_object().unwrap() {
+            function[key] = value.clone();
+        }
+        refused(&json!({ "function": function }))
+    };
+    let ends = |field: &str| json!({"code": "equal_ends", "field": field});
+    assert_eq!(refused(&json!({"x": [2, 2]})), [ends("function.x")]);
+    assert_eq!(
+        refused(&json!({"input_deg": [5, 5], "output_deg": [5, 5]})),
+        [ends("function.input_deg"), ends("function.output_deg")]
+    );
+    let none = |x: f64| [json!({"code": "no_value", "field": "function.x", "x": x})];
+    assert_eq!(refused(&json!({"x": [-1, 2]})), none(-1.0));
+    assert_eq!(refused(&json!({"x": [1, 0]})), none(0.0));
+    assert_eq!(
+        refused(&json!({"of": {"power": -1}, "x": [2, -1]})),
+        none(0.0)
+    );
+    assert_eq!(refused(&json!({"of": "exp", "x": [0, 1000]})), none(1000.0));
+    assert_eq!(
+        refused(&json!({"of": {"power": 2}, "x": [-1, 1]})),
+        [json!({"code": "equal_values", "field": "function.x"})]
+    );
+    assert_eq!(
+        refused(&json!({"of": {"table": [[0, 1], [2, 1], [2, 3]]}})),
+        [json!({"code": "bad_row", "field": "function.of", "row": 3})]
+    );
+    assert_eq!(
+        refused(&json!({"of": {"table": []}})),
+        [json!({"code": "too_few_rows", "field": "function.of"})]
+    );
+    let log = wanted(&json!("log10"));
+    for (count, code) in [(1, "too_few_positions"), (65, "too_many_positions")] {
+        let said = serde_json::to_value(&log.positions(count, false).unwrap_err()).unwrap();
+        assert_eq!(said[0]["code"], code);
+    }
+    let unknown = json!({"function": function(&json!("tan"))});
+    assert!(serde_json::from_value::<SynthesisDocument>(document(&unknown)).is_err());
 }

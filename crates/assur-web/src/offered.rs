@@ -1,10 +1,11 @@
-//! Documents to begin with, and the names of roles.
+//! Documents to begin with, the names of roles, and positions of a synthesis.
 
 use assur_draw::ROLES;
 use assur_file::{Document, DraftDocument, Preset, Shelf};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-use crate::convert::{thrown, to_js};
+use crate::capabilities::unknown;
+use crate::convert::{read, thrown, to_js};
 use crate::kinds::scheme_task;
 
 /// A task for practice, by its number: `{kind, document}`.
@@ -43,4 +44,19 @@ pub fn shelves() -> Result<JsValue, JsValue> {
 #[wasm_bindgen(js_name = roleNames)]
 pub fn role_names() -> Vec<String> {
     ROLES.map(str::to_owned).to_vec()
+}
+
+/// Positions on the function of a synthesis, from a state of the page: in Chebyshev's spacing, or in even steps with the ends.
+///
+/// # Errors
+/// What is wrong with the function, or that there is none.
+#[wasm_bindgen(js_name = functionPositions)]
+pub fn function_positions(state: &JsValue, count: usize, even: bool) -> Result<JsValue, JsValue> {
+    let function = match read(state)?.document {
+        Document::Synthesis(document) => document.function,
+        _ => None,
+    };
+    let function = function.ok_or_else(|| thrown([unknown("function")]))?;
+    let positions = function.positions(count, even).map_err(thrown)?;
+    Ok(to_js(&positions))
 }

@@ -30,7 +30,9 @@ use crate::kinds::scheme::summary::{
 };
 use crate::kinds::synthesis::options::{FamilyCurve, FamilySummary, FoundSummary};
 use crate::kinds::synthesis::plane::PlaneSummary;
-use crate::kinds::synthesis::summary::{SolutionSummary, SynthesisSummary, VerdictSummary};
+use crate::kinds::synthesis::summary::{
+    FunctionSummary, SolutionSummary, SynthesisSummary, VerdictSummary,
+};
 use crate::kinds::synthesis::wanted::{
     ConditionSummary, LeftOutSummary, PrintedSummary, TheoremSummary, WantedSummary,
     WeightedSummary,
@@ -83,6 +85,7 @@ fn the_scripts_know_what_crosses_the_border() {
         MendedSummary::decl(&config),
         ChangedPair::decl(&config),
         SynthesisSummary::decl(&config),
+        FunctionSummary::decl(&config),
         SolutionSummary::decl(&config),
         VerdictSummary::decl(&config),
         FamilySummary::decl(&config),

@@ -6,6 +6,7 @@ import { degrees, radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { section } from "assur/controls/section.js";
+import { FunctionView } from "assur/kinds/synthesis/function.js";
 import { Seen } from "assur/core/seen.js";
 import { edited } from "assur/state/state.js";
 
@@ -16,7 +17,7 @@ import { edited } from "assur/state/state.js";
  */
 
 /** How many positions there may be on the page; more are solved, but cannot be told apart in a drawing. */
-const MOST = 12;
+export const MOST = 12;
 
 /** Another position is put so far from the last one, or as often so far as it must be: degrees of the input. */
 const NEXT = 30;
@@ -49,6 +50,7 @@ export class PositionsView {
   #frame;
   #engine;
   #list;
+  #function;
   #couplers = make("input", { id: "couplers", type: "checkbox" });
   #free = make("input", { id: "free", type: "checkbox" });
   /** @type {Snapshot | null} */
@@ -62,6 +64,7 @@ export class PositionsView {
     this.#frame = FRAME.map((kind) => ({ field: kind.field, row: new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value })) }));
     this.#engine = engine;
     this.#list = new CardList({ ...POSITIONS, another: (snapshot) => this.#another(snapshot) }, page);
+    this.#function = new FunctionView(page);
     this.#couplers.addEventListener("change", () => {
       if (this.#snapshot) edit({ positions: this.#couplers.checked ? withCouplers(this.#snapshot) : this.#snapshot.state.document.positions.map(withoutCoupler) });
     });
@@ -71,6 +74,7 @@ export class PositionsView {
       this.#list.cards, this.#list.add,
       make("label", { class: "check" }, [this.#couplers, " ", make("span", { "data-t": "positions.couplers" })]),
       make("label", { class: "check" }, [this.#free, " ", make("span", { "data-t": "positions.free" })]),
+      this.#function.element,
     ]);
   }
 
@@ -78,6 +82,7 @@ export class PositionsView {
   render(snapshot) {
     const { state, problems, words, summary } = snapshot;
     this.#snapshot = snapshot;
+    this.#function.render(snapshot);
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(state.document, words, summary, ...wrong)) return;
     for (const { row, field } of this.#frame) row.show(state.document[field], words, wrong.has(field));

@@ -6,6 +6,7 @@ use assur::synthesis::four_bar::theorems::{
     Angles, Truth, Unknown, alternative, conditions, functional, theorems, truth,
 };
 use assur::synthesis::four_bar::{ChangeKind, Family, Proportions, Range, Solution, Task};
+use assur_file::Wanted;
 use serde_json::{Map, Value, json};
 
 use super::words;
@@ -95,8 +96,8 @@ fn lines(out: &mut impl Write, fields: &Value) -> io::Result<()> {
     Ok(())
 }
 
-/// A linkage with its verdict; lengths in the unit of the frame's.
-pub(super) fn solution(task: &Task, solution: &Solution) -> Value {
+/// A linkage with its verdict and how far it is off a wanted function; lengths in the unit of the frame's.
+pub(super) fn solution(task: &Task, solution: &Solution, wanted: Option<&Wanted>) -> Value {
     let length = task.frame().length;
     let [l3, l1, l2, _] = solution.proportions.lengths(length);
     let closures = solution.closures.iter();
@@ -124,6 +125,15 @@ pub(super) fn solution(task: &Task, solution: &Solution) -> Value {
             "size_ratio": verdict.size_ratio,
         }),
     };
+    if let Some(wanted) = wanted {
+        let curve = wanted.error_curve(task, solution);
+        let greatest = curve.as_ref().and_then(|curve| curve.greatest);
+        described["function"] = json!({
+            "greatest_error": greatest.and_then(|greatest| greatest.error()),
+            "at_x": greatest.map(|greatest| greatest.x),
+            "unbroken": curve.is_some_and(|curve| curve.complete),
+        });
+    }
     described
 }
 
@@ -179,7 +189,7 @@ pub(super) fn one(report: &mut Report, task: &Task) {
         ..equal
     };
     if gap > 0.0 {
-        report.solutions = vec![solution(task, &Solution::new(task, closed))];
+        report.solutions = vec![solution(task, &Solution::new(task, closed), None)];
     }
 }
 

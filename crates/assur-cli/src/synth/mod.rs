@@ -1,6 +1,7 @@
 //! The four-bar from given positions: which linkages there are, and what they are worth.
 
 mod described;
+mod function;
 mod words;
 
 use std::io::Write;
@@ -9,12 +10,14 @@ use assur::synthesis::four_bar::{
     Frame, Options, Position, Proportions, Search, Solution, StartsError, Task, ThreePositions,
     TwoPositions, five_positions,
 };
+use assur_file::Wanted;
 use clap::Args;
 use serde_json::{Value, json};
 
 use crate::Failure;
 use crate::words::number;
 use described::Report;
+use function::OnFunction;
 
 /// Of a family so many members are shown, and of a search so many minima.
 const SHOWN: usize = 5;
@@ -24,8 +27,10 @@ const SHOWN: usize = 5;
 pub(crate) struct Asked {
     /// Angles of the output link and the driver that belong together, degrees from the x-axis; a weight may follow.
     /// The output link points from its hinge with the coupler to its fixed pivot.
-    #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required = true, value_parser = degrees, allow_hyphen_values = true)]
+    #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required_unless_present = "function", conflicts_with = "function", value_parser = degrees, allow_hyphen_values = true)]
     positions: Vec<Degrees>,
+    #[command(flatten)]
+    function: OnFunction,
     /// Length of the frame; all lengths are in its unit.
     #[arg(
         value_parser = number,
@@ -62,7 +67,7 @@ pub(crate) struct Asked {
     json: bool,
 }
 
-/// A position as it is typed.
+/// A position as it is typed, or on a function.
 #[derive(Clone, Copy)]
 pub(crate) struct Degrees {
     output: f64,
@@ -135,21 +140,28 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
         length: asked.frame,
         angle: asked.frame_angle.to_radians(),
     };
-    let positions: Vec<Position> = asked.positions.iter().map(Degrees::radians).collect();
+    let wanted = asked.function.wanted()?;
+    let (given, wanted) = match wanted {
+        Some((positions, wanted)) => (positions, Some(wanted)),
+        None => (asked.positions.clone(), None),
+    };
+    let positions: Vec<Position> = given.iter().map(Degrees::radians).collect();
     let task = Task::new(frame, &positions, Task::RATIOS).map_err(|errors| {
         let all: Vec<String> = errors.iter().map(words::task_error).collect();
         Failure::Input(all.join("\n"))
     })?;
-    let mut report = report(&task, asked).map_err(Failure::Input)?;
+    let mut report = report(&task, asked, wanted.as_ref()).map_err(Failure::Input)?;
     if !asked.coupler.is_empty() {
-        if asked.coupler.len() != asked.positions.len() {
+        if asked.coupler.len() != given.len() {
             return Err(Failure::Input(words::COUPLERS.to_owned()));
         }
         let couplers: Vec<f64> = asked.coupler.iter().map(|one| one.to_radians()).collect();
         report.set("at", described::printed(&task, &couplers, asked.trial()));
     }
-    let positions = asked.positions.iter().map(Degrees::json);
-    report.set("positions", positions.collect());
+    if wanted.is_some() {
+        report.notes.extend(words::positions(&given));
+    }
+    report.set("positions", given.iter().map(Degrees::json).collect());
     report.set("l0", json!(asked.frame));
     report.set("phi0_deg", json!(asked.frame_angle));
     if asked.json {
@@ -161,7 +173,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
 }
 
 /// What there is, or the sentence that says why there is nothing.
-fn report(task: &Task, asked: &Asked) -> Result<Report, String> {
+fn report(task: &Task, asked: &Asked, wanted: Option<&Wanted>) -> Result<Report, String> {
     let count = task.positions().len();
     if asked.l2.is_some() && (count != 2 || asked.free) {
         return Err("--l2 picks a linkage of the family of two positions; here are not two, or starts are free".to_owned());
@@ -172,30 +184,34 @@ fn report(task: &Task, asked: &Asked) -> Result<Report, String> {
         }
         let mut report = Report::new();
         report.kind = "trial";
-        report.solutions = vec![described::solution(task, &Solution::new(task, trial))];
+        report.solutions = vec![described::solution(
+            task,
+            &Solution::new(task, trial),
+            wanted,
+        )];
         return Ok(report);
     }
     if asked.free {
-        return free(task);
+        return free(task, wanted);
     }
     let mut report = Report::new();
     match count {
         1 => described::one(&mut report, task),
         2 => match TwoPositions::new(task) {
-            Some(found) => two(&mut report, found, asked)?,
+            Some(found) => two(&mut report, found, asked, wanted)?,
             None => return Err(words::NO_POSITION.to_owned()),
         },
         3 => match ThreePositions::new(task) {
             Some(ThreePositions::One(solution)) => {
                 report.kind = "one";
-                report.solutions = vec![described::solution(task, &solution)];
+                report.solutions = vec![described::solution(task, &solution, wanted)];
             }
-            Some(ThreePositions::Same(found)) => two(&mut report, found, asked)?,
+            Some(ThreePositions::Same(found)) => two(&mut report, found, asked, wanted)?,
             Some(other) => return Err(words::three(&other, task)),
             None => return Err(words::NO_POSITION.to_owned()),
         },
         _ => {
-            many(&mut report, task, Search::new(task));
+            many(&mut report, task, Search::new(task), wanted);
             let turned = task.output_is_turned();
             report.set("output_turned", json!(turned));
             if turned {
@@ -206,7 +222,12 @@ fn report(task: &Task, asked: &Asked) -> Result<Report, String> {
     Ok(report)
 }
 
-fn two(report: &mut Report, found: TwoPositions, asked: &Asked) -> Result<(), String> {
+fn two(
+    report: &mut Report,
+    found: TwoPositions,
+    asked: &Asked,
+    wanted: Option<&Wanted>,
+) -> Result<(), String> {
     let family = match found {
         TwoPositions::Family(family) => family,
         TwoPositions::Any => {
@@ -231,12 +252,12 @@ fn two(report: &mut Report, found: TwoPositions, asked: &Asked) -> Result<(), St
     };
     let members = members.iter();
     report.solutions = members
-        .map(|member| described::solution(&task, member))
+        .map(|member| described::solution(&task, member, wanted))
         .collect();
     Ok(())
 }
 
-fn many(report: &mut Report, task: &Task, search: Search) {
+fn many(report: &mut Report, task: &Task, search: Search, wanted: Option<&Wanted>) {
     report.kind = "least";
     let options = Options::searched(search);
     let order = options.order();
@@ -246,7 +267,7 @@ fn many(report: &mut Report, task: &Task, search: Search) {
     report.set("starts", json!(starts));
     let shown = order.iter().take(SHOWN).map(|number| {
         let minimum = &minima[*number];
-        let mut described = described::solution(task, &minimum.solution);
+        let mut described = described::solution(task, &minimum.solution, wanted);
         let square = task.frame().length.powi(2);
         described["output_error_deg"] = json!(minimum.output_error.map(f64::to_degrees));
         described["sum"] = json!(minimum.value * square);
@@ -258,16 +279,18 @@ fn many(report: &mut Report, task: &Task, search: Search) {
     report.solutions = shown.collect();
 }
 
-fn free(task: &Task) -> Result<Report, String> {
+fn free(task: &Task, wanted: Option<&Wanted>) -> Result<Report, String> {
     let mut report = Report::new();
     match five_positions(task) {
         Ok(found) if found.is_empty() => return Err(words::NO_FIVE.to_owned()),
         Ok(found) => {
             report.kind = "free";
-            let all = found.iter().map(|found| described::solution(task, found));
+            let all = found
+                .iter()
+                .map(|found| described::solution(task, found, wanted));
             report.solutions = all.collect();
         }
-        Err(StartsError::TooMany) => many(&mut report, task, Search::free(task)),
+        Err(StartsError::TooMany) => many(&mut report, task, Search::free(task), wanted),
         Err(error) => return Err(words::starts(error)),
     }
     Ok(report)

@@ -5,6 +5,8 @@ use assur::synthesis::four_bar::{
 };
 use serde_json::{Value, json};
 
+use super::Degrees;
+
 pub(super) const NO_POSITION: &str = "there is no position";
 pub(super) const COUPLERS: &str = "--coupler takes one angle for each position";
 pub(super) const TRIAL: &str = "--lengths are tried as they are: without --l2 and --free";
@@ -39,6 +41,19 @@ pub(super) fn task_error(error: &TaskError) -> String {
         }
         TaskError::Ratios => "the ratios of lengths are no range".to_owned(),
     }
+}
+
+/// Positions on a function, as they would be typed.
+pub(super) fn positions(given: &[Degrees]) -> impl Iterator<Item = String> + '_ {
+    let said = |one: &Degrees| {
+        format!(
+            "{:<14} {},{}",
+            "position",
+            short(one.output),
+            short(one.input)
+        )
+    };
+    given.iter().map(said)
 }
 
 /// Why two positions have no linkage.

@@ -1,5 +1,7 @@
 //! Positions for which a four-bar is sought, as they are saved.
 
+pub(crate) mod function;
+
 use assur::motion::Motion;
 use assur::synthesis::four_bar::{
     DraftError, Family, Frame, MemberError, NoOptions, Options, Position, Proportions, Solution,
@@ -10,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::Kind;
 use super::numbers::{self, NumberField};
 use crate::{Field, LengthUnit, LinkageDocument, Problem};
+use function::FunctionDocument;
 
 /// What is wanted of a four-bar, and which of those that do it is meant. Angles in degrees from
 /// the x-axis, lengths in one unit.
@@ -45,6 +48,10 @@ pub struct SynthesisDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub trial: Option<[f64; 3]>,
+    /// The function with which what is shown is compared, wherever the positions come from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub function: Option<FunctionDocument>,
 }
 
 /// A position of output and input that belong together.
@@ -92,6 +99,23 @@ pub enum SynthesisProblem {
     NegativeLengths { l2: f64, l3: f64 },
     /// No positive lengths take up the positions exactly.
     NoSolution,
+    /// The two ends of what a wanted function goes over are equal or not finite.
+    EqualEnds { field: Field },
+    /// A wanted function has the same value at both ends.
+    EqualValues { field: Field },
+    /// A wanted function has no finite value there.
+    NoValue { field: Field, x: f64 },
+    /// A table has fewer than two rows.
+    TooFewRows { field: Field },
+    /// This row of a table is no pair of numbers, or its x does not exceed that of the row before.
+    BadRow { field: Field, row: usize },
+}
+
+impl SynthesisProblem {
+    fn equal_ends(field: &'static str) -> Self {
+        let field = field.into();
+        Self::EqualEnds { field }
+    }
 }
 
 impl From<SynthesisProblem> for Problem {
@@ -147,7 +171,9 @@ impl SynthesisDocument {
                 false => Some(Problem::NotANumber { field }),
             }
         });
-        let mut problems: Vec<Problem> = couplers.chain(trial).collect();
+        let wanted = self.function.as_ref().map(FunctionDocument::wanted);
+        let function = wanted.and_then(Result::err).into_iter().flatten();
+        let mut problems: Vec<Problem> = couplers.chain(trial).chain(function).collect();
         match Task::new(frame, &positions, Task::RATIOS) {
             Ok(task) if problems.is_empty() => Ok(task),
             made => {

@@ -38,9 +38,23 @@ pub(crate) struct SynthesisSummary<'a> {
     printed: Option<PrintedSummary>,
     /// What Levitsky's quadratic approximation comes to.
     weighted: Option<WeightedSummary>,
+    /// How far what is drawn is off the wanted function, where the document has one.
+    function: Option<FunctionSummary>,
     /// What is drawn, as a linkage for the simulator.
     #[cfg_attr(test, ts(type = "{ kind: \"linkage\", document: LinkageDocument }"))]
     linkage: &'a Document,
+}
+
+/// A linkage beside a wanted function.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct FunctionSummary {
+    /// x in even steps, and by how much the linkage's y is too great there; null where it cannot go.
+    curve: Vec<(f64, Option<f64>)>,
+    /// The same where the error is greatest; none where the linkage reaches nothing of the interval.
+    greatest: Option<(f64, f64)>,
+    /// Whether it goes through the whole interval without a break.
+    complete: bool,
 }
 
 /// A linkage that takes up the positions, exactly or nearly.
@@ -134,6 +148,7 @@ impl<'a> SynthesisSummary<'a> {
             wanted: WantedSummary::all(task, &angles, shown),
             printed: PrintedSummary::new(document, task, &angles, shown),
             weighted: WeightedSummary::new(document, task, shown),
+            function: FunctionSummary::new(document, task, shown),
             linkage,
         }
     }
@@ -143,6 +158,20 @@ impl<'a> SynthesisSummary<'a> {
 pub(super) fn lengths(task: &Task, proportions: Proportions) -> [f64; 3] {
     let [l3, l1, l2, _] = proportions.lengths(task.frame().length);
     [l1, l2, l3]
+}
+
+impl FunctionSummary {
+    fn new(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Option<Self> {
+        let wanted = document.function.as_ref()?.wanted().ok()?;
+        let curve = wanted.error_curve(task, shown);
+        let greatest = curve.as_ref().and_then(|curve| curve.greatest);
+        let samples = curve.iter().flat_map(|curve| &curve.samples);
+        Some(Self {
+            complete: curve.as_ref().is_some_and(|curve| curve.complete),
+            greatest: greatest.and_then(|sample| Some((sample.x, sample.error()?))),
+            curve: samples.map(|sample| (sample.x, sample.error())).collect(),
+        })
+    }
 }
 
 impl SolutionSummary {

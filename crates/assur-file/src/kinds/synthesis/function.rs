@@ -1,0 +1,164 @@
+//! A wanted function y = f(x) of a synthesis, as it is saved.
+
+use assur::synthesis::four_bar::{ErrorCurve, FunctionError, Mapping, Solution, Table, Task};
+use serde::{Deserialize, Serialize};
+
+use super::{PositionDocument, SynthesisProblem};
+use crate::Problem;
+
+/// Parts in which the error of a linkage is looked at; between them the greatest one is sought.
+const SAMPLES: usize = 101;
+
+/// A function that output and input are to follow: x becomes φ₃ and y becomes φ₂, both linearly.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(deny_unknown_fields)]
+pub struct FunctionDocument {
+    /// f.
+    pub of: FormulaDocument,
+    /// From which x to which.
+    pub x: [f64; 2],
+    /// φ₃ at these x, degrees.
+    pub input_deg: [f64; 2],
+    /// φ₂ at the y of these x, degrees.
+    pub output_deg: [f64; 2],
+}
+
+/// What y is of x.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "snake_case")]
+pub enum FormulaDocument {
+    /// log₁₀ x.
+    Log10,
+    /// eˣ.
+    Exp,
+    /// sin x, x in degrees.
+    Sin,
+    /// x to this power.
+    Power(f64),
+    /// Straight between these x and y, x growing.
+    Table(Vec<[f64; 2]>),
+}
+
+type Function = Box<dyn Fn(f64) -> f64>;
+
+/// A function that is sound.
+pub struct Wanted {
+    mapping: Mapping,
+    f: Function,
+}
+
+impl FormulaDocument {
+    fn function(&self) -> Result<Function, Vec<Problem>> {
+        Ok(match self {
+            Self::Log10 => Box::new(f64::log10),
+            Self::Exp => Box::new(f64::exp),
+            Self::Sin => Box::new(|x| x.to_radians().sin()),
+            Self::Power(power) => {
+                let power = *power;
+                Box::new(move |x| x.powf(power))
+            }
+            Self::Table(rows) => {
+                let table = Table::new(rows).map_err(problems)?;
+                Box::new(move |x| table.value(x))
+            }
+        })
+    }
+}
+
+impl FunctionDocument {
+    /// The function itself.
+    ///
+    /// # Errors
+    /// Every reason why it is none.
+    pub fn wanted(&self) -> Result<Wanted, Vec<Problem>> {
+        self.mapped(f64::to_radians)
+    }
+
+    /// The function with its angles in another unit.
+    fn mapped(&self, unit: fn(f64) -> f64) -> Result<Wanted, Vec<Problem>> {
+        let f = self.of.function()?;
+        let [from, to] = self.x;
+        // Powers may have no value at 0, in the middle of the interval.
+        let zero = 0_f64.max(from.min(to)).min(from.max(to));
+        let undefined = [from, to, zero].into_iter().find(|x| !f(*x).is_finite());
+        if let Some(x) = undefined.filter(|x| x.is_finite()) {
+            return Err(problems(vec![FunctionError::Undefined { x }]));
+        }
+        let [input, output] = [self.input_deg, self.output_deg].map(|ends| ends.map(unit));
+        let mapping = Mapping::new(self.x, self.x.map(&f), input, output).map_err(problems)?;
+        Ok(Wanted { mapping, f })
+    }
+
+    /// So many positions on the function: in Chebyshev's spacing, or in even steps with the ends.
+    ///
+    /// # Errors
+    /// Every reason why there are none.
+    pub fn positions(
+        &self,
+        count: usize,
+        even: bool,
+    ) -> Result<Vec<PositionDocument>, Vec<Problem>> {
+        let Wanted { mapping, f } = self.mapped(|degrees| degrees)?;
+        let made = match count {
+            0 | 1 => Err(FunctionError::Count(count)),
+            _ if even => mapping.even(count, &f),
+            _ => mapping.precision(count, &f),
+        };
+        let made = made.map_err(|error| problems(vec![error]))?;
+        let saved = made.iter().map(|position| PositionDocument {
+            output_deg: position.output,
+            input_deg: position.input,
+            weight: position.weight,
+            coupler_deg: None,
+        });
+        Ok(saved.collect())
+    }
+}
+
+impl Wanted {
+    /// How far a linkage for these positions is off the function; none where its lengths make no linkage.
+    pub fn error_curve(&self, task: &Task, solution: &Solution) -> Option<ErrorCurve> {
+        let curve = self.mapping.error_curve(task, solution, SAMPLES, &self.f);
+        curve.ok().flatten()
+    }
+}
+
+/// What is wrong, by the fields at fault.
+fn problems(errors: Vec<FunctionError>) -> Vec<Problem> {
+    let problem = |error| match error {
+        FunctionError::Interval => SynthesisProblem::equal_ends("function.x"),
+        FunctionError::InputAngles => SynthesisProblem::equal_ends("function.input_deg"),
+        FunctionError::OutputAngles => SynthesisProblem::equal_ends("function.output_deg"),
+        FunctionError::Values => SynthesisProblem::EqualValues {
+            field: "function.x".into(),
+        },
+        FunctionError::Undefined { x } => SynthesisProblem::NoValue {
+            field: "function.x".into(),
+            x,
+        },
+        FunctionError::Count(count) if count < 2 => {
+            SynthesisProblem::TooFewPositions { least: 2, count }
+        }
+        FunctionError::Count(count) => SynthesisProblem::TooManyPositions {
+            most: Task::MOST,
+            count,
+        },
+        FunctionError::Rows => SynthesisProblem::TooFewRows {
+            field: "function.of".into(),
+        },
+        FunctionError::Row(row) => SynthesisProblem::BadRow {
+            field: "function.of".into(),
+            row: row + 1,
+        },
+    };
+    // Of one x there is one value.
+    let empty = errors.contains(&FunctionError::Interval);
+    let told = |error: &FunctionError| !empty || *error != FunctionError::Values;
+    errors
+        .into_iter()
+        .filter(told)
+        .map(|error| problem(error).into())
+        .collect()
+}
