@@ -33,7 +33,7 @@ function begin(id, view = {}) {
     const { palette, scale } = theme;
     const { panels, against } = page.engine.chart(context, { ...SIZE, palette, scale, ratio: 1, whole: false, only: snapshot.state.view.only, around: snapshot.input });
     const titles = drawChartText(context, panels, snapshot, theme);
-    const labels = panels.map((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
+    const labels = panels.map((panel, i) => drawMarks(context, panel, [titles[i]], snapshot, theme));
     if (against) drawAgainstText(context, against, snapshot, theme);
     return { panels, against, titles, labels, snapshot, texts: context.texts.map(({ text }) => text), written: context.texts };
   };
