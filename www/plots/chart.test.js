@@ -70,6 +70,15 @@ test("no label of a plot is over another, over a title or outside the plot", () 
   assert.ok(draw().labels.flat().length > 8);
 });
 
+test("an axis of time says its unit once, by its last number", () => {
+  for (const [lang, unit] of [["en", "s"], ["ru", "с"]]) {
+    const { panels, texts } = begin("train-magnets").draw((state) => state, lang);
+    const ticks = panels.at(-1).xticks.map(({ value }) => value);
+    assert.ok(texts.includes(`${ticks.at(-1)}\u00a0${unit}`), String(texts));
+    assert.ok(texts.includes(String(ticks[1])), String(texts));
+  }
+});
+
 test("a curve that does not change says so, in the reader's words and numbers", () => {
   const { draw } = begin("peaucellier");
   const titles = (all) => [...new Set(all.texts.filter((text) => text.startsWith("x") || text.startsWith("ẋ") || text.startsWith("ẍ")))].sort();
