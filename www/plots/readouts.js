@@ -158,7 +158,7 @@ function letter({ what, of, number }) {
   if (what === "pressure") return "α";
   if (what === "distance") return "d";
   if (what === "corner" || what === "between") return "θ";
-  if (what === "angle") return letterOfAngle(of.join(), number) + subscript(number ?? "");
+  if (what === "angle") return letterOfAngle(of[0], number) + subscript(number ?? "");
   return what === "load_angle" ? `Δ${subscript(number ?? "")}` : what;
 }
 
