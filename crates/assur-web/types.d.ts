@@ -565,7 +565,7 @@ starts: number,
  */
 best: number, 
 /**
- * l₂ and l₃ along the way to each of the solutions.
+ * l₂ and l₃ along the way from each of the starts.
  */
 paths: Array<Array<[number, number]>>, 
 /**

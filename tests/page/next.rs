@@ -22,6 +22,9 @@ const CUT: &str = "return [...document.querySelectorAll('.lesson-body *')]
     .filter((one) => one.checkVisibility() && !one.matches('input, .unseen') && one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX !== 'visible')
     .map(({ id, className, tagName }) => id || className || tagName);";
 
+/// Whether the page itself scrolls, on a screen where only its parts do.
+const SCROLLS: &str = "const all = document.documentElement; return innerWidth >= 960 && all.scrollHeight > innerHeight;";
+
 /// What a lesson is walked with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Hands {
@@ -192,6 +195,7 @@ async fn walk_by(id: &str, (hands, screen, lang): Way) {
         hands.press(&page, "lesson-on").await;
         assert_eq!(page.text("problem").await, "", "{id} after {step}");
         assert_eq!(page.ask(CUT).await, json!([]), "{id} after {step}");
+        assert_eq!(page.ask(SCROLLS).await, json!(false), "{id} after {step}");
     }
     let progress = page.text("lesson-progress").await;
     assert!(progress.contains(&steps.len().to_string()), "{progress}");

@@ -28,6 +28,10 @@ const SEEN: &str = "const fold = document.querySelector('#lesson-paper');
         .filter((one) => one.checkVisibility() && one.textContent.trim() !== '' && one.getBoundingClientRect().height > 5)
         .map((one) => one.dataset.item);";
 
+/// The items whose formulas are wider than their column.
+const CUT: &str = "return [...document.querySelectorAll('.lesson-body [data-item]')]
+    .filter((one) => one.checkVisibility() && one.scrollWidth > one.clientWidth + 1).map((one) => one.dataset.item);";
+
 /// The items of each step of a lesson.
 fn items(lesson: &str) -> BTreeMap<String, BTreeSet<String>> {
     let items: Vec<Value> =
@@ -78,6 +82,8 @@ async fn all_are_seen(lang: &'static str) {
             let seen: BTreeSet<String> = serde_json::from_value(page.ask(SEEN).await).unwrap();
             let placed = items.get(step).cloned().unwrap_or_default();
             assert_eq!(seen, placed, "{lesson}, {step}");
+            let cut = page.ask(CUT).await;
+            assert_eq!(cut, Value::Array(Vec::new()), "{lesson}, {step}");
             count += seen.len();
         }
         assert_eq!(count, all, "{lesson}");

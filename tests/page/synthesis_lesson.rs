@@ -55,6 +55,7 @@ async fn steps_have_their_tools() {
     assert_eq!(page.count("#lesson #synthesis-conditions .cone").await, 2);
     go_on(&page, 4).await;
     assert_eq!(page.count("#lesson #synthesis-map").await, 1);
+    assert_eq!(page.count("#lesson #positions").await, 1);
     page.close().await;
 }
 

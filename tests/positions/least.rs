@@ -203,8 +203,14 @@ fn step_by_step() {
     let minima = search.minima();
     assert_eq!(search.progress().best, Some(minima[0].value));
     assert_eq!(minima, Search::new(&task).run());
+    // Every start has its way, to the minimum that it ended in.
+    let ways: usize = minima.iter().map(|minimum| minimum.paths.len()).sum();
+    assert_eq!(ways, before.starts);
     for minimum in &minima {
-        assert_eq!(minimum.path.last(), Some(&minimum.solution.proportions));
+        assert_eq!(minimum.paths.len(), minimum.reached);
+        for way in &minimum.paths {
+            assert_eq!(way.last(), Some(&minimum.solution.proportions));
+        }
     }
     // Once over, nothing changes.
     assert_eq!(search.step(), search.progress());

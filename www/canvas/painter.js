@@ -42,6 +42,10 @@ const LOOKS = [
 const TEXT_SIZE = 15;
 /** How much smaller text is on a small drawing. */
 const SMALL = 0.85;
+/** A Greek symbol with an index, which stands low: names of points and links are written as they are. */
+const INDEXED = /^(\p{Script=Greek})_(\p{L})$/u;
+/** The index: how much smaller it is, and how far it stands below, in heights of the text. */
+const LOW = Object.freeze({ size: 0.75, below: 0.25 });
 /** Width of the halo around it. */
 const HALO = 4;
 /** @type {number[]} */
@@ -95,11 +99,20 @@ export class Painter {
       const [x, y, angle] = poses[layer.body];
       const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
       for (const label of layer.labels) {
-        const text = write(label.label);
+        const whole = write(label.label);
+        const [, text = whole, low = ""] = INDEXED.exec(whole) ?? [];
         const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
         const wanted = { x: left, y: top, dx: label.dx * size, dy: -label.dy * size };
-        const place = places.take(label.label, wanted, textWidth(context, font, text), size);
-        if (place.free || !small) this.#write(context, text, this.#theme.colours[label.role], place.x, place.y);
+        const width = textWidth(context, font, text);
+        const more = low === "" ? 0 : LOW.size * textWidth(context, font, low);
+        const place = places.take(label.label, wanted, width + more, size);
+        if (!place.free && small) continue;
+        const colour = this.#theme.colours[label.role];
+        this.#write(context, text, colour, place.x - more / 2, place.y);
+        if (low === "") continue;
+        context.font = `600 ${LOW.size * size}px ${this.#theme.font}`;
+        this.#write(context, low, colour, place.x + width / 2, place.y + LOW.below * size);
+        context.font = font;
       }
     }
   }

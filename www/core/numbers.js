@@ -5,6 +5,9 @@ const NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i;
 /** The letter before an exponent, as browsers write it in Ukrainian. */
 const CYRILLIC_E = /[еЕ]/g;
 
+/** An exponent as browsers write it. */
+const EXPONENT = /[EЕ]([\u2212\d]+)$/;
+
 /** Beyond these sizes a number is written with a power of ten: nobody counts noughts. */
 const HUGE = 1e9;
 const TINY = 1e-6;
@@ -28,6 +31,14 @@ export function parseNumber(text) {
  */
 export function readable(decimals, playing) {
   return playing ? Math.floor(decimals / 2) : decimals;
+}
+
+/**
+ * @param {number} exponent
+ * @returns {string} 10⁻³
+ */
+export function powerOfTen(exponent) {
+  return `10${String(exponent).replace("-", "⁻").replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)])}`;
 }
 
 /** Languages in which browsers do not know how to write numbers, and one that writes them alike. */
@@ -82,7 +93,8 @@ export class Numbers {
    * @param {number} value
    */
   short(value) {
-    return this.#write(value, "s", { maximumSignificantDigits: 4 });
+    const text = this.#write(value, "s", { maximumSignificantDigits: 4 });
+    return text.replace(EXPONENT, (_, exponent) => `·${powerOfTen(Number(exponent.replace("\u2212", "-")))}`);
   }
 
   /**

@@ -67,6 +67,8 @@ for (const [lang, numbers] of all) {
 
   test(`only beyond a milliard or a millionth has a number a power of ten (${lang})`, () => {
     for (const plain of [0, 1e-6, 999_999_999, -999_999_999, -1e-6]) assert.match(numbers.exact(plain), /^−?[\d.,]+$/);
+    assert.match(numbers.short(-2.465e-32), /^−2[.,]465·10⁻³²$/);
+    assert.match(numbers.short(1e12), /^1·10¹²$/);
     for (const huge of [1e9, -1e9, 9.9e-7, 1e300]) assert.match(numbers.exact(huge), /^−?[\d.,]+\p{L}−?\d+$/u);
   });
 }

@@ -18,6 +18,14 @@ test("one that does not hold has both numbers and their difference", () => {
   assert.equal(compared({ ...relation, printed: 0.16 }, en), "y″_C1 = −0.1600; as printed 0.1600, difference 0.3200");
 });
 
+test("no dash stands before a printed number, where it would be read as a minus", () => {
+  for (const lang of ["en", "ru", "uk", "kk"]) {
+    const said = compared({ ...relation, printed: 0.16 }, new Words(lang, tableOf(lang)));
+    assert.match(said, /0[.,]1600.*0[.,]1600/);
+    assert.doesNotMatch(said, /— ?\d/, lang);
+  }
+});
+
 test("one that divides by zero has no printed number", () => {
   assert.equal(compared({ ...relation, printed: null }, en), "y″_C1 = −0.1600; as printed it divides by zero");
 });

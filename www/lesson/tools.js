@@ -112,7 +112,19 @@ function titleOf(source) {
   const title = source.closest("tr, .entry")?.querySelector("th, dt");
   const symbol = title?.querySelector("b")?.textContent;
   if (!symbol || !(source instanceof HTMLTableCellElement)) return title?.textContent?.trim() ?? "";
-  return `${symbol}${"′".repeat(source.cellIndex - 1)} ${title?.querySelector("span")?.textContent ?? ""}`;
+  const head = source.closest("table")?.tHead?.rows[0].cells[source.cellIndex].textContent ?? "";
+  return `${derived(symbol, source.cellIndex - 1, head)} ${title?.querySelector("span")?.textContent ?? ""}`;
+}
+
+/**
+ * @param {string} symbol of a quantity
+ * @param {number} order of its derivative
+ * @param {string} head of the column of the table of values: how derivatives are written there
+ * @returns {string} the symbol of the derivative, alike
+ */
+export function derived(symbol, order, head) {
+  // By time a derivative has a letter of its own: ω.
+  return order > 0 && [...head].length === 1 ? head + symbol.slice(1) : symbol + ["", "′", "″"][order];
 }
 
 /**

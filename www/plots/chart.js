@@ -12,7 +12,9 @@ import { drawChartText } from "assur/plots/text.js";
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {(context: import("assur/canvas/painter.js").Context, panels: readonly Panel[], snapshot: Snapshot, engine: Engine, theme: Theme) => void} Overlay
+ * @typedef {import("assur/plots/marks.js").Box} Box
+ * @typedef {(context: import("assur/canvas/painter.js").Context, panels: readonly Panel[], snapshot: Snapshot, engine: Engine, theme: Theme) => readonly (Box | null)[]} Overlay
+ * the places that it covers in each panel
  */
 
 export class ChartView {
@@ -27,7 +29,7 @@ export class ChartView {
   panels = [];
   /** @type {Field | null} what is plotted against each other instead of them */
   against = null;
-  /** @type {readonly (readonly import("assur/plots/marks.js").Box[])[]} where the labels are, of each panel */
+  /** @type {readonly (readonly Box[])[]} where the labels are, of each panel */
   labels = [];
   /** @type {Overlay | null} */
   #overlay = null;
@@ -107,9 +109,9 @@ export class ChartView {
     context.lineJoin = "round";
     const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
     const { panels, against } = value ?? { panels: [], against: null };
-    this.#overlay?.(context, panels, snapshot, this.#engine, theme);
+    const covered = this.#overlay?.(context, panels, snapshot, this.#engine, theme) ?? [];
     const titles = drawChartText(context, panels, snapshot, theme);
-    const labels = panels.map((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
+    const labels = panels.map((panel, i) => drawMarks(context, panel, [titles[i], ...(covered[i] ? [covered[i]] : [])], snapshot, theme));
     if (against) drawAgainstText(context, against, snapshot, theme);
     return { panels, against, labels, drawn: value !== null };
   }

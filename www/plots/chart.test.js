@@ -33,7 +33,7 @@ function begin(id, view = {}) {
     const { palette, scale } = theme;
     const { panels, against } = page.engine.chart(context, { ...SIZE, palette, scale, ratio: 1, whole: false, only: snapshot.state.view.only, around: snapshot.input });
     const titles = drawChartText(context, panels, snapshot, theme);
-    const labels = panels.map((panel, i) => drawMarks(context, panel, titles[i], snapshot, theme));
+    const labels = panels.map((panel, i) => drawMarks(context, panel, [titles[i]], snapshot, theme));
     if (against) drawAgainstText(context, against, snapshot, theme);
     return { panels, against, titles, labels, snapshot, texts: context.texts.map(({ text }) => text), written: context.texts };
   };
@@ -68,6 +68,15 @@ test("no label of a plot is over another, over a title or outside the plot", () 
     }
   }
   assert.ok(draw().labels.flat().length > 8);
+});
+
+test("an axis of time says its unit once, by its last number", () => {
+  for (const [lang, unit] of [["en", "s"], ["ru", "с"]]) {
+    const { panels, texts } = begin("train-magnets").draw((state) => state, lang);
+    const ticks = panels.at(-1).xticks.map(({ value }) => value);
+    assert.ok(texts.includes(`${ticks.at(-1)}\u00a0${unit}`), String(texts));
+    assert.ok(texts.includes(String(ticks[1])), String(texts));
+  }
 });
 
 test("a curve that does not change says so, in the reader's words and numbers", () => {

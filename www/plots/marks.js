@@ -29,12 +29,12 @@ const MOST_COVERED = 4;
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
- * @param {Box} title the place of the panel's title
+ * @param {readonly Box[]} covered places that are taken, as that of the panel's title
  * @param {Snapshot} snapshot
  * @param {Theme} theme
  * @returns {Box[]} where the labels are
  */
-export function drawMarks(context, panel, title, snapshot, theme) {
+export function drawMarks(context, panel, covered, snapshot, theme) {
   const font = setChartFont(context, theme);
   context.textAlign = "left";
   context.textBaseline = "middle";
@@ -42,7 +42,7 @@ export function drawMarks(context, panel, title, snapshot, theme) {
   context.lineWidth = 3;
   context.strokeStyle = theme.colours.paper;
   const points = [...panel.points, ...zeroLine(panel)];
-  const taken = [title, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value), 3 * theme.scale))];
+  const taken = [...covered, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value), 3 * theme.scale))];
   const labels = [];
   for (const mark of labelled(panel.marks)) {
     const text = markText(mark, panel, snapshot);

@@ -92,7 +92,7 @@ export class ReadoutTable {
         this.#cells.push({ listed: one, order, output });
         return output;
       });
-      const title = [make("b", {}, [letter(one)]), " ", make("span", {}, [whose(one, words)])];
+      const title = [make("b", {}, [letter(one)]), " ", make("span", {}, [ofRow(one, words)])];
       const own = row(one.role, curves.includes(one.name), title, cells);
       return compares ? [own, ...this.#besideRows(one, bare ? 1 : STROKES.length)] : [own];
     });
@@ -160,6 +160,15 @@ function letter({ what, of, number }) {
   if (what === "corner" || what === "between") return "θ";
   if (what === "angle") return letterOfAngle(of[0], number) + subscript(number ?? "");
   return what === "load_angle" ? `Δ${subscript(number ?? "")}` : what;
+}
+
+/**
+ * @param {Listed} listed
+ * @param {Words} words
+ * @returns {string} what a row says beside its letter: of an angle Δ, as of φ, the link alone
+ */
+export function ofRow(listed, words) {
+  return listed.what === "load_angle" ? called(listed.of[0], words) : whose(listed, words);
 }
 
 /**

@@ -151,8 +151,11 @@ function drawInputs(context, panel, coordinate, words, theme) {
   const top = panel.top + panel.height + 7 * theme.scale;
   const turns = coordinate.moves === "angle";
   let free = -Infinity;
-  for (const { value } of panel.xticks) {
-    const text = words.numbers.upTo(value, turns ? 2 : 6) + (turns ? "°" : "");
+  const last = panel.xticks.length - 1;
+  for (const [i, { value }] of panel.xticks.entries()) {
+    // An axis of time says so by its last number.
+    const unit = turns ? "°" : coordinate.moves === "time" && i === last ? `\u00a0${words.text("unit.s")}` : "";
+    const text = words.numbers.upTo(value, turns ? 2 : 6) + unit;
     const half = textWidth(context, font, text) / 2;
     // Numbers at the very ends stay on the canvas; numbers without room are left out.
     const middle = Math.min(across(panel, coordinate.input(value)), right + 8 - half);

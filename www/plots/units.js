@@ -1,5 +1,6 @@
 // In which unit the numbers of a panel are written, and with how many digits.
 import { degrees } from "assur/core/angles.js";
+import { powerOfTen } from "assur/core/numbers.js";
 import { unitOfRate } from "assur/core/units.js";
 
 /** @typedef {import("assur/engine.js").Panel} Panel */
@@ -66,8 +67,7 @@ export function unitOf(panel, { moves }, words) {
   const unit = unitOfRate(panel, moves, words);
   const exponent = power(panel);
   if (exponent === 0) return unit;
-  const digits = String(Math.abs(exponent)).replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]);
-  return `10${exponent < 0 ? "⁻" : ""}${digits}${unit === "1" ? "" : ` ${unit}`}`.trim();
+  return `${powerOfTen(exponent)}${unit === "1" ? "" : ` ${unit}`}`.trim();
 }
 
 /**

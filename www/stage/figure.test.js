@@ -70,6 +70,15 @@ test("a label that changes its side stays there, and does not jump to and fro", 
   }
 });
 
+test("what follows _ in a label stands lower and smaller beside the rest", () => {
+  const { labels } = begin("class4-dwell", { loop_vectors: true, phi_deg: 60 }).paint();
+  const eta = labels.findIndex(({ text }) => text === "η");
+  const [symbol, low] = labels.slice(eta, eta + 2);
+  assert.equal(low.text, "H");
+  assert.ok(low.y > symbol.y && low.x > symbol.x && low.width < symbol.width, JSON.stringify([symbol, low]));
+  assert.ok(!labels.some(({ text }) => text.includes("_")));
+});
+
 test("on a small drawing a label without a place is left out, on a large one it is written", () => {
   const size = { width: 120, height: 90 };
   const [large, small] = [false, true].map((is) => begin("mixer-a", ALL, { small: is, size }).paint().labels.length);

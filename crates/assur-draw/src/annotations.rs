@@ -61,7 +61,7 @@ impl Annotations {
                 self.loop_vectors.push((ends, letter.to_owned()));
             }
         }
-        for (points, symbol) in [("GHL", "ηH"), ("EGF", "ηG"), ("LCK", "ηC")] {
+        for (points, symbol) in [("GHL", "η_H"), ("EGF", "η_G"), ("LCK", "η_C")] {
             if let Ok(points) = owned(points).try_into() {
                 self.corners.push((points, symbol.to_owned()));
             }

@@ -118,8 +118,10 @@ pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, 
     // Hinges stay free.
     let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
     parts::arrow(list, Role::Ink, start, tip, unit);
-    let left = [-1.1 * along.y, 1.1 * along.x];
-    list.name(Role::Ink, name, from + along * (0.26 * length), left);
+    // The name stands on its own vector, where others may be near.
+    let off = along * 1.2;
+    let at = from + along * (0.55 * length);
+    list.name(Role::Ink, name, at, [off.x, off.y]);
 }
 
 /// The acute angle at a dyad's inner hinge c between the lines to its outer ones,
@@ -140,18 +142,21 @@ pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, 
             &[c, at(from + turn, 1.35 * radius)],
         );
     }
-    arc(list, Role::Ink, Look::Line, c, radius, [from, turn], name);
+    let look = (Role::Ink, Look::Line);
+    arc(list, look, c, radius, [from, turn], (name, OFF[0]));
 }
 
-/// An arc with a name at its middle, from an angle by a turn.
+/// How far off an arc a name with a value stands to a side, and a bare symbol, in heights of the text.
+const OFF: [f64; 2] = [2.6, 1.1];
+
+/// An arc with a name off its middle, from an angle by a turn.
 fn arc(
     list: &mut List,
-    role: Role,
-    look: Look,
+    (role, look): (Role, Look),
     centre: Point,
     radius: f64,
     [from, turn]: [f64; 2],
-    name: usize,
+    (name, off): (usize, f64),
 ) {
     let at = |angle: f64| centre + Vector::new(angle.cos(), angle.sin()) * radius;
     let points: Vec<Point> = (0..=24)
@@ -159,7 +164,7 @@ fn arc(
         .collect();
     list.polyline(role, look, &points);
     let middle = from + 0.5 * turn;
-    let off = [2.6 * middle.cos(), 1.0 * middle.sin()];
+    let off = [off * middle.cos(), 1.0 * middle.sin()];
     list.name(role, name, at(middle), off);
 }
 
@@ -180,23 +185,31 @@ pub(crate) fn distance(list: &mut List, [a, b]: [Point; 2], name: usize, unit: f
     list.name(Role::Accent3, name, a + way * 0.5, off);
 }
 
-/// The angle at the second of three points between the others: its legs and an arc, the name at its middle.
-pub(crate) fn corner(list: &mut List, [a, b, c]: [Point; 3], name: usize, unit: f64) {
+/// The angle at the second of three points between the others: its legs and an arc, the name with its value at its middle.
+pub(crate) fn corner(list: &mut List, points: [Point; 3], name: usize, unit: f64) {
+    list.polyline(Role::Accent4, Look::Thin, &points);
+    corner_arc(list, points, 11.0 * unit, (name, OFF[0]));
+}
+
+/// The same of sides that are drawn, by a symbol: within the sides, however short they are.
+pub(crate) fn side_angle(list: &mut List, points: [Point; 3], name: usize, unit: f64) {
+    let [a, b, c] = points;
+    let shorter = (a - b).norm().min((c - b).norm());
+    corner_arc(
+        list,
+        points,
+        (8.0 * unit).min(0.4 * shorter),
+        (name, OFF[1]),
+    );
+}
+
+fn corner_arc(list: &mut List, [a, b, c]: [Point; 3], radius: f64, name: (usize, f64)) {
     let direction = |to: Point| (to.y - b.y).atan2(to.x - b.x);
     let from = direction(a);
     let turn = direction(c) - from;
     let turn = turn - TAU * (turn / TAU).round();
-    list.polyline(Role::Accent4, Look::Thin, &[a, b, c]);
-    let radius = 11.0 * unit;
-    arc(
-        list,
-        Role::Accent4,
-        Look::Thin,
-        b,
-        radius,
-        [from, turn],
-        name,
-    );
+    let look = (Role::Accent4, Look::Thin);
+    arc(list, look, b, radius, [from, turn], name);
 }
 
 /// The angle of two links at a place, by their own angles: the direction of each, and an arrow along an arc from the first to
@@ -209,7 +222,8 @@ pub(crate) fn between(list: &mut List, centre: Point, [a, b]: [f64; 2], name: us
     list.polyline(role, Look::Thin, &legs);
     // Whole turns are not drawn.
     let turn = (b - a) % TAU;
-    arc(list, role, Look::Thin, centre, radius, [a, turn], name);
+    let look = (role, Look::Thin);
+    arc(list, look, centre, radius, [a, turn], (name, OFF[0]));
     let head = parts::HEAD * unit / radius;
     if turn.abs() > head {
         let neck = at(a + turn - head.copysign(turn), radius);
@@ -256,6 +270,27 @@ mod tests {
                 assert!((x.hypot(y) - 0.11).abs() < 1e-6, "{x} {y}");
                 assert!(x < 1e-6, "{x} {y}");
             }
+        }
+    }
+
+    /// The name of a vector stands on it, that of an angle of sides between them, nearer than the end of the shorter.
+    #[test]
+    fn names_of_vectors_and_of_their_angles_are_theirs() {
+        let mut list = List::default();
+        let [a, b, c] = [[4.0, 0.0], [0.0, 0.0], [3.0, 4.0]].map(Point::from);
+        loop_vector(&mut list, [b, c], 7, 0.1);
+        let name = &list.numbers()[list.numbers().len() - 7..];
+        let [x, y, dx, dy] = [name[3], name[4], name[5], name[6]].map(f64::from);
+        assert!((4.0 * x - 3.0 * y).abs() < 1e-5 && (4.0 * dx - 3.0 * dy).abs() < 1e-5);
+        assert!((x.hypot(y) - 0.55 * 5.0).abs() < 1e-5);
+        for (unit, radius) in [(0.1, 0.8), (1.0, 1.6)] {
+            let mut list = List::default();
+            side_angle(&mut list, [a, b, c], 7, unit);
+            let name = &list.numbers()[list.numbers().len() - 7..];
+            let [x, y] = [name[3], name[4]].map(f64::from);
+            assert!((x.hypot(y) - radius).abs() < 1e-5);
+            let middle = 0.5 * 4.0_f64.atan2(3.0);
+            assert!((y.atan2(x) - middle).abs() < 1e-5);
         }
     }
 

@@ -2,6 +2,7 @@
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
+import { withSubscripts } from "assur/core/subscripts.js";
 import { edited } from "assur/state/state.js";
 
 /**
@@ -64,7 +65,7 @@ function condition({ kind, left, right, met, shifted }, words) {
   const [one, other] = [left, right].map((value) => words.numbers.upTo(value, 4));
   const mark = make("b", { "data-holds": String(met) }, [met ? "✓" : "✗", make("span", { class: "unseen" }, [` ${words.text(met ? "build.met" : "build.unmet")}`])]);
   const said = words.text(`condition.${kind}`, { left: one, right: other });
-  return make("li", {}, [mark, make("span", {}, [shifted ? `${said} ${words.text("condition.shifted")}` : said])]);
+  return make("li", {}, [mark, make("span", {}, withSubscripts(shifted ? `${said} ${words.text("condition.shifted")}` : said))]);
 }
 
 /**

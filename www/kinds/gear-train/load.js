@@ -104,5 +104,5 @@ export class LoadView {
  */
 function slipped(mesh, count, words) {
   const said = count === 0 ? words.text("load.synchronous") : words.counted("load.slipped", Math.abs(count));
-  return `${words.text(`mesh.${mesh}`)}: ${said}.`;
+  return words.text("load.slip", { mesh: words.text(`mesh.${mesh}`), said });
 }

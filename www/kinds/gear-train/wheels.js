@@ -44,7 +44,7 @@ export class WheelsView {
       store.update((state) => edited(state, "gear-train", ({ magnets }) => ({ magnets: /** @type {Document["magnets"]} */ ({ ...magnets, poles: value }) })));
     });
     this.#rows = ROWS.map((kind) => ({ field: kind.field, row: new NumberRow(kind, drafts, (value) => edit({ [kind.field]: value })) }));
-    this.#distance = new NumberRow({ field: "axis_distance_mm", symbol: "a", role: "rocker" }, drafts, (value) => edit({ axis_distance_mm: value }));
+    this.#distance = new NumberRow({ field: "axis_distance_mm", symbol: "a_w", role: "rocker" }, drafts, (value) => edit({ axis_distance_mm: value }));
     this.#equal.addEventListener("click", () => {
       drafts.drop("axis_distance_mm");
       edit({ axis_distance_mm: null });

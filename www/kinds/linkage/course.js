@@ -17,6 +17,7 @@ import { withDocument } from "assur/state/state.js";
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
+ * @typedef {import("assur/plots/marks.js").Box} Box
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
@@ -27,20 +28,24 @@ const POINTS = 96;
 /** Of the derivatives, which rise steeply at its ends, the part of the dwell's arc that is magnified. */
 const INNER = 0.8;
 /** The part of a plot that an inset takes, across and down. */
-const INSET = Object.freeze({ width: 0.42, height: 0.36 });
+const INSET = Object.freeze({ width: 0.42, height: 0.42 });
+/** Above the magnified curve the room for its scale, in pixels of usual text. */
+const HEAD = 15;
 
 /**
- * Lays the dwell over the plots of an output whose document gives its band.
+ * Lays the dwell over the plots of the output whose band the document gives.
  * @type {import("assur/plots/chart.js").Overlay}
  */
 export function paintCourse(context, panels, { kind, state, summary, words }, engine, theme) {
-  if (kind !== "linkage" || state.kind !== "linkage") return;
-  const { profile, cycle } = summary;
-  if (!state.document.band || !profile?.dwell) return;
-  for (const panel of panels) {
+  if (kind !== "linkage" || state.kind !== "linkage") return [];
+  const { profile, cycle, plotted } = summary;
+  const { band, plots } = state.document;
+  const dwell = profile?.dwell;
+  if (!band || !dwell || (plots?.[0] ?? plotted[0]) !== plotted[0]) return [];
+  return panels.map((panel) => {
     const value = (/** @type {number} */ phi) => attempt(() => engine.plotted(phi)).value?.[panel.order];
-    paintDwell(context, panel, profile.dwell, cycle, value, words, theme);
-  }
+    return paintDwell(context, panel, dwell, cycle, value, words, theme);
+  });
 }
 
 /**
@@ -52,6 +57,7 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
  * @param {(phi: number) => number | undefined} value of the plot's curve at a crank angle
  * @param {Words} words
  * @param {Theme} theme
+ * @returns {Box | null} where it is magnified
  */
 function paintDwell(context, panel, dwell, { start, end }, value, words, theme) {
   const period = end - start;
@@ -66,7 +72,7 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
   }
   context.globalAlpha = 1;
   const spared = panel.order === 0 ? 0 : ((1 - INNER) / 2) * (to - from);
-  paintInset(context, panel, [from + spared, to - spared], panel.order === 0 ? dwell.band : null, value, words, theme);
+  return paintInset(context, panel, [from + spared, to - spared], panel.order === 0 ? dwell.band : null, value, words, theme);
 }
 
 /**
@@ -77,12 +83,13 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
  * @param {(phi: number) => number | undefined} value
  * @param {Words} words
  * @param {Theme} theme
+ * @returns {Box | null}
  */
 function paintInset(context, panel, [from, to], band, value, words, theme) {
   const curve = Array.from({ length: POINTS + 1 }, (_, i) => value(from + ((to - from) * i) / POINTS));
   const known = curve.filter((at) => at !== undefined);
   const [least, most] = band ?? [Math.min(...known), Math.max(...known)];
-  if (!(most > least)) return;
+  if (!(most > least)) return null;
   const [width, height] = [INSET.width * panel.width, INSET.height * panel.height];
   // In the half of the plot where the dwell is not.
   const middle = down(panel, (least + most) / 2) - panel.top;
@@ -105,7 +112,7 @@ function paintInset(context, panel, [from, to], band, value, words, theme) {
   for (const [i, at] of curve.entries()) {
     if (at === undefined) continue;
     const x = left + 4 + ((width - 8) * i) / POINTS;
-    const y = top + height - 4 - ((height - 8) * (at - least)) / (most - least);
+    const y = top + height - 4 - ((height - 8 - HEAD * theme.scale) * (at - least)) / (most - least);
     if (drawn) context.lineTo(x, y);
     else context.moveTo(x, y);
     drawn = true;
@@ -121,6 +128,7 @@ function paintInset(context, panel, [from, to], band, value, words, theme) {
   const angle = panel.kind === "angle" && panel.order === 0;
   const said = angle ? `${words.numbers.upTo(degrees(span), 3)}°` : panel.order > 0 ? words.numbers.short(span) : words.length(words.numbers.short(span));
   context.fillText(`↕ ${said}`, left + width - 4, top + 3);
+  return { left, top, right: left + width, bottom: top + height };
 }
 
 /** What is said of the profile, in the order of the table. */

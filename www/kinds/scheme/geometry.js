@@ -74,8 +74,8 @@ function lines(snapshot) {
   if (!space) return missing === null ? [] : [words.text("geometry.unknown", { pair: missing })];
   const said = [];
   const own = plane ?? space;
-  if (plane) said.push(words.text("geometry.plane", { rank: numbers.exact(plane.rank), w: asked(plane.mobility, "w", snapshot) }));
-  const places = { rank: numbers.exact(space.rank), w: asked(space.mobility, "w", snapshot), q: asked(space.redundant, "q", snapshot) };
+  if (plane) said.push(words.text("geometry.plane", { rank: numbers.exact(plane.rank), w: asked(plane.mobility, "rank", snapshot) }));
+  const places = { rank: numbers.exact(space.rank), w: asked(space.mobility, "rank", snapshot), q: asked(space.redundant, "q", snapshot) };
   said.push(words.text("geometry.space", places));
   const right = own.mobility === mobility;
   said.push(words.text(right ? "geometry.agrees" : "geometry.differs", { counted: asked(mobility, "w", snapshot) }));

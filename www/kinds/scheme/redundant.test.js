@@ -41,6 +41,18 @@ test("one scheme has one q: that of the rank", () => {
   }
 });
 
+test("where a lesson asks for W by the count alone, W by rank is there to be compared with it", () => {
+  const { kind, document } = PRESETS.tilted;
+  const snapshot = snapshotOf(engine, initialState(kind, document, { lang: "en" }));
+  const shown = (/** @type {readonly string[]} */ ...withheld) => {
+    page.sections = [];
+    new GeometryView({}).render({ ...snapshot, withheld: new Set(withheld) });
+    return page.sections[0].all.map(({ textContent }) => textContent).join("\n");
+  };
+  assert.match(shown("scheme-w"), /W = 0,.*W = \?:/s);
+  assert.match(shown("scheme-w", "scheme-rank"), /W = \?,.*W = \?:/s);
+});
+
 test("where the geometry is not known q is that of the count", () => {
   const { kind, document } = PRESETS.parallelogram;
   const [first, ...others] = document.pairs;

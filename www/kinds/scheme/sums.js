@@ -6,8 +6,8 @@
  */
 
 /**
- * @param {number} value of W or q
- * @param {"w" | "q"} which
+ * @param {number} value of W, by the count or by rank, or of q
+ * @param {"w" | "rank" | "q"} which
  * @param {Pick<import("assur/kinds/scheme/opening.js").Snapshot, "withheld" | "words">} snapshot
  * @returns {string} a question mark while a lesson asks for it
  */

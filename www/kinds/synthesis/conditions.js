@@ -2,6 +2,7 @@
 import { degrees, radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
+import { subscript } from "assur/core/symbols.js";
 import { cone } from "assur/kinds/synthesis/cone.js";
 import { Plane } from "assur/kinds/synthesis/plane.js";
 import { section } from "assur/controls/section.js";
@@ -126,8 +127,9 @@ function valued(number, about, values, words) {
   const [one, other] = values.map((value) => (value === null ? "∞" : words.numbers.short(value)));
   if (about === null) return one;
   // (33) to (38) judge two fractions, the others P and Q.
-  const k = about.slice(1);
-  return number < 33 ? `P${k} = ${one}; Q${k} = ${other}` : `${one}; ${other}`;
+  const k = subscript(about.slice(1));
+  // A line may end between the two, and nowhere else.
+  return number < 33 ? `P${k}\u00a0=\u00a0${one}; Q${k}\u00a0=\u00a0${other}` : `${one}; ${other}`;
 }
 
 /**

@@ -4,9 +4,13 @@ const SVG = "http://www.w3.org/2000/svg";
 /** The directions as readers meet them, the frame's first. */
 const LOOKS = Object.freeze([["e₀", "ink"], ["e₁", "coupler"], ["e₂", "rocker"], ["e₃", "crank"]]);
 
-/** How far off the middle names are written, and how far the picture goes. */
+/** How far off the middle names are written, by how much farther one that would cover another, and how far the picture goes. */
 const NAME = 1.16;
-const SIZE = 1.32;
+const FARTHER = 0.22;
+const SIZE = 1.5;
+
+/** Directions nearer to each other than this have names that would cover each other, radians. */
+const NEAR = 0.2;
 
 /**
  * @param {readonly [number, number, number, number]} turns of frame, coupler, output link and driver, radians
@@ -19,7 +23,8 @@ export function cone(turns, label) {
   for (const [k, turn] of turns.entries()) {
     const [name, role] = LOOKS[k];
     const [x, y] = at(turn, 1);
-    const [nameX, nameY] = at(turn, NAME);
+    const before = turns.slice(0, k).filter((other) => Math.abs(Math.sin((turn - other) / 2)) < NEAR / 2).length;
+    const [nameX, nameY] = at(turn, NAME + before * FARTHER);
     const line = element("line", { x1: 0, y1: 0, x2: x, y2: y });
     const text = element("text", { x: nameX, y: nameY });
     text.textContent = name;

@@ -58,13 +58,14 @@ export class Plane {
     context.lineWidth = weight;
     context.strokeStyle = colours.line;
     context.fillStyle = colours.secondary;
-    for (const line of LINES) {
+    for (const [i, line] of LINES.entries()) {
       const [x, y] = this.at([line * frame, line * frame]);
       this.#trace([[x, MARGIN.top], [x, bottom]]);
       this.#trace([[MARGIN.left, y], [width - MARGIN.right, y]]);
       const text = words.numbers.short(line * frame);
-      write(context, text, x, bottom + 3, "center", "top");
-      write(context, text, MARGIN.left - 4, y, "right", "middle");
+      // In the corner two numbers meet.
+      write(context, text, x, bottom + 3, i === 0 ? "left" : "center", "top");
+      write(context, text, MARGIN.left - 4, y, "right", i === 0 ? "bottom" : "middle");
     }
     const [right, up] = this.#symbols;
     write(context, right, width - MARGIN.right, height, "right", "bottom");

@@ -65,7 +65,10 @@ export class Differences {
     const words = this.#words;
     this.element.hidden = this.#places.length === 0;
     if (!words || this.element.hidden) return;
-    const degrees = 10 ** (Number(this.#step.value) / 10);
+    const exponent = Number(this.#step.value);
+    const { least, most } = EXPONENTS;
+    this.#step.style.setProperty("--fill", String((exponent - least) / (most - least)));
+    const degrees = 10 ** (exponent / 10);
     const h = radians(degrees);
     const value = (/** @type {number} */ at) => attempt(() => this.#engine.plotted(at)).value?.[0];
     const found = this.#places.map(({ at, exact }) => ({ at, exact, found: differences([value(at - h), value(at), value(at + h)], h) }));
@@ -74,11 +77,14 @@ export class Differences {
     write(this.#legend, words.text("differences.figure.legend"));
     write(this.#errors, words.text("differences.figure.errors", { first: words.numbers.short(worst[0]), second: words.numbers.short(worst[1]) }));
     this.#plot.setAttribute("aria-label", words.text("differences.figure.legend"));
-    this.#paint(found);
+    this.#paint(found, words);
   }
 
-  /** @param {readonly { at: number, exact: Pair, found: Pair | null }[]} all */
-  #paint(all) {
+  /**
+   * @param {readonly { at: number, exact: Pair, found: Pair | null }[]} all
+   * @param {Words} words
+   */
+  #paint(all, { numbers }) {
     const { start, end } = /** @type {Summary} */ (this.#summary).cycle;
     const values = all.map(({ exact }) => exact[1]);
     const [least, most] = [Math.min(...values), Math.max(...values)];
@@ -87,12 +93,19 @@ export class Differences {
     const y = (/** @type {number} */ one) => SIZE.height * (1 - (one - least + room) / (most - least + 2 * room));
     const curve = all.map(({ at, exact }) => `${x(at).toFixed(1)},${y(exact[1]).toFixed(1)}`).join(" ");
     const zero = y(0).toFixed(1);
+    const ends = [most, least].map((value) => {
+      const text = drawn("text", { x: "2", y: (y(value) + (value > 0 ? -4 : 12)).toFixed(1) });
+      write(text, numbers.short(value));
+      return text;
+    });
     const dots = all.flatMap(({ at, found }, i) => (found && i % DOTTED === 0 ? [[x(at), y(found[1])]] : []));
     const seen = dots.filter(([, top]) => top >= 0 && top <= SIZE.height);
     this.#plot.replaceChildren(
       drawn("line", { x1: "0", x2: String(SIZE.width), y1: zero, y2: zero, class: "axis" }),
+      ...[most, least].map((value) => drawn("line", { x1: "0", x2: String(SIZE.width), y1: y(value).toFixed(1), y2: y(value).toFixed(1), class: "axis" })),
       drawn("polyline", { points: curve }),
       ...seen.map(([left, top]) => drawn("circle", { cx: left.toFixed(1), cy: top.toFixed(1), r: "2" })),
+      ...ends,
     );
   }
 }

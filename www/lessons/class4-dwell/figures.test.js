@@ -42,6 +42,15 @@ test("six equations with their solutions of both orders hold in numbers", () => 
   }
 });
 
+test("the plot of differences has its scale: the greatest and the least ψ″", () => {
+  const { cycle } = new Page("class4-dwell").now().summary;
+  const figure = new Differences(engine);
+  figure.render({ kind: "linkage", summary: { cycle }, stale: false }, words);
+  const ends = figure.element.all.filter(({ tagName }) => tagName === "TEXT").map(({ textContent }) => Number(textContent.replace("−", "-")));
+  const values = Array.from({ length: 360 }, (_, i) => engine.plotted(((i + 0.5) * Math.PI) / 180)[2]);
+  assert.ok(Math.abs(ends[0] - Math.max(...values)) < 0.01 && Math.abs(ends[1] - Math.min(...values)) < 0.01, ends.join());
+});
+
 test("where nothing with derivatives is plotted, the figure of differences is not shown", () => {
   const cycle = { start: 0, end: 2 * Math.PI };
   const shown = (/** @type {readonly number[]} */ values) => {

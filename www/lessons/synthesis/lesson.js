@@ -74,7 +74,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     id: "family",
     formula: "Δcos φ₂ / z₃ + Δcos φ₃ / z₂ = Δcos(φ₂ − φ₃)",
     shows: [{ name: "example", preset: "family", at: first }, { name: "load", preset: "load", at: first }],
-    controls: ["family"],
+    controls: ["positions", "family"],
     readouts: ["synthesis-grashof", "synthesis-ratio"],
     question: { within: 0.05, answer: grashofFrom },
   },

@@ -171,7 +171,7 @@ impl Overlaid {
             overlays::loop_vector(list, ends.map(place), *name, unit);
         }
         for (points, name) in &self.corners {
-            overlays::corner(list, points.map(place), *name, unit);
+            overlays::side_angle(list, points.map(place), *name, unit);
         }
         for (hinges, name) in &self.transmission {
             overlays::transmission(list, hinges.map(place), *name, unit);

@@ -327,5 +327,5 @@ fn letters_of_the_combined_method() {
     let plain = names(Annotations::default());
     assert!(!plain.contains(&"t".to_owned()), "{plain:?}");
     let lettered = names(Annotations::default().with_letters_of_combined_method());
-    assert_eq!(lettered, ["g", "t", "ηH"]);
+    assert_eq!(lettered, ["g", "t", "η_H"]);
 }

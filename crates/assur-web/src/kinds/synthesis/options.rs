@@ -47,7 +47,7 @@ pub(crate) struct FoundSummary {
     starts: usize,
     /// How many of them ended in the one that is shown first.
     best: usize,
-    /// l₂ and l₃ along the way to each of the solutions.
+    /// l₂ and l₃ along the way from each of the starts.
     paths: Vec<Vec<[f64; 2]>>,
     /// ΣJ, by its decimal logarithm, over l₂ and l₃.
     sum: PlaneSummary,
@@ -105,11 +105,11 @@ impl FoundSummary {
             let [_, l2, l3] = lengths(task, *proportions);
             [l2, l3]
         };
-        let path = |minimum: &Minimum| minimum.path.iter().map(place).collect();
+        let ways = minima.iter().flat_map(|minimum| &minimum.paths);
         Self {
             starts,
             best: minima.get(best).map_or(0, |best| best.reached),
-            paths: minima.iter().map(path).collect(),
+            paths: ways.map(|way| way.iter().map(place).collect()).collect(),
             sum: PlaneSummary::sum(task),
         }
     }

@@ -25,8 +25,8 @@ pub struct Minimum {
     pub held: Vec<Bound>,
     /// How many starts ended here.
     pub reached: usize,
-    /// The way that the first of these took, its start and its end included.
-    pub path: Vec<Proportions>,
+    /// The ways that these took, each with its start and its end.
+    pub paths: Vec<Vec<Proportions>>,
 }
 
 /// A length at a bound.
@@ -164,8 +164,7 @@ struct Descents<const N: usize> {
 struct Found<const N: usize> {
     x: Point<N>,
     value: f64,
-    reached: usize,
-    path: Vec<Proportions>,
+    paths: Vec<Vec<Proportions>>,
 }
 
 /// Ends of ways closer than this are one.
@@ -209,10 +208,11 @@ impl<const N: usize> Descents<N> {
     /// Keeps where the present way ended and takes up the next start.
     fn end(&mut self) {
         let (x, value) = (self.now.x, self.now.here.value);
+        let path = std::mem::take(&mut self.path);
         let known = self.found.iter_mut().find(|found| same(&found.x, &x));
         match known {
             Some(found) => {
-                found.reached += 1;
+                found.paths.push(path);
                 if value < found.value {
                     (found.x, found.value) = (x, value);
                 }
@@ -220,8 +220,7 @@ impl<const N: usize> Descents<N> {
             None => self.found.push(Found {
                 x,
                 value,
-                reached: 1,
-                path: std::mem::take(&mut self.path),
+                paths: vec![path],
             }),
         }
         self.ended += 1;
@@ -248,8 +247,8 @@ impl<const N: usize> Descents<N> {
         sort_by(&mut found, |a, b| a.value.total_cmp(&b.value));
         let minimum = |found: &Found<N>| {
             let proportions = self.objective.proportions(&found.x);
-            let mut path = found.path.clone();
-            if let Some(end) = path.last_mut() {
+            let mut paths = found.paths.clone();
+            for end in paths.iter_mut().filter_map(|path| path.last_mut()) {
                 *end = proportions;
             }
             let angles = if N == 4 {
@@ -263,8 +262,8 @@ impl<const N: usize> Descents<N> {
                 solution,
                 value: found.value * weight,
                 held: held(task, &proportions),
-                reached: found.reached,
-                path,
+                reached: found.paths.len(),
+                paths,
             }
         };
         found.into_iter().map(minimum).collect()
