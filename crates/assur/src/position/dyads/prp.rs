@@ -1,5 +1,4 @@
-//! The dyad PRP: two links that slide along solved lines and are hinged on each
-//! other.
+//! The dyad PRP: two links that slide along solved lines and are hinged on each other.
 
 use crate::Vector;
 use crate::index::{BodyId, StepId};
@@ -15,19 +14,19 @@ pub(crate) struct Prp {
 }
 
 impl Solvable for Prp {
-    /// C is where the parallels to both lines, at constant distances, cross.
+    /// C is the intersection of the parallels to both lines at constant offsets.
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let [i, j] = &self.tracks;
         let lines = [i, j].map(|track| {
             let (start, direction) = state.line(track);
-            let off = direction.by(Vector::new(0.0, track.off));
-            (start + off, direction)
+            let offset = direction.by(Vector::new(0.0, track.off));
+            (start + offset, direction)
         });
-        let c = crossing(lines, &mut state.margins[given.step])?;
+        let c = crossing(lines, &mut state.margins[context.step])?;
         state.slid(i, lines[0].1, c);
         state.slid(j, lines[1].1, c);
         Ok(())
@@ -42,11 +41,11 @@ impl Solvable for Prp {
             })
             .value();
         let lines = [i, j].map(|track| (track.line.body, track.heading));
-        let Some(acceleration) = cell.crossing(from, at, lines) else {
+        let Some(acceleration) = cell.crossing_acceleration(from, at, lines) else {
             return false;
         };
-        cell.slid(i, acceleration);
-        cell.slid(j, acceleration);
+        cell.set_slider(i, acceleration);
+        cell.set_slider(j, acceleration);
         true
     }
 

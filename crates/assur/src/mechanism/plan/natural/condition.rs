@@ -121,7 +121,7 @@ impl Plan<'_> {
             constant: 0.0,
             turned: 0.0,
             drive: Some(Drive {
-                course,
+                law: course,
                 range: None,
             }),
         };
@@ -139,7 +139,7 @@ impl Plan<'_> {
             PairKind::Slide { slide, range } => {
                 let slide = &self.bodies.slides[slide];
                 given.drive = Some(Drive {
-                    course,
+                    law: course,
                     range: Some(range),
                 });
                 let [on, moving] = slide.bodies;
@@ -182,7 +182,14 @@ impl Plan<'_> {
                 Condition::AngleConstraint(turns, mesh) => {
                     let mut turns = turns.into_iter();
                     let turns = [(); 3].map(|()| turns.next().map(|(form, by)| (index(form), by)));
-                    equations.push((Equation::Angle { turns, mesh }, 0.0, body));
+                    equations.push((
+                        Equation::Angle {
+                            turns,
+                            constraint: mesh,
+                        },
+                        0.0,
+                        body,
+                    ));
                 }
                 Condition::Along {
                     direction,
@@ -192,8 +199,8 @@ impl Plan<'_> {
                     let [direction, way] = [direction, way].map(&mut index);
                     let along = Equation::Along {
                         direction,
-                        way,
-                        mesh,
+                        displacement: way,
+                        constraint: mesh,
                     };
                     equations.push((along, 1.0, body));
                 }
@@ -203,7 +210,14 @@ impl Plan<'_> {
                     length,
                 } => {
                     let [direction, way] = [direction, way].map(&mut index);
-                    equations.push((Equation::Line { direction, way }, length, body));
+                    equations.push((
+                        Equation::Line {
+                            direction,
+                            displacement: way,
+                        },
+                        length,
+                        body,
+                    ));
                 }
             }
         }
