@@ -145,15 +145,9 @@ impl Group {
         for (equation, k) in system.equations.iter_mut().zip(sources) {
             match (equation, self.equations[*k]) {
                 (Bilinear::Unit(one), Equation::Unit(form)) => one.constant = value(form),
-                (
-                    Bilinear::Parallel(one, other),
-                    Equation::Line {
-                        direction,
-                        displacement,
-                    },
-                ) => {
+                (Bilinear::Parallel(one, other), Equation::Line { direction, vector }) => {
                     one.constant = value(direction);
-                    other.constant = value(displacement);
+                    other.constant = value(vector);
                 }
                 _ => return None,
             }
@@ -197,23 +191,16 @@ impl Group {
                 // With the imaginary part.
                 Equation::Real(one) => zeros.push(form(one)),
                 Equation::Imaginary(_) => {}
-                Equation::Line {
-                    direction,
-                    displacement,
-                } => {
-                    equations.push(Bilinear::Parallel(form(direction), form(displacement)));
+                Equation::Line { direction, vector } => {
+                    equations.push(Bilinear::Parallel(form(direction), form(vector)));
                 }
                 Equation::Along {
                     direction,
-                    displacement,
+                    vector,
                     constraint,
                 } => {
                     let component = angles[constraint];
-                    equations.push(Bilinear::Along(
-                        form(direction),
-                        form(displacement),
-                        component,
-                    ));
+                    equations.push(Bilinear::Along(form(direction), form(vector), component));
                 }
                 Equation::Angle {
                     turns: [Some((link, 1.0)), Some((base, -1.0)), None],

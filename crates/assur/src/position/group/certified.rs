@@ -51,162 +51,28 @@ impl Group {
         if !self.invert(cell) {
             return false;
         }
-        let step_len = cell.step_len;
-        let half_square = 0.5 * step_len * step_len;
-        // The residual on the tangent, divided by t²/2; the change of the Jacobian along the tangent, and that per
-        // distance from it.
-        let angular_acceleration = |constraint: usize, cell: &Enclosure| -> f64 {
-            let known = self.angle_constraints[constraint].known.iter();
-            known
-                .map(|(body, factor)| cell.angular_acceleration(*body) * factor.abs())
-                .sum()
-        };
         for (row, equation) in self.equations.iter().enumerate() {
-            let bound = |form: usize| self.form_bound(cell, form);
-            let change = |form: &FormBound| form.tangent_change(step_len);
-            let size = |form: &FormBound| form.value.norm() + step_len * form.rate.norm();
-            let sums = match *equation {
-                Equation::Unit(form) => {
-                    let f = bound(form);
-                    let defect = f.rate.norm_squared()
-                        + (size(&f) + 0.5 * half_square * f.acceleration) * f.acceleration;
-                    [defect, f.sensitivity * change(&f), f.sensitivity.powi(2)]
-                }
-                Equation::Real(form) | Equation::Imaginary(form) => {
-                    [bound(form).acceleration, 0.0, 0.0]
-                }
-                Equation::Line {
-                    direction,
-                    displacement,
-                }
-                | Equation::Along {
-                    direction,
-                    displacement,
-                    ..
-                } => {
-                    let [u, v] = [bound(direction), bound(displacement)];
-                    let rates = match equation {
-                        Equation::Along { .. } => u.rate.dot(&v.rate),
-                        _ => u.rate.perp(&v.rate),
-                    };
-                    let defect = 2.0 * rates.abs()
-                        + (size(&v) + half_square * v.acceleration) * u.acceleration
-                        + size(&u) * v.acceleration;
-                    let along = u.sensitivity * change(&v) + v.sensitivity * change(&u);
-                    [defect, along, 2.0 * u.sensitivity * v.sensitivity]
-                }
-                Equation::Angle { turns, constraint } => {
-                    // The angle of f has the gradient 1/|f|; |f| stays above ½.
-                    let turns = turns.into_iter().flatten();
-                    turns.fold(
-                        [angular_acceleration(constraint, cell), 0.0, 0.0],
-                        |[defect, along, across], (form, factor)| {
-                            let (f, factor) = (bound(form), factor.abs());
-                            let rate = f.rate.norm_squared();
-                            [
-                                defect + factor * (rate + 2.0 * f.acceleration),
-                                along + 4.0 * factor * f.sensitivity * change(&f),
-                                across + 4.0 * factor * f.sensitivity.powi(2),
-                            ]
-                        },
-                    )
-                }
-            };
-            cell.bounds.sums[row] = sums;
+            cell.bounds.sums[row] = self.tangent_bounds(equation, cell);
         }
         let [defect, along, across] = self.weighted(cell);
         // The ball has the radius of twice the first correction.
-        let radius = 2.0 * half_square * defect;
-        let jacobian_change = along + across * radius;
-        if jacobian_change.is_nan()
-            || jacobian_change > MAX_JACOBIAN_CHANGE
-            || !self.turns_are_bounded(cell, radius)
+        let radius = cell.step_len * cell.step_len * defect;
+        let change = along + across * radius;
+        if change.is_nan() || change > MAX_JACOBIAN_CHANGE || !self.turns_are_bounded(cell, radius)
         {
             return false;
         }
         cell.deviations[step] = radius;
-        cell.jacobian_change = cell.jacobian_change.max(jacobian_change);
-        let inverse = (1.0 - jacobian_change).recip();
-
-        // The change of the rates of the unknowns over the step …
+        cell.jacobian_change = cell.jacobian_change.max(change);
+        let inverse = (1.0 - change).recip();
         for (row, equation) in self.equations.iter().enumerate() {
-            let bound = |form: usize| self.form_bound(cell, form);
-            let change = |form: &FormBound| form.change(step_len, radius);
-            let defect = match *equation {
-                Equation::Unit(form) => {
-                    let f = bound(form);
-                    change(&f) * f.rate.norm() + step_len * f.acceleration
-                }
-                Equation::Real(form) | Equation::Imaginary(form) => {
-                    step_len * bound(form).acceleration
-                }
-                Equation::Line {
-                    direction,
-                    displacement,
-                }
-                | Equation::Along {
-                    direction,
-                    displacement,
-                    ..
-                } => {
-                    let [u, v] = [bound(direction), bound(displacement)];
-                    u.rate.norm() * change(&v)
-                        + v.rate.norm() * change(&u)
-                        + step_len * u.acceleration * (v.value.norm() + change(&v))
-                        + step_len * v.acceleration * (u.value.norm() + change(&u))
-                }
-                Equation::Angle { turns, constraint } => {
-                    let turns = turns.into_iter().flatten();
-                    turns.fold(
-                        step_len * angular_acceleration(constraint, cell),
-                        |sum, (form, factor)| {
-                            let f = bound(form);
-                            sum + factor.abs()
-                                * (change(&f) * f.rate.norm() + step_len * f.acceleration)
-                        },
-                    )
-                }
-            };
-            cell.bounds.sums[row] = [defect, 0.0, 0.0];
+            cell.bounds.sums[row] = [self.rate_defect(equation, cell, radius), 0.0, 0.0];
         }
         let [rate_change] = self.weighted(cell);
         let rate_change = inverse * rate_change;
-        // … and with it their second derivatives.
         for (row, equation) in self.equations.iter().enumerate() {
-            let bound = |form: usize| self.form_bound(cell, form);
-            let change = |form: &FormBound| form.change(step_len, radius);
-            let speed = |form: &FormBound| {
-                form.rate.norm() + step_len * form.acceleration + form.sensitivity * rate_change
-            };
-            let acceleration = match *equation {
-                Equation::Unit(form) => {
-                    let f = bound(form);
-                    speed(&f).powi(2) + f.acceleration
-                }
-                Equation::Real(form) | Equation::Imaginary(form) => bound(form).acceleration,
-                Equation::Line {
-                    direction,
-                    displacement,
-                }
-                | Equation::Along {
-                    direction,
-                    displacement,
-                    ..
-                } => {
-                    let [u, v] = [bound(direction), bound(displacement)];
-                    2.0 * speed(&u) * speed(&v)
-                        + u.acceleration * (v.value.norm() + change(&v))
-                        + v.acceleration * (u.value.norm() + change(&u))
-                }
-                Equation::Angle { turns, constraint } => {
-                    let turns = turns.into_iter().flatten();
-                    turns.fold(
-                        angular_acceleration(constraint, cell),
-                        |sum, (form, factor)| sum + factor.abs() * bound(form).acceleration,
-                    )
-                }
-            };
-            cell.bounds.sums[row] = [acceleration, 0.0, 0.0];
+            let defect = self.acceleration_defect(equation, cell, radius, rate_change);
+            cell.bounds.sums[row] = [defect, 0.0, 0.0];
         }
         let [acceleration] = self.weighted(cell);
         let acceleration = inverse * acceleration;
@@ -218,6 +84,136 @@ impl Group {
             cell.set(body.body, turn, [(Vector::zeros(), origin); 2]);
         }
         acceleration.is_finite()
+    }
+
+    /// Bounds for an equation of the residual on the tangent, divided by t²/2, of the change of the Jacobian along the
+    /// tangent, and of that change per distance from the tangent.
+    fn tangent_bounds(&self, equation: &Equation, cell: &Enclosure) -> [f64; 3] {
+        let step_len = cell.step_len;
+        let half_square = 0.5 * step_len * step_len;
+        let bound = |form: usize| self.form_bound(cell, form);
+        let change = |form: &FormBound| form.tangent_change(step_len);
+        let size = |form: &FormBound| form.value.norm() + step_len * form.rate.norm();
+        match *equation {
+            Equation::Unit(form) => {
+                let f = bound(form);
+                let defect = f.rate.norm_squared()
+                    + (size(&f) + 0.5 * half_square * f.acceleration) * f.acceleration;
+                [defect, f.sensitivity * change(&f), f.sensitivity.powi(2)]
+            }
+            Equation::Real(form) | Equation::Imaginary(form) => {
+                [bound(form).acceleration, 0.0, 0.0]
+            }
+            Equation::Line { direction, vector }
+            | Equation::Along {
+                direction, vector, ..
+            } => {
+                let [u, v] = [bound(direction), bound(vector)];
+                let rates = match equation {
+                    Equation::Along { .. } => u.rate.dot(&v.rate),
+                    _ => u.rate.perp(&v.rate),
+                };
+                let defect = 2.0 * rates.abs()
+                    + (size(&v) + half_square * v.acceleration) * u.acceleration
+                    + size(&u) * v.acceleration;
+                let along = u.sensitivity * change(&v) + v.sensitivity * change(&u);
+                [defect, along, 2.0 * u.sensitivity * v.sensitivity]
+            }
+            Equation::Angle { turns, constraint } => {
+                // The angle of f has the gradient 1/|f|; |f| stays above ½.
+                let start = [self.known_acceleration(constraint, cell), 0.0, 0.0];
+                let turns = turns.into_iter().flatten();
+                turns.fold(start, |[defect, along, across], (form, factor)| {
+                    let (f, factor) = (bound(form), factor.abs());
+                    let rate = f.rate.norm_squared();
+                    [
+                        defect + factor * (rate + 2.0 * f.acceleration),
+                        along + 4.0 * factor * f.sensitivity * change(&f),
+                        across + 4.0 * factor * f.sensitivity.powi(2),
+                    ]
+                })
+            }
+        }
+    }
+
+    /// Bound on the change over the step of an equation's derivative by the input, with the rates of the unknowns fixed.
+    fn rate_defect(&self, equation: &Equation, cell: &Enclosure, radius: f64) -> f64 {
+        let step_len = cell.step_len;
+        let bound = |form: usize| self.form_bound(cell, form);
+        let change = |form: &FormBound| form.change(step_len, radius);
+        match *equation {
+            Equation::Unit(form) => {
+                let f = bound(form);
+                change(&f) * f.rate.norm() + step_len * f.acceleration
+            }
+            Equation::Real(form) | Equation::Imaginary(form) => step_len * bound(form).acceleration,
+            Equation::Line { direction, vector }
+            | Equation::Along {
+                direction, vector, ..
+            } => {
+                let [u, v] = [bound(direction), bound(vector)];
+                u.rate.norm() * change(&v)
+                    + v.rate.norm() * change(&u)
+                    + step_len * u.acceleration * (v.value.norm() + change(&v))
+                    + step_len * v.acceleration * (u.value.norm() + change(&u))
+            }
+            Equation::Angle { turns, constraint } => {
+                let start = step_len * self.known_acceleration(constraint, cell);
+                let turns = turns.into_iter().flatten();
+                turns.fold(start, |sum, (form, factor)| {
+                    let f = bound(form);
+                    sum + factor.abs() * (change(&f) * f.rate.norm() + step_len * f.acceleration)
+                })
+            }
+        }
+    }
+
+    /// Bound on an equation's second derivative by the input over the step, with the second derivatives of the unknowns
+    /// zero and their rates changed by at most `rate_change`.
+    fn acceleration_defect(
+        &self,
+        equation: &Equation,
+        cell: &Enclosure,
+        radius: f64,
+        rate_change: f64,
+    ) -> f64 {
+        let step_len = cell.step_len;
+        let bound = |form: usize| self.form_bound(cell, form);
+        let change = |form: &FormBound| form.change(step_len, radius);
+        let speed = |form: &FormBound| {
+            form.rate.norm() + step_len * form.acceleration + form.sensitivity * rate_change
+        };
+        match *equation {
+            Equation::Unit(form) => {
+                let f = bound(form);
+                speed(&f).powi(2) + f.acceleration
+            }
+            Equation::Real(form) | Equation::Imaginary(form) => bound(form).acceleration,
+            Equation::Line { direction, vector }
+            | Equation::Along {
+                direction, vector, ..
+            } => {
+                let [u, v] = [bound(direction), bound(vector)];
+                2.0 * speed(&u) * speed(&v)
+                    + u.acceleration * (v.value.norm() + change(&v))
+                    + v.acceleration * (u.value.norm() + change(&u))
+            }
+            Equation::Angle { turns, constraint } => {
+                let start = self.known_acceleration(constraint, cell);
+                let turns = turns.into_iter().flatten();
+                turns.fold(start, |sum, (form, factor)| {
+                    sum + factor.abs() * bound(form).acceleration
+                })
+            }
+        }
+    }
+
+    /// Bound on the second derivative of the known angles in an angle constraint.
+    fn known_acceleration(&self, constraint: usize, cell: &Enclosure) -> f64 {
+        let known = self.angle_constraints[constraint].known.iter();
+        known
+            .map(|(body, factor)| cell.angular_acceleration(*body) * factor.abs())
+            .sum()
     }
 
     /// Values and first derivatives of all forms at the start of the step, and bounds on their second derivatives with

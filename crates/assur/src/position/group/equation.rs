@@ -66,15 +66,12 @@ pub(crate) enum Equation {
     Real(usize),
     /// The imaginary part of a form is 0.
     Imaginary(usize),
-    /// A point stays on a line: direction × displacement = 0.
-    Line {
-        direction: usize,
-        displacement: usize,
-    },
-    /// A driven slide: direction · displacement, with a direction of length 1, is the driven coordinate.
+    /// A point stays on a line: direction × vector = 0.
+    Line { direction: usize, vector: usize },
+    /// A driven slide: direction · vector, with a direction of length 1, is the driven coordinate.
     Along {
         direction: usize,
-        displacement: usize,
+        vector: usize,
         constraint: usize,
     },
     /// A gear mesh or a driven hinge: the sum of the angles of turns, each times its factor, is prescribed.
@@ -89,15 +86,10 @@ impl Equation {
     pub(in crate::position) fn forms(&self) -> impl Iterator<Item = usize> + use<> {
         let forms = match *self {
             Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None, None],
-            Self::Line {
-                direction,
-                displacement,
-            }
+            Self::Line { direction, vector }
             | Self::Along {
-                direction,
-                displacement,
-                ..
-            } => [Some(direction), Some(displacement), None],
+                direction, vector, ..
+            } => [Some(direction), Some(vector), None],
             Self::Angle { turns, .. } => turns.map(|turn| turn.map(|(form, _)| form)),
         };
         forms.into_iter().flatten()
@@ -140,19 +132,16 @@ impl Equation {
             }
             Self::Real(form) => values[form][order].x,
             Self::Imaginary(form) => values[form][order].y,
-            Self::Line {
-                direction,
-                displacement,
-            } => {
-                let [u, v] = [direction, displacement].map(|form| &values[form]);
+            Self::Line { direction, vector } => {
+                let [u, v] = [direction, vector].map(|form| &values[form]);
                 (0..=order).map(|k| u[k].perp(&v[order - k])).sum()
             }
             Self::Along {
                 direction,
-                displacement,
+                vector,
                 constraint,
             } => {
-                let [u, v] = [direction, displacement].map(|form| &values[form]);
+                let [u, v] = [direction, vector].map(|form| &values[form]);
                 let along: f64 = (0..=order).map(|k| u[k].dot(&v[order - k])).sum();
                 along + known_angles[constraint].angle.coefficient(order)
             }
@@ -185,21 +174,16 @@ impl Equation {
             Self::Unit(form) => gradients[0] = value(form),
             Self::Real(_) => gradients[0] = Vector::x(),
             Self::Imaginary(_) => gradients[0] = Vector::y(),
-            Self::Line {
-                direction,
-                displacement,
-            } => {
-                let [u, v] = [direction, displacement].map(value);
+            Self::Line { direction, vector } => {
+                let [u, v] = [direction, vector].map(value);
                 // u × v = u · (v turned to the right) = v · (u turned to the left).
                 gradients[0] = Vector::new(v.y, -v.x);
                 gradients[1] = Vector::new(-u.y, u.x);
             }
             Self::Along {
-                direction,
-                displacement,
-                ..
+                direction, vector, ..
             } => {
-                [gradients[0], gradients[1]] = [displacement, direction].map(value);
+                [gradients[0], gradients[1]] = [vector, direction].map(value);
             }
             // dθ = u × du / |u|².
             Self::Angle { turns, .. } => {

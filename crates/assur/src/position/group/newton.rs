@@ -132,18 +132,10 @@ impl Group {
             let magnitude = match *equation {
                 Equation::Unit(form) => size(form) * magnitudes[form],
                 Equation::Real(form) | Equation::Imaginary(form) => magnitudes[form],
-                Equation::Line {
-                    direction,
-                    displacement,
-                }
+                Equation::Line { direction, vector }
                 | Equation::Along {
-                    direction,
-                    displacement,
-                    ..
-                } => {
-                    size(direction) * magnitudes[displacement]
-                        + size(displacement) * magnitudes[direction]
-                }
+                    direction, vector, ..
+                } => size(direction) * magnitudes[vector] + size(vector) * magnitudes[direction],
                 Equation::Angle { turns, constraint } => {
                     let known = &work.known_angles[constraint];
                     let turns = turns.iter().flatten().zip(known.near);

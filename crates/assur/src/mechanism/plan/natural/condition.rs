@@ -199,7 +199,7 @@ impl Plan<'_> {
                     let [direction, way] = [direction, way].map(&mut index);
                     let along = Equation::Along {
                         direction,
-                        displacement: way,
+                        vector: way,
                         constraint: mesh,
                     };
                     equations.push((along, 1.0, body));
@@ -213,7 +213,7 @@ impl Plan<'_> {
                     equations.push((
                         Equation::Line {
                             direction,
-                            displacement: way,
+                            vector: way,
                         },
                         length,
                         body,
