@@ -29,8 +29,6 @@ use crate::tolerance;
 
 /// Angle between the numbers ρ of successive hidden directions, radians: no root is at infinite t for all of them.
 const RHO_STEP: f64 = 2.15;
-/// Maximum relative size of a pivot or coefficient that counts as zero.
-const ZERO_PIVOT: f64 = tolerance::COINCIDENT;
 /// Maximum number of QR iterations per row.
 const MAX_QR_ITERATIONS: usize = 60;
 
@@ -78,7 +76,7 @@ impl Loops {
             let free = (0..forms.len()).filter(|k| !basis.contains(k));
             let size = |k: &usize| rest[*k][column].norm();
             let pivot = free.max_by(|a, b| size(a).total_cmp(&size(b)))?;
-            if size(&pivot) <= ZERO_PIVOT {
+            if size(&pivot) <= tolerance::COINCIDENT {
                 return None;
             }
             let pivot_row = rest[pivot].clone();
@@ -171,7 +169,7 @@ impl Pencil {
         for set in &sets {
             let rest = all & !set;
             let a = combination(&loops.rows, rest, others);
-            let has_t = a[1].norm_sqr() > ZERO_PIVOT * ZERO_PIVOT;
+            let has_t = a[1].norm() > tolerance::COINCIDENT;
             let hidden = if has_t { rho * a[1] } else { ZERO };
             let mut constant = [vec![0.0; width], vec![0.0; width]];
             let mut linear = constant.clone();
@@ -196,7 +194,7 @@ impl Pencil {
                 let [a, b] = [a, b].map(|column| row[*column].abs());
                 a.total_cmp(&b)
             });
-            let column = largest.filter(|column| row[*column].abs() > ZERO_PIVOT)?;
+            let column = largest.filter(|column| row[*column].abs() > tolerance::COINCIDENT)?;
             let pivot = row[column];
             let others = with_t
                 .iter_mut()
@@ -238,8 +236,8 @@ impl Pencil {
         let values = schur.complex_eigenvalues();
         let roots = values.iter().filter(|t| t.im >= 0.0).filter_map(|t| {
             let lambda = self.rho * (ONE + C::i() * t) / (ONE - C::i() * t);
-            let square = lambda.norm_sqr();
-            let is_valid = square.is_finite() && square > ZERO_PIVOT * ZERO_PIVOT;
+            let size = lambda.norm();
+            let is_valid = size.is_finite() && size > tolerance::COINCIDENT;
             // A neighbour of the eigenvalue, if the matrix is singular to the last digit.
             let beside = t + tolerance::EXACT * t.norm().max(1.0);
             let vector = || self.vector(*t).or_else(|| self.vector(beside));
@@ -297,10 +295,8 @@ impl Pencil {
             let rest = all & !(self.sets[best] & !(1 << k));
             directions.push(y(self.index_of[rest as usize]) / x(best));
         }
-        let is_valid = |v: &C| {
-            let square = v.norm_sqr();
-            square > ZERO_PIVOT * ZERO_PIVOT && square < (ZERO_PIVOT * ZERO_PIVOT).recip()
-        };
+        let range = tolerance::COINCIDENT..tolerance::COINCIDENT.recip();
+        let is_valid = |v: &C| range.contains(&v.norm());
         directions.iter().all(is_valid).then_some(directions)
     }
 }

@@ -14,8 +14,6 @@ const MIN_STEP: f64 = 1e-7;
 const MAX_CORRECTION: f64 = 1e-3;
 /// Maximum number of corrector steps.
 const MAX_CORRECTOR_STEPS: usize = 3;
-/// Maximum homogeneous coordinate, relative to the others, of a solution at infinity.
-const AT_INFINITY: f64 = tolerance::DISTINCT;
 
 /// Lehmer's random number generator with a fixed seed, for the same paths every time.
 struct Random(u64);
@@ -185,7 +183,8 @@ impl Homotopy<'_> {
         let mut all = Vec::new();
         for part in [z, w] {
             let size = part.iter().fold(0.0, |most, x| f64::max(most, x.norm()));
-            if part[0].norm() < AT_INFINITY * size {
+            // A vanishing homogeneous coordinate.
+            if part[0].norm() < tolerance::DISTINCT * size {
                 return None;
             }
             all.extend(part[1..].iter().map(|x| x / part[0]));

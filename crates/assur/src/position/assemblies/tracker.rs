@@ -10,16 +10,16 @@ pub(super) const MAX_DISTANCE: f64 = 0.25;
 const INDEPENDENT_DISTANCE: f64 = 1e-3;
 /// Maximum extrapolation, in distances between the last two samples.
 const MAX_EXTRAPOLATION: f64 = 4.0;
-/// Maximum number of branches of parameters.
+/// Maximum number of branches.
 const MAX_BRANCHES: usize = 64;
 
-/// The assemblies of a group at earlier inputs, by branches of its parameters: one for each assembly of the groups before
-/// it.
+/// The assemblies of a group at earlier inputs, with a branch for each assembly of the groups before it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tracker {
     pub(super) branches: Vec<Branch>,
-    /// The greatest number of complex assemblies found: that of general parameters. True if independent parameters agree.
+    /// The greatest number of complex assemblies found: that of general parameters.
     pub(super) general_count: usize,
+    /// True if independent parameters have this number.
     pub(super) agreed: bool,
     /// The equations of the last parameters.
     pub(super) system: Option<System>,

@@ -224,7 +224,7 @@ fn drop_duplicates(distances: &mut [Option<f64>], all: &[C], distance: fn(&[C], 
 /// The solutions that have a distance.
 fn kept(all: &[C], distances: &[Option<f64>], size: usize) -> Vec<C> {
     let all = all.chunks_exact(size).zip(distances);
-    let kept = all.filter(|(_, distances)| distances.is_some());
+    let kept = all.filter(|(_, distance)| distance.is_some());
     kept.flat_map(|(at, _)| at).copied().collect()
 }
 
