@@ -20,7 +20,7 @@ const MIN_LENGTH: f64 = 1.0 / 64.0;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct FourBarStep {
     pub(crate) linkage: FourBar,
-    /// The body of the crank, and the offset of φ₁, from the line AD, from its angle.
+    /// The body of the crank, and φ₁, measured from the line AD, less its angle.
     pub(crate) crank: BodyId,
     pub(crate) angle_offset: f64,
     /// Coupler and rocker, and the offsets of the angles of their bodies from φ₂ and φ₃.

@@ -43,8 +43,7 @@ use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Sign, Solvable, Step, StepContext};
 
-/// Maximum distance of two close points, relative to the size of the group: the direction between them loses digits to
-/// rounding.
+/// Maximum distance of close points relative to the lengths that place them: the direction between them loses digits.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
 /// Maximum squared distance of outer hinges that are near each other, relative to the squared size of the dyad: the closed
 /// forms of the derivatives lose digits there.
@@ -146,6 +145,6 @@ pub enum Cause {
     },
     /// There is a pose, but the shown motion does not reach it.
     Unreached,
-    /// The motion was followed only up to an earlier input.
+    /// The motion was followed only up to an earlier input: whether it reaches this one is unknown.
     Unfollowed,
 }

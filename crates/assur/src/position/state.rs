@@ -167,7 +167,7 @@ impl<const N: usize> State<N> {
     }
 
     /// Takes the angle of a body from its turn, less than half a turn from that nearby.
-    pub(crate) fn tracks_turns(&mut self, body: BodyId, near: Nearby<'_>) {
+    pub(crate) fn track_turn(&mut self, body: BodyId, near: Nearby<'_>) {
         self.turned_near(body, near.orientations[body]);
     }
 

@@ -126,7 +126,7 @@ pub(crate) trait Solvable {
         let mut sum = Vector::zeros();
         for body in self.bodies() {
             if self.tracks_turns() {
-                state.tracks_turns(body, context.near);
+                state.track_turn(body, context.near);
             }
             sum +=
                 state.bodies[body].origin.finite_probe() + state.bodies[body].turn.finite_probe();

@@ -115,7 +115,7 @@ impl Enclosure {
     }
 }
 
-/// Range of the angle of a triangle between its base and its first side, for base lengths in an interval.
+/// Width of the range of the angle of a triangle between its base and its first side, for base lengths in an interval.
 fn angle_range([side, other]: [f64; 2], base: [f64; 2]) -> f64 {
     let [sum, difference] = [side + other, side - other];
     let angle = |r: f64| {

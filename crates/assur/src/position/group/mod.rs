@@ -304,7 +304,7 @@ impl Group {
             }
             let pose = &mut state.bodies[*body];
             (pose.origin, pose.turn) = (origin, turn);
-            state.tracks_turns(*body, near);
+            state.track_turn(*body, near);
         }
         finite(sum)
     }
