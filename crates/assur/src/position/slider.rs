@@ -1,8 +1,6 @@
 //! The driven slide.
 
-use super::{
-    BodyPoint, Cause, Complex, DriveLaw, Enclosure, Predictor, Solvable, State, StepContext, Track,
-};
+use super::{Cause, Complex, DriveLaw, Enclosure, Predictor, Solvable, State, StepContext, Track};
 use crate::Jet;
 use crate::index::{BodyId, StepId};
 
@@ -35,12 +33,7 @@ impl Solvable for Slider {
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let Self { track, range, law } = self;
         let line = track.line.body;
-        let at = from
-            .place(BodyPoint {
-                body: track.body,
-                local: track.point,
-            })
-            .value();
+        let at = from.track_point(track);
         let (start, direction) = from.line(track);
         let here = (at - start.value()).dot(&direction.value());
         let there = here + law.rate * cell.width;

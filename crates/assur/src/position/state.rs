@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::group::KnownTerm;
 use super::group::Work;
-use super::{Arm, BodyPoint, Complex, SmoothRoot, Track, conjugate, quotient};
+use super::{Arm, BodyPoint, Complex, SmoothRoot, Track, conjugate, product, quotient};
 use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector};
 
@@ -133,6 +133,12 @@ impl<const N: usize> State<N> {
     pub(crate) fn line(&self, track: &Track) -> (Complex<N>, Complex<N>) {
         let direction = self.bodies[track.line.body].turn.by(track.heading);
         (self.place(track.line), direction)
+    }
+
+    /// Position of the point of a track's link.
+    pub(crate) fn track_point(&self, track: &Track) -> Vector {
+        let body = &self.bodies[track.body];
+        body.origin.value() + product(body.turn.value(), track.point)
     }
 
     /// Lays an arm from a point along a vector of its length.

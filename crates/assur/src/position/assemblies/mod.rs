@@ -145,8 +145,8 @@ impl Group {
         for (equation, k) in system.equations.iter_mut().zip(sources) {
             match (equation, self.equations[*k]) {
                 (Bilinear::Unit(one), Equation::Unit(form)) => one.constant = value(form),
-                (Bilinear::Parallel(one, other), Equation::Line { direction, vector }) => {
-                    one.constant = value(direction);
+                (Bilinear::Parallel(one, other), Equation::Line { axis, vector }) => {
+                    one.constant = value(axis);
                     other.constant = value(vector);
                 }
                 _ => return None,
@@ -191,16 +191,16 @@ impl Group {
                 // With the imaginary part.
                 Equation::Real(one) => zeros.push(form(one)),
                 Equation::Imaginary(_) => {}
-                Equation::Line { direction, vector } => {
-                    equations.push(Bilinear::Parallel(form(direction), form(vector)));
+                Equation::Line { axis, vector } => {
+                    equations.push(Bilinear::Parallel(form(axis), form(vector)));
                 }
                 Equation::Along {
-                    direction,
+                    axis,
                     vector,
                     constraint,
                 } => {
                     let component = angles[constraint];
-                    equations.push(Bilinear::Along(form(direction), form(vector), component));
+                    equations.push(Bilinear::Along(form(axis), form(vector), component));
                 }
                 Equation::Angle {
                     turns: [Some((link, 1.0)), Some((base, -1.0)), None],

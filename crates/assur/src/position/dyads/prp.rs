@@ -3,8 +3,7 @@
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::{
-    BodyPoint, Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track,
-    crossing,
+    Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track, crossing,
 };
 
 /// Links i and j; the point of both tracks is the joint C between them.
@@ -34,12 +33,7 @@ impl Solvable for Prp {
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let [i, j] = &self.tracks;
-        let at = from
-            .place(BodyPoint {
-                body: i.body,
-                local: i.point,
-            })
-            .value();
+        let at = from.track_point(i);
         let lines = [i, j].map(|track| (track.line.body, track.heading));
         let Some(acceleration) = cell.crossing_acceleration(from, at, lines) else {
             return false;

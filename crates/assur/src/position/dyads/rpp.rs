@@ -5,8 +5,7 @@ use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::complex::{Complex, conjugate};
 use crate::position::{
-    BodyPoint, Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track,
-    crossing,
+    Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track, crossing,
 };
 
 /// Link i hinged at B, link j sliding (the block and the yoke of a scotch yoke).
@@ -50,12 +49,7 @@ impl Solvable for Rpp {
         let angular_acceleration = cell.angular_acceleration(track.line.body);
         let hinge = cell.point(from, side.outer).acceleration;
         cell.set(side.body, angular_acceleration, [(side.hinge, hinge); 2]);
-        let at = from
-            .place(BodyPoint {
-                body: track.body,
-                local: track.point,
-            })
-            .value();
+        let at = from.track_point(track);
         let lines = [
             (track.line.body, track.heading),
             (side.body, side.direction),

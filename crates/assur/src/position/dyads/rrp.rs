@@ -4,8 +4,8 @@ use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::complex::Complex;
 use crate::position::{
-    Arm, BodyPoint, Cause, Dead, Enclosure, Predictor, Singularity, Solvable, State, StepContext,
-    Track, product,
+    Arm, Cause, Dead, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track,
+    product,
 };
 
 /// Link i hinged at B, joint C, link j sliding (the connecting rod and the slider of a slider-crank).
@@ -46,12 +46,7 @@ impl Solvable for Rrp {
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let Self { arm, track } = self;
         let (length, line) = (arm.length(), track.line.body);
-        let at = from
-            .place(BodyPoint {
-                body: track.body,
-                local: track.point,
-            })
-            .value();
+        let at = from.track_point(track);
         let b = cell.point(from, arm.outer);
         // From B to the point of the line's body that is at C at the start of the step, and the component of that vector
         // across the line, which the arm must exceed.

@@ -104,11 +104,8 @@ impl Group {
             Equation::Real(form) | Equation::Imaginary(form) => {
                 [bound(form).acceleration, 0.0, 0.0]
             }
-            Equation::Line { direction, vector }
-            | Equation::Along {
-                direction, vector, ..
-            } => {
-                let [u, v] = [bound(direction), bound(vector)];
+            Equation::Line { axis, vector } | Equation::Along { axis, vector, .. } => {
+                let [u, v] = [bound(axis), bound(vector)];
                 let rates = match equation {
                     Equation::Along { .. } => u.rate.dot(&v.rate),
                     _ => u.rate.perp(&v.rate),
@@ -147,11 +144,8 @@ impl Group {
                 change(&f) * f.rate.norm() + step_len * f.acceleration
             }
             Equation::Real(form) | Equation::Imaginary(form) => step_len * bound(form).acceleration,
-            Equation::Line { direction, vector }
-            | Equation::Along {
-                direction, vector, ..
-            } => {
-                let [u, v] = [bound(direction), bound(vector)];
+            Equation::Line { axis, vector } | Equation::Along { axis, vector, .. } => {
+                let [u, v] = [bound(axis), bound(vector)];
                 u.rate.norm() * change(&v)
                     + v.rate.norm() * change(&u)
                     + step_len * u.acceleration * (v.value.norm() + change(&v))
@@ -189,11 +183,8 @@ impl Group {
                 speed(&f).powi(2) + f.acceleration
             }
             Equation::Real(form) | Equation::Imaginary(form) => bound(form).acceleration,
-            Equation::Line { direction, vector }
-            | Equation::Along {
-                direction, vector, ..
-            } => {
-                let [u, v] = [bound(direction), bound(vector)];
+            Equation::Line { axis, vector } | Equation::Along { axis, vector, .. } => {
+                let [u, v] = [bound(axis), bound(vector)];
                 2.0 * speed(&u) * speed(&v)
                     + u.acceleration * (v.value.norm() + change(&v))
                     + v.acceleration * (u.value.norm() + change(&u))

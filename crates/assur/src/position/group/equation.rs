@@ -66,11 +66,11 @@ pub(crate) enum Equation {
     Real(usize),
     /// The imaginary part of a form is 0.
     Imaginary(usize),
-    /// A point stays on a line: direction × vector = 0.
-    Line { direction: usize, vector: usize },
-    /// A driven slide: direction · vector, with a direction of length 1, is the driven coordinate.
+    /// A point stays on a line: axis × vector = 0.
+    Line { axis: usize, vector: usize },
+    /// A driven slide: axis · vector, with an axis of length 1, is the driven coordinate.
     Along {
-        direction: usize,
+        axis: usize,
         vector: usize,
         constraint: usize,
     },
@@ -86,10 +86,9 @@ impl Equation {
     pub(in crate::position) fn forms(&self) -> impl Iterator<Item = usize> + use<> {
         let forms = match *self {
             Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None, None],
-            Self::Line { direction, vector }
-            | Self::Along {
-                direction, vector, ..
-            } => [Some(direction), Some(vector), None],
+            Self::Line { axis, vector } | Self::Along { axis, vector, .. } => {
+                [Some(axis), Some(vector), None]
+            }
             Self::Angle { turns, .. } => turns.map(|turn| turn.map(|(form, _)| form)),
         };
         forms.into_iter().flatten()
@@ -132,16 +131,16 @@ impl Equation {
             }
             Self::Real(form) => values[form][order].x,
             Self::Imaginary(form) => values[form][order].y,
-            Self::Line { direction, vector } => {
-                let [u, v] = [direction, vector].map(|form| &values[form]);
+            Self::Line { axis, vector } => {
+                let [u, v] = [axis, vector].map(|form| &values[form]);
                 (0..=order).map(|k| u[k].perp(&v[order - k])).sum()
             }
             Self::Along {
-                direction,
+                axis,
                 vector,
                 constraint,
             } => {
-                let [u, v] = [direction, vector].map(|form| &values[form]);
+                let [u, v] = [axis, vector].map(|form| &values[form]);
                 let along: f64 = (0..=order).map(|k| u[k].dot(&v[order - k])).sum();
                 along + known_angles[constraint].angle.coefficient(order)
             }
@@ -174,16 +173,14 @@ impl Equation {
             Self::Unit(form) => gradients[0] = value(form),
             Self::Real(_) => gradients[0] = Vector::x(),
             Self::Imaginary(_) => gradients[0] = Vector::y(),
-            Self::Line { direction, vector } => {
-                let [u, v] = [direction, vector].map(value);
+            Self::Line { axis, vector } => {
+                let [u, v] = [axis, vector].map(value);
                 // u × v = u · (v turned to the right) = v · (u turned to the left).
                 gradients[0] = Vector::new(v.y, -v.x);
                 gradients[1] = Vector::new(-u.y, u.x);
             }
-            Self::Along {
-                direction, vector, ..
-            } => {
-                [gradients[0], gradients[1]] = [vector, direction].map(value);
+            Self::Along { axis, vector, .. } => {
+                [gradients[0], gradients[1]] = [vector, axis].map(value);
             }
             // dθ = u × du / |u|².
             Self::Angle { turns, .. } => {

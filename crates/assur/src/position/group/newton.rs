@@ -132,10 +132,9 @@ impl Group {
             let magnitude = match *equation {
                 Equation::Unit(form) => size(form) * magnitudes[form],
                 Equation::Real(form) | Equation::Imaginary(form) => magnitudes[form],
-                Equation::Line { direction, vector }
-                | Equation::Along {
-                    direction, vector, ..
-                } => size(direction) * magnitudes[vector] + size(vector) * magnitudes[direction],
+                Equation::Line { axis, vector } | Equation::Along { axis, vector, .. } => {
+                    size(axis) * magnitudes[vector] + size(vector) * magnitudes[axis]
+                }
                 Equation::Angle { turns, constraint } => {
                     let known = &work.known_angles[constraint];
                     let turns = turns.iter().flatten().zip(known.near);

@@ -198,7 +198,7 @@ impl Plan<'_> {
                 } => {
                     let [direction, way] = [direction, way].map(&mut index);
                     let along = Equation::Along {
-                        direction,
+                        axis: direction,
                         vector: way,
                         constraint: mesh,
                     };
@@ -212,7 +212,7 @@ impl Plan<'_> {
                     let [direction, way] = [direction, way].map(&mut index);
                     equations.push((
                         Equation::Line {
-                            direction,
+                            axis: direction,
                             vector: way,
                         },
                         length,
