@@ -34,14 +34,14 @@ pub(crate) struct Enclosure {
 /// correction.
 pub(super) const MAX_JACOBIAN_CHANGE: f64 = 0.5;
 /// Number of columns of an inverse that are computed together.
-pub(super) const COLUMNS_AT_ONCE: usize = 4;
+pub(super) const BLOCK: usize = 4;
 
 /// Buffers for the bounds of a group.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bounds {
     pub(super) inverse: Vec<f64>,
-    pub(super) units: Vec<[f64; COLUMNS_AT_ONCE]>,
-    pub(super) columns: Vec<[f64; COLUMNS_AT_ONCE]>,
+    pub(super) units: Vec<[f64; BLOCK]>,
+    pub(super) columns: Vec<[f64; BLOCK]>,
     pub(super) inputs: Vec<f64>,
     pub(super) forms: Vec<f64>,
     pub(super) sums: Vec<[f64; 3]>,
@@ -195,11 +195,8 @@ impl Enclosure {
 
     /// Bound on the second derivative of a unit vector on a body.
     pub(crate) fn direction_acceleration(&self, from: &Predictor, body: BodyId) -> f64 {
-        Vector::new(
-            self.angular_acceleration(body),
-            self.max_turn_rate(from, body).powi(2),
-        )
-        .norm()
+        let centripetal = self.max_turn_rate(from, body).powi(2);
+        Vector::new(self.angular_acceleration(body), centripetal).norm()
     }
 
     /// Bounds of a point on a body.
@@ -233,16 +230,12 @@ impl Enclosure {
 
     /// Bounds on the distance from the origin.
     pub(crate) fn distances(&self, point: &PointBound) -> [f64; 2] {
-        let PointBound {
-            at,
-            rate,
-            acceleration,
-        } = point;
-        let radius = 0.5 * self.step_len * self.step_len * acceleration;
+        let (at, rate) = (point.at, point.rate);
+        let radius = 0.5 * self.step_len * self.step_len * point.acceleration;
         let end = at + rate * self.width;
         let most = at.norm().max(end.norm());
         // The nearest point of the tangent.
-        let nearest = -at.dot(rate) / rate.norm_squared() * self.width.signum();
+        let nearest = -at.dot(&rate) / rate.norm_squared() * self.width.signum();
         let least = if nearest.is_finite() {
             let nearest = nearest.clamp(0.0, self.step_len) * self.width.signum();
             (at + rate * nearest).norm()

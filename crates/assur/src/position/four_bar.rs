@@ -90,11 +90,7 @@ impl FourBarStep {
     }
 
     /// Places each link by its own angle: rounding of the joints would turn a short link.
-    fn place_by_angles<const N: usize>(
-        &self,
-        state: &mut State<N>,
-        sign: Sign,
-    ) -> Result<(), Cause> {
+    fn set_angles<const N: usize>(&self, state: &mut State<N>, sign: Sign) -> Result<(), Cause> {
         let crank = state.angle(self.crank).value() + self.angle_offset;
         let pose = self.linkage.pose_along::<N>(sign.into(), crank);
         let pose = pose.map_err(|unsolved| match unsolved {
@@ -103,10 +99,8 @@ impl FourBarStep {
             Unsolved::Undetermined { .. } => Cause::Undetermined,
             Unsolved::DeadPoint { .. } => Cause::DeadPoint,
         })?;
-        let angles = [
-            pose.coupler + self.arm_offsets[0],
-            pose.rocker + self.arm_offsets[1],
-        ];
+        let [coupler, rocker] = self.arm_offsets;
+        let angles = [pose.coupler + coupler, pose.rocker + rocker];
         for (arm, angle) in self.arms.iter().zip(angles) {
             let at = state.place(arm.outer);
             state.put(arm.body, Complex::turn(angle), arm.from, at);
@@ -145,7 +139,7 @@ impl Solvable for FourBarStep {
             self.lay(state, context.sign, &triangle);
             return Ok(());
         }
-        self.place_by_angles(state, context.sign)
+        self.set_angles(state, context.sign)
     }
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {

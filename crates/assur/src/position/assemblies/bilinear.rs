@@ -57,18 +57,14 @@ impl Affine {
     }
 }
 
-/// A form and its derivative by the input.
-pub(super) type FormWithRate = [Affine; 2];
+/// A form that varies with the input, and its derivative by it.
+pub(super) type Varying = [Affine; 2];
 
 /// The form with one unknown eliminated, by its expression in the others.
-fn without(
-    [form, rate]: &FormWithRate,
-    unknown: usize,
-    [expression, expression_rate]: &FormWithRate,
-) -> FormWithRate {
-    let mut rest = rate.without(unknown, expression);
-    rest.add(form.by[unknown], expression_rate);
-    [form.without(unknown, expression), rest]
+fn without([form, rate]: &Varying, unknown: usize, [value, value_rate]: &Varying) -> Varying {
+    let mut rest = rate.without(unknown, value);
+    rest.add(form.by[unknown], value_rate);
+    [form.without(unknown, value), rest]
 }
 
 fn sum(start: C, terms: impl Iterator<Item = C>) -> C {
@@ -97,9 +93,9 @@ impl<F, W: Copy> Bilinear<F, W> {
 }
 
 /// An equation with its derivative by the input.
-pub(super) type BilinearWithRate = Bilinear<FormWithRate, [f64; 2]>;
+pub(super) type VaryingBilinear = Bilinear<Varying, [f64; 2]>;
 
-impl BilinearWithRate {
+impl VaryingBilinear {
     /// The equation, and the derivatives of its forms.
     fn parts(self) -> [Bilinear; 2] {
         match self {
@@ -243,8 +239,8 @@ impl System {
     /// or the number of equations is not that of unknowns.
     pub(super) fn new(
         unknowns: usize,
-        equations: Vec<BilinearWithRate>,
-        zeros: Vec<FormWithRate>,
+        equations: Vec<VaryingBilinear>,
+        zeros: Vec<Varying>,
     ) -> Option<Self> {
         let own = (0..unknowns).map(|k| {
             let mut own = Affine::constant(ZERO, unknowns);
@@ -272,7 +268,7 @@ impl System {
             value.by.remove(unknown);
             let value_rate = scaled(&rate.without(unknown, &value));
             let expression = [value, value_rate];
-            let eliminate = |form: &FormWithRate| without(form, unknown, &expression);
+            let eliminate = |form: &Varying| without(form, unknown, &expression);
             let reduced = equations.iter().map(|equation| equation.map(eliminate));
             equations = reduced.collect();
             own = own

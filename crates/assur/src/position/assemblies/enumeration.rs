@@ -17,10 +17,8 @@ impl System {
     pub(super) fn work(&self, method: Method) -> usize {
         let solutions =
             (1..=self.unknowns).fold(1, |n: usize, k| n.saturating_mul(self.unknowns + k) / k);
-        let by_loops = self
-            .equations
-            .iter()
-            .all(|one| matches!(one, Bilinear::Unit(_)));
+        let mut equations = self.equations.iter();
+        let by_loops = equations.all(|one| matches!(one, Bilinear::Unit(_)));
         if by_loops && method == Method::Usual {
             solutions.saturating_pow(3) / 20 * hidden_directions(self.unknowns)
         } else {
@@ -131,10 +129,8 @@ impl System {
             // The conjugate of a solution is a solution.
             let conjugate = conjugate(&at);
             for at in [at, conjugate] {
-                match found
-                    .iter()
-                    .position(|other| distance(other, &at) < tolerance::DOUBLE_ROOT)
-                {
+                let same = |other: &Vec<C>| distance(other, &at) < tolerance::DOUBLE_ROOT;
+                match found.iter().position(same) {
                     Some(known) => is_confirmed[known] = true,
                     None => {
                         found.push(at);

@@ -12,7 +12,7 @@ mod tracking;
 use super::{Cause, DriveLaw, Equation, Group, State, StepContext};
 use crate::Vector;
 use crate::index::BodyId;
-use bilinear::{Affine, Bilinear, C, FormWithRate, System};
+use bilinear::{Affine, Bilinear, C, System, Varying};
 pub(crate) use tracker::Tracker;
 
 /// Method to find all assemblies of a group.
@@ -178,7 +178,7 @@ impl Group {
                 Affine::constant(constant.unwrap_or_default(), self.units.len())
             })
         });
-        let mut forms: Vec<FormWithRate> = forms.collect();
+        let mut forms: Vec<Varying> = forms.collect();
         for term in &self.unknown_terms {
             let factor = number(term.factor) * self.units[term.index];
             forms[term.form][0].by[term.index] += factor;

@@ -136,10 +136,8 @@ impl Branch {
         let [before, earlier @ ..] = &self.before[..] else {
             return extrapolation;
         };
-        let terms = parameters
-            .iter()
-            .zip(&self.last.parameters)
-            .zip(&before.parameters);
+        let (last, before) = (&self.last.parameters, &before.parameters);
+        let terms = parameters.iter().zip(last).zip(before);
         let (along, square) = terms.fold((0.0, 0.0), |(along, square), ((here, last), before)| {
             let step = last - before;
             (
@@ -157,9 +155,7 @@ impl Branch {
             return extrapolation;
         };
         // The samples are at 0, −1 and −r, in distances between the last two.
-        let r = 1.0
-            + distance(&before.parameters, &earlier.parameters)
-                / distance(&self.last.parameters, &before.parameters);
+        let r = 1.0 + distance(before, &earlier.parameters) / distance(last, before);
         if r > 1.0 + MAX_EXTRAPOLATION.recip() && r < 1.0 + MAX_EXTRAPOLATION {
             extrapolation.weights = [
                 (t + 1.0) * (t + r) / r,

@@ -10,7 +10,7 @@
 use super::equation::{Equation, MAX_FORMS};
 use super::{Group, KnownTerm};
 use crate::index::StepId;
-use crate::position::enclosure::{Bounds, COLUMNS_AT_ONCE, Enclosure, MAX_JACOBIAN_CHANGE};
+use crate::position::enclosure::{BLOCK, Bounds, Enclosure, MAX_JACOBIAN_CHANGE};
 use crate::position::{Predictor, Vector};
 use crate::tolerance;
 
@@ -247,21 +247,16 @@ impl Group {
             ..
         } = bounds;
         inverse.clear();
-        columns.resize(size, [0.0; COLUMNS_AT_ONCE]);
+        columns.resize(size, [0.0; BLOCK]);
         let elimination = self.last_elimination(work.used_plan, &work.own_plan);
-        for first in (0..rows).step_by(COLUMNS_AT_ONCE) {
+        for first in (0..rows).step_by(BLOCK) {
             units.clear();
-            units.extend(
-                (0..rows)
-                    .map(|row| std::array::from_fn(|k| if row == first + k { 1.0 } else { 0.0 })),
-            );
+            let unit = |row: usize, k: usize| if row == first + k { 1.0 } else { 0.0 };
+            units.extend((0..rows).map(|row| std::array::from_fn(|k| unit(row, k))));
             elimination.solve(&work.jacobian, units, columns);
-            for k in 0..COLUMNS_AT_ONCE.min(rows - first) {
-                inverse.extend(
-                    columns
-                        .iter()
-                        .map(|column: &[f64; COLUMNS_AT_ONCE]| column[k]),
-                );
+            for k in 0..BLOCK.min(rows - first) {
+                let block = columns.iter();
+                inverse.extend(block.map(|column: &[f64; BLOCK]| column[k]));
             }
         }
         inverse.iter().all(|value| value.is_finite())

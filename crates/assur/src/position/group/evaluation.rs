@@ -34,7 +34,7 @@ impl Group {
     }
 
     /// Sets all forms to the sum of their constants and inputs.
-    pub(in crate::position) fn evaluate_inputs<const N: usize>(&self, work: &mut Work<N>) {
+    pub(super) fn evaluate_inputs<const N: usize>(&self, work: &mut Work<N>) {
         for (value, constant) in work.values.iter_mut().zip(&self.constants) {
             value.set_constant(*constant);
         }
@@ -45,7 +45,7 @@ impl Group {
     }
 
     /// Bounds on the second derivatives of all forms with the unknowns fixed, by those of the inputs.
-    pub(in crate::position) fn bound_accelerations(&self, inputs: &[f64], forms: &mut Vec<f64>) {
+    pub(super) fn bound_accelerations(&self, inputs: &[f64], forms: &mut Vec<f64>) {
         forms.clear();
         forms.resize(self.constants.len(), 0.0);
         for term in &self.input_terms {
@@ -63,18 +63,14 @@ impl Group {
 
     /// Adds the unknowns to a coefficient of the forms in equations.
     #[inline(always)]
-    pub(in crate::position) fn add_unknowns<const N: usize>(
-        &self,
-        work: &mut Work<N>,
-        order: usize,
-    ) {
+    pub(super) fn add_unknowns<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         for term in &self.unknown_terms {
             work.values[term.form][order] += product(work.unknowns[term.index][order], term.factor);
         }
     }
 
     /// Adds the unknowns to all other forms.
-    pub(in crate::position) fn evaluate_outputs<const N: usize>(&self, work: &mut Work<N>) {
+    pub(super) fn evaluate_outputs<const N: usize>(&self, work: &mut Work<N>) {
         for term in &self.output_terms {
             let unknown = work.unknowns[term.index].by(term.factor);
             work.values[term.form] = work.values[term.form] + unknown;
@@ -83,7 +79,7 @@ impl Group {
 
     /// Eliminates the Jacobian in the planned order or, if a pivot is too small there, in an order of its own. Returns
     /// the determinant, to be scaled by [`Self::scaled_determinant`]; none if it is singular.
-    pub(in crate::position) fn factorize<const N: usize>(&self, work: &mut Work<N>) -> Option<f64> {
+    pub(super) fn factorize<const N: usize>(&self, work: &mut Work<N>) -> Option<f64> {
         self.jacobian(work);
         let planned = self.elimination.factor(&mut work.jacobian);
         work.used_plan = planned.is_some();
@@ -96,7 +92,7 @@ impl Group {
 
     /// The determinant of the last elimination as a multiple of a power of two, and the exponent of that power: the same
     /// one in all poses of a planned group.
-    pub(in crate::position) fn scaled_determinant<const N: usize>(
+    pub(super) fn scaled_determinant<const N: usize>(
         &self,
         work: &Work<N>,
         determinant: f64,
@@ -117,7 +113,7 @@ impl Group {
     }
 
     /// The elimination of the last Jacobian: that of the group, or one planned for the pose.
-    pub(in crate::position) fn last_elimination<'a>(
+    pub(super) fn last_elimination<'a>(
         &'a self,
         used_plan: bool,
         own_plan: &'a Elimination,

@@ -179,27 +179,20 @@ impl Plan<'_> {
                     let both = [Equation::Real(form), Equation::Imaginary(form)];
                     equations.extend(both.map(|equation| (equation, 1.0, body)));
                 }
-                Condition::AngleConstraint(turns, mesh) => {
+                Condition::AngleConstraint(turns, constraint) => {
                     let mut turns = turns.into_iter();
                     let turns = [(); 3].map(|()| turns.next().map(|(form, by)| (index(form), by)));
-                    equations.push((
-                        Equation::Angle {
-                            turns,
-                            constraint: mesh,
-                        },
-                        0.0,
-                        body,
-                    ));
+                    equations.push((Equation::Angle { turns, constraint }, 0.0, body));
                 }
                 Condition::Along {
                     direction,
                     way,
                     mesh,
                 } => {
-                    let [direction, way] = [direction, way].map(&mut index);
+                    let [axis, vector] = [direction, way].map(&mut index);
                     let along = Equation::Along {
-                        axis: direction,
-                        vector: way,
+                        axis,
+                        vector,
                         constraint: mesh,
                     };
                     equations.push((along, 1.0, body));
@@ -209,15 +202,8 @@ impl Plan<'_> {
                     way,
                     length,
                 } => {
-                    let [direction, way] = [direction, way].map(&mut index);
-                    equations.push((
-                        Equation::Line {
-                            axis: direction,
-                            vector: way,
-                        },
-                        length,
-                        body,
-                    ));
+                    let [axis, vector] = [direction, way].map(&mut index);
+                    equations.push((Equation::Line { axis, vector }, length, body));
                 }
             }
         }
