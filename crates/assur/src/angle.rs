@@ -1,17 +1,17 @@
-//! Angles that keep their digits however often they go round.
+//! Angles that keep their digits over any number of turns.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Sub;
 
-/// What 2π is more than its double.
+/// The difference between 2π and the double nearest to it.
 const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
 
-/// An angle as whole turns and the rest, so that the rest has all the digits of a double after any number of turns.
+/// An angle as whole turns and a remainder, which has all the digits of a double after any number of turns.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Angle {
     turns: i64,
     part: f64,
-    /// What the sum of all increments is more than turns and part: below the last digit of the part.
+    /// Rounding error of the part, below its last digit.
     carry: f64,
 }
 
@@ -23,7 +23,7 @@ impl Angle {
         angle
     }
 
-    /// Whole turns, and a part of a turn more.
+    /// An angle in whole turns and a part of a turn.
     pub(crate) fn of_turns(turns: i64, part: f64) -> Self {
         let mut angle = Self::new(part * TAU);
         angle.turns = angle.turns.saturating_add(turns);
@@ -35,24 +35,24 @@ impl Angle {
         self.turns
     }
 
-    /// What is beyond the whole turns, from −π to π, radians.
+    /// Remainder beyond the whole turns, from −π to π, radians.
     pub fn part(&self) -> f64 {
         self.part
     }
 
-    /// All of it in radians, with the digits that a double has left for it.
+    /// The whole angle in radians, rounded to a double.
     pub fn radians(&self) -> f64 {
         self.turns as f64 * TAU + self.part
     }
 
-    /// Turns by an increment, radians.
+    /// Adds an increment, radians.
     pub(crate) fn add(&mut self, increment: f64) {
         let (part, lost) = sum(self.part, increment);
         (self.part, self.carry) = sum(part, self.carry + lost);
         let turns = (self.part / TAU).round();
         if turns != 0.0 {
             self.turns = self.turns.saturating_add(turns as i64);
-            // One rounding, of a difference that is small: what it loses goes into the carry.
+            // One rounding, of a small difference; its error goes into the carry.
             let rest = (-turns).mul_add(TAU, self.part);
             (self.part, self.carry) = sum(rest, self.carry - turns * TAU_REST);
         }
@@ -73,7 +73,7 @@ impl Sub for Angle {
     }
 }
 
-/// Σ nᵢ φᵢ, folded: whole turns, and the rest from −π to π. Whole turns of the angles drop out exactly.
+/// Σ nᵢ φᵢ as whole turns and the remainder from −π to π. Whole turns of the angles drop out exactly.
 pub(crate) fn combination(factors: [i64; 4], angles: &[Angle; 4]) -> (i64, f64) {
     let mut turns: i64 = 0;
     let mut rest = 0.0;
@@ -86,7 +86,7 @@ pub(crate) fn combination(factors: [i64; 4], angles: &[Angle; 4]) -> (i64, f64) 
     (turns.saturating_add(more as i64), rest.clamp(-PI, PI))
 }
 
-/// A sum, and what its rounding lost (Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
+/// A sum and its rounding error (Knuth, *The Art of Computer Programming* 2, 4.2.2, theorem B).
 pub(crate) fn sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let of_b = sum - a;
@@ -99,14 +99,14 @@ mod tests {
 
     #[test]
     fn ten_thousand_turns_lose_no_digit() {
-        // 3/1024 rad at a time, 0.003 turns more or less; 10,000 turns in all and then back.
+        // Steps of 3/1024 rad over 10,000 turns and back.
         let mut angle = Angle::new(0.25);
         let step = 3.0 / 1024.0;
         let steps = 21_446_606;
         for _ in 0..steps {
             angle.add(step);
         }
-        // Exactly: 0.25 + 3·21446606/1024 = 62832.103515625 rad; 10,000·2π with forty digits of π taken away.
+        // Exactly: 0.25 + 3·21446606/1024 = 62832.103515625 rad, less 10,000·2π with forty digits of π.
         assert_eq!(angle.turns(), 10_000);
         assert!(
             (angle.part() - 0.250_443_829_135_230_8).abs() < 1e-15,
@@ -132,7 +132,7 @@ mod tests {
             angle(7, -0.3),
             Angle::default(),
         ];
-        // 20(φ₁ − φ₃) + 10(φ₂ − φ₃): 8 + 5 rad beyond the whole turns, which is two turns and some.
+        // 20(φ₁ − φ₃) + 10(φ₂ − φ₃): 8 + 5 rad beyond the whole turns, more than two turns.
         let (turns, rest) = combination([20, 10, -30, 0], &angles);
         assert_eq!(turns, 20 * 1_000_003 - 10 * 2_000_000 - 30 * 7 + 2);
         assert!((rest - (13.0 - 2.0 * TAU)).abs() < 1e-14);

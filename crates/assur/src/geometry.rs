@@ -1,15 +1,14 @@
-//! Points and vectors of the plane. nalgebra keeps the two apart: a sum of two
-//! points does not compile.
+//! Points and vectors of the plane, of different types in nalgebra: a sum of two points does not compile.
 
 use crate::Jet;
 
-/// A place in the plane.
+/// A position in the plane.
 pub type Point = nalgebra::Point2<f64>;
 
 /// A displacement in the plane.
 pub type Vector = nalgebra::Vector2<f64>;
 
-/// The place nearest to another on the line between two, which may be one.
+/// The point of a segment nearest to a point; the segment may have length 0.
 pub fn nearest(place: Point, from: Point, to: Point) -> Point {
     let along = to - from;
     let square = along.norm_squared();
@@ -20,7 +19,7 @@ pub fn nearest(place: Point, from: Point, to: Point) -> Point {
     }
 }
 
-/// A moving point: both coordinates with their derivatives by the input angle.
+/// A moving point: both coordinates with their derivatives by the input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JetPoint<const N: usize> {
     /// Abscissa, in the unit of the lengths.
@@ -30,7 +29,7 @@ pub struct JetPoint<const N: usize> {
 }
 
 impl<const N: usize> JetPoint<N> {
-    /// The point that stays at `place`.
+    /// A fixed point.
     pub fn fixed(place: Point) -> Self {
         Self {
             x: Jet::constant(place.x),
@@ -38,19 +37,18 @@ impl<const N: usize> JetPoint<N> {
         }
     }
 
-    /// Where the point is.
+    /// The position.
     pub fn place(&self) -> Point {
         Point::new(self.x.value(), self.y.value())
     }
 
-    /// Its `order`-th derivative by the input angle: the analogue of velocity
-    /// for 1, of acceleration for 2. Zero beyond the orders carried.
+    /// The `order`-th derivative by the input: the analogue of velocity for 1, of acceleration for 2. Zero beyond the
+    /// orders carried.
     pub fn derivative(&self, order: usize) -> Vector {
         Vector::new(self.x.derivative(order), self.y.derivative(order))
     }
 
-    /// The point at `along` in the direction `angle` and `across` to the left
-    /// of it, both seen from this point.
+    /// The point at a distance `along` from this one in a direction and `across` to the left of it.
     pub fn offset(&self, angle: Jet<N>, along: f64, across: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self {

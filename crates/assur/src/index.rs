@@ -1,20 +1,19 @@
-//! Numbers of links, points, bodies and steps as types of their own: the number of
-//! a point is never taken for that of a link. They come from a mechanism and are of
-//! use with that one.
+//! Typed indices of links, points, bodies and steps: that of a point cannot be used for a link. An index belongs to the
+//! mechanism it comes from.
 
 use std::fmt;
 use std::marker::PhantomData;
 use std::ops::{Index, IndexMut};
 
-/// A number of something.
+/// A typed index.
 pub(crate) trait Id: Copy {
     fn at(index: usize) -> Self;
     fn number(self) -> usize;
 }
 
 macro_rules! ids {
-    ($($(#[$said:meta])* $seen:vis $name:ident)*) => {$(
-        $(#[$said])*
+    ($($(#[$attribute:meta])* $seen:vis $name:ident)*) => {$(
+        $(#[$attribute])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         $seen struct $name(usize);
 
@@ -39,7 +38,7 @@ ids! {
     pub PointId
     /// A rigid body: the frame or a link, with what is fixed to it.
     pub BodyId
-    /// A step of the plan by which a mechanism is solved: the driver or a group.
+    /// A step of the plan that solves a mechanism: a driver or a group.
     pub StepId
     /// A prismatic pair, in the order of the draft.
     pub SlideId
@@ -48,7 +47,7 @@ ids! {
 macro_rules! places {
     ($($name:ident)*) => {$(
         impl $name {
-            /// Its place in the list, from 0.
+            /// The index, from 0.
             #[inline(always)]
             pub fn index(self) -> usize {
                 self.0
@@ -65,11 +64,11 @@ impl BodyId {
 }
 
 impl StepId {
-    /// What is solved first: it stands for the whole where no single step fails.
+    /// The first step; it stands for the whole plan if no single step fails.
     pub(crate) const FIRST: Self = Self(0);
 }
 
-/// A list with its own kind of number.
+/// A list with a typed index.
 pub(crate) struct List<I, T> {
     items: Vec<T>,
     numbers: PhantomData<I>,
@@ -80,7 +79,7 @@ impl<I: Id, T> List<I, T> {
         self.items.len()
     }
 
-    /// The numbers of all that is in it.
+    /// The indices of all items.
     pub(crate) fn ids(
         &self,
     ) -> impl DoubleEndedIterator<Item = I> + ExactSizeIterator + Clone + use<I, T> {
@@ -108,7 +107,7 @@ impl<I: Id, T> List<I, T> {
         self.items.remove(id.number())
     }
 
-    /// A list as long as another that has the same numbers.
+    /// A list of copies of an item with the same indices.
     pub(crate) fn same_len<U: Clone>(&self, item: U) -> List<I, U> {
         vec![item; self.len()].into()
     }

@@ -1,5 +1,4 @@
-//! What is wrong with the dimensions of a mechanism. Codes with parameters:
-//! the words are the caller's.
+//! Invalid dimensions of a mechanism, as codes with parameters: the words are the caller's.
 
 use std::fmt;
 
@@ -16,7 +15,7 @@ pub enum Dimension {
     Frame,
     /// Number of teeth of the driving wheel.
     DriverTeeth,
-    /// How many wheels are driven.
+    /// Number of driven wheels.
     Wheels,
     /// Number of teeth of a driven wheel, counted from 0.
     DrivenTeeth(usize),
@@ -24,17 +23,17 @@ pub enum Dimension {
     Module,
     /// Direction of the line from the driving to a driven wheel's centre.
     CentreLine(usize),
-    /// How many points are traced.
+    /// Number of traced points.
     Tracers,
     /// The body that carries a traced point, counted from 0.
     TracerCarrier(usize),
-    /// A traced point's place along its body.
+    /// Coordinate of a traced point along its body.
     TracerX(usize),
-    /// A traced point's place across its body.
+    /// Coordinate of a traced point across its body.
     TracerY(usize),
 }
 
-/// Why a dimension cannot be taken.
+/// Why a dimension is invalid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
     /// NaN or infinite.
@@ -44,13 +43,13 @@ pub enum Fault {
         /// As given.
         value: f64,
     },
-    /// Outside what can be computed (or drawn) with sense.
+    /// Outside the range that can be computed and drawn.
     OutOfRange {
         /// As given.
         value: f64,
-        /// Least that is taken.
+        /// Minimum.
         min: f64,
-        /// Most that is taken.
+        /// Maximum.
         max: f64,
     },
     /// A number of teeth with a fraction.
@@ -58,35 +57,33 @@ pub enum Fault {
         /// As given.
         value: f64,
     },
-    /// At least as long as the other links together: the loop never closes, or
-    /// closes in one position only.
+    /// At least as long as the other links together: the loop closes in one position or in none.
     TooLong {
-        /// How much longer than the other links together; 0 or more.
+        /// Excess over the length of the other links together; 0 or more.
         by: f64,
     },
-    /// Internal mesh of wheels with equally many teeth: their centres coincide.
+    /// Internal mesh of wheels with equal numbers of teeth: their centres coincide.
     Concentric,
-    /// Internal mesh of one driver with larger and with smaller wheels: it would
-    /// have to be a ring to these and inside of those.
+    /// Internal mesh of one driver with larger and with smaller wheels: it cannot be both ring and pinion.
     BothSides,
     /// There is no such part.
     Absent,
 }
 
 impl Fault {
-    /// `value` if its size is not beyond `most`.
-    pub(crate) fn check_size(value: f64, most: f64) -> Result<f64, Self> {
-        let (min, max) = (-most, most);
+    /// The value if its absolute value is at most a maximum.
+    pub(crate) fn check_size(value: f64, max_size: f64) -> Result<f64, Self> {
+        let (min, max) = (-max_size, max_size);
         if !value.is_finite() {
             Err(Self::NotFinite)
-        } else if value.abs() > most {
+        } else if value.abs() > max_size {
             Err(Self::OutOfRange { value, min, max })
         } else {
             Ok(value)
         }
     }
 
-    /// `value` if it lies in the range, which is positive.
+    /// The value if it is in a positive range.
     pub(crate) fn check_positive(value: f64, (min, max): (f64, f64)) -> Result<f64, Self> {
         if !value.is_finite() {
             Err(Self::NotFinite)
@@ -99,7 +96,7 @@ impl Fault {
         }
     }
 
-    /// `value` as a whole number in the range, which is positive.
+    /// The value as a whole number in a positive range.
     pub(crate) fn check_count(value: f64, range: (f64, f64)) -> Result<u32, Self> {
         if value > 0.0 && value.is_finite() && value.fract() != 0.0 {
             return Err(Self::NotWhole { value });
@@ -108,22 +105,22 @@ impl Fault {
     }
 }
 
-/// One reason why dimensions do not make a mechanism.
+/// An invalid dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Invalid {
     /// The dimension at fault.
     pub dimension: Dimension,
-    /// Why it cannot be taken.
+    /// Why it is invalid.
     pub fault: Fault,
 }
 
 impl Invalid {
-    /// `value` if its size is not beyond `most`; else the reason.
-    pub(crate) fn check_size(dimension: Dimension, value: f64, most: f64) -> Result<f64, Self> {
-        Fault::check_size(value, most).map_err(|fault| Self { dimension, fault })
+    /// The value if its absolute value is at most a maximum.
+    pub(crate) fn check_size(dimension: Dimension, value: f64, max_size: f64) -> Result<f64, Self> {
+        Fault::check_size(value, max_size).map_err(|fault| Self { dimension, fault })
     }
 
-    /// `value` if it lies in the range, which is positive; else the reason.
+    /// The value if it is in a positive range.
     pub(crate) fn check_positive(
         dimension: Dimension,
         value: f64,
@@ -134,7 +131,7 @@ impl Invalid {
 }
 
 impl fmt::Display for Invalid {
-    /// For the programmer's log; the words for people live in string tables.
+    /// For the programmer's log; the words for users are in string tables.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:?}: {:?}", self.dimension, self.fault)
     }

@@ -1,25 +1,23 @@
-//! A value together with its derivatives by the input angle.
+//! A value with its derivatives by the input.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A truncated Taylor series in the input angle: a value and `N − 1`
-/// derivatives, carried exactly (no differencing) through every operation.
+/// A truncated Taylor series in the input: a value and `N − 1` derivatives, carried through every operation without
+/// differencing.
 ///
-/// `Jet<1>` is a bare value, `Jet<3>` adds the analogues of velocity and
-/// acceleration. Stored are the Taylor coefficients cₖ = f⁽ᵏ⁾/k!, for which the
-/// recurrences of the elementary functions are shortest (Griewank and Walther,
-/// *Evaluating Derivatives*, ch. 13).
+/// `Jet<1>` is a bare value, `Jet<3>` adds the analogues of velocity and acceleration. It stores the Taylor coefficients
+/// cₖ = f⁽ᵏ⁾/k!, for which the recurrences of the elementary functions are shortest (Griewank and Walther, *Evaluating
+/// Derivatives*, ch. 13).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<const N: usize>([f64; N]);
 
 impl<const N: usize> Jet<N> {
-    /// A value that does not depend on the input.
+    /// A value independent of the input.
     pub fn constant(value: f64) -> Self {
         Self(std::array::from_fn(|k| if k == 0 { value } else { 0.0 }))
     }
 
-    /// A value that grows with the input at the given `rate`; the input itself
-    /// has rate 1.
+    /// A linear function of the input; the input itself has rate 1.
     pub fn linear(value: f64, rate: f64) -> Self {
         Self(std::array::from_fn(|k| match k {
             0 => value,
@@ -28,7 +26,7 @@ impl<const N: usize> Jet<N> {
         }))
     }
 
-    /// From a value and its derivatives.
+    /// The jet of a value and its derivatives.
     pub fn of_derivatives(derivatives: [f64; N]) -> Self {
         let mut factorial = 1.0;
         let mut coefficients = derivatives;
@@ -39,7 +37,7 @@ impl<const N: usize> Jet<N> {
         Self(coefficients)
     }
 
-    /// From Taylor coefficients, the value first.
+    /// The jet of Taylor coefficients, the value first.
     pub(crate) fn from_coefficients(coefficients: [f64; N]) -> Self {
         Self(coefficients)
     }
@@ -64,9 +62,9 @@ impl<const N: usize> Jet<N> {
         self.coefficient(order) * factorial
     }
 
-    /// True where the value and all derivatives are finite.
+    /// True if the value and all derivatives are finite.
     pub fn is_finite(&self) -> bool {
-        // Zero times anything finite is zero: one sum instead of N questions.
+        // Zero times a finite number is zero: one sum instead of N comparisons.
         self.0.iter().map(|c| 0.0 * c).sum::<f64>() == 0.0
     }
 
@@ -100,15 +98,14 @@ impl<const N: usize> Jet<N> {
         Self(inverse)
     }
 
-    /// The first `M` of the coefficients carried; what is not carried is zero.
+    /// The first `M` coefficients; zeros beyond those carried.
     pub fn truncated<const M: usize>(self) -> Jet<M> {
         Jet(std::array::from_fn(|k| {
             self.0.get(k).copied().unwrap_or(0.0)
         }))
     }
 
-    /// The angle of the unit vector (`x`, `self`), its value in [−π, π]: as
-    /// [`Self::atan2`] does, where x² + y² is known to be 1 at any input.
+    /// The angle of the unit vector (`x`, `self`), its value in [−π, π]: [`Self::atan2`] for x² + y² = 1 at any input.
     pub fn unit_atan2(self, x: Self) -> Self {
         let (y, x) = (self.0, x.0);
         Self(std::array::from_fn(|k| {
@@ -142,8 +139,7 @@ impl<const N: usize> Jet<N> {
         (Self(sin), Self(cos))
     }
 
-    /// The angle of the vector (`x`, `self`), its value in [−π, π]. The vector
-    /// must not vanish for finite derivatives.
+    /// The angle of the vector (`x`, `self`), its value in [−π, π]. The vector must not vanish for finite derivatives.
     pub fn atan2(self, x: Self) -> Self {
         let (y, x) = (self.0, x.0);
         let mut angle = [0.0; N];
@@ -213,7 +209,7 @@ impl<const N: usize> Mul<f64> for Jet<N> {
     }
 }
 
-/// The series of the arcsine, y, y³, …: to an ulp where |y| is below `SMALL`.
+/// Coefficients of y, y³, … in the series of the arcsine: exact to an ulp for |y| < [`MAX_SINE`].
 const ARCSINE: [f64; 8] = [
     1.0,
     1.0 / 6.0,
@@ -224,12 +220,11 @@ const ARCSINE: [f64; 8] = [
     231.0 / 13_312.0,
     143.0 / 10_240.0,
 ];
-const SMALL: f64 = 0.1;
+const MAX_SINE: f64 = 0.1;
 
-/// The angle of a unit vector; a small one, as from pose to pose, in a fraction of
-/// the time of an arctangent.
+/// The angle of a unit vector; a small one, as between neighbouring poses, takes a fraction of the time of an arctangent.
 fn unit_angle(y: f64, x: f64) -> f64 {
-    if x > 0.0 && y.abs() < SMALL {
+    if x > 0.0 && y.abs() < MAX_SINE {
         let square = y * y;
         let terms = ARCSINE.iter().rev();
         y * terms.fold(0.0, |sum, c| sum * square + c)
@@ -240,20 +235,19 @@ fn unit_angle(y: f64, x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Jet, SMALL, unit_angle};
+    use super::{Jet, MAX_SINE, unit_angle};
 
     #[test]
     fn angles_of_unit_vectors() {
         for k in -3_000..=3_000 {
-            let angle = f64::from(k) * SMALL / 1_000.0;
+            let angle = f64::from(k) * MAX_SINE / 1_000.0;
             let (sin, cos) = angle.sin_cos();
             assert!((unit_angle(sin, cos) - angle).abs() <= 5e-16 * angle.abs());
         }
         assert_eq!(unit_angle(0.0, -1.0), std::f64::consts::PI);
     }
 
-    /// Derivatives of e^{iωt} and of its argument and modulus are known to any
-    /// order: they check every operation at once.
+    /// All derivatives of e^{iωt}, of its argument and of its modulus are known: they check every operation at once.
     #[test]
     fn turning_vector() {
         let (t, omega) = (0.7_f64, 3.0_f64);

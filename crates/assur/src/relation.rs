@@ -1,4 +1,4 @@
-//! Relations of a paper in numbers: what a quantity comes to, and what it would by the relation as it is printed.
+//! Relations of a paper in numbers: a quantity in the pose, and by the relation as printed.
 
 use std::borrow::Cow;
 
@@ -7,19 +7,20 @@ use crate::Vector;
 /// A quantity for which a paper gives a relation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relation {
-    /// The item in the table of the paper, `002.(10)`; of what is ours and stands beside it an id of its own.
+    /// The item in the table of the paper, such as `002.(10)`, or an id of its own for a relation that is not in the paper.
     pub item: &'static str,
-    /// The quantity in the letters of the paper, `φ₃′`; of one position among several with its number, `φ₂⁽¹⁾`.
+    /// The quantity in the notation of the paper, such as `φ₃′`; with the number of the position, if there are several,
+    /// `φ₂⁽¹⁾`.
     pub name: Cow<'static, str>,
-    /// Whether it is an angle, radians; else a length or a number.
+    /// True for an angle, radians; else a length or a number.
     pub is_angle: bool,
-    /// Whether it is an angle through which something has turned, so that whole turns count; any other angle is a direction.
+    /// True for an angle of rotation, in which whole turns count; any other angle is a direction.
     pub is_turned: bool,
-    /// Whether it counts something, and is a whole number.
+    /// True for a count, which is a whole number.
     pub is_count: bool,
     /// Its value in the pose.
     pub value: f64,
-    /// The value by the relation as it is printed; none where that divides by zero.
+    /// The value by the relation as printed; none if it divides by zero.
     pub printed: Option<f64>,
 }
 

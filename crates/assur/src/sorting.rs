@@ -1,5 +1,5 @@
-//! Sorting of any list by one copy of the standard library's sort, that of indices. For every type and
-//! every order the library would compile several kilobytes anew, which the page has to load.
+//! Sorting of any list by one instance of the standard library's sort, that of indices: each further instance would add
+//! several kilobytes to the page.
 
 use std::cmp::Ordering;
 
@@ -8,19 +8,19 @@ pub fn sort<T: Ord>(list: &mut [T]) {
     sort_by(list, T::cmp);
 }
 
-/// Sorts a list by an order; equal ones stay as they were.
+/// Sorts a list by a comparison; stable.
 pub fn sort_by<T>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
     let order = order(list.len(), &|a, b| compare(&list[a], &list[b]));
     permute(list, order);
 }
 
-/// Sorts a list by a key, told once of each; equal ones stay as they were.
+/// Sorts a list by a key, computed once for each item; stable.
 pub fn sort_by_key<T, K: Ord>(list: &mut [T], key: impl Fn(&T) -> K) {
     let keys: Vec<K> = list.iter().map(key).collect();
     permute(list, order(keys.len(), &|a, b| keys[a].cmp(&keys[b])));
 }
 
-/// The numbers below a count in ascending order of what they number.
+/// The indices below a count, sorted by a comparison of their items.
 #[inline(never)]
 fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
@@ -28,7 +28,7 @@ fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize>
     order
 }
 
-/// Puts into each place what stood where `order` has it, cycle by cycle.
+/// Moves the item at `order[k]` to k for each k, cycle by cycle.
 pub(crate) fn permute<T>(list: &mut [T], mut order: Vec<usize>) {
     for start in 0..order.len() {
         let mut place = start;
@@ -46,7 +46,7 @@ pub(crate) fn permute<T>(list: &mut [T], mut order: Vec<usize>) {
 mod tests {
     use super::{sort_by, sort_by_key};
 
-    /// Numbers in no order, many of them twice, with their places.
+    /// Unsorted numbers, many of them repeated, with their indices.
     fn shuffled(count: u32) -> Vec<(u32, u32)> {
         (0..count).map(|at| ((at * 37 + 11) % 23, at)).collect()
     }

@@ -173,7 +173,7 @@ impl<const N: usize> Search<'_, N> {
             let followed = following.as_deref_mut();
             let followed = followed.map(|groups| &mut groups[*step]);
             let given = self.given(*step);
-            let ways = group.ways(state, &given, (self.method, &mut left), followed);
+            let ways = group.assemblies(state, &given, (self.method, &mut left), followed);
             (self.work, self.following) = (left, following);
             let Ok(Some(ways)) = ways else {
                 self.found.whole &= ways.is_err();
@@ -183,7 +183,7 @@ impl<const N: usize> Search<'_, N> {
                 return;
             };
             self.found.complex.push(ways.complex);
-            self.found.unreal.extend(ways.unreal);
+            self.found.unreal.extend(ways.complex_pairs);
             for way in &ways.real {
                 group.set(&mut self.natural, &way.own);
                 for (body, turn) in &way.turned {

@@ -133,7 +133,7 @@ impl Mechanism {
             Step::Crank(crank) if crank.body == driven.body => Some(crank),
             _ => None,
         })?;
-        let is_first = crank.at.body == BodyId::FRAME && crank.course == DriveLaw::FIRST;
+        let is_first = crank.at.body == BodyId::FRAME && crank.law == DriveLaw::FIRST;
         let angle = |way: Vector| way.y.atan2(way.x);
         let base = angle(fixed.local - crank.at.local);
         is_first.then(|| angle(driven.local - crank.hinge) - crank.angle_offset - base)

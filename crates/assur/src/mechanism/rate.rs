@@ -131,7 +131,7 @@ impl Mechanism {
             match step {
                 Step::Crank(crank) => {
                     let base = rates[crank.at.body];
-                    rates[crank.body] = base.map(|base| base + crank.course.rate);
+                    rates[crank.body] = base.map(|base| base + crank.law.rate);
                 }
                 Step::Slider(slider) => rates[slider.track.body] = rates[slider.track.line.body],
                 Step::Epicyclic(train) => {
@@ -178,7 +178,7 @@ impl Mechanism {
     /// The inputs within the ranges of all driven slides; endless where there is none.
     pub(crate) fn within_ranges(&self) -> [f64; 2] {
         let within = self.steps.iter().flat_map(|step| match step {
-            Step::Slider(slider) => vec![(slider.course, slider.range)],
+            Step::Slider(slider) => vec![(slider.law, slider.range)],
             Step::Group(group) => group.ranges().collect(),
             _ => Vec::new(),
         });

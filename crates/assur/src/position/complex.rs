@@ -1,12 +1,10 @@
-//! A vector of the plane with its derivatives, as a complex number: turning by a
-//! link's angle is a product.
+//! Vectors of the plane with derivatives, as complex numbers: a rotation is a product.
 
 use std::ops::{Add, Index, IndexMut, Mul, Sub};
 
 use crate::{Jet, JetPoint, Vector};
 
-/// x + iy with `N − 1` derivatives by the input: its Taylor coefficients, each a
-/// vector.
+/// x + iy with `N − 1` derivatives by the input, as Taylor coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Complex<const N: usize>([Vector; N]);
 
@@ -25,7 +23,7 @@ impl<const N: usize> Complex<N> {
         }))
     }
 
-    /// The same in its place: a copy would take as long as the sums do.
+    /// Sets it to a constant in place: a copy would take as long as the sums.
     #[inline(always)]
     pub(crate) fn set_constant(&mut self, v: Vector) {
         for (order, c) in self.0.iter_mut().enumerate() {
@@ -47,7 +45,6 @@ impl<const N: usize> Complex<N> {
         Jet::from_coefficients(self.0.map(|c| c.y))
     }
 
-    /// Its value.
     pub(crate) fn value(&self) -> Vector {
         self.0[0]
     }
@@ -56,14 +53,14 @@ impl<const N: usize> Complex<N> {
         Self(self.0.map(conjugate))
     }
 
-    /// The same with its first derivatives only.
+    /// The first `M` Taylor coefficients.
     pub(crate) fn truncated<const M: usize>(&self) -> Complex<M> {
         Complex(std::array::from_fn(|k| {
             self.0.get(k).copied().unwrap_or_default()
         }))
     }
 
-    /// i times this: a quarter turn to the left.
+    /// The product with i: a quarter turn to the left.
     pub(crate) fn left(self) -> Self {
         Self(self.0.map(left))
     }
@@ -82,13 +79,13 @@ impl<const N: usize> Complex<N> {
         Self::new(self.x() * factor, self.y() * factor)
     }
 
-    /// The same direction with a length of 1; not finite where it vanishes.
+    /// The unit vector of the same direction; not finite if it vanishes.
     pub(crate) fn unit(self) -> Self {
         self.scaled(self.norm_squared().sqrt().recip())
     }
 
-    /// A vector of constant length with this value, by its scalar product with another one, order by order. By the closed
-    /// forms derivatives lose digits where the other one is short; of these two conditions they leave rounding only.
+    /// The vector of constant length with a given value and scalar product with another vector, order by order. If the
+    /// other vector is short, these two conditions lose no digits of the derivatives, as the closed forms do.
     pub(super) fn of_constant_length(value: Vector, other: Self, product: Jet<N>) -> Self {
         let along = value.normalize();
         let across = left(along);
@@ -112,8 +109,7 @@ impl<const N: usize> Complex<N> {
         self.x() * other.x() + self.y() * other.y()
     }
 
-    /// Zero where it is finite in all orders, else not: sums of it take the place
-    /// of 2N questions.
+    /// Zero if it is finite in all orders, else NaN: one sum instead of 2N comparisons.
     pub(crate) fn finite_probe(&self) -> Vector {
         self.0.iter().fold(Vector::zeros(), |sum, c| sum + c * 0.0)
     }
@@ -168,9 +164,9 @@ impl<const N: usize> Mul for Complex<N> {
     }
 }
 
-/// The quotient of two constant vectors as complex numbers; `by` must not vanish.
-pub(crate) fn quotient(v: Vector, by: Vector) -> Vector {
-    product(v, conjugate(by)) / by.norm_squared()
+/// The quotient of two constant vectors as complex numbers; the divisor must not vanish.
+pub(crate) fn quotient(v: Vector, divisor: Vector) -> Vector {
+    product(v, conjugate(divisor)) / divisor.norm_squared()
 }
 
 /// The product of two constant vectors as complex numbers.
@@ -178,7 +174,7 @@ pub(crate) fn product(v: Vector, w: Vector) -> Vector {
     Vector::new(v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x)
 }
 
-/// i times a constant vector: a quarter turn to the left.
+/// The product of a constant vector with i: a quarter turn to the left.
 fn left(v: Vector) -> Vector {
     Vector::new(-v.y, v.x)
 }

@@ -4,33 +4,33 @@ use super::{BodyPoint, Cause, DriveLaw, Enclosure, Predictor, Solvable, State, S
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 
-/// A body hinged on the frame, or on a body that moves, and turned against it by the input, or in proportion to it.
+/// A body hinged on a base, the frame or a moving body; its angle relative to the base is linear in the input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Crank {
     pub(crate) body: BodyId,
     /// The hinge, on the base and on the body.
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
-    /// What the driven angle has more than the body's against its base: links may lie turned on their bodies.
+    /// Offset of the driven angle from the body's angle relative to its base, since links may be turned on their bodies.
     pub(crate) angle_offset: f64,
-    pub(crate) course: DriveLaw,
+    pub(crate) law: DriveLaw,
 }
 
 impl Solvable for Crank {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
-        let angle = self.course.at(given.input) + -self.angle_offset;
+        let angle = self.law.at(context.input) + -self.angle_offset;
         let base = state.angle(self.at.body);
         state.pin(self.body, base + angle, self.at, self.hinge);
         Ok(())
     }
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
-        let at = cell.place(from, self.at).acceleration;
-        // Against its base it turns evenly.
+        let at = cell.point(from, self.at).acceleration;
+        // Its angular velocity relative to the base is constant.
         let angular_acceleration = cell.angular_acceleration(self.at.body);
         cell.set(self.body, angular_acceleration, [(self.hinge, at); 2]);
         true

@@ -1,4 +1,4 @@
-//! How the coordinate of a driver goes with the input.
+//! The coordinate of a driver as a linear function of the input.
 
 use crate::Jet;
 
@@ -10,19 +10,19 @@ pub(crate) struct DriveLaw {
 }
 
 impl DriveLaw {
-    /// Of the first driver, whose coordinate is the input.
+    /// The law of the first driver, whose coordinate is the input.
     pub(crate) const FIRST: Self = Self {
         rate: 1.0,
         offset: 0.0,
     };
 
-    /// At a rate from where the driver is drawn.
+    /// The law with a rate, through the drawn input and coordinate.
     pub(crate) fn through(rate: f64, [input, coordinate]: [f64; 2]) -> Self {
         let offset = coordinate - rate * input;
         Self { rate, offset }
     }
 
-    /// The same coordinate counted the other way.
+    /// The law of the opposite coordinate.
     pub(crate) fn reversed(self) -> Self {
         Self {
             rate: -self.rate,
@@ -30,7 +30,7 @@ impl DriveLaw {
         }
     }
 
-    /// The coordinate.
+    /// The coordinate at an input.
     #[inline(always)]
     pub(crate) fn at<const N: usize>(&self, input: Jet<N>) -> Jet<N> {
         input * self.rate + self.offset

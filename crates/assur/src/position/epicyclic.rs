@@ -1,14 +1,14 @@
-//! An epicyclic train: wheels and carriers whose angles follow from those of others by the numbers of teeth.
+//! An epicyclic train: wheels and carriers whose angles follow from those of other bodies by the numbers of teeth.
 
 use super::{BodyPoint, Cause, Enclosure, Predictor, Solvable, State, StepContext};
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
-/// Bodies each of which is hinged on one that is placed before it, and whose angle_constraints determine all their angles: a
-/// wheel in mesh with a solved one, or the carrier between sun and ring with its planet.
+/// Bodies, each hinged on one placed before it, whose meshes determine all their angles: a wheel in mesh with a solved
+/// one, or the carrier between sun and ring with its planet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct EpicyclicStep {
-    /// In the order in which they are placed.
+    /// The bodies in the order in which they are placed.
     pub(crate) members: Vec<Member>,
 }
 
@@ -16,17 +16,17 @@ pub(crate) struct EpicyclicStep {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Member {
     pub(crate) body: BodyId,
-    /// The hinge, on what is placed before it and on itself.
+    /// The hinge, on the body placed before it and on itself.
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
-    /// The solved bodies that turn it: dθ/dθ of each.
+    /// The solved bodies that determine its angle, with the derivative of the angle by theirs.
     pub(crate) ratios: Vec<(BodyId, f64)>,
-    /// Its angle where theirs are zero.
+    /// Its angle when theirs are zero.
     pub(crate) shift: f64,
 }
 
 impl Member {
-    /// What the others make of its angle.
+    /// Its angle, by those of the other bodies.
     pub(crate) fn angle<const N: usize>(&self, of: impl Fn(BodyId) -> Jet<N>) -> Jet<N> {
         let terms = self.ratios.iter().map(|(body, ratio)| of(*body) * *ratio);
         terms.fold(Jet::constant(self.shift), |sum, term| sum + term)
@@ -48,7 +48,7 @@ impl Solvable for EpicyclicStep {
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         for member in &self.members {
-            let at = cell.place(from, member.at).acceleration;
+            let at = cell.point(from, member.at).acceleration;
             let ratios = member.ratios.iter();
             let angular_acceleration = ratios
                 .map(|(body, ratio)| cell.angular_acceleration(*body) * ratio.abs())
@@ -62,7 +62,7 @@ impl Solvable for EpicyclicStep {
         self.members.iter().map(|member| member.body)
     }
 
-    /// A carrier is needed by its own planets.
+    /// True also of a carrier, on which its own planets depend.
     fn depends_on(&self, body: BodyId) -> bool {
         self.members.iter().any(|member| {
             member.at.body == body || member.ratios.iter().any(|(other, _)| *other == body)

@@ -1,22 +1,21 @@
-//! Margins: squares whose roots a dyad takes, which must not become negative.
+//! Margins: squares whose roots the closed form of a dyad takes, which must not become negative.
 
 use super::{Cause, Complex};
 use crate::Jet;
 
-/// A margin that is this small relative to its scale is zero: the rounding of the
-/// squares it is made of.
+/// Maximum of a zero margin relative to its scale: the rounding of its squares.
 pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// How a margin fails to have a root.
+/// Why a margin has no root.
 pub(crate) enum Dead {
-    /// It is zero within rounding, and derivatives are asked for.
+    /// It is zero within rounding, with derivatives, which are unbounded.
     At,
     /// It is negative.
     Beyond,
 }
 
-/// Whether a margin is off zero; `scale` is the size of the squares it is made
-/// of. Within rounding of zero it has a root only where no derivatives are asked.
+/// True if a margin is positive, false if it is zero within rounding, which has a root only without derivatives; `scale`
+/// is the size of its squares.
 pub(crate) fn clear<const N: usize>(margin: Jet<N>, scale: f64) -> Result<bool, Dead> {
     if margin.value() > ROUNDING * scale {
         Ok(true)
@@ -29,8 +28,7 @@ pub(crate) fn clear<const N: usize>(margin: Jet<N>, scale: f64) -> Result<bool, 
     }
 }
 
-/// The square root of a margin. In line within rounding is in line: a root would
-/// halve the digits.
+/// The square root of a margin; zero within rounding, where a root would have half the digits.
 pub(crate) fn root<const N: usize>(margin: Jet<N>, scale: f64) -> Result<Jet<N>, Dead> {
     Ok(if clear(margin, scale)? {
         margin.sqrt()
@@ -39,8 +37,8 @@ pub(crate) fn root<const N: usize>(margin: Jet<N>, scale: f64) -> Result<Jet<N>,
     })
 }
 
-/// Where two lines cross, each given by a point and its direction of length 1.
-/// The sine of the angle between them is the margin: its square must not vanish.
+/// The intersection of two lines, each given by a point and a direction of length 1. The squared sine of the angle
+/// between them is the margin.
 pub(crate) fn crossing<const N: usize>(
     lines: [(Complex<N>, Complex<N>); 2],
     margin: &mut [Jet<N>; 2],

@@ -1,11 +1,8 @@
-//! Positions of Assur groups with derivatives to any order: Taylor series of the
-//! input go through the closed forms. There is one file for each dyad, and one for
-//! what drives and for wheels, which says all that a mechanism asks of it
-//! ([`Solvable`]).
+//! Positions of Assur groups with derivatives to any order: Taylor series in the input pass through the closed forms.
+//! Each dyad, driver and train has a file of its own, with all that a mechanism needs of it ([`Solvable`]).
 //!
-//! Body 0 is the frame. A body has an origin and is turned by e^(iθ); what is fixed
-//! to it has constant local coordinates. A group is solved from bodies that were
-//! solved before it.
+//! Body 0 is the frame. A body has an origin and is turned by e^(iθ); points fixed to it have constant local coordinates.
+//! A group is solved from bodies that were solved before it.
 
 mod assemblies;
 mod complex;
@@ -46,13 +43,13 @@ use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Sign, Solvable, Step, StepContext};
 
-/// Two points closer together than this, relative to what they are placed by, tell a direction with fewer digits.
+/// Maximum distance of close points relative to the lengths that place them: the direction between them loses digits.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
-/// Outer hinges of a dyad are near each other where the square of their distance is this part of that of the size: closed
+/// Maximum squared distance of outer hinges that are near each other, relative to the squared size of the dyad: the closed
 /// forms of the derivatives lose digits there.
-const NEAR: f64 = 1e-3;
+const NEAR_SQUARED: f64 = 1e-3;
 
-/// A place on a body, in its local coordinates.
+/// A point of a body, in local coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BodyPoint {
     pub(crate) body: BodyId,
@@ -69,7 +66,7 @@ pub(crate) struct Arm {
     pub(crate) from: Vector,
     pub(crate) to: Vector,
     length: f64,
-    /// The link's turn relative to the vector from the one to the other.
+    /// The link's turn relative to the vector between its hinges.
     turn: Vector,
 }
 
@@ -99,7 +96,7 @@ pub(crate) struct Track {
     pub(crate) heading: Vector,
     /// The direction of the line on the link, of length 1.
     pub(crate) direction: Vector,
-    /// A point of the link, and how far to the left of the line it stays.
+    /// A point of the link, and its offset to the left of the line.
     pub(crate) point: Vector,
     pub(crate) off: f64,
 }
@@ -117,7 +114,7 @@ pub enum Singularity {
     Group,
 }
 
-/// Why a step of the plan finds no place for its links.
+/// Why a step of the plan has no solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause {
     /// The input is not finite, or outside a driven slide's range.
@@ -127,27 +124,27 @@ pub enum Cause {
         /// Length.
         by: f64,
     },
-    /// A link is too short by this length to reach its guide, or a line too far
-    /// off a hinge to reach the other.
+    /// A link is too short by this length to reach its guide, or the offset of a line from a hinge too great to reach the
+    /// other hinge.
     OutOfReach {
         /// Length.
         by: f64,
     },
     /// Two guides that must cross are parallel.
     Parallel,
-    /// Two hinges coincide: the links between may stand at any angle.
+    /// Two hinges coincide: the links between them may have any angle.
     Undetermined,
     /// The pose exists, its derivatives are unbounded.
     DeadPoint,
-    /// A redundant constraint does not hold where the others do.
+    /// A redundant constraint contradicts the others.
     Locked {
         /// A body that it constrains.
         body: BodyId,
-        /// The length by which it does not.
+        /// Its residual as a length.
         by: f64,
     },
-    /// There is a pose, but the motion that is shown does not come there.
+    /// There is a pose, but the shown motion does not reach it.
     Unreached,
-    /// The motion is given up before this input: whether it comes there is not known.
+    /// The motion was followed only up to an earlier input: whether it reaches this one is unknown.
     Unfollowed,
 }

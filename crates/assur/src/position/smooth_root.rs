@@ -1,16 +1,17 @@
-//! Where the links of a dyad pass through in line, at a change point, the square that its closed form takes the root of
-//! touches zero, and the root has few digits left around it. In the smooth motion the root goes through zero with the
-//! other sign, and is as exact as the square: a polynomial tells it there.
+//! The signed root of a dyad around a change point, by Hermite interpolation.
+//!
+//! At a change point the square under the root of the closed form touches zero, and its root has few digits there. In the
+//! smooth motion the root changes sign, and a polynomial through its exact derivatives has all digits.
 
 use crate::Jet;
 use crate::index::StepId;
 
-/// How many Taylor coefficients of the square are taken at each node.
+/// Number of Taylor coefficients of the square at each node.
 pub(crate) const KNOWN: usize = 6;
-/// How many of root/u are known at the change point: the first two of the square are zero.
-const AT: usize = KNOWN - 2;
-/// Conditions in all.
-const CONDITIONS: usize = AT + 2 * KNOWN;
+/// Number of Taylor coefficients of root/u at the change point: the first two of the square are zero.
+const KNOWN_AT_CHANGE: usize = KNOWN - 2;
+/// Number of interpolation conditions.
+const CONDITIONS: usize = KNOWN_AT_CHANGE + 2 * KNOWN;
 
 /// The signed root of a step of the plan around a change point.
 #[derive(Clone, Debug)]
@@ -18,22 +19,22 @@ pub(crate) struct SmoothRoot {
     pub(crate) step: StepId,
     /// The input of the change point.
     pub(crate) input: f64,
-    /// How far before and after it the outer nodes are.
-    reach: f64,
-    /// Newton's divided differences of root/u, u being the way from the change point by `reach`.
+    /// Distance of the outer nodes before and after it.
+    radius: f64,
+    /// Newton's divided differences of root/u, with u = (input − change point) / radius.
     differences: [f64; CONDITIONS],
 }
 
 impl SmoothRoot {
-    /// Taylor's series by what is known at the change point, which serves close to it.
+    /// Taylor series at the change point, for inputs close to it.
     pub(crate) fn beside(
         (step, sign): (StepId, f64),
-        [input, reach]: [f64; 2],
+        [input, radius]: [f64; 2],
         at: Jet<KNOWN>,
     ) -> Self {
-        let root = root_over_u(at, reach);
+        let root = root_over_u(at, radius);
         let known = |order: usize| {
-            if order < AT {
+            if order < KNOWN_AT_CHANGE {
                 sign * root.coefficient(order)
             } else {
                 0.0
@@ -42,21 +43,21 @@ impl SmoothRoot {
         Self {
             step,
             input,
-            reach,
+            radius,
             differences: std::array::from_fn(known),
         }
     }
 
-    /// Hermite's interpolation between what is known at the change point and by `reach` before and after it: the
-    /// square with its derivatives. `sign` is that of the root after the change point.
+    /// Hermite interpolation by the square and its derivatives at the change point and at `radius` before and after it.
+    /// `sign` is that of the root after the change point.
     pub(crate) fn new(
         (step, sign): (StepId, f64),
-        [input, reach]: [f64; 2],
+        [input, radius]: [f64; 2],
         [before, at, after]: [Jet<KNOWN>; 3],
     ) -> Self {
-        let at = root_over_u(at, reach);
+        let at = root_over_u(at, radius);
         let aside = |square: Jet<KNOWN>, u: f64| {
-            by_u(square, reach).sqrt() * (Jet::linear(u, 1.0).recip() * u)
+            in_u(square, radius).sqrt() * (Jet::linear(u, 1.0).recip() * u)
         };
         let [before, after] = [aside(before, -1.0), aside(after, 1.0)];
         let known = |k: usize, order: usize| match node(k) {
@@ -67,28 +68,28 @@ impl SmoothRoot {
         Self {
             step,
             input,
-            reach,
+            radius,
             differences: divided(known).map(|difference| sign * difference),
         }
     }
 
-    /// The same told by an input that is greater by this.
-    pub(crate) fn shifted(&self, by: f64) -> Self {
-        let input = self.input + by;
+    /// The same root at inputs that are greater by a shift.
+    pub(crate) fn shifted(&self, shift: f64) -> Self {
+        let input = self.input + shift;
         Self {
             input,
             ..self.clone()
         }
     }
 
-    /// Whether it tells of an input.
+    /// True if it is valid at an input.
     pub(crate) fn covers(&self, input: f64) -> bool {
-        (input - self.input).abs() <= 0.5 * self.reach
+        (input - self.input).abs() <= 0.5 * self.radius
     }
 
     /// The signed root at an input.
     pub(crate) fn at<const N: usize>(&self, input: Jet<N>) -> Jet<N> {
-        let u = (input + -self.input) * self.reach.recip();
+        let u = (input + -self.input) * self.radius.recip();
         let terms = self.differences.iter().enumerate().rev();
         let over_u = terms.fold(Jet::constant(0.0), |sum, (k, difference)| {
             sum * (u + -node(k)) + *difference
@@ -97,36 +98,36 @@ impl SmoothRoot {
     }
 }
 
-/// What is known by the input, by u.
-fn by_u(square: Jet<KNOWN>, reach: f64) -> Jet<KNOWN> {
+/// A series in the input as one in u.
+fn in_u(square: Jet<KNOWN>, radius: f64) -> Jet<KNOWN> {
     let mut power = 1.0;
     Jet::from_coefficients(std::array::from_fn(|order| {
         let coefficient = square.coefficient(order) * power;
-        power *= reach;
+        power *= radius;
         coefficient
     }))
 }
 
-/// The root of a square with the factor u².
-fn root_over_u(square: Jet<KNOWN>, reach: f64) -> Jet<AT> {
-    let square = by_u(square, reach);
-    let rest = std::array::from_fn(|order| square.coefficient(order + KNOWN - AT));
+/// root/u of a square with the factor u².
+fn root_over_u(square: Jet<KNOWN>, radius: f64) -> Jet<KNOWN_AT_CHANGE> {
+    let square = in_u(square, radius);
+    let rest = std::array::from_fn(|order| square.coefficient(order + KNOWN - KNOWN_AT_CHANGE));
     Jet::from_coefficients(rest).sqrt()
 }
 
-/// The nodes by u, each as often as coefficients are known at it. Those of the change point come first: near it the
-/// differences with the others hardly count.
+/// The nodes in u, each as often as it has coefficients. The change point comes first: near it the differences with the
+/// other nodes hardly count.
 fn node(k: usize) -> f64 {
-    if k < AT {
+    if k < KNOWN_AT_CHANGE {
         0.0
-    } else if k < AT + KNOWN {
+    } else if k < KNOWN_AT_CHANGE + KNOWN {
         1.0
     } else {
         -1.0
     }
 }
 
-/// Newton's divided differences of what is known at the nodes by its Taylor coefficients.
+/// Newton's divided differences, by the Taylor coefficients at the nodes.
 fn divided(known: impl Fn(usize, usize) -> f64) -> [f64; CONDITIONS] {
     let mut table = std::array::from_fn(|k| known(k, 0));
     for order in 1..CONDITIONS {

@@ -1,48 +1,45 @@
-//! Where all bodies are, while the groups are solved one after the other.
+//! The pose of all bodies while the steps of the plan are solved in order.
 
 use std::f64::consts::TAU;
 
 use super::group::KnownTerm;
 use super::group::Work;
-use super::{Arm, BodyPoint, Complex, SmoothRoot, Track, conjugate, quotient};
+use super::{Arm, BodyPoint, Complex, SmoothRoot, Track, conjugate, product, quotient};
 use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector};
 
-/// Where all bodies are, for the groups solved so far. It is made once and used
-/// for every sample.
+/// The poses of the bodies solved so far, with buffers; made once and used for every sample.
 #[derive(Clone, Debug)]
 pub(crate) struct State<const N: usize> {
     pub(crate) bodies: List<BodyId, BodyPose<N>>,
-    /// For every step of the plan what must not become negative: squares whose
-    /// roots it takes, or the sine of the angle between two guides; of a group the determinant of its Jacobian, as a
-    /// multiple of a power of two, and the exponent of that.
+    /// Margins of every step of the plan: the squares whose roots it takes, or the squared sine of the angle between two
+    /// guides; of a group the determinant of its Jacobian as a multiple of a power of two, and the exponent of that power.
     pub(crate) margins: List<StepId, [Jet<N>; 2]>,
     /// The square of the mechanism's size.
     pub(crate) scale: f64,
-    /// The unknowns of all groups that Newton's method solves.
+    /// The unknowns of all groups solved by Newton's method.
     pub(crate) natural: Vec<Complex<N>>,
-    /// The largest of the groups' first and of their second corrections by Newton's
-    /// method, relative to the size: how far the guess was off, and how far the first
-    /// correction still was.
+    /// The largest first and the largest second Newton correction of all groups, in units of their unknowns: the errors of
+    /// the guess and of the first correction.
     pub(crate) corrections: [f64; 2],
     pub(super) work: Work<N>,
 }
 
-/// Where a body is.
+/// Pose of a body.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BodyPose<const N: usize> {
     pub(crate) origin: Complex<N>,
     /// e^(iθ) of its angle.
     pub(crate) turn: Complex<N>,
     pub(crate) angle: Angle<N>,
-    /// Its orientation in a pose nearby, where its angle is to be found.
+    /// Its orientation nearby, less than half a turn away.
     near: Orientation,
 }
 
-/// A pose with the derivatives that predict the poses around it.
+/// A pose with derivatives to predict the poses around it.
 pub(crate) type Predictor = State<4>;
 
-/// How a body is turned: its angle, with its whole turns, and e^(iθ).
+/// Orientation of a body: its angle θ, with whole turns, and its turn e^(iθ).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Orientation {
     pub(crate) angle: f64,
@@ -50,10 +47,10 @@ pub(crate) struct Orientation {
 }
 
 impl Orientation {
-    /// Turned otherwise, by less than half a turn.
+    /// The orientation with another turn, less than half a turn away.
     pub(crate) fn turned_to(self, turn: Vector) -> Self {
-        let by = quotient(turn, self.turn);
-        let angle = self.angle + by.y.atan2(by.x);
+        let rotation = quotient(turn, self.turn);
+        let angle = self.angle + rotation.y.atan2(rotation.x);
         Self { angle, turn }
     }
 }
@@ -61,17 +58,16 @@ impl Orientation {
 /// The angle of a body, continuous along the motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Angle<const N: usize> {
-    /// What its turn was made of.
+    /// The angle from which its turn was computed.
     Known(Jet<N>),
-    /// That of its turn, less than half a turn from that of the pose nearby: found
-    /// when it is asked for.
+    /// The angle of its turn, less than half a turn from that nearby; computed on demand.
     Turned,
 }
 
-/// What is known of a pose before it is solved: a pose nearby.
+/// The guess for a pose: a pose nearby.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Nearby<'a> {
-    /// How the bodies are turned there.
+    /// Orientations of the bodies.
     pub(crate) orientations: &'a List<BodyId, Orientation>,
     /// The unknowns of all groups, real and imaginary parts.
     pub(crate) natural: &'a [f64],
@@ -98,7 +94,7 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// The same bodies in the same places, without the room that it took to find them.
+    /// A copy without buffers.
     pub(crate) fn placed(&self) -> Self {
         Self {
             margins: self.margins.clone(),
@@ -107,7 +103,7 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// The same bodies in the same places, and nothing else.
+    /// A copy of the bodies alone.
     pub(crate) fn bodies(&self) -> Self {
         Self {
             bodies: self.bodies.clone(),
@@ -118,15 +114,15 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// What a group takes from what is solved.
-    pub(crate) fn taken(&self, input: KnownTerm) -> Complex<N> {
+    /// Value of an input of a group.
+    pub(crate) fn known_term(&self, input: KnownTerm) -> Complex<N> {
         match input {
             KnownTerm::Place(anchor) => self.place(anchor),
             KnownTerm::Direction(anchor) => self.bodies[anchor.body].turn.by(anchor.local),
         }
     }
 
-    /// Where a place on a solved body is.
+    /// Position of a point of a solved body.
     #[inline(always)]
     pub(crate) fn place(&self, anchor: BodyPoint) -> Complex<N> {
         let body = &self.bodies[anchor.body];
@@ -139,18 +135,24 @@ impl<const N: usize> State<N> {
         (self.place(track.line), direction)
     }
 
-    /// Lays an arm from a point along a vector as long as it is.
+    /// Position of the point of a track's link.
+    pub(crate) fn track_point(&self, track: &Track) -> Vector {
+        let body = &self.bodies[track.body];
+        body.origin.value() + product(body.turn.value(), track.point)
+    }
+
+    /// Lays an arm from a point along a vector of its length.
     pub(crate) fn lay(&mut self, arm: &Arm, at: Complex<N>, along: Complex<N>) {
         self.put(arm.body, along.by(arm.turn), arm.from, at);
     }
 
-    /// Puts a sliding link with its point to a place.
+    /// Places a sliding link with its point at a position.
     pub(crate) fn slid(&mut self, track: &Track, direction: Complex<N>, at: Complex<N>) {
         let turn = direction.by(conjugate(track.direction));
         self.put(track.body, turn, track.point, at);
     }
 
-    /// Puts a body that is turned so, e^(iθ), with one of its places to a place.
+    /// Places a body with the turn e^(iθ) and one of its points at a position.
     #[inline(always)]
     pub(crate) fn put(&mut self, body: BodyId, turn: Complex<N>, local: Vector, at: Complex<N>) {
         let body = &mut self.bodies[body];
@@ -170,20 +172,21 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// The angle of a body is that of its turn, near what it was there.
-    pub(crate) fn tracks_turns(&mut self, body: BodyId, near: Nearby<'_>) {
+    /// Takes the angle of a body from its turn, less than half a turn from that nearby.
+    pub(crate) fn track_turn(&mut self, body: BodyId, near: Nearby<'_>) {
         self.turned_near(body, near.orientations[body]);
     }
 
-    /// The angle of a body is that of its turn, less than half a turn from this one.
+    /// Takes the angle of a body from its turn, less than half a turn from an orientation.
     pub(crate) fn turned_near(&mut self, body: BodyId, near: Orientation) {
         let body = &mut self.bodies[body];
         body.near = near;
         body.angle = Angle::Turned;
     }
 
-    /// How a body is turned. The angle is taken from the turn again, and only its whole turns from the pose nearby:
-    /// rounding does not add up from pose to pose. Where the outer hinges of a dyad meet, rounding may leave a turn of any length.
+    /// Orientation of a body. The angle is that of the turn, and only its whole turns are those nearby: rounding does not
+    /// accumulate from pose to pose. If the outer hinges of a dyad coincide, the turn may have any length before it is
+    /// normalized.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
         let body = &self.bodies[body];
         let turn = body.turn.value();
@@ -198,14 +201,14 @@ impl<const N: usize> State<N> {
         Orientation { angle, turn }
     }
 
-    /// Tells how all bodies are turned.
+    /// Writes the orientations of all bodies.
     pub(crate) fn orient(&self, orientations: &mut List<BodyId, Orientation>) {
         for (body, orientation) in self.bodies.ids().zip(orientations.iter_mut()) {
             *orientation = self.orientation(body);
         }
     }
 
-    /// How all bodies are turned.
+    /// Orientations of all bodies.
     pub(crate) fn orientations(&self) -> List<BodyId, Orientation> {
         self.bodies
             .ids()
@@ -213,7 +216,7 @@ impl<const N: usize> State<N> {
             .collect()
     }
 
-    /// Puts a body that turns by a known angle with a hinge of it to a place.
+    /// Places a body of known angle with its hinge at a point of a solved body.
     #[inline(always)]
     pub(crate) fn pin(&mut self, body: BodyId, angle: Jet<N>, at: BodyPoint, hinge: Vector) {
         self.put(body, Complex::turn(angle), hinge, self.place(at));

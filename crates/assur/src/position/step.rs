@@ -1,4 +1,4 @@
-//! A step of the plan: what each kind of it tells of itself, in a file of its own.
+//! A step of the plan, and the interface of its kinds.
 
 use super::margin::root;
 use super::{
@@ -8,7 +8,7 @@ use super::{
 use crate::index::{BodyId, StepId};
 use crate::{Jet, Vector};
 
-/// One of the two ways to join the links of a dyad.
+/// Sign of the root in the closed form of a dyad: one of its two assemblies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sign {
     Plus,
@@ -35,7 +35,7 @@ impl Sign {
     }
 }
 
-/// What a step is solved by, besides the bodies solved before it.
+/// The data by which a step is solved, besides the bodies solved before it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepContext<'a, const N: usize> {
     pub(crate) step: StepId,
@@ -45,8 +45,7 @@ pub(crate) struct StepContext<'a, const N: usize> {
 }
 
 impl<const N: usize> StepContext<'_, N> {
-    /// The root of a square with the sign that tells how the links are joined; `scale` is the size of what the square
-    /// is made of.
+    /// The root of a margin with the sign of the assembly; `scale` is the size of the squares in it.
     #[inline(always)]
     pub(super) fn root(&self, square: Jet<N>, scale: f64) -> Result<Jet<N>, Dead> {
         match self.smooth_root() {
@@ -55,7 +54,7 @@ impl<const N: usize> StepContext<'_, N> {
         }
     }
 
-    /// The signed root where the links are about to pass through in line, or have just done so.
+    /// The signed root near a change point, if the step has one nearby.
     #[inline(always)]
     pub(super) fn smooth_root(&self) -> Option<Jet<N>> {
         let mut smooth_roots = self.near.smooth_roots.iter();
@@ -65,42 +64,40 @@ impl<const N: usize> StepContext<'_, N> {
     }
 }
 
-/// What places a body or more from those placed before.
+/// A step that places one or several bodies relative to those placed before.
 pub(crate) trait Solvable {
-    /// The places and turns of its bodies.
+    /// Sets the origins and turns of its bodies.
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause>;
 
-    /// Bounds the motion of its bodies over a step of the input from a pose; whether it is certain that it stays
-    /// solved the same way.
+    /// Bounds the motion of its bodies over a step of the input from a pose; true if it certainly stays in its assembly.
     fn enclose(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool;
 
     /// The bodies that it places.
     fn bodies(&self) -> impl Iterator<Item = BodyId>;
 
-    /// Whether it needs the place of a body solved before.
+    /// True if it depends on the pose of a body.
     fn depends_on(&self, body: BodyId) -> bool;
 
-    /// Whether the angles of its bodies come from their turns, to a whole turn.
+    /// True if the angles of its bodies follow from their turns but for whole turns.
     fn tracks_turns(&self) -> bool {
         true
     }
 
-    /// Whether there are two ways to join its links, told apart by a sign.
+    /// True if it has two assemblies, distinguished by a sign.
     fn has_sign(&self) -> bool {
         false
     }
 
-    /// Whether a margin that touches zero lets the links pass through in line: the
-    /// smooth motion goes on with the other sign.
+    /// True if a margin that touches zero is a change point: the smooth motion continues with the other sign.
     fn passes_change_point(&self) -> bool {
         false
     }
 
-    /// The square that its closed form takes the root of, by its margins.
+    /// The square under the root of its closed form, by its margins.
     fn square<const N: usize>(&self, [margin, _]: [Jet<N>; 2]) -> Jet<N> {
         margin
     }
@@ -110,23 +107,26 @@ pub(crate) trait Solvable {
         Singularity::Group
     }
 
-    /// The scales of its margins: what their rounding is relative to.
+    /// Scales of its margins, to which their rounding is relative.
     fn scales(&self) -> [f64; 2] {
         [1.0; 2]
     }
 
-    /// Solves it, with the angles; what is not finite is an error.
+    /// Solves it, with the angles.
+    ///
+    /// # Errors
+    /// It has no solution, or one that is not finite.
     #[inline(always)]
     fn put<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
-        self.solve(state, given)?;
+        self.solve(state, context)?;
         let mut sum = Vector::zeros();
         for body in self.bodies() {
             if self.tracks_turns() {
-                state.tracks_turns(body, given.near);
+                state.track_turn(body, context.near);
             }
             sum +=
                 state.bodies[body].origin.finite_probe() + state.bodies[body].turn.finite_probe();
@@ -135,7 +135,7 @@ pub(crate) trait Solvable {
     }
 }
 
-/// Whether a sum of [`super::Complex::nought`] tells that all is finite.
+/// An error unless a sum of [`super::Complex::finite_probe`] is finite.
 pub(super) fn finite(sum: Vector) -> Result<(), Cause> {
     if sum == Vector::zeros() {
         Ok(())
@@ -159,7 +159,7 @@ pub(crate) enum Step {
     Group(Group),
 }
 
-/// Asks the kind that a step is.
+/// Dispatches to the kind of a step.
 macro_rules! ask {
     ($step:expr, $kind:ident => $answer:expr) => {
         match $step {
@@ -183,9 +183,9 @@ impl Step {
     pub(crate) fn put<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
-        ask!(self, kind => kind.put(state, given))
+        ask!(self, kind => kind.put(state, context))
     }
 
     /// Bounds the motion of its bodies over a step of the input.

@@ -164,7 +164,7 @@ impl Placed<'_> {
                     at,
                     hinge,
                     angle_offset,
-                    course,
+                    law: course,
                 };
                 Some(crank.into())
             }
@@ -179,7 +179,7 @@ impl Placed<'_> {
                 let slider = Slider {
                     track: slide.track(body),
                     range,
-                    course,
+                    law: course,
                 };
                 Some(slider.into())
             }

@@ -1,18 +1,16 @@
-//! A group's equations over the complex numbers: places z and their conjugates w are unknowns of their own, and every
-//! equation is linear in either. A real way to join the group has w = z̄.
+//! A group's equations over the complex numbers: positions z and their conjugates w are independent unknowns, and every
+//! equation is linear in z and in w. A real assembly has w = z̄.
 
 use nalgebra::Complex;
 
-use super::newton::Room;
+use super::newton::Workspace;
+use crate::tolerance;
 
 /// A complex number.
 pub(super) type C = Complex<f64>;
 
-pub(super) const NOUGHT: C = C::new(0.0, 0.0);
+pub(super) const ZERO: C = C::new(0.0, 0.0);
 pub(super) const ONE: C = C::new(1.0, 0.0);
-
-/// Forms that differ by so little of their size are one.
-const SAME: f64 = 1e-12;
 
 /// k + Σ a z.
 #[derive(Clone, Debug)]
@@ -25,7 +23,7 @@ impl Affine {
     pub(super) fn constant(constant: C, unknowns: usize) -> Self {
         Self {
             constant,
-            by: vec![NOUGHT; unknowns],
+            by: vec![ZERO; unknowns],
         }
     }
 
@@ -33,7 +31,7 @@ impl Affine {
         sum(self.constant, self.by.iter().zip(z).map(|(by, z)| by * z))
     }
 
-    /// With its conjugate at the conjugates.
+    /// Its value, and that of its conjugate at the conjugates.
     fn both(&self, z: &[C], w: &[C]) -> [C; 2] {
         let terms = self.by.iter().zip(z).zip(w);
         let start = [self.constant, self.constant.conj()];
@@ -42,15 +40,15 @@ impl Affine {
         })
     }
 
-    /// With one unknown told by the others, and left out.
-    fn without(&self, unknown: usize, told: &Self) -> Self {
+    /// The form with one unknown eliminated, by its expression in the others.
+    fn without(&self, unknown: usize, expression: &Self) -> Self {
         let mut rest = self.clone();
         let by = rest.by.remove(unknown);
-        rest.add(by, told);
+        rest.add(by, expression);
         rest
     }
 
-    /// So many times another one more.
+    /// Adds a multiple of another form.
     pub(super) fn add(&mut self, times: C, other: &Self) {
         self.constant += times * other.constant;
         for (by, other) in self.by.iter_mut().zip(&other.by) {
@@ -59,31 +57,32 @@ impl Affine {
     }
 }
 
-/// A form, and what it changes by with the input.
-pub(super) type Moving = [Affine; 2];
+/// A form that varies with the input, and its derivative by it.
+pub(super) type Varying = [Affine; 2];
 
-fn without([form, rate]: &Moving, unknown: usize, [told, told_rate]: &Moving) -> Moving {
-    let mut rest = rate.without(unknown, told);
-    rest.add(form.by[unknown], told_rate);
-    [form.without(unknown, told), rest]
+/// The form with one unknown eliminated, by its expression in the others.
+fn without([form, rate]: &Varying, unknown: usize, [value, value_rate]: &Varying) -> Varying {
+    let mut rest = rate.without(unknown, value);
+    rest.add(form.by[unknown], value_rate);
+    [form.without(unknown, value), rest]
 }
 
 fn sum(start: C, terms: impl Iterator<Item = C>) -> C {
     terms.fold(start, |sum, term| sum + term)
 }
 
-/// An equation of forms; of moving ones.
+/// A bilinear equation: of forms, or of forms with their derivatives by the input.
 #[derive(Clone, Debug)]
-pub(super) enum Pair<F = Affine, W = f64> {
-    /// A direction of length 1.
+pub(super) enum Bilinear<F = Affine, W = f64> {
+    /// A form has length 1.
     Unit(F),
-    /// Two directions are parallel.
+    /// Two forms are parallel.
     Parallel(F, F),
-    /// How far one goes along the other, which has length 1.
+    /// The component of the second form along the first, of length 1, has a value.
     Along(F, F, W),
 }
 
-impl<F, W: Copy> Pair<F, W> {
+impl<F, W: Copy> Bilinear<F, W> {
     fn map(&self, change: impl Fn(&F) -> F) -> Self {
         match self {
             Self::Unit(one) => Self::Unit(change(one)),
@@ -93,26 +92,27 @@ impl<F, W: Copy> Pair<F, W> {
     }
 }
 
-/// An equation whose forms change with the input.
-pub(super) type MovingPair = Pair<Moving, [f64; 2]>;
+/// An equation with its derivative by the input.
+pub(super) type VaryingBilinear = Bilinear<Varying, [f64; 2]>;
 
-impl MovingPair {
-    /// As it is now, and what its forms change by.
-    fn parts(self) -> [Pair; 2] {
+impl VaryingBilinear {
+    /// The equation, and the derivatives of its forms.
+    fn parts(self) -> [Bilinear; 2] {
         match self {
-            Self::Unit([one, rate]) => [one, rate].map(Pair::Unit),
-            Self::Parallel([one, rate], [other, other_rate]) => {
-                [Pair::Parallel(one, other), Pair::Parallel(rate, other_rate)]
-            }
-            Self::Along([one, rate], [other, other_rate], [way, way_rate]) => [
-                Pair::Along(one, other, way),
-                Pair::Along(rate, other_rate, way_rate),
+            Self::Unit([one, rate]) => [one, rate].map(Bilinear::Unit),
+            Self::Parallel([one, rate], [other, other_rate]) => [
+                Bilinear::Parallel(one, other),
+                Bilinear::Parallel(rate, other_rate),
+            ],
+            Self::Along([one, rate], [other, other_rate], [value, value_rate]) => [
+                Bilinear::Along(one, other, value),
+                Bilinear::Along(rate, other_rate, value_rate),
             ],
         }
     }
 }
 
-impl Pair {
+impl Bilinear {
     fn forms(&self) -> impl Iterator<Item = &Affine> {
         let (one, other) = match self {
             Self::Unit(one) => (one, None),
@@ -121,7 +121,7 @@ impl Pair {
         [one].into_iter().chain(other)
     }
 
-    /// Whether both ask for the same direction, up to a turn, to have length 1.
+    /// True if both say that the same form, up to a turn, has length 1.
     fn repeats(&self, other: &Self) -> bool {
         let (Self::Unit(one), Self::Unit(other)) = (self, other) else {
             return false;
@@ -135,27 +135,28 @@ impl Pair {
         let [a, b] = [parts(one), parts(other)];
         let product: C = a.iter().zip(&b).map(|(a, b)| a.conj() * b).sum();
         let [size, of] = [&a, &b].map(|all| all.iter().map(|c| c.norm_sqr()).sum::<f64>());
-        (size - of).abs() < SAME * size && (product.norm_sqr() - size * of).abs() < SAME * size * of
+        (size - of).abs() < tolerance::NEGLIGIBLE * size
+            && (product.norm_sqr() - size * of).abs() < tolerance::NEGLIGIBLE * size * of
     }
 }
 
 impl Affine {
-    /// Its coefficients of homogeneous unknowns, the first of which is 1.
+    /// Its coefficients in homogeneous unknowns: the first is that of the homogenizing one.
     fn coefficients(&self) -> impl Iterator<Item = C> {
         [self.constant].into_iter().chain(self.by.iter().copied())
     }
 
-    /// In homogeneous unknowns, and its conjugate in theirs.
+    /// Its value in homogeneous unknowns, and that of its conjugate in theirs.
     fn homogeneous(&self, z: &[C], w: &[C]) -> [C; 2] {
         let terms = self.coefficients().zip(z).zip(w);
-        terms.fold([NOUGHT; 2], |[value, conjugate], ((by, z), w)| {
+        terms.fold([ZERO; 2], |[value, conjugate], ((by, z), w)| {
             [value + by * z, conjugate + by.conj() * w]
         })
     }
 }
 
-impl Pair {
-    /// What is left of it in homogeneous unknowns; puts its derivatives by them, then by the conjugates.
+impl Bilinear {
+    /// The residual in homogeneous unknowns; writes its derivatives by them, then by the conjugates.
     pub(super) fn homogeneous(&self, z: &[C], w: &[C], by: &mut [C]) -> C {
         let (by_z, by_w) = by.split_at_mut(z.len());
         let by = by_z.iter_mut().zip(by_w.iter_mut());
@@ -179,24 +180,23 @@ impl Pair {
                 }
                 cu * v - u * cv
             }
-            Self::Along(one, other, way) => {
+            Self::Along(one, other, value) => {
                 let ([u, cu], [v, cv]) = (one.homogeneous(z, w), other.homogeneous(z, w));
                 let forms = one.coefficients().zip(other.coefficients());
                 for ((by_z, by_w), (a, b)) in by.zip(forms) {
                     *by_z = cu * b + a * cv;
                     *by_w = a.conj() * v + u * b.conj();
                 }
-                by_z[0] -= w[0] * (2.0 * way);
-                by_w[0] -= z[0] * (2.0 * way);
-                cu * v + u * cv - z[0] * w[0] * (2.0 * way)
+                by_z[0] -= w[0] * (2.0 * value);
+                by_w[0] -= z[0] * (2.0 * value);
+                cu * v + u * cv - z[0] * w[0] * (2.0 * value)
             }
         }
     }
 }
 
-impl Pair {
-    /// By how much what is left of it grows with the input at a place that stays, where its forms change as those of
-    /// another one say.
+impl Bilinear {
+    /// The derivative of the residual by the input with the unknowns fixed, by the derivatives of its forms.
     pub(super) fn rate(&self, rates: &Self, z: &[C], w: &[C]) -> C {
         let of = |form: &Affine| form.both(z, w);
         match (self, rates) {
@@ -209,115 +209,119 @@ impl Pair {
                 let ([v, cv], [dv, dcv]) = (of(other), of(other_rate));
                 dcu * v + cu * dv - du * cv - u * dcv
             }
-            (Self::Along(one, other, _), Self::Along(rate, other_rate, way)) => {
+            (Self::Along(one, other, _), Self::Along(rate, other_rate, value_rate)) => {
                 let ([u, cu], [du, dcu]) = (of(one), of(rate));
                 let ([v, cv], [dv, dcv]) = (of(other), of(other_rate));
-                dcu * v + cu * dv + du * cv + u * dcv - C::from(2.0 * way)
+                dcu * v + cu * dv + du * cv + u * dcv - C::from(2.0 * value_rate)
             }
-            // They are parts of one equation.
-            _ => NOUGHT,
+            // Both are parts of one equation.
+            _ => ZERO,
         }
     }
 }
 
-/// Equations, as many as unknowns and conjugates together.
+/// A square system: as many equations as unknowns and conjugates.
 #[derive(Clone, Debug)]
 pub(super) struct System {
     pub(super) unknowns: usize,
-    pub(super) pairs: Vec<Pair>,
-    /// What the forms of each change by with the input.
-    pub(super) rates: Vec<Pair>,
-    /// Which of the given ones they are; none where unknowns are left out.
-    pub(super) given: Option<Vec<usize>>,
-    /// The group's own unknowns by those that are left, and which are left.
+    pub(super) equations: Vec<Bilinear>,
+    /// The derivatives of the forms of each by the input.
+    pub(super) rates: Vec<Bilinear>,
+    /// Index of each among the equations that were given; none if unknowns were eliminated.
+    pub(super) sources: Option<Vec<usize>>,
+    /// The group's unknowns by those of the system, and the indices of the latter.
     own: Vec<Affine>,
     kept: Vec<usize>,
 }
 
 impl System {
-    /// Of so many unknowns; those that linear forms being zero determine are left out. None where they contradict or
-    /// repeat each other, or where equations are not as many as the unknowns.
-    pub(super) fn new(unknowns: usize, pairs: Vec<MovingPair>, zeros: Vec<Moving>) -> Option<Self> {
+    /// The system with those unknowns eliminated that follow from forms equal to zero. None if these forms are dependent,
+    /// or the number of equations is not that of unknowns.
+    pub(super) fn new(
+        unknowns: usize,
+        equations: Vec<VaryingBilinear>,
+        zeros: Vec<Varying>,
+    ) -> Option<Self> {
         let own = (0..unknowns).map(|k| {
-            let mut own = Affine::constant(NOUGHT, unknowns);
+            let mut own = Affine::constant(ZERO, unknowns);
             own.by[k] = ONE;
             own
         });
         let mut own: Vec<Affine> = own.collect();
         let mut kept: Vec<usize> = (0..unknowns).collect();
-        let mut given = zeros.is_empty().then(Vec::new);
-        let (mut unknowns, mut pairs, mut zeros) = (unknowns, pairs, zeros);
+        let mut sources = zeros.is_empty().then(Vec::new);
+        let (mut unknowns, mut equations, mut zeros) = (unknowns, equations, zeros);
         while let Some([zero, rate]) = zeros.pop() {
             let sizes = zero.by.iter().map(|by| by.norm_sqr()).enumerate();
             let (unknown, size) = sizes.max_by(|a, b| a.1.total_cmp(&b.1))?;
             if size < f64::EPSILON {
                 return None;
             }
-            // c + a x + Σ = 0: x is −(c + Σ) / a, and changes by −(c′ + a′ x + Σ′) / a.
+            // c + a x + Σ = 0: x = −(c + Σ) / a, x′ = −(c′ + a′ x + Σ′) / a.
             let scale = -zero.by[unknown].inv();
             let scaled = |form: &Affine| {
-                let mut scaled = Affine::constant(NOUGHT, form.by.len());
+                let mut scaled = Affine::constant(ZERO, form.by.len());
                 scaled.add(scale, form);
                 scaled
             };
-            let mut told = scaled(&zero);
-            told.by.remove(unknown);
-            let told_rate = scaled(&rate.without(unknown, &told));
-            let told = [told, told_rate];
-            let change = |form: &Moving| without(form, unknown, &told);
-            let changed = pairs.iter().map(|pair| pair.map(change));
-            pairs = changed.collect();
+            let mut value = scaled(&zero);
+            value.by.remove(unknown);
+            let value_rate = scaled(&rate.without(unknown, &value));
+            let expression = [value, value_rate];
+            let eliminate = |form: &Varying| without(form, unknown, &expression);
+            let reduced = equations.iter().map(|equation| equation.map(eliminate));
+            equations = reduced.collect();
             own = own
                 .iter()
-                .map(|form| form.without(unknown, &told[0]))
+                .map(|form| form.without(unknown, &expression[0]))
                 .collect();
-            zeros = zeros.iter().map(change).collect();
+            zeros = zeros.iter().map(eliminate).collect();
             kept.remove(unknown);
             unknowns -= 1;
         }
         let mut system = Self {
             unknowns,
-            pairs: Vec::new(),
+            equations: Vec::new(),
             rates: Vec::new(),
-            given: None,
+            sources: None,
             own,
             kept,
         };
-        for (k, moving) in pairs.into_iter().enumerate() {
-            let [pair, rate] = moving.parts();
-            // What no unknown is left in tells nothing of them.
-            let tells = pair
+        for (k, equation) in equations.into_iter().enumerate() {
+            let [equation, rate] = equation.parts();
+            let has_unknowns = equation
                 .forms()
-                .any(|form| form.by.iter().any(|by| *by != NOUGHT));
-            // Links that are driven against each other turn by one direction.
-            if tells && !system.pairs.iter().any(|other| pair.repeats(other)) {
-                system.pairs.push(pair);
+                .any(|form| form.by.iter().any(|by| *by != ZERO));
+            // Links with a driven angle between them have one direction.
+            let is_repeated = system.equations.iter().any(|other| equation.repeats(other));
+            if has_unknowns && !is_repeated {
+                system.equations.push(equation);
                 system.rates.push(rate);
-                given.iter_mut().for_each(|given| given.push(k));
+                sources.iter_mut().for_each(|sources| sources.push(k));
             }
         }
-        system.given = given;
-        (system.pairs.len() == 2 * unknowns).then_some(system)
+        system.sources = sources;
+        (system.equations.len() == 2 * unknowns).then_some(system)
     }
 
-    /// The group's own unknowns.
+    /// The group's unknowns.
     pub(super) fn own(&self, z: &[C]) -> impl Iterator<Item = C> {
         self.own.iter().map(|form| form.at(z))
     }
 
-    /// The group's own unknowns and their conjugates.
+    /// The group's unknowns and their conjugates.
     pub(super) fn own_both(&self, at: &[C]) -> impl Iterator<Item = C> {
         let (z, w) = at.split_at(self.unknowns);
         let part = |which: usize| self.own.iter().map(move |form| form.both(z, w)[which]);
         part(0).chain(part(1))
     }
 
-    /// How many unknowns the group has of its own.
+    /// Number of the group's unknowns.
     pub(super) fn own_unknowns(&self) -> usize {
         self.own.len()
     }
 
-    /// Those that are left of the group's own unknowns and conjugates.
+    /// The system's unknowns and conjugates among those of the group.
     pub(super) fn reduced(&self, own: &[C]) -> Vec<C> {
         let (z, w) = own.split_at(self.own.len());
         let both = [z, w].into_iter();
@@ -326,10 +330,10 @@ impl System {
         reduced
     }
 
-    /// Newton's method from a guess of the group's own unknowns and conjugates, in its place; none where it goes nowhere.
-    pub(super) fn polish_own(&self, at: &mut [C], room: &mut Room) -> Option<()> {
-        let found = self.polished(self.reduced(at), room)?;
-        let (z, w) = found.split_at(self.unknowns);
+    /// Newton's method from a guess of the group's unknowns and conjugates, in place; none if it does not converge.
+    pub(super) fn polish_own(&self, at: &mut [C], workspace: &mut Workspace) -> Option<()> {
+        let solution = self.polished(self.reduced(at), workspace)?;
+        let (z, w) = solution.split_at(self.unknowns);
         let (own, conjugates) = at.split_at_mut(self.own.len());
         for ((form, own), conjugate) in self.own.iter().zip(own).zip(conjugates) {
             [*own, *conjugate] = form.both(z, w);

@@ -1,180 +1,180 @@
-//! All ways to join any group whose equations are linear in the places and in their conjugates: as many paths as such
-//! equations have solutions at most, C(2m, m), from equations that are products of linear forms, whose solutions are known.
+//! All assemblies of a group whose equations are linear in positions and in their conjugates, by a 2-homogeneous homotopy:
+//! C(2m, m) paths, the maximum number of solutions, from a start system of products of linear forms.
 //! (Morgan and Sommese, A homotopy for solving general polynomial systems that respects m-homogeneous structures, 1987.)
 
 use nalgebra::{DMatrix, DVector};
 
-use super::bilinear::{C, NOUGHT, ONE, System};
+use super::bilinear::{C, ONE, System, ZERO};
+use crate::tolerance;
 
-/// Between these shares of a path steps are taken.
-const LONGEST: f64 = 0.1;
-const SHORTEST: f64 = 1e-7;
-/// A step is taken where Newton's method comes so close in so many turns, and its first step was so short.
-const CLOSE: f64 = 1e-9;
-const NEAR: f64 = 1e-3;
-const TURNS: usize = 3;
-/// A place so far out is none.
-const FAR: f64 = 1e-7;
+/// Maximum and minimum step of the homotopy parameter.
+const MAX_STEP: f64 = 0.1;
+const MIN_STEP: f64 = 1e-7;
+/// Maximum first correction, relative, of an accepted step: it stays on its path.
+const MAX_CORRECTION: f64 = 1e-3;
+/// Maximum number of corrector steps.
+const MAX_CORRECTOR_STEPS: usize = 3;
 
-/// Numbers that are as good as any: a generator of Lehmer's with a fixed beginning, for the same paths every time.
-struct Numbers(u64);
+/// Lehmer's random number generator with a fixed seed, for the same paths every time.
+struct Random(u64);
 
-impl Numbers {
+impl Random {
     fn next(&mut self) -> f64 {
         self.0 = self.0 * 48_271 % 2_147_483_647;
         self.0 as f64 / 2_147_483_647.0
     }
 
-    /// Of length 1.
+    /// A complex number of length 1.
     fn complex(&mut self) -> C {
         C::from_polar(1.0, std::f64::consts::TAU * self.next())
     }
 }
 
-/// A path in homogeneous unknowns, each kind on a plane of its own.
+/// A homotopy in homogeneous positions and homogeneous conjugates, each normalized by a linear form.
 struct Homotopy<'a> {
     system: &'a System,
-    /// Of each equation at the start its two linear forms, one of the places, one of the conjugates.
+    /// Factors of each equation of the start system, linear forms of the positions and of the conjugates.
     factors: Vec<[Vec<C>; 2]>,
-    /// The planes on which places and conjugates are.
-    planes: [Vec<C>; 2],
-    /// Keeps the way clear of singular places.
+    /// Linear forms of the positions and of the conjugates that are 1.
+    patches: [Vec<C>; 2],
+    /// A random complex factor of the start system, by which paths avoid singular points.
     gamma: C,
 }
 
-/// Guesses of unknowns and conjugates of all solutions that are not far out.
-pub(super) fn candidates(system: &System, beginning: u64) -> Vec<Vec<C>> {
-    let mut numbers = Numbers(7 + beginning % 1_000_003);
+/// Approximate unknowns and conjugates of all finite solutions, by the paths of a seed.
+pub(super) fn candidates(system: &System, seed: u64) -> Vec<Vec<C>> {
+    let mut random = Random(7 + seed % 1_000_003);
     for _ in 0..8 {
-        numbers.next();
+        random.next();
     }
     let m = system.unknowns;
-    let mut form = || -> Vec<C> { (0..=m).map(|_| numbers.complex()).collect() };
+    let mut form = || -> Vec<C> { (0..=m).map(|_| random.complex()).collect() };
     let homotopy = Homotopy {
         system,
         factors: (0..2 * m).map(|_| [form(), form()]).collect(),
-        planes: [form(), form()],
+        patches: [form(), form()],
         gamma: form()[0],
     };
     let sets = (0..1_u32 << (2 * m)).filter(|set| set.count_ones() as usize == m);
     let ends = sets.filter_map(|set| {
         let start = homotopy.start(set)?;
-        homotopy.followed(start)
+        homotopy.end(start)
     });
     ends.collect()
 }
 
 impl Homotopy<'_> {
-    /// The solution at the start in which the forms of these equations in the places are zero, and those of the others in
-    /// the conjugates.
+    /// The solution of the start system with zero factors in the positions of a set of equations, and in the conjugates of
+    /// the others.
     fn start(&self, set: u32) -> Option<Vec<C>> {
         let mut all = Vec::new();
-        for (kind, plane) in self.planes.iter().enumerate() {
+        for (kind, patch) in self.patches.iter().enumerate() {
             let chosen = (0..self.factors.len()).filter(|k| (set >> k & 1 == 1) == (kind == 0));
             let mut rows: Vec<&Vec<C>> = chosen.map(|k| &self.factors[k][kind]).collect();
-            rows.push(plane);
+            rows.push(patch);
             let size = rows.len();
             let matrix = DMatrix::from_fn(size, size, |row, k| rows[row][k]);
-            let mut right = DVector::from_element(size, NOUGHT);
+            let mut right = DVector::from_element(size, ZERO);
             right[size - 1] = ONE;
             all.extend(matrix.lu().solve(&right)?.iter());
         }
         Some(all)
     }
 
-    /// The equations at a share of the way, their derivatives by the unknowns, and by the share.
-    fn at(&self, x: &[C], share: f64) -> (DVector<C>, DMatrix<C>, DVector<C>) {
+    /// The residuals at a homotopy parameter s, their Jacobian, and their derivatives by s.
+    fn at(&self, x: &[C], s: f64) -> (DVector<C>, DMatrix<C>, DVector<C>) {
         let m = self.system.unknowns;
         let size = x.len();
         let (z, w) = x.split_at(m + 1);
-        let mut left = DVector::from_element(size, NOUGHT);
-        let mut slopes = DMatrix::from_element(size, size, NOUGHT);
-        let mut rates = left.clone();
-        let mut by = vec![NOUGHT; size];
+        let mut residual = DVector::from_element(size, ZERO);
+        let mut jacobian = DMatrix::from_element(size, size, ZERO);
+        let mut rates = residual.clone();
+        let mut by = vec![ZERO; size];
         let dot = |form: &[C], x: &[C]| -> C { form.iter().zip(x).map(|(a, x)| a * x).sum() };
-        for (k, (pair, [of_z, of_w])) in self.system.pairs.iter().zip(&self.factors).enumerate() {
-            let value = pair.homogeneous(z, w, &mut by);
+        for (k, (equation, [of_z, of_w])) in
+            self.system.equations.iter().zip(&self.factors).enumerate()
+        {
+            let value = equation.homogeneous(z, w, &mut by);
             let (a, b) = (dot(of_z, z), dot(of_w, w));
             let start = self.gamma * a * b;
-            left[k] = start * (1.0 - share) + value * share;
+            residual[k] = start * (1.0 - s) + value * s;
             rates[k] = value - start;
             for u in 0..=m {
-                slopes[(k, u)] = self.gamma * of_z[u] * b * (1.0 - share) + by[u] * share;
+                jacobian[(k, u)] = self.gamma * of_z[u] * b * (1.0 - s) + by[u] * s;
                 let conjugate = m + 1 + u;
-                slopes[(k, conjugate)] =
-                    self.gamma * of_w[u] * a * (1.0 - share) + by[conjugate] * share;
+                jacobian[(k, conjugate)] = self.gamma * of_w[u] * a * (1.0 - s) + by[conjugate] * s;
             }
         }
-        for (kind, plane) in self.planes.iter().enumerate() {
+        for (kind, patch) in self.patches.iter().enumerate() {
             let row = 2 * m + kind;
             let from = kind * (m + 1);
-            left[row] = dot(plane, &x[from..=from + m]) - ONE;
-            for (u, by) in plane.iter().enumerate() {
-                slopes[(row, from + u)] = *by;
+            residual[row] = dot(patch, &x[from..=from + m]) - ONE;
+            for (u, by) in patch.iter().enumerate() {
+                jacobian[(row, from + u)] = *by;
             }
         }
-        (left, slopes, rates)
+        (residual, jacobian, rates)
     }
 
-    /// How the unknowns change with the share.
-    fn rate(&self, x: &[C], share: f64) -> Option<Vec<C>> {
-        let (_, slopes, rates) = self.at(x, share);
-        let rate = slopes.lu().solve(&rates)?;
+    /// The tangent: derivatives of the unknowns by s.
+    fn rate(&self, x: &[C], s: f64) -> Option<Vec<C>> {
+        let (_, jacobian, rates) = self.at(x, s);
+        let rate = jacobian.lu().solve(&rates)?;
         let rate: Vec<C> = rate.iter().map(|rate| -rate).collect();
         rate.iter().all(|c| c.is_finite()).then_some(rate)
     }
 
-    /// A step by the method of Runge and Kutta.
-    fn predicted(&self, x: &[C], share: f64, step: f64) -> Option<Vec<C>> {
+    /// A predictor step by the Runge–Kutta method of order 4.
+    fn predicted(&self, x: &[C], s: f64, step: f64) -> Option<Vec<C>> {
         let moved = |by: f64, rate: &[C]| -> Vec<C> {
             x.iter().zip(rate).map(|(x, rate)| x + rate * by).collect()
         };
-        let k1 = self.rate(x, share)?;
-        let k2 = self.rate(&moved(step / 2.0, &k1), share + step / 2.0)?;
-        let k3 = self.rate(&moved(step / 2.0, &k2), share + step / 2.0)?;
-        let k4 = self.rate(&moved(step, &k3), share + step)?;
+        let k1 = self.rate(x, s)?;
+        let k2 = self.rate(&moved(step / 2.0, &k1), s + step / 2.0)?;
+        let k3 = self.rate(&moved(step / 2.0, &k2), s + step / 2.0)?;
+        let k4 = self.rate(&moved(step, &k3), s + step)?;
         let mean: Vec<C> = (0..x.len())
             .map(|k| (k1[k] + (k2[k] + k3[k]) * 2.0 + k4[k]) / 6.0)
             .collect();
         Some(moved(step, &mean))
     }
 
-    /// Newton's method at a share of the way.
-    fn corrected(&self, mut x: Vec<C>, share: f64) -> Option<Vec<C>> {
-        for turn in 0..TURNS {
-            let (left, slopes, _) = self.at(&x, share);
-            let step = slopes.lu().solve(&left)?;
+    /// Newton's method at s; none if it does not converge, or from afar.
+    fn corrected(&self, mut x: Vec<C>, s: f64) -> Option<Vec<C>> {
+        for step_number in 0..MAX_CORRECTOR_STEPS {
+            let (residual, jacobian, _) = self.at(&x, s);
+            let step = jacobian.lu().solve(&residual)?;
             let size = x.iter().fold(0.0, |most, x| f64::max(most, x.norm()));
             let change = step.iter().fold(0.0, |most, x| f64::max(most, x.norm())) / size;
-            if !change.is_finite() || turn == 0 && change > NEAR {
+            if !change.is_finite() || step_number == 0 && change > MAX_CORRECTION {
                 return None;
             }
             for (x, step) in x.iter_mut().zip(step.iter()) {
                 *x -= step;
             }
-            if change < CLOSE {
+            if change < tolerance::COINCIDENT {
                 return Some(x);
             }
         }
         None
     }
 
-    /// The end of the path, in unknowns and conjugates; none where it is far out, or singular.
-    fn followed(&self, start: Vec<C>) -> Option<Vec<C>> {
-        let (mut x, mut share, mut step) = (start, 0.0, LONGEST / 4.0);
-        while share < 1.0 {
-            let length = f64::min(step, 1.0 - share);
-            let next = self.predicted(&x, share, length);
-            match next.and_then(|next| self.corrected(next, share + length)) {
+    /// The end of the path, in unknowns and conjugates; none if it is at infinity.
+    fn end(&self, start: Vec<C>) -> Option<Vec<C>> {
+        let (mut x, mut s, mut step) = (start, 0.0, MAX_STEP / 4.0);
+        while s < 1.0 {
+            let length = f64::min(step, 1.0 - s);
+            let next = self.predicted(&x, s, length);
+            match next.and_then(|next| self.corrected(next, s + length)) {
                 Some(next) => {
                     x = next;
-                    share += length;
-                    step = f64::min(1.5 * step, LONGEST);
+                    s += length;
+                    step = f64::min(1.5 * step, MAX_STEP);
                 }
                 None => step = length / 2.0,
             }
-            // What ends in a singular place is a guess, which Newton's method will judge.
-            if step < SHORTEST {
+            // A path may end in a singular point; Newton's method decides from there.
+            if step < MIN_STEP {
                 break;
             }
         }
@@ -183,7 +183,8 @@ impl Homotopy<'_> {
         let mut all = Vec::new();
         for part in [z, w] {
             let size = part.iter().fold(0.0, |most, x| f64::max(most, x.norm()));
-            if part[0].norm() < FAR * size {
+            // A vanishing homogeneous coordinate.
+            if part[0].norm() < tolerance::DISTINCT * size {
                 return None;
             }
             all.extend(part[1..].iter().map(|x| x / part[0]));

@@ -1,33 +1,34 @@
-//! Newton's method for a system over the complex numbers, in room that is used again.
+//! Newton's method for a system over the complex numbers, without allocation.
 
-use super::bilinear::{C, NOUGHT, ONE, System};
+use super::bilinear::{C, ONE, System, ZERO};
+use crate::tolerance;
 
-/// It goes on until a step is this small relative to the unknowns …
-const CONVERGED: f64 = 1e-14;
-/// … or the next one would be no more than this.
-const ROUNDING: f64 = 1e-17;
-const MOST_STEPS: usize = 12;
+/// Maximum size of a predicted step, relative to the unknowns, that is rounding and not worth a step.
+const NEGLIGIBLE_STEP: f64 = 1e-17;
+/// Maximum number of Newton steps; at a regular solution convergence is quadratic.
+const MAX_STEPS: usize = 12;
 
 impl System {
-    /// How fast unknowns and conjugates of a solution change with the input; none where it is singular.
+    /// The derivative of the unknowns and conjugates of a solution by the input; none if it is singular.
     pub(super) fn rate(&self, at: &[C]) -> Option<Vec<C>> {
         let (z, w) = at.split_at(self.unknowns);
-        let mut room = Room::new(self.unknowns);
-        room.fill(self, at);
-        for (left, (pair, rate)) in room.left.iter_mut().zip(self.pairs.iter().zip(&self.rates)) {
-            *left = -pair.rate(rate, z, w);
+        let mut workspace = Workspace::new(self.unknowns);
+        workspace.fill(self, at);
+        let equations = self.equations.iter().zip(&self.rates);
+        for (rhs, (equation, rate)) in workspace.rhs.iter_mut().zip(equations) {
+            *rhs = -equation.rate(rate, z, w);
         }
-        let rate = room.step()?;
+        let rate = workspace.step()?;
         rate.iter().all(|c| c.is_finite()).then(|| rate.to_vec())
     }
 
-    /// Newton's method from a guess of unknowns and conjugates; none where it goes nowhere.
-    pub(super) fn polished(&self, guess: Vec<C>, room: &mut Room) -> Option<Vec<C>> {
+    /// Newton's method from a guess of unknowns and conjugates; none if it does not converge.
+    pub(super) fn polished(&self, guess: Vec<C>, workspace: &mut Workspace) -> Option<Vec<C>> {
         let mut at = guess;
         let mut last = f64::INFINITY;
-        for _ in 0..MOST_STEPS {
-            room.fill(self, &at);
-            let step = room.step()?;
+        for _ in 0..MAX_STEPS {
+            workspace.fill(self, &at);
+            let step = workspace.step()?;
             let largest = |all: &[C], least: f64| {
                 let sizes = all.iter().map(|z| z.norm_sqr());
                 sizes.fold(least, f64::max)
@@ -39,96 +40,96 @@ impl System {
             for (at, step) in at.iter_mut().zip(step) {
                 *at -= step;
             }
-            // Rounding is all that further steps mend.
+            // Converged, or rounding stops the convergence.
             if is_exact(change, last)
-                || change <= CONVERGED
-                || change < 1e-9 && change >= 0.5 * last
+                || change <= tolerance::CONVERGED
+                || change < tolerance::COINCIDENT && change >= 0.5 * last
             {
                 return Some(at);
             }
             last = change;
         }
-        (last < 1e-6).then_some(at)
+        (last < tolerance::TRIPLE_ROOT).then_some(at)
     }
 }
 
-/// Whether a step leaves nothing but rounding: the next one would be about as much less as this one is of the last, squared.
+/// True if the error after a step is rounding: by quadratic convergence the next step is about `change` (`change`/`last`)².
 pub(super) fn is_exact(change: f64, last: f64) -> bool {
-    last.is_finite() && change * (change / last).powi(2) <= ROUNDING
+    last.is_finite() && change * (change / last).powi(2) <= NEGLIGIBLE_STEP
 }
 
-/// Room for a turn of Newton's method.
-pub(super) struct Room {
-    /// Homogeneous unknowns and conjugates, and the derivatives of an equation by them.
+/// Buffers for a Newton step.
+pub(super) struct Workspace {
+    /// Homogeneous unknowns and conjugates, and the gradient of an equation.
     homogeneous: Vec<C>,
-    by: Vec<C>,
-    /// What is left of the equations, and their derivatives, row by row.
-    left: Vec<C>,
-    slopes: Vec<C>,
+    gradient: Vec<C>,
+    /// Right-hand side, then solution; and the Jacobian, row by row.
+    rhs: Vec<C>,
+    jacobian: Vec<C>,
 }
 
-impl Room {
+impl Workspace {
     pub(super) fn new(unknowns: usize) -> Self {
         let size = 2 * unknowns;
         Self {
             homogeneous: vec![ONE; size + 2],
-            by: vec![NOUGHT; size + 2],
-            left: vec![NOUGHT; size],
-            slopes: vec![NOUGHT; size * size],
+            gradient: vec![ZERO; size + 2],
+            rhs: vec![ZERO; size],
+            jacobian: vec![ZERO; size * size],
         }
     }
 
-    /// The equations of a system at a place.
+    /// Evaluates a system and its Jacobian.
     fn fill(&mut self, system: &System, at: &[C]) {
         let m = system.unknowns;
         let (z, w) = self.homogeneous.split_at_mut(m + 1);
         z[1..].copy_from_slice(&at[..m]);
         w[1..].copy_from_slice(&at[m..]);
-        let rows = self.slopes.chunks_exact_mut(2 * m);
-        for ((pair, left), row) in system.pairs.iter().zip(&mut self.left).zip(rows) {
-            *left = pair.homogeneous(z, w, &mut self.by);
-            row[..m].copy_from_slice(&self.by[1..=m]);
-            row[m..].copy_from_slice(&self.by[m + 2..]);
+        let rows = self.jacobian.chunks_exact_mut(2 * m);
+        for ((equation, rhs), row) in system.equations.iter().zip(&mut self.rhs).zip(rows) {
+            *rhs = equation.homogeneous(z, w, &mut self.gradient);
+            row[..m].copy_from_slice(&self.gradient[1..=m]);
+            row[m..].copy_from_slice(&self.gradient[m + 2..]);
         }
     }
 
-    /// The step that the equations ask for, by elimination in place: so small and so many that a library's, which asks for
-    /// memory each time, takes twice as long. None where they are singular.
+    /// The Newton step by elimination in place; none if the Jacobian is singular. The systems are many and small: a
+    /// library's elimination, which allocates each time, takes twice as long.
     fn step(&mut self) -> Option<&[C]> {
-        let Self { left, slopes, .. } = self;
-        let size = left.len();
+        let Self { rhs, jacobian, .. } = self;
+        let size = rhs.len();
         for k in 0..size {
-            let value = |row: &usize| slopes[row * size + k].norm_sqr();
+            let value = |row: &usize| jacobian[row * size + k].norm_sqr();
             let pivot = (k..size).max_by(|a, b| value(a).total_cmp(&value(b)))?;
             if value(&pivot) == 0.0 {
                 return None;
             }
             if pivot != k {
-                let (above, below) = slopes.split_at_mut(pivot * size);
+                let (above, below) = jacobian.split_at_mut(pivot * size);
                 above[k * size..][k..size].swap_with_slice(&mut below[k..size]);
-                left.swap(k, pivot);
+                rhs.swap(k, pivot);
             }
-            let (above, below) = slopes.split_at_mut((k + 1) * size);
+            let (above, below) = jacobian.split_at_mut((k + 1) * size);
             let pivot_row = &above[k * size..];
-            let (reciprocal, known) = (pivot_row[k].inv(), left[k]);
-            for (row, left) in below.chunks_exact_mut(size).zip(&mut left[k + 1..]) {
-                // Links know few of the unknowns.
-                if row[k] == NOUGHT {
+            let (reciprocal, known) = (pivot_row[k].inv(), rhs[k]);
+            for (row, rhs) in below.chunks_exact_mut(size).zip(&mut rhs[k + 1..]) {
+                // An equation has few of the unknowns.
+                if row[k] == ZERO {
                     continue;
                 }
                 let times = row[k] * reciprocal;
                 for (entry, pivot) in row[k + 1..].iter_mut().zip(&pivot_row[k + 1..]) {
                     *entry -= times * pivot;
                 }
-                *left -= times * known;
+                *rhs -= times * known;
             }
         }
         for k in (0..size).rev() {
-            let row = &slopes[k * size..][..size];
-            let known = row[k + 1..].iter().zip(&left[k + 1..]);
-            let rest = left[k] - known.map(|(by, x)| by * x).sum::<C>();
-            left[k] = rest / row[k];
+            let row = &jacobian[k * size..][..size];
+            let known = row[k + 1..].iter().zip(&rhs[k + 1..]);
+            let rest = rhs[k] - known.map(|(by, x)| by * x).sum::<C>();
+            rhs[k] = rest / row[k];
         }
-        Some(left)
+        Some(rhs)
     }
 }

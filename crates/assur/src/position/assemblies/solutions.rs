@@ -1,45 +1,48 @@
-//! The solutions of a group's equations, and when two are one.
+//! The solutions of a group's equations, and the distances between them.
 
 use super::bilinear::C;
+use crate::tolerance;
 
-/// Solutions that differ by less than this part of their size are one.
-pub(super) const ONE: f64 = 1e-8;
-/// Places and conjugates of a real solution differ by no more than this part of the size, near a fold.
+/// Maximum relative distance of a real solution from its conjugate: near a fold rounding is large.
 pub(super) const REAL: f64 = 1e-5;
 
-/// The solutions of a group's equations, its own unknowns in their units.
+/// The solutions of a group's equations, with the group's unknowns in their units.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Solutions {
-    /// How many unknowns there are.
+    /// Number of unknowns.
     pub(super) size: usize,
-    /// The real ones, one after the other.
+    /// The real solutions in one list.
     pub(super) real: Vec<C>,
-    /// Of each two that are each other's conjugates one: unknowns, then conjugates.
-    pub(super) unreal: Vec<C>,
+    /// One solution of each pair of conjugate ones: unknowns, then conjugates.
+    pub(super) complex_pairs: Vec<C>,
 }
 
 impl Solutions {
-    /// Whether none is there twice.
+    /// True if no two solutions coincide.
     pub(super) fn are_distinct(&self) -> bool {
-        let (mut real, mut unreal) = (self.real().enumerate(), self.unreal().enumerate());
-        real.all(|(k, one)| self.real().take(k).all(|other| apart(one, other) > ONE))
-            && unreal.all(|(k, one)| {
-                let mut others = self.unreal().take(k);
-                others.all(|other| apart_either_way(one, other) > ONE)
-            })
+        let (mut real, mut complex_pairs) =
+            (self.real().enumerate(), self.complex_pairs().enumerate());
+        real.all(|(k, one)| {
+            self.real()
+                .take(k)
+                .all(|other| distance(one, other) > tolerance::DOUBLE_ROOT)
+        }) && complex_pairs.all(|(k, one)| {
+            let mut others = self.complex_pairs().take(k);
+            others.all(|other| distance_to_pair(one, other) > tolerance::DOUBLE_ROOT)
+        })
     }
 
     pub(super) fn real(&self) -> impl ExactSizeIterator<Item = &[C]> {
         self.real.chunks_exact(self.size)
     }
 
-    pub(super) fn unreal(&self) -> impl ExactSizeIterator<Item = &[C]> {
-        self.unreal.chunks_exact(2 * self.size)
+    pub(super) fn complex_pairs(&self) -> impl ExactSizeIterator<Item = &[C]> {
+        self.complex_pairs.chunks_exact(2 * self.size)
     }
 
-    /// How many there are over the complex numbers.
-    pub(super) fn complex(&self) -> usize {
-        self.real().len() + 2 * self.unreal().len()
+    /// Number of complex solutions, the real ones included.
+    pub(super) fn count(&self) -> usize {
+        self.real().len() + 2 * self.complex_pairs().len()
     }
 }
 
@@ -49,34 +52,34 @@ pub(super) fn conjugate(at: &[C]) -> Vec<C> {
     w.iter().chain(z).map(|c| c.conj()).collect()
 }
 
-/// How far two places are apart, relative to their size.
-pub(super) fn apart(one: &[C], other: &[C]) -> f64 {
-    most_apart(one.iter().zip(other).map(|(a, b)| [*a, *b]))
+/// The distance of two solutions, relative to their size.
+pub(super) fn distance(one: &[C], other: &[C]) -> f64 {
+    max_difference(one.iter().zip(other).map(|(a, b)| [*a, *b]))
 }
 
-/// How far a solution is from the conjugate of another one.
-pub(super) fn apart_from_conjugate(one: &[C], other: &[C]) -> f64 {
+/// The distance of a solution from the conjugate of another one.
+pub(super) fn distance_to_conjugate(one: &[C], other: &[C]) -> f64 {
     let (z, w) = other.split_at(other.len() / 2);
     let conjugate = w.iter().chain(z).map(|c| c.conj());
-    most_apart(one.iter().zip(conjugate).map(|(a, b)| [*a, b]))
+    max_difference(one.iter().zip(conjugate).map(|(a, b)| [*a, b]))
 }
 
-fn most_apart(pairs: impl Iterator<Item = [C; 2]>) -> f64 {
-    let (size, most) = pairs.fold((1.0, 0.0), |(size, most), [a, b]| {
+fn max_difference(pairs: impl Iterator<Item = [C; 2]>) -> f64 {
+    let (size, max) = pairs.fold((1.0, 0.0), |(size, max), [a, b]| {
         (
             f64::max(size, a.norm_sqr()),
-            f64::max(most, (a - b).norm_sqr()),
+            f64::max(max, (a - b).norm_sqr()),
         )
     });
-    (most / size).sqrt()
+    (max / size).sqrt()
 }
 
-/// How far a solution is from another one or from its conjugate.
-pub(super) fn apart_either_way(one: &[C], other: &[C]) -> f64 {
-    f64::min(apart(one, other), apart_from_conjugate(one, other))
+/// The distance of a solution from another one or its conjugate, whichever is nearer.
+pub(super) fn distance_to_pair(one: &[C], other: &[C]) -> f64 {
+    f64::min(distance(one, other), distance_to_conjugate(one, other))
 }
 
-/// The middle between two places.
+/// The midpoint of two solutions.
 pub(super) fn mean(a: &[C], b: &[C]) -> Vec<C> {
     a.iter().zip(b).map(|(a, b)| (a + b) / 2.0).collect()
 }

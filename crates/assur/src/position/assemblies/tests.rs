@@ -1,7 +1,8 @@
-use super::bilinear::{Affine, C, Pair, System};
-use super::{apart, dixon, homotopy};
+use super::bilinear::{Affine, Bilinear, C, System};
+use super::solutions::distance;
+use super::{dixon, homotopy};
 
-/// A generator of Knuth's with a fixed beginning.
+/// A linear congruential generator of Knuth's with a fixed seed.
 struct Dice(u64);
 
 impl Dice {
@@ -17,23 +18,23 @@ impl Dice {
         C::new(self.next(), self.next())
     }
 
-    /// Directions that all have length 1 at a place of its own, and the place with its conjugates.
+    /// A system of directions of length 1 with a known solution, and this solution with its conjugates.
     fn system(&mut self, unknowns: usize) -> (System, Vec<C>) {
-        let place: Vec<C> = (0..unknowns).map(|_| self.complex()).collect();
-        let pairs = (0..2 * unknowns).map(|_| {
+        let solution: Vec<C> = (0..unknowns).map(|_| self.complex()).collect();
+        let equations = (0..2 * unknowns).map(|_| {
             let by: Vec<C> = (0..unknowns).map(|_| self.complex()).collect();
             let direction = C::from_polar(1.0, 3.0 * self.next());
-            let sum: C = by.iter().zip(&place).map(|(by, z)| by * z).sum();
+            let sum: C = by.iter().zip(&solution).map(|(by, z)| by * z).sum();
             let constant = direction - sum;
-            Pair::Unit([
+            Bilinear::Unit([
                 Affine { constant, by },
                 Affine::constant(C::default(), unknowns),
             ])
         });
-        let pairs = pairs.collect();
-        let conjugates = place.iter().map(|z| z.conj());
-        let both = place.iter().copied().chain(conjugates).collect();
-        (System::new(unknowns, pairs, Vec::new()).unwrap(), both)
+        let equations = equations.collect();
+        let conjugates = solution.iter().map(|z| z.conj());
+        let both = solution.iter().copied().chain(conjugates).collect();
+        (System::new(unknowns, equations, Vec::new()).unwrap(), both)
     }
 }
 
@@ -43,34 +44,34 @@ fn all(system: &System, candidates: Vec<Vec<C>>) -> Vec<Vec<C>> {
     found
 }
 
-/// Of directions without any relation between them there are as many solutions as there can be, C(2m, m).
+/// Directions of general position have the maximum number of solutions, C(2m, m).
 #[test]
 fn every_solution_of_general_directions() {
     for (unknowns, count) in [(1, 2), (2, 6), (3, 20), (4, 70)] {
         let seeds = if unknowns < 4 { 40 } else { 2 };
         for seed in 0..seeds {
-            let (system, place) = Dice(seed).system(unknowns);
-            let by_loops = dixon::candidates(&system, seed as usize).unwrap();
+            let (system, solution) = Dice(seed).system(unknowns);
+            let by_dixon = dixon::candidates(&system, seed as usize).unwrap();
             for found in [
-                all(&system, by_loops),
+                all(&system, by_dixon),
                 all(&system, homotopy::candidates(&system, seed)),
             ] {
                 assert_eq!(found.len(), count, "{unknowns} {seed}");
-                let known = found.iter().any(|one| apart(one, &place) < 1e-9);
+                let known = found.iter().any(|one| distance(one, &solution) < 1e-9);
                 assert!(known, "{unknowns} {seed}");
             }
         }
     }
 }
 
-/// Of four unknowns the number of solutions in general is not known: two hidden directions that tell the same are enough,
-/// and the work that is reckoned with is theirs.
+/// The general number of solutions for four unknowns is not known: two hidden directions with the same solutions are
+/// enough, and the estimate of the work counts both.
 #[test]
 fn two_directions_are_enough() {
     for (unknowns, directions) in [(1, 2), (2, 1), (3, 1), (4, 2)] {
         let (system, _) = Dice(unknowns as u64).system(unknowns);
         let mut found = Vec::new();
-        let tried = system.directions_tried(&mut found);
+        let tried = system.add_by_dixon(&mut found);
         assert!(tried <= directions, "{unknowns}: {tried}");
     }
     let (four, _) = Dice(7).system(4);

@@ -1,201 +1,202 @@
-//! The ways to join a group at places one after another: each is followed from where it was found last by Newton's method. They
-//! are all of them where they are as many as there are at a general place, none twice; on any doubt they are found anew.
+//! Tracking of the assemblies of a group from input to input, each by Newton's method from its extrapolation. They are
+//! complete if they are distinct and their number is that of general parameters; in any doubt all are computed again.
 //!
-//! Two real ways that meet go on as two that are each other's conjugates, and the other way round. Half of what is between the
-//! two has a square that goes through zero evenly: from two places before it tells how far they are apart behind it.
+//! Two real assemblies that meet continue as a pair of conjugate ones, and conversely. The square of half their difference
+//! passes zero almost linearly, so two samples before the meeting predict the difference after it.
 
 use super::bilinear::{C, System};
-use super::newton::{Room, is_exact};
-use super::solutions::{ONE, REAL, Solutions, apart, apart_either_way, apart_from_conjugate, mean};
-use super::tracker::{Extrapolation, FAR, Sample, Tracker};
+use super::newton::{Workspace, is_exact};
+use super::solutions::{REAL, Solutions, distance, distance_to_conjugate, distance_to_pair, mean};
+use super::tracker::{Extrapolation, MAX_DISTANCE, Sample, Tracker};
 use crate::Vector;
 use crate::position::{Group, State, StepContext};
+use crate::tolerance;
 
-/// Newton's method takes no more turns.
-const MOST_TURNS: usize = 8;
+/// Maximum number of Newton steps from an extrapolation.
+const MAX_STEPS: usize = 8;
 
 impl Group {
-    /// All ways where they can be followed to here, as the group has received what it hangs on.
-    pub(super) fn followed<const N: usize>(
+    /// All assemblies with the substituted inputs, if they can be tracked.
+    pub(super) fn tracked<const N: usize>(
         &self,
-        followed: &mut Tracker,
+        tracker: &mut Tracker,
         system: &System,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Option<Solutions> {
-        let place = self.place(state);
-        if !followed.agreed {
+        let parameters = self.parameters(state);
+        if !tracker.agreed {
             return None;
         }
-        let (at, off) = followed.nearest(&place)?;
-        if off > FAR {
+        let (k, distance) = tracker.nearest(&parameters)?;
+        if distance > MAX_DISTANCE {
             return None;
         }
-        let chain = &followed.chains[at];
-        let ahead = chain.ahead(&place);
-        let (found, same) = self.all_ahead(&ahead, system, state, given)?;
-        if found.complex() != followed.general {
+        let extrapolation = tracker.branches[k].extrapolation(&parameters);
+        let (solutions, same_kinds) = self.track(&extrapolation, system, state, context)?;
+        if solutions.count() != tracker.general_count {
             return None;
         }
-        let chain = &mut followed.chains[at];
+        let branch = &mut tracker.branches[k];
         let sample = Sample {
-            given: place,
-            found: found.clone(),
+            parameters,
+            solutions: solutions.clone(),
         };
-        // Where it is still the one before stays, too.
-        if off > 0.0 {
-            let last = std::mem::replace(&mut chain.last, sample);
-            if same {
-                chain.before.truncate(1);
-                chain.before.insert(0, last);
+        // The same parameters are no new sample.
+        if distance > 0.0 {
+            let last = std::mem::replace(&mut branch.last, sample);
+            if same_kinds {
+                branch.before.truncate(1);
+                branch.before.insert(0, last);
             } else {
-                chain.before.clear();
+                branch.before.clear();
             }
         }
-        chain.used = true;
-        Some(found)
+        branch.used = true;
+        Some(solutions)
     }
 
-    /// What the forms of its equations have of what it hangs on, and how far driven pairs are.
-    pub(super) fn place<const N: usize>(&self, state: &State<N>) -> Vec<Vector> {
-        let known = state.work.known.iter().copied();
-        let driven = state.work.given.iter();
-        let driven = driven.map(|mesh| Vector::new(mesh.angle.value(), 0.0));
+    /// The parameters of its equations: the inputs in its forms, and the coordinates of driven pairs.
+    pub(super) fn parameters<const N: usize>(&self, state: &State<N>) -> Vec<Vector> {
+        let known = state.work.known_values.iter().copied();
+        let driven = state.work.known_angles.iter();
+        let driven = driven.map(|known| Vector::new(known.angle.value(), 0.0));
         known.chain(driven).collect()
     }
 
-    /// All that is where it is expected, none twice, and whether it is of the same kind as it was.
-    fn all_ahead<const N: usize>(
+    /// All assemblies from their extrapolation, if they are distinct; true if none became real or complex.
+    fn track<const N: usize>(
         &self,
-        ahead: &Extrapolation<'_>,
+        extrapolation: &Extrapolation<'_>,
         system: &System,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Option<(Solutions, bool)> {
-        let last = &ahead.chain.last.found;
-        let expected = ahead.expected();
+        let last = &extrapolation.branch.last.solutions;
+        let expected = extrapolation.solutions();
         let mut found = expected.clone();
-        let mut room = Room::new(system.unknowns);
+        let mut workspace = Workspace::new(system.unknowns);
         let real = found.real.chunks_exact_mut(last.size);
         let real = real.zip(expected.real()).map(|(at, expected)| {
-            self.join(at, state, given)?;
-            Some(apart(at, expected))
+            self.polish_real(at, state, context)?;
+            Some(distance(at, expected))
         });
         let mut real: Vec<Option<f64>> = real.collect();
-        let unreal = found.unreal.chunks_exact_mut(2 * last.size);
-        let unreal = unreal.zip(expected.unreal()).map(|(at, expected)| {
-            system.polish_own(at, &mut room)?;
-            (unreal_by(at) > REAL).then(|| apart(at, expected))
+        let pairs = found.complex_pairs.chunks_exact_mut(2 * last.size);
+        let pairs = pairs.zip(expected.complex_pairs()).map(|(at, expected)| {
+            system.polish_own(at, &mut workspace)?;
+            (distance_to_conjugate(at, at) > REAL).then(|| distance(at, expected))
         });
-        let mut unreal: Vec<Option<f64>> = unreal.collect();
-        drop_strays(&mut real, &found.real, apart);
-        drop_strays(&mut unreal, &found.unreal, apart_either_way);
-        if real.iter().chain(&unreal).all(Option::is_some) {
+        let mut pairs: Vec<Option<f64>> = pairs.collect();
+        drop_duplicates(&mut real, &found.real, distance);
+        drop_duplicates(&mut pairs, &found.complex_pairs, distance_to_pair);
+        if real.iter().chain(&pairs).all(Option::is_some) {
             return Some((found, true));
         }
         let mut all = Solutions {
             size: last.size,
-            real: those(&found.real, &real, last.size),
-            unreal: those(&found.unreal, &unreal, 2 * last.size),
+            real: kept(&found.real, &real, last.size),
+            complex_pairs: kept(&found.complex_pairs, &pairs, 2 * last.size),
         };
         let mut lost: Vec<usize> = (0..real.len()).filter(|k| real[*k].is_none()).collect();
         while let Some(one) = lost.pop() {
-            let at =
-                |found: &Solutions, k: usize| found.real[k * last.size..][..last.size].to_vec();
-            let to = |k: &usize| apart(&at(last, *k), &at(last, one));
+            let at = |solutions: &Solutions, k: usize| {
+                solutions.real[k * last.size..][..last.size].to_vec()
+            };
+            let to = |k: &usize| distance(&at(last, *k), &at(last, one));
             let other = lost
                 .iter()
                 .copied()
                 .min_by(|a, b| to(a).total_cmp(&to(b)))?;
             lost.retain(|k| *k != other);
             let middle = mean(&at(&expected, one), &at(&expected, other));
-            let half = |found: &Solutions| half_way(&at(found, one), &at(found, other));
-            let grown = ahead.grown(|found| square(&half(found)))?;
-            self.put_pair(
+            let half = |all: &Solutions| half_difference(&at(all, one), &at(all, other));
+            let growth = extrapolation.growth(|all| square(&half(all)))?;
+            self.add_pair(
                 &mut all,
                 [&middle, &half(last)],
-                grown,
+                growth,
                 system,
                 state,
-                given,
+                context,
             )?;
         }
-        for one in (0..unreal.len()).filter(|k| unreal[*k].is_none()) {
+        for one in (0..pairs.len()).filter(|k| pairs[*k].is_none()) {
             // z = m + i d, w = m̄ + i d̄.
-            let both = |found: &Solutions| {
-                let at = &found.unreal[2 * one * last.size..][..2 * last.size];
+            let both = |all: &Solutions| {
+                let at = &all.complex_pairs[2 * one * last.size..][..2 * last.size];
                 let (z, w) = at.split_at(last.size);
                 let conjugates: Vec<C> = w.iter().map(|w| w.conj()).collect();
-                let half = half_way(z, &conjugates);
+                let half = half_difference(z, &conjugates);
                 let half: Vec<C> = half.iter().map(|d| d / C::i()).collect();
                 (mean(z, &conjugates), half)
             };
             let (middle, _) = both(&expected);
-            let grown = ahead.grown(|found| square(&both(found).1))?;
-            self.put_pair(
+            let growth = extrapolation.growth(|all| square(&both(all).1))?;
+            self.add_pair(
                 &mut all,
                 [&middle, &both(last).1],
-                -grown,
+                -growth,
                 system,
                 state,
-                given,
+                context,
             )?;
         }
         all.are_distinct().then_some((all, false))
     }
 
-    /// Adds the two ways about a middle, where half of what was between them has grown so: real where its square is
-    /// positive, else conjugate to each other.
-    fn put_pair<const N: usize>(
+    /// Adds the two assemblies with a mean and a half difference whose square has grown by a factor: real if the factor is
+    /// positive, else conjugate.
+    fn add_pair<const N: usize>(
         &self,
         all: &mut Solutions,
         [middle, half]: [&[C]; 2],
-        grown: f64,
+        growth: f64,
         system: &System,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Option<()> {
-        let by = grown.abs().sqrt();
+        let factor = growth.abs().sqrt();
         let both = || middle.iter().zip(half);
-        if grown > 0.0 {
-            for by in [by, -by] {
-                let mut at: Vec<C> = both().map(|(m, d)| m + d * by).collect();
-                self.join(&mut at, state, given)?;
+        if growth > 0.0 {
+            for factor in [factor, -factor] {
+                let mut at: Vec<C> = both().map(|(m, d)| m + d * factor).collect();
+                self.polish_real(&mut at, state, context)?;
                 all.real.extend(at);
             }
         } else {
-            let off = C::i() * by;
-            let z = both().map(|(m, d)| m + off * d);
-            let w = both().map(|(m, d)| m.conj() + off * d.conj());
+            let factor = C::i() * factor;
+            let z = both().map(|(m, d)| m + factor * d);
+            let w = both().map(|(m, d)| m.conj() + factor * d.conj());
             let mut at: Vec<C> = z.chain(w).collect();
-            system.polish_own(&mut at, &mut Room::new(system.unknowns))?;
-            if unreal_by(&at) <= REAL {
+            system.polish_own(&mut at, &mut Workspace::new(system.unknowns))?;
+            if distance_to_conjugate(&at, &at) <= REAL {
                 return None;
             }
-            all.unreal.extend(at);
+            all.complex_pairs.extend(at);
         }
         Some(())
     }
 
-    /// Newton's method from a guess of a real way, unknowns in their units, in its place; none where it goes nowhere.
-    fn join<const N: usize>(
+    /// Newton's method for a real assembly, from unknowns in their units and in place; none if it does not converge.
+    fn polish_real<const N: usize>(
         &self,
         at: &mut [C],
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Option<()> {
         let units = || self.units.iter();
-        for (place, (at, unit)) in state.work.unknowns.iter_mut().zip(at.iter().zip(units())) {
-            place[0] = super::vector(at * unit);
+        for (unknown, (at, unit)) in state.work.unknowns.iter_mut().zip(at.iter().zip(units())) {
+            unknown[0] = super::vector(at * unit);
         }
         let mut last = f64::INFINITY;
-        for _ in 0..MOST_TURNS {
-            let change = self.turn(state, given.step).ok()?;
-            self.correct(&mut state.work);
+        for _ in 0..MAX_STEPS {
+            let change = self.newton_step(state, context.step).ok()?;
+            self.apply_step(&mut state.work);
             if is_exact(change, last) {
                 let found = state.work.unknowns.iter().zip(units());
-                for (at, (place, unit)) in at.iter_mut().zip(found) {
-                    *at = super::number(place[0]) / unit;
+                for (at, (unknown, unit)) in at.iter_mut().zip(found) {
+                    *at = super::number(unknown[0]) / unit;
                 }
                 return Some(());
             }
@@ -205,34 +206,29 @@ impl Group {
     }
 }
 
-/// Of those that came to the same end the one that came from afar is lost.
-fn drop_strays(off: &mut [Option<f64>], all: &[C], apart: fn(&[C], &[C]) -> f64) {
-    let size = all.len() / off.len().max(1);
+/// Of solutions that converged to the same one, keeps that with the shortest distance from its extrapolation.
+fn drop_duplicates(distances: &mut [Option<f64>], all: &[C], distance: fn(&[C], &[C]) -> f64) {
+    let size = all.len() / distances.len().max(1);
     let at = |k: usize| &all[k * size..][..size];
-    for k in 1..off.len() {
+    for k in 1..distances.len() {
         for other in 0..k {
-            if let (Some(one), Some(before)) = (off[k], off[other])
-                && apart(at(k), at(other)) <= ONE
+            if let (Some(one), Some(before)) = (distances[k], distances[other])
+                && distance(at(k), at(other)) <= tolerance::DOUBLE_ROOT
             {
-                off[if one > before { k } else { other }] = None;
+                distances[if one > before { k } else { other }] = None;
             }
         }
     }
 }
 
-/// Those that are not lost.
-fn those(all: &[C], off: &[Option<f64>], size: usize) -> Vec<C> {
-    let all = all.chunks_exact(size).zip(off);
-    let kept = all.filter(|(_, off)| off.is_some());
+/// The solutions that have a distance.
+fn kept(all: &[C], distances: &[Option<f64>], size: usize) -> Vec<C> {
+    let all = all.chunks_exact(size).zip(distances);
+    let kept = all.filter(|(_, distance)| distance.is_some());
     kept.flat_map(|(at, _)| at).copied().collect()
 }
 
-/// How far a solution is from its conjugate.
-fn unreal_by(at: &[C]) -> f64 {
-    apart_from_conjugate(at, at)
-}
-
-fn half_way(a: &[C], b: &[C]) -> Vec<C> {
+fn half_difference(a: &[C], b: &[C]) -> Vec<C> {
     a.iter().zip(b).map(|(a, b)| (a - b) / 2.0).collect()
 }
 

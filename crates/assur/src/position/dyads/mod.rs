@@ -1,4 +1,4 @@
-//! The dyads, a file each, in closed form.
+//! The dyads in closed form.
 
 mod prp;
 mod rpp;

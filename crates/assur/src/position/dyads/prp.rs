@@ -1,11 +1,9 @@
-//! The dyad PRP: two links that slide along solved lines and are hinged on each
-//! other.
+//! The dyad PRP: two links that slide along solved lines and are hinged on each other.
 
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::{
-    BodyPoint, Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track,
-    crossing,
+    Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track, crossing,
 };
 
 /// Links i and j; the point of both tracks is the joint C between them.
@@ -15,19 +13,19 @@ pub(crate) struct Prp {
 }
 
 impl Solvable for Prp {
-    /// C is where the parallels to both lines, at constant distances, cross.
+    /// C is the intersection of the parallels to both lines at constant offsets.
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let [i, j] = &self.tracks;
         let lines = [i, j].map(|track| {
             let (start, direction) = state.line(track);
-            let off = direction.by(Vector::new(0.0, track.off));
-            (start + off, direction)
+            let offset = direction.by(Vector::new(0.0, track.off));
+            (start + offset, direction)
         });
-        let c = crossing(lines, &mut state.margins[given.step])?;
+        let c = crossing(lines, &mut state.margins[context.step])?;
         state.slid(i, lines[0].1, c);
         state.slid(j, lines[1].1, c);
         Ok(())
@@ -35,18 +33,13 @@ impl Solvable for Prp {
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let [i, j] = &self.tracks;
-        let at = from
-            .place(BodyPoint {
-                body: i.body,
-                local: i.point,
-            })
-            .value();
+        let at = from.track_point(i);
         let lines = [i, j].map(|track| (track.line.body, track.heading));
-        let Some(acceleration) = cell.crossing(from, at, lines) else {
+        let Some(acceleration) = cell.crossing_acceleration(from, at, lines) else {
             return false;
         };
-        cell.slid(i, acceleration);
-        cell.slid(j, acceleration);
+        cell.set_slider(i, acceleration);
+        cell.set_slider(j, acceleration);
         true
     }
 

@@ -1,13 +1,11 @@
-//! The dyad RPP: a link hinged on a solved point and sliding on a link that
-//! slides along a solved line.
+//! The dyad RPP: a link hinged on a solved point and sliding on a link that slides along a solved line.
 
 use super::rpr::Side;
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::complex::{Complex, conjugate};
 use crate::position::{
-    BodyPoint, Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track,
-    crossing,
+    Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track, crossing,
 };
 
 /// Link i hinged at B, link j sliding (the block and the yoke of a scotch yoke).
@@ -15,19 +13,18 @@ use crate::position::{
 pub(crate) struct Rpp {
     pub(crate) side: Side,
     pub(crate) track: Track,
-    /// The direction of the inner sliding seen from j, of length 1, and a point
-    /// of its line there.
+    /// The direction of the inner slide on j, of length 1, and a point of its line on j.
     pub(crate) direction: Vector,
     pub(crate) through: Vector,
 }
 
 impl Solvable for Rpp {
-    /// Both angles follow from the solved line's; the point of j on its track is
-    /// where that track crosses the line of the inner sliding, drawn through it.
+    /// Both angles follow from that of the solved line. The track's point on j is the intersection of the track with a
+    /// parallel to the line of the inner slide.
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let Self { side, track, .. } = self;
         let (start, direction) = state.line(track);
@@ -39,10 +36,10 @@ impl Solvable for Rpp {
 
         let shift = |of: Complex<N>, by: f64| of.by(Vector::new(0.0, by));
         let guide = (start + shift(direction, track.off), direction);
-        // The line of i, moved by what lies between it and the track's point on j.
+        // The line of i, shifted to the track's point on j.
         let across = turn_j.by(track.point - self.through);
         let sliding = (b + shift(inner, side.off) + across, inner);
-        let at = crossing([guide, sliding], &mut state.margins[given.step])?;
+        let at = crossing([guide, sliding], &mut state.margins[context.step])?;
         state.slid(track, direction, at);
         Ok(())
     }
@@ -50,22 +47,17 @@ impl Solvable for Rpp {
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let Self { side, track, .. } = self;
         let angular_acceleration = cell.angular_acceleration(track.line.body);
-        let hinge = cell.place(from, side.outer).acceleration;
+        let hinge = cell.point(from, side.outer).acceleration;
         cell.set(side.body, angular_acceleration, [(side.hinge, hinge); 2]);
-        let at = from
-            .place(BodyPoint {
-                body: track.body,
-                local: track.point,
-            })
-            .value();
+        let at = from.track_point(track);
         let lines = [
             (track.line.body, track.heading),
             (side.body, side.direction),
         ];
-        let Some(acceleration) = cell.crossing(from, at, lines) else {
+        let Some(acceleration) = cell.crossing_acceleration(from, at, lines) else {
             return false;
         };
-        cell.slid(track, acceleration);
+        cell.set_slider(track, acceleration);
         true
     }
 

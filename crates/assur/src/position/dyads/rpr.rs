@@ -3,18 +3,18 @@
 use crate::index::{BodyId, StepId};
 use crate::position::complex::{Complex, conjugate, product};
 use crate::position::{
-    BodyPoint, Cause, Dead, Enclosure, NEAR, Predictor, Singularity, Solvable, State, StepContext,
+    BodyPoint, Cause, Dead, Enclosure, NEAR_SQUARED, Predictor, Singularity, Solvable, State,
+    StepContext,
 };
 use crate::{Jet, Vector};
 
-/// Links i and j hinged at B and D (the slotted lever and the block of an
-/// inverted slider-crank).
+/// Links i and j hinged at B and D (the slotted lever and the block of an inverted slider-crank).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rpr {
     pub(crate) sides: [Side; 2],
 }
 
-/// A link of the dyad: its hinge, and the line of sliding seen from it.
+/// A link of the dyad, with its hinge and its line of sliding.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Side {
     pub(crate) body: BodyId,
@@ -23,18 +23,17 @@ pub(crate) struct Side {
     pub(crate) hinge: Vector,
     /// The direction of sliding on the link, of length 1.
     pub(crate) direction: Vector,
-    /// How far the line lies to the left of the hinge.
+    /// Offset of the line to the left of the hinge.
     pub(crate) off: f64,
 }
 
 impl Solvable for Rpr {
-    /// With u the direction of sliding, d = D − B and h the constant distance of
-    /// the two parallels through B and D: d = u (w + ih), so w = σ √(d² − h²) and
-    /// u = d (w − ih) / d².
+    /// With u the direction of sliding, d = D − B and h the constant distance of the two parallels through B and D:
+    /// d = u (w + ih), so w = σ √(d² − h²) and u = d (w − ih) / d².
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let [i, j] = &self.sides;
         let [b, d] = [state.place(i.outer), state.place(j.outer)];
@@ -42,21 +41,21 @@ impl Solvable for Rpr {
         let square = between.norm_squared();
         let apart = i.off - j.off;
         let margin = square + -(apart * apart);
-        state.margins[given.step] = [margin, margin];
+        state.margins[context.step] = [margin, margin];
         let scale = (apart * apart).max(square.value());
         let by = apart.abs() - square.value().sqrt();
         if square.value() <= f64::EPSILON * f64::EPSILON * state.scale {
             return Err(Cause::Undetermined);
         }
-        let run = given.root(margin, scale).map_err(|dead| match dead {
+        let run = context.root(margin, scale).map_err(|dead| match dead {
             Dead::At => Cause::DeadPoint,
             Dead::Beyond => Cause::OutOfReach { by },
         })?;
         let along = Complex::new(run, Jet::constant(-apart));
         let mut direction = (between * along).scaled(square.recip());
-        // Where d is at right angles to u they are those of a smooth root.
-        let is_across = run.value().powi(2) < NEAR * square.value();
-        if square.value() < NEAR * state.scale && !is_across {
+        // With d perpendicular to u the derivatives are those of a smooth root.
+        let is_across = run.value().powi(2) < NEAR_SQUARED * square.value();
+        if square.value() < NEAR_SQUARED * state.scale && !is_across {
             // u × d = h.
             let unit = direction.value().normalize();
             direction = Complex::of_constant_length(unit, between.left(), Jet::constant(-apart));
@@ -71,7 +70,7 @@ impl Solvable for Rpr {
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         // With d = u (w + ih): ω w = u × d′ and ε w = u × d″ + ω²h − 2ω w′.
         let [i, j] = &self.sides;
-        let [b, d] = [i, j].map(|side| cell.place(from, side.outer));
+        let [b, d] = [i, j].map(|side| cell.point(from, side.outer));
         let base = d.minus(&b);
         let apart = (i.off - j.off).abs();
         let [least, most] = cell.distances(&base);
@@ -79,14 +78,14 @@ impl Solvable for Rpr {
             return false;
         }
         let run = ((least - apart) * (least + apart)).sqrt();
-        let speed = cell.speed(&base);
+        let speed = cell.max_speed(&base);
         let crude = speed / run;
         let lengthens = 2.0 * most * speed / run;
         let angular_acceleration = |max_turn_rate: f64| {
             (base.acceleration + max_turn_rate * (max_turn_rate * apart + lengthens)) / run
         };
         let max_turn_rate = crude
-            .min(cell.turning(from, i.body).abs() + cell.step_len * angular_acceleration(crude));
+            .min(cell.turn_rate(from, i.body).abs() + cell.step_len * angular_acceleration(crude));
         let angular_acceleration = angular_acceleration(max_turn_rate);
         for (side, outer) in [(i, b), (j, d)] {
             cell.set(
@@ -125,7 +124,7 @@ impl Solvable for Rpr {
 }
 
 impl Side {
-    /// The side with a line through `through` on the link.
+    /// The side whose line passes through a point of the link.
     pub(crate) fn new(
         body: BodyId,
         outer: BodyPoint,

@@ -1,30 +1,27 @@
-//! The dyad RRP: a link hinged on a solved point and on a link that slides along
-//! a solved line.
+//! The dyad RRP: a link hinged on a solved point and on a link that slides along a solved line.
 
 use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::complex::Complex;
 use crate::position::{
-    Arm, BodyPoint, Cause, Dead, Enclosure, Predictor, Singularity, Solvable, State, StepContext,
-    Track, product,
+    Arm, Cause, Dead, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track,
+    product,
 };
 
-/// Link i hinged at B, joint C, link j sliding (the connecting rod and the slider
-/// of a slider-crank).
+/// Link i hinged at B, joint C, link j sliding (the connecting rod and the slider of a slider-crank).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rrp {
     pub(crate) arm: Arm,
-    /// How j slides; its point is C.
+    /// The track of j; its point is C.
     pub(crate) track: Track,
 }
 
 impl Solvable for Rrp {
-    /// In the line's own coordinates, B at (x, y) and C at (s, h), h constant:
-    /// s = x + σ √(l² − (h − y)²).
+    /// In coordinates of the line, with B at (x, y) and C at (s, h), h constant: s = x + σ √(l² − (h − y)²).
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let length = self.arm.length();
         let b = state.place(self.arm.outer);
@@ -32,9 +29,9 @@ impl Solvable for Rrp {
         let from = (b - start) * direction.conjugate();
         let rise = -from.y() + self.track.off;
         let margin = -rise.square() + length * length;
-        state.margins[given.step] = [margin, margin];
+        state.margins[context.step] = [margin, margin];
         let by = rise.value().abs() - length;
-        let run = given
+        let run = context
             .root(margin, length * length)
             .map_err(|dead| match dead {
                 Dead::At => Cause::DeadPoint,
@@ -49,42 +46,37 @@ impl Solvable for Rrp {
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let Self { arm, track } = self;
         let (length, line) = (arm.length(), track.line.body);
-        let at = from
-            .place(BodyPoint {
-                body: track.body,
-                local: track.point,
-            })
-            .value();
-        let b = cell.place(from, arm.outer);
-        // From B to the place of the line that is at C when the step begins, and its distance from the line, by which
-        // the arm may not be shorter.
-        let way = cell.place_at(from, line, at).minus(&b);
+        let at = from.track_point(track);
+        let b = cell.point(from, arm.outer);
+        // From B to the point of the line's body that is at C at the start of the step, and the component of that vector
+        // across the line, which the arm must exceed.
+        let to_c = cell.point_at(from, line, at).minus(&b);
         let [direction, rate] =
             [0, 1].map(|order| product(from.bodies[line].turn[order], track.heading));
         let left = |v: Vector| Vector::new(-v.y, v.x);
-        let rise = left(direction).dot(&way.at);
-        let climbs = left(direction).dot(&way.rate) + left(rate).dot(&way.at);
-        let (max_turn_rate, speed) = (cell.max_turn_rate(from, line), cell.speed(&way));
-        let [_, far] = cell.distances(&way);
-        let acceleration = way.acceleration
+        let rise = left(direction).dot(&to_c.at);
+        let rise_rate = left(direction).dot(&to_c.rate) + left(rate).dot(&to_c.at);
+        let (max_turn_rate, speed) = (cell.max_turn_rate(from, line), cell.max_speed(&to_c));
+        let [_, far] = cell.distances(&to_c);
+        let acceleration = to_c.acceleration
             + 2.0 * max_turn_rate * speed
             + cell.direction_acceleration(from, line) * far;
-        let most = rise.abs().max((rise + climbs * cell.width).abs())
+        let most = rise.abs().max((rise + rise_rate * cell.width).abs())
             + 0.5 * cell.step_len * cell.step_len * acceleration;
         if most >= length {
             return false;
         }
         let sine = ((length - most) * (length + most)).sqrt() / length;
-        // n·X″ = n·q″ + 2σ′ω + σε, with the way σ of C along the line: σ′ is no more than |X′| + |q′|.
+        // n·X″ = n·q″ + 2σ′ω + σε, with the displacement σ of C along the line: |σ′| ≤ |X′| + |q′|.
         let free = sine - cell.step_len * max_turn_rate;
         if free <= 0.0 {
             return false;
         }
         let crude = speed * (1.0 + cell.step_len * max_turn_rate) / free;
-        let slides = crude + speed;
-        let rest = way.acceleration
-            + slides * (2.0 * max_turn_rate + cell.step_len * cell.angular_acceleration(line));
-        let v0 = cell.turning(from, arm.body).abs() * length;
+        let slide_rate = crude + speed;
+        let rest = to_c.acceleration
+            + slide_rate * (2.0 * max_turn_rate + cell.step_len * cell.angular_acceleration(line));
+        let v0 = cell.turn_rate(from, arm.body).abs() * length;
         let v = cell.bounded_speed(v0, (length * sine).recip(), rest / sine);
         let v = v.map_or(crude, |v| v.min(crude));
         let acceleration = (v * v / length + rest) / sine;
@@ -97,7 +89,7 @@ impl Solvable for Rrp {
             acceleration / length,
             [(arm.from, b.acceleration), (arm.to, joint)],
         );
-        cell.slid(track, joint);
+        cell.set_slider(track, joint);
         true
     }
 

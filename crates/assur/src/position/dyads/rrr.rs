@@ -3,8 +3,8 @@
 use crate::index::{BodyId, StepId};
 use crate::position::complex::Complex;
 use crate::position::{
-    Arm, CLOSE, Cause, Dead, Enclosure, NEAR, Predictor, ROUNDING, Singularity, Solvable, State,
-    StepContext, clear,
+    Arm, CLOSE, Cause, Dead, Enclosure, NEAR_SQUARED, Predictor, ROUNDING, Singularity, Solvable,
+    State, StepContext, clear,
 };
 use crate::{Jet, Vector};
 
@@ -14,7 +14,7 @@ pub(crate) struct Rrr {
     pub(crate) arms: [Arm; 2],
 }
 
-/// The triangle BCD of two arms, before it is known on which side of BD their joint C is.
+/// The triangle BCD of two arms, with their joint C on either side of BD.
 pub(in crate::position) struct Triangle<const N: usize> {
     b: Complex<N>,
     d: Complex<N>,
@@ -55,7 +55,7 @@ impl<const N: usize> Triangle<N> {
         (p * q).sqrt() * side
     }
 
-    /// Lays both arms by this root.
+    /// Lays both arms by the root.
     ///
     /// With d = D − B: C − B = d (a + 2iσS) / r², a = (r² + l₂² − l₃²)/2 and 16 S² = P Q, S
     /// the area of BCD with the sign σ of the side.
@@ -65,16 +65,17 @@ impl<const N: usize> Triangle<N> {
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
         let mut to_c = to_c.scaled(self.square.recip());
         let scale = self.sum * self.sum;
-        // In line they are those of a smooth root.
-        let is_in_line = root.value().powi(2) < NEAR * self.square.value() * scale;
-        if self.square.value() < NEAR * scale && !is_in_line {
+        // In line the derivatives are those of a smooth root.
+        let is_in_line = root.value().powi(2) < NEAR_SQUARED * self.square.value() * scale;
+        if self.square.value() < NEAR_SQUARED * scale && !is_in_line {
             to_c = Complex::of_constant_length(to_c.value(), self.diagonal, along);
         }
         state.lay(i, self.b, self.leg(i, to_c));
         state.lay(j, self.d, self.leg(j, to_c - self.diagonal));
     }
 
-    /// A leg of the triangle as long as its arm: where the other one is much longer, rounding leaves the direction only.
+    /// A leg of the triangle with the length of its arm. If the other arm is much longer, only the direction of the vector
+    /// is exact.
     #[inline(always)]
     fn leg(&self, arm: &Arm, along: Complex<N>) -> Complex<N> {
         if arm.length() < CLOSE * self.sum {
@@ -85,8 +86,8 @@ impl<const N: usize> Triangle<N> {
     }
 }
 
-/// The scales of P and Q. The base r has the rounding of s = l₂ + l₃. About r = s that counts s times in P; about
-/// r = |l₂ − l₃|, which may be much shorter, it counts |l₂ − l₃| times in Q, and squared.
+/// The scales of P and Q. The base r has a rounding error δ proportional to s = l₂ + l₃: near r = s it is s δ in P, and near
+/// r = |l₂ − l₃|, which may be much shorter, |l₂ − l₃| δ + δ² in Q.
 fn scales(sum: f64, difference: f64) -> [f64; 2] {
     [sum, difference.abs() + ROUNDING * sum].map(|length| sum * length)
 }
@@ -95,7 +96,7 @@ impl Solvable for Rrr {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        given: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         let triangle = Triangle::of(state, &self.arms);
         let Triangle {
@@ -105,7 +106,7 @@ impl Solvable for Rrr {
             margins: [p, q],
             ..
         } = triangle;
-        state.margins[given.step] = [p, q];
+        state.margins[context.step] = [p, q];
         if square.value() <= f64::EPSILON * f64::EPSILON * sum * sum {
             return Err(Cause::Undetermined);
         }
@@ -114,7 +115,7 @@ impl Solvable for Rrr {
             Dead::At => Cause::DeadPoint,
             Dead::Beyond => Cause::Apart { by },
         };
-        let root = match given.smooth_root() {
+        let root = match context.smooth_root() {
             Some(root) => root,
             None => {
                 let [of_p, of_q] = scales(sum, difference);
@@ -122,7 +123,7 @@ impl Solvable for Rrr {
                 let near =
                     clear(q, of_q).map_err(|dead| beyond(dead, difference.abs() - distance))?;
                 if far && near {
-                    triangle.root(given.sign.factor())
+                    triangle.root(context.sign.factor())
                 } else {
                     Jet::constant(0.0)
                 }
@@ -133,7 +134,7 @@ impl Solvable for Rrr {
     }
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
-        cell.pair(from, &self.arms)
+        cell.enclose_arms(from, &self.arms)
     }
 
     fn bodies(&self) -> impl Iterator<Item = BodyId> {

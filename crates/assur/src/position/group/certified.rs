@@ -1,37 +1,40 @@
-//! What bounds the motion of a group of higher class over a step of the input.
+//! Bounds of the motion of a group of higher class over a step of the input.
 //!
-//! Its equations are quadratic in the unknowns X and in what it takes from solved bodies, but for wheels in mesh, whose
-//! angles have bounded second derivatives as well. Along the tangent X₀ + t X₀′ the equations are left with t²/2 times
-//! what is known (`defect`), and the Jacobian J differs from the one where the step begins by what the tangent and the
-//! distance from it allow. With A = J₀⁻¹, where ‖A (J − J₀)‖ ≤ q ≤ ½ over a ball as wide as twice the first correction,
-//! there is just one solution in it (Kantorovich), it depends continuously on the input, and J is regular: the
-//! determinant keeps its sign, so that the step has no singular pose, no other assembly and no flight to infinity.
+//! Its equations are quadratic in the unknowns X and in its inputs, except those of gear meshes, whose angles have bounded
+//! second derivatives as well. On the tangent X₀ + t X₀′ the residual is at most t²/2 times a bound (`defect`), and the
+//! Jacobian J differs from J₀, at the start of the step, by bounds along the tangent and with the distance from it. With
+//! A = J₀⁻¹ and ‖A (J − J₀)‖ ≤ q ≤ ½ over a ball with the radius of twice the first correction, the ball contains just
+//! one solution (Kantorovich), which depends continuously on the input, and J is regular: the determinant keeps its sign,
+//! so that the step has no singular pose, no other assembly and no point at infinity.
 
-use super::equation::{Equation, MOST_FORMS};
+use super::equation::{Equation, MAX_FORMS};
 use super::{Group, KnownTerm};
 use crate::index::StepId;
-use crate::position::enclosure::{AT_ONCE, Bounds, Enclosure, REGULAR};
+use crate::position::enclosure::{BLOCK, Bounds, Enclosure, MAX_JACOBIAN_CHANGE};
 use crate::position::{Predictor, Vector};
+use crate::tolerance;
 
-/// What is known of a form: value and derivative where the step begins, what its second derivative is at most by what
-/// is solved, and how much it changes with the unknowns.
+/// Bounds of a form over the step.
 #[derive(Clone, Copy)]
-struct Known {
+struct FormBound {
+    /// Value and derivative at the start of the step.
     value: Vector,
     rate: Vector,
+    /// Bound on the second derivative with the unknowns fixed.
     acceleration: f64,
-    by_unknowns: f64,
+    /// Bound on the change when no unknown changes by more than its unit.
+    sensitivity: f64,
 }
 
-impl Known {
-    /// How far it is at most from where it begins, on the tangent.
-    fn travels(&self, step_len: f64) -> f64 {
+impl FormBound {
+    /// Bound on its change along the tangent.
+    fn tangent_change(&self, step_len: f64) -> f64 {
         step_len * self.rate.norm() + 0.5 * step_len * step_len * self.acceleration
     }
 
-    /// The same within a distance of the unknowns from it.
-    fn deviations(&self, step_len: f64, radius: f64) -> f64 {
-        self.travels(step_len) + self.by_unknowns * radius
+    /// Bound on its change within a radius of the unknowns around the tangent.
+    fn change(&self, step_len: f64, radius: f64) -> f64 {
+        self.tangent_change(step_len) + self.sensitivity * radius
     }
 }
 
@@ -48,173 +51,193 @@ impl Group {
         if !self.invert(cell) {
             return false;
         }
-        let step_len = cell.step_len;
-        let half_square = 0.5 * step_len * step_len;
-        // What the equations are left with on the tangent, by t²/2; how the Jacobian changes along it; and how with
-        // the distance from it.
-        let spins = |mesh: usize, cell: &Enclosure| -> f64 {
-            let known = self.angle_constraints[mesh].known.iter();
-            known
-                .map(|(body, by)| cell.angular_acceleration(*body) * by.abs())
-                .sum()
-        };
         for (row, equation) in self.equations.iter().enumerate() {
-            let known = |form: usize| self.known(cell, form);
-            let travels = |form: &Known| form.travels(step_len);
-            let far = |form: &Known| form.value.norm() + step_len * form.rate.norm();
-            let sums = match *equation {
-                Equation::Unit(form) => {
-                    let f = known(form);
-                    let defect = f.rate.norm_squared()
-                        + (far(&f) + 0.5 * half_square * f.acceleration) * f.acceleration;
-                    [defect, f.by_unknowns * travels(&f), f.by_unknowns.powi(2)]
-                }
-                Equation::Real(form) | Equation::Imaginary(form) => {
-                    [known(form).acceleration, 0.0, 0.0]
-                }
-                Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
-                    let [u, v] = [known(direction), known(way)];
-                    let rates = match equation {
-                        Equation::Along { .. } => u.rate.dot(&v.rate),
-                        _ => u.rate.perp(&v.rate),
-                    };
-                    let defect = 2.0 * rates.abs()
-                        + (far(&v) + half_square * v.acceleration) * u.acceleration
-                        + far(&u) * v.acceleration;
-                    let changes = u.by_unknowns * travels(&v) + v.by_unknowns * travels(&u);
-                    [defect, changes, 2.0 * u.by_unknowns * v.by_unknowns]
-                }
-                Equation::Angle { turns, mesh } => {
-                    // The angle of f has the gradient 1/|f|; |f| stays above ½.
-                    let turns = turns.into_iter().flatten();
-                    turns.fold(
-                        [spins(mesh, cell), 0.0, 0.0],
-                        |[defect, changes, off], (form, by)| {
-                            let (f, by) = (known(form), by.abs());
-                            let rate = f.rate.norm_squared();
-                            [
-                                defect + by * (rate + 2.0 * f.acceleration),
-                                changes + 4.0 * by * f.by_unknowns * travels(&f),
-                                off + 4.0 * by * f.by_unknowns.powi(2),
-                            ]
-                        },
-                    )
-                }
-            };
-            cell.bounds.sums[row] = sums;
+            cell.bounds.sums[row] = self.tangent_bounds(equation, cell);
         }
-        let [defect, changes, off] = self.weighed(cell);
+        let [defect, along, across] = self.weighted(cell);
         // The ball has the radius of twice the first correction.
-        let radius = 2.0 * half_square * defect;
-        let change = changes + off * radius;
-        if change.is_nan() || change > REGULAR || !self.turns_little(cell, radius) {
+        let radius = cell.step_len * cell.step_len * defect;
+        let change = along + across * radius;
+        if change.is_nan() || change > MAX_JACOBIAN_CHANGE || !self.turns_are_bounded(cell, radius)
+        {
             return false;
         }
         cell.deviations[step] = radius;
         cell.jacobian_change = cell.jacobian_change.max(change);
         let inverse = (1.0 - change).recip();
-
-        // By how much the rates of the unknowns differ from those where the step begins …
         for (row, equation) in self.equations.iter().enumerate() {
-            let known = |form: usize| self.known(cell, form);
-            let off = |form: &Known| form.deviations(step_len, radius);
-            let defect = match *equation {
-                Equation::Unit(form) => {
-                    let f = known(form);
-                    off(&f) * f.rate.norm() + step_len * f.acceleration
-                }
-                Equation::Real(form) | Equation::Imaginary(form) => {
-                    step_len * known(form).acceleration
-                }
-                Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
-                    let [u, v] = [known(direction), known(way)];
-                    u.rate.norm() * off(&v)
-                        + v.rate.norm() * off(&u)
-                        + step_len * u.acceleration * (v.value.norm() + off(&v))
-                        + step_len * v.acceleration * (u.value.norm() + off(&u))
-                }
-                Equation::Angle { turns, mesh } => {
-                    let turns = turns.into_iter().flatten();
-                    turns.fold(step_len * spins(mesh, cell), |sum, (form, by)| {
-                        let f = known(form);
-                        sum + by.abs() * (off(&f) * f.rate.norm() + step_len * f.acceleration)
-                    })
-                }
-            };
+            cell.bounds.sums[row] = [self.rate_defect(equation, cell, radius), 0.0, 0.0];
+        }
+        let [rate_change] = self.weighted(cell);
+        let rate_change = inverse * rate_change;
+        for (row, equation) in self.equations.iter().enumerate() {
+            let defect = self.acceleration_defect(equation, cell, radius, rate_change);
             cell.bounds.sums[row] = [defect, 0.0, 0.0];
         }
-        let [rate_off] = self.weighed(cell);
-        let rate_off = inverse * rate_off;
-        // … and with that what their second derivatives are at most.
-        for (row, equation) in self.equations.iter().enumerate() {
-            let known = |form: usize| self.known(cell, form);
-            let off = |form: &Known| form.deviations(step_len, radius);
-            let speed = |form: &Known| {
-                form.rate.norm() + step_len * form.acceleration + form.by_unknowns * rate_off
-            };
-            let acceleration = match *equation {
-                Equation::Unit(form) => {
-                    let f = known(form);
-                    speed(&f).powi(2) + f.acceleration
-                }
-                Equation::Real(form) | Equation::Imaginary(form) => known(form).acceleration,
-                Equation::Line { direction, way } | Equation::Along { direction, way, .. } => {
-                    let [u, v] = [known(direction), known(way)];
-                    2.0 * speed(&u) * speed(&v)
-                        + u.acceleration * (v.value.norm() + off(&v))
-                        + v.acceleration * (u.value.norm() + off(&u))
-                }
-                Equation::Angle { turns, mesh } => {
-                    let turns = turns.into_iter().flatten();
-                    turns.fold(spins(mesh, cell), |sum, (form, by)| {
-                        sum + by.abs() * known(form).acceleration
-                    })
-                }
-            };
-            cell.bounds.sums[row] = [acceleration, 0.0, 0.0];
-        }
-        let [acceleration] = self.weighed(cell);
+        let [acceleration] = self.weighted(cell);
         let acceleration = inverse * acceleration;
-        for placed in &self.bodies {
-            let [origin, turn] = placed.forms.map(|form| {
-                let known = self.known(cell, form);
-                known.acceleration + known.by_unknowns * acceleration
+        for body in &self.bodies {
+            let [origin, turn] = body.forms.map(|form| {
+                let bound = self.form_bound(cell, form);
+                bound.acceleration + bound.sensitivity * acceleration
             });
-            cell.set(placed.body, turn, [(Vector::zeros(), origin); 2]);
+            cell.set(body.body, turn, [(Vector::zeros(), origin); 2]);
         }
         acceleration.is_finite()
     }
 
-    /// The values of all forms and of their first derivatives where the step begins, and what their second derivatives
-    /// are at most by what is solved.
+    /// Bounds for an equation of the residual on the tangent, divided by t²/2, of the change of the Jacobian along the
+    /// tangent, and of that change per distance from the tangent.
+    fn tangent_bounds(&self, equation: &Equation, cell: &Enclosure) -> [f64; 3] {
+        let step_len = cell.step_len;
+        let half_square = 0.5 * step_len * step_len;
+        let bound = |form: usize| self.form_bound(cell, form);
+        let change = |form: &FormBound| form.tangent_change(step_len);
+        let size = |form: &FormBound| form.value.norm() + step_len * form.rate.norm();
+        match *equation {
+            Equation::Unit(form) => {
+                let f = bound(form);
+                let defect = f.rate.norm_squared()
+                    + (size(&f) + 0.5 * half_square * f.acceleration) * f.acceleration;
+                [defect, f.sensitivity * change(&f), f.sensitivity.powi(2)]
+            }
+            Equation::Real(form) | Equation::Imaginary(form) => {
+                [bound(form).acceleration, 0.0, 0.0]
+            }
+            Equation::Line { axis, vector } | Equation::Along { axis, vector, .. } => {
+                let [u, v] = [bound(axis), bound(vector)];
+                let rates = match equation {
+                    Equation::Along { .. } => u.rate.dot(&v.rate),
+                    _ => u.rate.perp(&v.rate),
+                };
+                let defect = 2.0 * rates.abs()
+                    + (size(&v) + half_square * v.acceleration) * u.acceleration
+                    + size(&u) * v.acceleration;
+                let along = u.sensitivity * change(&v) + v.sensitivity * change(&u);
+                [defect, along, 2.0 * u.sensitivity * v.sensitivity]
+            }
+            Equation::Angle { turns, constraint } => {
+                // The angle of f has the gradient 1/|f|; |f| stays above ½.
+                let start = [self.known_acceleration(constraint, cell), 0.0, 0.0];
+                let turns = turns.into_iter().flatten();
+                turns.fold(start, |[defect, along, across], (form, factor)| {
+                    let (f, factor) = (bound(form), factor.abs());
+                    let rate = f.rate.norm_squared();
+                    [
+                        defect + factor * (rate + 2.0 * f.acceleration),
+                        along + 4.0 * factor * f.sensitivity * change(&f),
+                        across + 4.0 * factor * f.sensitivity.powi(2),
+                    ]
+                })
+            }
+        }
+    }
+
+    /// Bound on the change over the step of an equation's derivative by the input, with the rates of the unknowns fixed.
+    fn rate_defect(&self, equation: &Equation, cell: &Enclosure, radius: f64) -> f64 {
+        let step_len = cell.step_len;
+        let bound = |form: usize| self.form_bound(cell, form);
+        let change = |form: &FormBound| form.change(step_len, radius);
+        match *equation {
+            Equation::Unit(form) => {
+                let f = bound(form);
+                change(&f) * f.rate.norm() + step_len * f.acceleration
+            }
+            Equation::Real(form) | Equation::Imaginary(form) => step_len * bound(form).acceleration,
+            Equation::Line { axis, vector } | Equation::Along { axis, vector, .. } => {
+                let [u, v] = [bound(axis), bound(vector)];
+                u.rate.norm() * change(&v)
+                    + v.rate.norm() * change(&u)
+                    + step_len * u.acceleration * (v.value.norm() + change(&v))
+                    + step_len * v.acceleration * (u.value.norm() + change(&u))
+            }
+            Equation::Angle { turns, constraint } => {
+                let start = step_len * self.known_acceleration(constraint, cell);
+                let turns = turns.into_iter().flatten();
+                turns.fold(start, |sum, (form, factor)| {
+                    let f = bound(form);
+                    sum + factor.abs() * (change(&f) * f.rate.norm() + step_len * f.acceleration)
+                })
+            }
+        }
+    }
+
+    /// Bound on an equation's second derivative by the input over the step, with the second derivatives of the unknowns
+    /// zero and their rates changed by at most `rate_change`.
+    fn acceleration_defect(
+        &self,
+        equation: &Equation,
+        cell: &Enclosure,
+        radius: f64,
+        rate_change: f64,
+    ) -> f64 {
+        let step_len = cell.step_len;
+        let bound = |form: usize| self.form_bound(cell, form);
+        let change = |form: &FormBound| form.change(step_len, radius);
+        let speed = |form: &FormBound| {
+            form.rate.norm() + step_len * form.acceleration + form.sensitivity * rate_change
+        };
+        match *equation {
+            Equation::Unit(form) => {
+                let f = bound(form);
+                speed(&f).powi(2) + f.acceleration
+            }
+            Equation::Real(form) | Equation::Imaginary(form) => bound(form).acceleration,
+            Equation::Line { axis, vector } | Equation::Along { axis, vector, .. } => {
+                let [u, v] = [bound(axis), bound(vector)];
+                2.0 * speed(&u) * speed(&v)
+                    + u.acceleration * (v.value.norm() + change(&v))
+                    + v.acceleration * (u.value.norm() + change(&u))
+            }
+            Equation::Angle { turns, constraint } => {
+                let start = self.known_acceleration(constraint, cell);
+                let turns = turns.into_iter().flatten();
+                turns.fold(start, |sum, (form, factor)| {
+                    sum + factor.abs() * bound(form).acceleration
+                })
+            }
+        }
+    }
+
+    /// Bound on the second derivative of the known angles in an angle constraint.
+    fn known_acceleration(&self, constraint: usize, cell: &Enclosure) -> f64 {
+        let known = self.angle_constraints[constraint].known.iter();
+        known
+            .map(|(body, factor)| cell.angular_acceleration(*body) * factor.abs())
+            .sum()
+    }
+
+    /// Values and first derivatives of all forms at the start of the step, and bounds on their second derivatives with
+    /// the unknowns fixed.
     fn linearize(&self, from: &Predictor, cell: &mut Enclosure) {
         for (k, input) in self.inputs.iter().enumerate() {
             let acceleration = match input {
-                KnownTerm::Place(anchor) => cell.place(from, *anchor).acceleration,
+                KnownTerm::Place(anchor) => cell.point(from, *anchor).acceleration,
                 KnownTerm::Direction(anchor) => {
                     cell.direction_acceleration(from, anchor.body) * anchor.local.norm()
                 }
             };
-            cell.work.inputs[k] = from.taken(*input).truncated();
+            cell.work.inputs[k] = from.known_term(*input).truncated();
             cell.bounds.inputs.resize(self.inputs.len(), 0.0);
             cell.bounds.inputs[k] = acceleration;
         }
-        self.take(&mut cell.work);
+        self.evaluate_inputs(&mut cell.work);
         for (unknown, found) in cell.work.unknowns.iter_mut().zip(self.own(&from.natural)) {
             *unknown = found.truncated();
         }
-        self.add(&mut cell.work, 0);
-        self.add(&mut cell.work, 1);
-        self.add_further(&mut cell.work);
-        self.accelerations(&cell.bounds.inputs, &mut cell.bounds.forms);
+        self.add_unknowns(&mut cell.work, 0);
+        self.add_unknowns(&mut cell.work, 1);
+        self.evaluate_outputs(&mut cell.work);
+        self.bound_accelerations(&cell.bounds.inputs, &mut cell.bounds.forms);
         cell.bounds.sums.resize(self.equations.len(), [0.0; 3]);
     }
 
-    /// The inverse of the Jacobian, column by column; zero for a redundant equation that is left out.
+    /// Inverts the Jacobian, column by column, with zeros for a redundant equation that is left out; false if it is
+    /// singular.
     fn invert(&self, cell: &mut Enclosure) -> bool {
         let [rows, size] = [self.equations.len(), 2 * self.unknowns];
         let Enclosure { work, bounds, .. } = cell;
-        if self.factor(work).is_none() {
+        if self.factorize(work).is_none() {
             return false;
         }
         let Bounds {
@@ -224,24 +247,23 @@ impl Group {
             ..
         } = bounds;
         inverse.clear();
-        columns.resize(size, [0.0; AT_ONCE]);
-        let elimination = self.suited(work.planned, &work.spare);
-        for first in (0..rows).step_by(AT_ONCE) {
+        columns.resize(size, [0.0; BLOCK]);
+        let elimination = self.last_elimination(work.used_plan, &work.own_plan);
+        for first in (0..rows).step_by(BLOCK) {
             units.clear();
-            units.extend(
-                (0..rows)
-                    .map(|row| std::array::from_fn(|k| if row == first + k { 1.0 } else { 0.0 })),
-            );
+            let unit = |row: usize, k: usize| if row == first + k { 1.0 } else { 0.0 };
+            units.extend((0..rows).map(|row| std::array::from_fn(|k| unit(row, k))));
             elimination.solve(&work.jacobian, units, columns);
-            for k in 0..AT_ONCE.min(rows - first) {
-                inverse.extend(columns.iter().map(|column: &[f64; AT_ONCE]| column[k]));
+            for k in 0..BLOCK.min(rows - first) {
+                let block = columns.iter();
+                inverse.extend(block.map(|column: &[f64; BLOCK]| column[k]));
             }
         }
         inverse.iter().all(|value| value.is_finite())
     }
 
-    /// What the first sums of the equations, of either sign, come to in the unknowns, each in its unit.
-    fn weighed<const L: usize>(&self, cell: &Enclosure) -> [f64; L] {
+    /// Bounds on the unknowns, each in its unit, by bounds of the first `L` sums of the equations: ‖|J⁻¹| s‖.
+    fn weighted<const L: usize>(&self, cell: &Enclosure) -> [f64; L] {
         let Bounds { inverse, sums, .. } = &cell.bounds;
         let size = 2 * self.unknowns;
         let mut most = [0.0_f64; L];
@@ -261,28 +283,28 @@ impl Group {
         most
     }
 
-    fn known(&self, cell: &Enclosure, form: usize) -> Known {
+    fn form_bound(&self, cell: &Enclosure, form: usize) -> FormBound {
         let value = &cell.work.values[form];
-        Known {
+        FormBound {
             value: value[0],
             rate: value[1],
             acceleration: cell.bounds.forms[form],
-            by_unknowns: self.by_unknowns[form],
+            sensitivity: self.sensitivities[form],
         }
     }
 
-    /// Whether the turns of wheels in mesh stay near enough to where they are for what is said of their angles.
-    fn turns_little(&self, cell: &Enclosure, radius: f64) -> bool {
+    /// True if no turn of a meshing wheel changes by more than ½, as the bounds of their angles assume.
+    fn turns_are_bounded(&self, cell: &Enclosure, radius: f64) -> bool {
         let meshed = self.equations.iter().filter_map(|equation| match equation {
             Equation::Angle { turns, .. } => Some(turns),
             _ => None,
         });
         let mut turns =
-            meshed.flat_map(|turns: &[Option<(usize, f64)>; MOST_FORMS]| turns.iter().flatten());
-        turns.all(|(form, _)| self.known(cell, *form).deviations(cell.step_len, radius) <= 0.5)
+            meshed.flat_map(|turns: &[Option<(usize, f64)>; MAX_FORMS]| turns.iter().flatten());
+        turns.all(|(form, _)| self.form_bound(cell, *form).change(cell.step_len, radius) <= 0.5)
     }
 
-    /// Whether its unknowns at the end of a step are where they were shown to be.
+    /// True if its unknowns at the end of a step are within the certified radius of the tangent, but for rounding.
     pub(crate) fn is_certified(
         &self,
         from: &Predictor,
@@ -292,11 +314,8 @@ impl Group {
     ) -> bool {
         let ends = self.own(&from.natural).zip(self.own(&to.natural));
         ends.zip(&self.units).all(|((a, b), unit)| {
-            let off = (b[0] - a[0] - a[1] * width).norm() / unit;
-            off <= radius + ROUNDED
+            let deviation = (b[0] - a[0] - a[1] * width).norm() / unit;
+            deviation <= radius + tolerance::COINCIDENT
         })
     }
 }
-
-/// What rounding may leave of a place, relative to the group.
-const ROUNDED: f64 = 1e-9;

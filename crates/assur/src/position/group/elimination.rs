@@ -1,61 +1,60 @@
-//! Gaussian elimination of a sparse matrix, planned once: which pivots in
-//! which order, and which places can be filled. What is zero by its place is
-//! never touched. A matrix with more rows than columns has dependent equations:
-//! the pivots choose as many rows as there are columns, the others are left out.
+//! Gaussian elimination of a sparse matrix with a plan for its pattern: pivots, their order, and fill-in. Structural
+//! zeros are never touched. Of a matrix with more rows than columns, which has dependent equations, as many rows as
+//! columns become pivot rows; the others are left out.
 
-/// A pivot with what it acts on: ranges of [`Elimination::lists`].
+/// A pivot and the rows and columns it acts on, as ranges of [`Elimination::lists`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Pivot {
     row: usize,
     column: usize,
-    /// Its place in the matrix.
+    /// Index into the matrix.
     at: usize,
-    /// Rows below it with something in its column.
+    /// Rows below it with a nonzero in its column.
     below: [usize; 2],
-    /// Columns right of it with something in its row.
+    /// Columns right of it with a nonzero in its row.
     right: [usize; 2],
-    /// Rows of earlier pivots by which its own was reduced.
+    /// Rows of the earlier pivots that reduced its row.
     before: [usize; 2],
-    /// The power of two that brought it, when it was planned, to between 1 and 2.
+    /// Power of two that scales the planned pivot to between 1 and 2.
     scale: f64,
 }
 
-/// A row or column on which a pivot acts, and the place where it meets the pivot's
-/// column or row.
+/// A row or column on which a pivot acts, and the index where it meets the pivot's column or row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Line {
     line: usize,
     at: usize,
 }
 
-/// The plan of an elimination; none yet where it has no pivots.
+/// The plan of an elimination; without pivots it is not planned yet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Elimination {
-    /// The numbers of rows and of columns.
+    /// Numbers of rows and of columns.
     height: usize,
     size: usize,
     pivots: Vec<Pivot>,
     lists: Vec<Line>,
     /// The sign of the determinant relative to the product of the pivots.
     sign: f64,
-    /// The exponent of the power of two that determinants are told in: of so many pivots in units of length the product
-    /// itself may be beyond all numbers.
+    /// Exponent of the power of two by which determinants are scaled: the product of many pivots in units of length may
+    /// overflow or underflow.
     exponent: i32,
-    /// Where something can be, as the elimination goes on; rows and columns left.
+    /// Structural nonzeros during the elimination.
     filled: Vec<bool>,
-    /// Which of these places are zero before it.
+    /// The nonzeros that are zero before the elimination.
     fill_in: Vec<usize>,
+    /// Rows and columns without a pivot.
     rows: Vec<usize>,
     columns: Vec<usize>,
 }
 
-/// When it is planned, a pivot is at least this large relative to the largest in its
-/// column; when the plan is used, it may have become as small as this.
-const CHOSEN: f64 = 0.25;
-const SMALL: f64 = 1e-2;
+/// Minimum size of a pivot relative to the largest entry in its column, when the elimination is planned.
+const MIN_PLANNED_PIVOT: f64 = 0.25;
+/// The same when the plan is used: it bounds the growth of rounding errors to 100 a pivot.
+const MIN_PIVOT: f64 = 1e-2;
 
 impl Elimination {
-    /// Room for a matrix of so many rows and columns, so that planning allocates nothing.
+    /// Reserves buffers for a number of rows and of columns, so that planning allocates nothing.
     pub(crate) fn fit(&mut self, [height, size]: [usize; 2]) {
         self.height = height;
         self.size = size;
@@ -73,9 +72,9 @@ impl Elimination {
         self.filled.reserve(height * size);
     }
 
-    /// Plans the elimination of a matrix, row by row in `matrix`, and does it: of
-    /// the pivots that are large enough the one that fills least. Returns the
-    /// determinant as a multiple of 2^[`Self::exponent`]; none where the matrix is singular.
+    /// Plans and does the elimination of a matrix, row by row in `matrix`: of the pivots that are large enough the one
+    /// with the least fill-in is next (Markowitz). Returns the determinant as a multiple of 2^[`Self::exponent`]; none
+    /// if the matrix is singular.
     pub(crate) fn plan(&mut self, pattern: &[bool], matrix: &mut [f64]) -> Option<f64> {
         let size = self.size;
         self.pivots.clear();
@@ -90,8 +89,8 @@ impl Elimination {
         self.exponent = 0;
         let mut determinant = 1.0;
         while !self.columns.is_empty() {
-            let [i, j] = self.next(matrix)?;
-            // Moving it to the front is an exchange for each line it passes.
+            let [i, j] = self.next_pivot(matrix)?;
+            // Moving it to the front exchanges i + j neighbouring lines.
             if (i + j) % 2 == 1 {
                 self.sign = -self.sign;
             }
@@ -136,28 +135,28 @@ impl Elimination {
             self.pivots.push(pivot);
             determinant *= self.eliminate(&pivot, matrix, 0.0)? * pivot.scale;
         }
-        let places = pattern.iter().zip(&self.filled).enumerate();
-        let fill_in = places.filter(|(_, (given, filled))| **filled && !**given);
+        let entries = pattern.iter().zip(&self.filled).enumerate();
+        let fill_in = entries.filter(|(_, (given, filled))| **filled && !**given);
         self.fill_in.clear();
         self.fill_in.extend(fill_in.map(|(at, _)| at));
         Some(determinant * self.sign)
     }
 
-    /// Which of the rows and columns left meet in the next pivot.
-    fn next(&self, matrix: &[f64]) -> Option<[usize; 2]> {
+    /// The next pivot, as positions in `rows` and `columns`.
+    fn next_pivot(&self, matrix: &[f64]) -> Option<[usize; 2]> {
         let size = self.size;
         let mut best: Option<([usize; 2], usize, f64)> = None;
         for (j, column) in self.columns.iter().enumerate() {
             let of = |row: &usize| matrix[row * size + column].abs();
             let most = self.rows.iter().map(of).fold(0.0, f64::max);
-            let count = |rows: &[usize], place: &dyn Fn(usize) -> usize| {
-                let filled = rows.iter().filter(|k| self.filled[place(**k)]);
+            let count = |lines: &[usize], at: &dyn Fn(usize) -> usize| {
+                let filled = lines.iter().filter(|k| self.filled[at(**k)]);
                 filled.count().saturating_sub(1)
             };
             let below = count(&self.rows, &|row| row * size + column);
             for (i, row) in self.rows.iter().enumerate() {
                 let value = of(row);
-                if value == 0.0 || !value.is_finite() || value < CHOSEN * most {
+                if value == 0.0 || !value.is_finite() || value < MIN_PLANNED_PIVOT * most {
                     continue;
                 }
                 let fills = below * count(&self.columns, &|column| row * size + column);
@@ -169,27 +168,26 @@ impl Elimination {
                 }
             }
         }
-        best.map(|(place, ..)| place)
+        best.map(|(pivot, ..)| pivot)
     }
 
-    /// Whether it was planned.
+    /// True if it was planned.
     pub(crate) fn is_planned(&self) -> bool {
         !self.pivots.is_empty()
     }
 
-    /// Whether a row of more rows than columns is left out, as one that depends on those of the pivots.
+    /// True if a row is left out, as dependent on the pivot rows.
     pub(crate) fn leaves_out(&self, row: usize) -> bool {
         self.rows.contains(&row)
     }
 
-    /// The exponent of the power of two that its determinants are multiples of.
+    /// Exponent of the power of two by which its determinants are scaled.
     pub(crate) fn exponent(&self) -> i32 {
         self.exponent
     }
 
-    /// Eliminates as planned a matrix of which only what the pattern names is set;
-    /// the determinant as a multiple of 2^[`Self::exponent`]. None where there is no plan, or it does not suit this
-    /// matrix: a pivot is small in its column.
+    /// Eliminates a matrix, of which only the entries of the pattern are set, as planned. Returns the determinant as a
+    /// multiple of 2^[`Self::exponent`]; none without a plan, or if a pivot is small in its column.
     pub(crate) fn factor(&self, matrix: &mut [f64]) -> Option<f64> {
         if self.pivots.is_empty() {
             return None;
@@ -199,14 +197,15 @@ impl Elimination {
         }
         let mut determinant = self.sign;
         for pivot in &self.pivots {
-            determinant *= self.eliminate(pivot, matrix, SMALL)? * pivot.scale;
+            determinant *= self.eliminate(pivot, matrix, MIN_PIVOT)? * pivot.scale;
         }
         Some(determinant)
     }
 
-    /// One pivot: leaves its reciprocal in its place, and the multipliers below.
+    /// Eliminates with one pivot; stores its reciprocal in its place, and the multipliers below. None if a multiplier
+    /// exceeds 1/`min_pivot`.
     #[inline(always)]
-    fn eliminate(&self, pivot: &Pivot, matrix: &mut [f64], small: f64) -> Option<f64> {
+    fn eliminate(&self, pivot: &Pivot, matrix: &mut [f64], min_pivot: f64) -> Option<f64> {
         let value = matrix[pivot.at];
         if value == 0.0 || !value.is_finite() {
             return None;
@@ -216,7 +215,7 @@ impl Elimination {
         let right = &self.lists[pivot.right[0]..pivot.right[1]];
         for below in &self.lists[pivot.below[0]..pivot.below[1]] {
             let factor = matrix[below.at] * reciprocal;
-            if factor.abs() * small > 1.0 {
+            if factor.abs() * min_pivot > 1.0 {
                 return None;
             }
             matrix[below.at] = factor;
@@ -227,15 +226,14 @@ impl Elimination {
         Some(value)
     }
 
-    /// Solves with a matrix that was eliminated, for several right-hand sides at
-    /// once; `values` is used up.
+    /// Solves with an eliminated matrix, for several right-hand sides at once, which are overwritten.
     pub(crate) fn solve<const L: usize>(
         &self,
         matrix: &[f64],
-        values: &mut [[f64; L]],
+        rhs: &mut [[f64; L]],
         solution: &mut [[f64; L]],
     ) {
-        let less = |mut value: [f64; L], [from, to]: [usize; 2], known: &[[f64; L]]| {
+        let reduced = |mut value: [f64; L], [from, to]: [usize; 2], known: &[[f64; L]]| {
             for line in &self.lists[from..to] {
                 let factor = matrix[line.at];
                 for (value, known) in value.iter_mut().zip(&known[line.line]) {
@@ -245,27 +243,27 @@ impl Elimination {
             value
         };
         for pivot in &self.pivots {
-            values[pivot.row] = less(values[pivot.row], pivot.before, values);
+            rhs[pivot.row] = reduced(rhs[pivot.row], pivot.before, rhs);
         }
         for pivot in self.pivots.iter().rev() {
-            let value = less(values[pivot.row], pivot.right, solution);
+            let value = reduced(rhs[pivot.row], pivot.right, solution);
             solution[pivot.column] = value.map(|value| value * matrix[pivot.at]);
         }
     }
 }
 
-/// Exponents of which both the power of two and its reciprocal are normal numbers.
-const EXPONENTS: [i32; 2] = [-1022, 1022];
+/// Least and greatest exponent whose power of two and its reciprocal are normal numbers.
+const EXPONENT_RANGE: [i32; 2] = [-1022, 1022];
 
-/// The exponent of the power of two not above the size of a number.
+/// Exponent of the greatest power of two not above the absolute value.
 fn exponent(value: f64) -> i32 {
     let biased = (value.to_bits() >> 52) & 0x7ff;
-    (biased as i32 - 1023).clamp(EXPONENTS[0], EXPONENTS[1])
+    (biased as i32 - 1023).clamp(EXPONENT_RANGE[0], EXPONENT_RANGE[1])
 }
 
-/// 2 to the power of an exponent, or the nearest normal one.
+/// The normal power of two nearest to that of an exponent.
 pub(crate) fn power_of_two(exponent: i32) -> f64 {
-    let biased = 1023 + exponent.clamp(EXPONENTS[0], EXPONENTS[1]);
+    let biased = 1023 + exponent.clamp(EXPONENT_RANGE[0], EXPONENT_RANGE[1]);
     f64::from_bits((biased as u64) << 52)
 }
 
@@ -349,10 +347,10 @@ mod tests {
         assert_eq!(power_of_two(exponent(0.0)), f64::MIN_POSITIVE);
     }
 
-    /// Rows in units of length as small and as large as they come: the determinant of 4 pivots is beyond all numbers, and
-    /// tells all the same how the matrix compares with that in other units.
+    /// Rows in extreme units of length: the determinant of 4 pivots overflows or underflows, and its multiple is that in
+    /// other units.
     #[test]
-    fn determinants_beyond_all_numbers() {
+    fn determinants_in_extreme_units() {
         let mut plain = Elimination::default();
         plain.fit([4; 2]);
         let expected = plain.plan(&PATTERN, &mut matrix(0.0)).unwrap();
@@ -384,7 +382,7 @@ mod tests {
         given[0] = f64::NAN;
         assert_eq!(elimination.plan(&PATTERN, &mut given), None);
         elimination.plan(&PATTERN, &mut matrix(0.0)).unwrap();
-        // Another row has to lead where the planned pivots vanish.
+        // Another order is needed if the planned pivots vanish.
         let unsuited: [f64; 16] = std::array::from_fn(|k| {
             let pivot = elimination.pivots.iter().any(|pivot| pivot.at == k);
             if pivot { 1e-9 } else { matrix(0.0)[k] }

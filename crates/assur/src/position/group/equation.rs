@@ -1,14 +1,12 @@
-//! What a group's equations are made of: complex-linear forms of what is solved and
-//! of the unknowns, and the quadratic equations between them.
+//! The equations of a group: complex-linear forms of inputs and unknowns, and quadratic equations between the forms.
 
-use super::mesh::KnownAngle;
+use super::angle_constraint::KnownAngle;
 use crate::Vector;
 use crate::position::complex::{Complex, conjugate, product};
 
-/// A complex-linear form of solved quantities and of the unknowns.
+/// A complex-linear form of inputs and unknowns.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Form {
-    /// What does not change.
     pub(crate) constant: Vector,
     /// Indices of inputs, ascending, with their coefficients.
     pub(crate) inputs: Vec<(usize, Vector)>,
@@ -17,7 +15,7 @@ pub(crate) struct Form {
 }
 
 impl Form {
-    /// Turned and stretched by a complex factor.
+    /// The product with a complex factor.
     pub(crate) fn by(&self, factor: Vector) -> Self {
         let times = |terms: &[(usize, Vector)]| {
             terms
@@ -56,76 +54,73 @@ impl Form {
     }
 }
 
-/// The most forms that stand in an equation.
-pub(in crate::position) const MOST_FORMS: usize = 3;
+/// Maximum number of forms in an equation.
+pub(in crate::position) const MAX_FORMS: usize = 3;
 
 /// An equation between forms, by their indices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Equation {
     /// |form|² = 1.
     Unit(usize),
-    /// The real part of a form is 0, or its imaginary part.
+    /// The real part of a form is 0.
     Real(usize),
+    /// The imaginary part of a form is 0.
     Imaginary(usize),
-    /// A point stays on a line: direction × way = 0.
-    Line {
-        direction: usize,
-        way: usize,
-    },
-    /// A driven slide: the way along a direction of length 1, direction · way, is what its driver says.
+    /// A point stays on a line: axis × vector = 0.
+    Line { axis: usize, vector: usize },
+    /// A driven slide: axis · vector, with an axis of length 1, is the driven coordinate.
     Along {
-        direction: usize,
-        way: usize,
-        mesh: usize,
+        axis: usize,
+        vector: usize,
+        constraint: usize,
     },
-    /// Wheels in mesh, or a driven hinge: the angles of turns, each multiplied by its number, add up to
-    /// what the mesh says.
+    /// A gear mesh or a driven hinge: the sum of the angles of turns, each times its factor, is prescribed.
     Angle {
-        turns: [Option<(usize, f64)>; MOST_FORMS],
-        mesh: usize,
+        turns: [Option<(usize, f64)>; MAX_FORMS],
+        constraint: usize,
     },
 }
 
 impl Equation {
-    /// The forms that stand in it.
+    /// The forms in the equation.
     pub(in crate::position) fn forms(&self) -> impl Iterator<Item = usize> + use<> {
         let forms = match *self {
             Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None, None],
-            Self::Line { direction, way } | Self::Along { direction, way, .. } => {
-                [Some(direction), Some(way), None]
+            Self::Line { axis, vector } | Self::Along { axis, vector, .. } => {
+                [Some(axis), Some(vector), None]
             }
             Self::Angle { turns, .. } => turns.map(|turn| turn.map(|(form, _)| form)),
         };
         forms.into_iter().flatten()
     }
 
-    /// What is left of it.
+    /// The residual.
     pub(in crate::position) fn residual<const N: usize>(
         &self,
         values: &[Complex<N>],
-        given: &[KnownAngle<N>],
+        known_angles: &[KnownAngle<N>],
     ) -> f64 {
         match self {
-            Self::Unit(_) => self.coefficient(values, given, 0) - 0.5,
+            Self::Unit(_) => self.coefficient(values, known_angles, 0) - 0.5,
             Self::Real(_) | Self::Imaginary(_) | Self::Line { .. } | Self::Along { .. } => {
-                self.coefficient(values, given, 0)
+                self.coefficient(values, known_angles, 0)
             }
-            Self::Angle { turns, mesh } => {
-                let given = &given[*mesh];
-                let near = turns.iter().flatten().zip(given.near);
-                near.fold(given.angle.value(), |sum, ((form, by), near)| {
+            Self::Angle { turns, constraint } => {
+                let known = &known_angles[*constraint];
+                let near = turns.iter().flatten().zip(known.near);
+                near.fold(known.angle.value(), |sum, ((form, factor), near)| {
                     let turned = product(values[*form].value(), conjugate(near.turn));
-                    sum + by * (near.angle + turned.y.atan2(turned.x))
+                    sum + factor * (near.angle + turned.y.atan2(turned.x))
                 })
             }
         }
     }
 
-    /// Its coefficient of an order; of wheels in mesh those of derivatives only.
+    /// The Taylor coefficient of an order; of angles only those of derivatives.
     pub(in crate::position) fn coefficient<const N: usize>(
         &self,
         values: &[Complex<N>],
-        given: &[KnownAngle<N>],
+        known_angles: &[KnownAngle<N>],
         order: usize,
     ) -> f64 {
         match *self {
@@ -136,61 +131,64 @@ impl Equation {
             }
             Self::Real(form) => values[form][order].x,
             Self::Imaginary(form) => values[form][order].y,
-            Self::Line { direction, way } => {
-                let [u, v] = [direction, way].map(|form| &values[form]);
+            Self::Line { axis, vector } => {
+                let [u, v] = [axis, vector].map(|form| &values[form]);
                 (0..=order).map(|k| u[k].perp(&v[order - k])).sum()
             }
             Self::Along {
-                direction,
-                way,
-                mesh,
+                axis,
+                vector,
+                constraint,
             } => {
-                let [u, v] = [direction, way].map(|form| &values[form]);
+                let [u, v] = [axis, vector].map(|form| &values[form]);
                 let along: f64 = (0..=order).map(|k| u[k].dot(&v[order - k])).sum();
-                along + given[mesh].angle.coefficient(order)
+                along + known_angles[constraint].angle.coefficient(order)
             }
-            Self::Angle { turns, mesh } => {
-                // θ′ = u × u′ of a turn u, whose length is 1.
+            Self::Angle { turns, constraint } => {
+                // θ′ = u × u′ of a turn u of length 1.
                 let rate = |form: usize| -> f64 {
                     let u = &values[form];
                     let terms = (1..=order).map(|k| k as f64 * u[order - k].perp(&u[k]));
                     terms.sum::<f64>() / order as f64
                 };
                 let turns = turns.into_iter().flatten();
-                turns.fold(given[mesh].angle.coefficient(order), |sum, (form, by)| {
-                    sum + by * rate(form)
-                })
+                turns.fold(
+                    known_angles[constraint].angle.coefficient(order),
+                    |sum, (form, factor)| sum + factor * rate(form),
+                )
             }
         }
     }
 
-    /// Its derivatives by the forms that stand in it, each as the vector whose scalar
-    /// product with a change of the form is the change of the equation.
+    /// The derivatives by its forms: each is the vector whose scalar product with a change of the form is the change of
+    /// the equation.
     #[inline(always)]
-    pub(in crate::position) fn slopes<const N: usize>(
+    pub(in crate::position) fn gradients<const N: usize>(
         &self,
         values: &[Complex<N>],
-        slopes: &mut [Vector],
+        gradients: &mut [Vector],
     ) {
         let value = |form: usize| values[form][0];
         match *self {
-            Self::Unit(form) => slopes[0] = value(form),
-            Self::Real(_) => slopes[0] = Vector::x(),
-            Self::Imaginary(_) => slopes[0] = Vector::y(),
-            Self::Line { direction, way } => {
-                let [u, v] = [direction, way].map(value);
+            Self::Unit(form) => gradients[0] = value(form),
+            Self::Real(_) => gradients[0] = Vector::x(),
+            Self::Imaginary(_) => gradients[0] = Vector::y(),
+            Self::Line { axis, vector } => {
+                let [u, v] = [axis, vector].map(value);
                 // u × v = u · (v turned to the right) = v · (u turned to the left).
-                slopes[0] = Vector::new(v.y, -v.x);
-                slopes[1] = Vector::new(-u.y, u.x);
+                gradients[0] = Vector::new(v.y, -v.x);
+                gradients[1] = Vector::new(-u.y, u.x);
             }
-            Self::Along { direction, way, .. } => {
-                [slopes[0], slopes[1]] = [way, direction].map(value);
+            Self::Along { axis, vector, .. } => {
+                [gradients[0], gradients[1]] = [vector, axis].map(value);
             }
             // dθ = u × du / |u|².
             Self::Angle { turns, .. } => {
-                for (slope, (form, by)) in slopes.iter_mut().zip(turns.into_iter().flatten()) {
+                for (gradient, (form, factor)) in
+                    gradients.iter_mut().zip(turns.into_iter().flatten())
+                {
                     let u = value(form);
-                    *slope = Vector::new(-u.y, u.x) * (by / u.norm_squared());
+                    *gradient = Vector::new(-u.y, u.x) * (factor / u.norm_squared());
                 }
             }
         }

@@ -121,7 +121,7 @@ impl Plan<'_> {
             constant: 0.0,
             turned: 0.0,
             drive: Some(Drive {
-                course,
+                law: course,
                 range: None,
             }),
         };
@@ -139,7 +139,7 @@ impl Plan<'_> {
             PairKind::Slide { slide, range } => {
                 let slide = &self.bodies.slides[slide];
                 given.drive = Some(Drive {
-                    course,
+                    law: course,
                     range: Some(range),
                 });
                 let [on, moving] = slide.bodies;
@@ -179,21 +179,21 @@ impl Plan<'_> {
                     let both = [Equation::Real(form), Equation::Imaginary(form)];
                     equations.extend(both.map(|equation| (equation, 1.0, body)));
                 }
-                Condition::AngleConstraint(turns, mesh) => {
+                Condition::AngleConstraint(turns, constraint) => {
                     let mut turns = turns.into_iter();
                     let turns = [(); 3].map(|()| turns.next().map(|(form, by)| (index(form), by)));
-                    equations.push((Equation::Angle { turns, mesh }, 0.0, body));
+                    equations.push((Equation::Angle { turns, constraint }, 0.0, body));
                 }
                 Condition::Along {
                     direction,
                     way,
                     mesh,
                 } => {
-                    let [direction, way] = [direction, way].map(&mut index);
+                    let [axis, vector] = [direction, way].map(&mut index);
                     let along = Equation::Along {
-                        direction,
-                        way,
-                        mesh,
+                        axis,
+                        vector,
+                        constraint: mesh,
                     };
                     equations.push((along, 1.0, body));
                 }
@@ -202,8 +202,8 @@ impl Plan<'_> {
                     way,
                     length,
                 } => {
-                    let [direction, way] = [direction, way].map(&mut index);
-                    equations.push((Equation::Line { direction, way }, length, body));
+                    let [axis, vector] = [direction, way].map(&mut index);
+                    equations.push((Equation::Line { axis, vector }, length, body));
                 }
             }
         }

@@ -1,5 +1,5 @@
-//! Wheels in mesh and driven pairs on links of a group: what their equation takes from what is solved, and from the
-//! input. The angles of wheels count whole turns.
+//! Gear meshes and driven pairs on links of a group: the terms of their equations that follow from solved bodies and
+//! from the input. The angles of wheels count whole turns.
 
 use std::f64::consts::TAU;
 
@@ -7,27 +7,27 @@ use crate::Jet;
 use crate::index::BodyId;
 use crate::position::{Cause, DriveLaw, Nearby, Orientation, State};
 
-use super::equation::MOST_FORMS;
+use super::equation::MAX_FORMS;
 
-/// A mesh of which not all bodies are solved: the sum of their angles, each multiplied by its number, is constant.
-/// Of a driven pair the angle between its two bodies, or the way along its line, is what the input makes it.
+/// A linear equation between the angles of bodies, some of which are unknown: Σ nᵢ θᵢ is constant in a gear mesh. A
+/// driven pair prescribes the angle between its two bodies, or the displacement along its line.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct AngleConstraint {
-    /// The bodies of the group, in the order in which their turns stand in the equation.
+    /// The bodies of the group, in the order of their turns in the equation.
     pub(crate) turning: Vec<BodyId>,
-    /// The solved ones with their numbers.
+    /// The solved bodies with their factors.
     pub(crate) known: Vec<(BodyId, f64)>,
     pub(crate) constant: f64,
-    /// What whole turns of the solved ones, that they are not drawn by, add to it.
+    /// Contribution of the whole turns of the solved bodies since the drawn pose.
     pub(crate) turned: f64,
     pub(crate) drive: Option<Drive>,
 }
 
-/// How a pair between links of a group is driven.
+/// The drive of a pair between links of a group.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Drive {
-    pub(crate) course: DriveLaw,
-    /// Least and greatest coordinate, of a slide.
+    pub(crate) law: DriveLaw,
+    /// Least and greatest coordinate of a slide.
     pub(crate) range: Option<[f64; 2]>,
 }
 
@@ -35,9 +35,9 @@ impl Drive {
     /// The coordinate.
     ///
     /// # Errors
-    /// That it is out of its range.
+    /// It is out of its range.
     fn at<const N: usize>(&self, input: Jet<N>) -> Result<Jet<N>, Cause> {
-        let coordinate = self.course.at(input);
+        let coordinate = self.law.at(input);
         let within = |[from, to]: [f64; 2]| (from..=to).contains(&coordinate.value());
         if self.range.is_none_or(within) {
             Ok(coordinate)
@@ -47,36 +47,38 @@ impl Drive {
     }
 }
 
-/// What is given of a mesh while its group is solved.
+/// The known part of an angle constraint while its group is solved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::position) struct KnownAngle<const N: usize> {
-    /// What the solved bodies contribute, less the constant and the driven coordinate; of a driven slide a length.
+    /// Sum over the solved bodies, less the constant and the driven coordinate; of a driven slide a length.
     pub(in crate::position) angle: Jet<N>,
-    /// How the others are turned nearby: their angles are less than half a turn from there.
-    pub(in crate::position) near: [Orientation; MOST_FORMS],
+    /// Orientations of the unknown bodies nearby, less than half a turn away.
+    pub(in crate::position) near: [Orientation; MAX_FORMS],
 }
 
 impl<const N: usize> KnownAngle<N> {
-    /// Nothing yet.
-    pub(in crate::position) fn nothing() -> Self {
+    pub(in crate::position) fn zero() -> Self {
         Self {
             angle: Jet::constant(0.0),
-            near: [Orientation::default(); MOST_FORMS],
+            near: [Orientation::default(); MAX_FORMS],
         }
     }
 }
 
 impl AngleConstraint {
     /// # Errors
-    /// That a driven coordinate is out of its range.
-    pub(in crate::position) fn given<const N: usize>(
+    /// A driven coordinate is out of its range.
+    pub(in crate::position) fn known_angle<const N: usize>(
         &self,
         state: &State<N>,
         near: Nearby<'_>,
         input: Jet<N>,
     ) -> Result<KnownAngle<N>, Cause> {
-        let known = self.known.iter().map(|(body, by)| state.angle(*body) * *by);
-        let mut turning = [Orientation::default(); MOST_FORMS];
+        let known = self
+            .known
+            .iter()
+            .map(|(body, factor)| state.angle(*body) * *factor);
+        let mut turning = [Orientation::default(); MAX_FORMS];
         for (orientation, body) in turning.iter_mut().zip(&self.turning) {
             *orientation = near.orientations[*body];
         }
@@ -85,7 +87,7 @@ impl AngleConstraint {
         });
         if let Some(drive) = &self.drive {
             angle = angle - drive.at(input)?;
-            // A driven angle is one but for whole turns: the one that is nearby.
+            // Of the driven angles that differ by whole turns, the one nearby.
             if let [link, base] = self.turning[..] {
                 let [link, base] = [link, base].map(|body| near.orientations[body].angle);
                 angle = angle + -TAU * ((link - base + angle.value()) / TAU).round();
