@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Motion;
-use super::interpolation::Knots;
+use super::continuation::Knots;
 use crate::mechanism::Quantity;
 use crate::position::{Step, power_of_two};
 use crate::sorting::sort_by;
@@ -37,7 +37,7 @@ impl Motion {
         let both = self.mechanism.steps().enumerate();
         for ((step, own), other) in both.zip(other.mechanism.steps().iter()) {
             if let (Step::Group(own), Step::Group(other)) = (own, other) {
-                knots.tell_by(step, power_of_two(other.exponent() - own.exponent()));
+                knots.scale_margins(step, power_of_two(other.exponent() - own.exponent()));
             }
         }
         Arc::make_mut(&mut self.knots).join(knots);

@@ -3,9 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::OutputProfile;
-use super::features::CONSTANT;
-use crate::Swing;
 use crate::sorting::sort_by;
+use crate::{Swing, tolerance};
 
 /// A limit position: the quantity stands still and turns back.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +36,7 @@ impl OutputProfile<'_> {
             let [min, max] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], v| {
                 [min.min(v), max.max(v)]
             });
-            if max - min <= CONSTANT * self.motion.unit(self.quantity) {
+            if max - min <= tolerance::COINCIDENT * self.motion.unit(self.quantity) {
                 let value = min.midpoint(max);
                 return Swing::Between {
                     min: value,

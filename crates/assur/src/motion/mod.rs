@@ -2,42 +2,36 @@
 //! a jump, followed by continuity; and what is read off it.
 
 mod change;
-mod closed;
+mod closed_form;
 mod continuation;
-mod counted;
 mod cyclogram;
 mod dead_point;
 mod exact;
-mod extremum;
 mod features;
-mod fold;
 mod gain;
 mod grid;
-mod in_line;
 mod input_rate;
-mod interpolation;
 mod joined;
 mod limits;
-mod obstacle;
-mod placed;
+mod pose_order;
 mod profile;
 pub(crate) mod root;
 mod sampling;
 mod smooth;
 mod table;
 mod transmission;
+mod turn_count;
 
 pub use change::{Changed, Refusal};
 pub use cyclogram::{Phase, PhaseKind};
 pub use dead_point::{DeadPoint, DeadPointKind};
 pub use exact::{MadeExact, NEARLY};
-pub use extremum::{Extremum, Kind};
-pub use features::{Features, TooManyTurns, features};
+pub use features::{Extremum, Features, Kind, TooManyTurns, features};
 pub use grid::{At, Grid};
 pub use input_rate::InputRate;
 pub use joined::Unjoinable;
 pub use limits::LimitPosition;
-pub use placed::PoseOrder;
+pub use pose_order::PoseOrder;
 pub use profile::{Dwell, OutputProfile};
 pub use sampling::{Sampling, Shown, Spacing};
 pub use table::{Column, Row};
@@ -51,9 +45,8 @@ use crate::Cycle;
 use crate::index::StepId;
 use crate::mechanism::{AssemblySigns, Mechanism, Pose, Unsolved};
 use crate::position::Step;
-use continuation::{Continuation, End, longest_step};
-use counted::range_between;
-use interpolation::Knots;
+use continuation::{Continuation, End, Knots, longest_step};
+use turn_count::range_between;
 
 /// So often the way back from an end to a pose is doubled, from the rounding of the input on.
 const BACK: u32 = 6;
@@ -266,7 +259,7 @@ impl Motion {
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();
         let groups = steps.filter(|(_, placing)| matches!(placing, Step::Group(_)));
-        let ranges = groups.map(|(step, _)| self.knots.range(step));
+        let ranges = groups.map(|(step, _)| self.knots.margin_range(step));
         let ratios = ranges.map(|[low, high]| {
             if low > 0.0 {
                 low / high

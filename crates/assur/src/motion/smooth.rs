@@ -23,7 +23,7 @@ impl Motion {
             let input = self.cycle.wrap(input);
             self.change_points.push(input);
             if let Some(smooth) = self.smooth_root(step, input) {
-                Arc::make_mut(&mut self.knots).passes(smooth, &self.cycle);
+                Arc::make_mut(&mut self.knots).add_smooth_root(smooth, &self.cycle);
             }
         }
         sort_by(&mut self.change_points, f64::total_cmp);

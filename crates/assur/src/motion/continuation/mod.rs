@@ -3,12 +3,20 @@
 //! looked at where it has come near: links that pass through in line, a dead point, or a pose too near to a singular
 //! one.
 
-use super::dead_point::{DeadPoint, DeadPointKind};
-use super::interpolation::{Knots, MOST_TURNED};
+mod fold;
+mod hermite;
+mod in_line;
+mod knots;
+mod obstacle;
+
+pub(super) use knots::Knots;
+
+use super::{DeadPoint, DeadPointKind};
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::{AssemblySigns, Cause, Mechanism, NEVER};
 use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, State, Step};
+use knots::MAX_TURN;
 
 /// Samples a turn.
 pub(super) const GRID: usize = 360;
@@ -231,7 +239,7 @@ impl<'a> Continuation<'a> {
         let width = next - self.input;
         cell.certify(mechanism.steps(), here, width)?;
         for body in &self.winding {
-            if cell.turned(here, *body) > MOST_TURNED {
+            if cell.turned(here, *body) > MAX_TURN {
                 let step = mechanism.placed_by(*body);
                 debug_assert!(step.is_some(), "the frame does not turn");
                 return Err(step.unwrap_or(StepId::FIRST));

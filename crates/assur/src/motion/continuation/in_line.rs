@@ -1,7 +1,7 @@
 //! Links that pass through in line where a motion is followed: a change point.
 
-use super::continuation::{Continuation, Prediction};
-use super::interpolation::{Knots, MOST_TURNED};
+use super::knots::{Knots, MAX_TURN};
+use super::{Continuation, Prediction};
 use crate::Jet;
 use crate::index::StepId;
 use crate::position::{KNOWN, Predictor, ROUNDING, SmoothRoot, State, Step};
@@ -224,6 +224,6 @@ impl Continuation<'_> {
         let mut held = plan.enumerate();
         let held = held.all(|(step, placing)| cell.holds(step, placing, here, there));
         let shown = expected && certified.is_ok() && held;
-        (shown && self.turned() <= MOST_TURNED).then_some((between, past))
+        (shown && self.turned() <= MAX_TURN).then_some((between, past))
     }
 }

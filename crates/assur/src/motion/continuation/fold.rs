@@ -10,10 +10,10 @@ use std::cell::RefCell;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::continuation::{Continuation, Prediction};
-use super::root::root;
+use super::{Continuation, Prediction};
 use crate::Jet;
 use crate::index::StepId;
+use crate::motion::root::root;
 use crate::position::{Group, Linearized, Predictor, Step, StepContext};
 
 /// Newton's method takes no more steps, and ends where they are this small or rounding is all that is left.

@@ -2,13 +2,13 @@
 
 use std::convert::Infallible;
 
-use super::closed::dead_point;
-use super::continuation::{Continuation, HALVINGS};
-use super::dead_point::{DeadPoint, DeadPointKind};
 use super::in_line::PASSED;
-use super::root::bisect;
+use super::{Continuation, HALVINGS};
 use crate::index::StepId;
 use crate::mechanism::{Cause, Singularity};
+use crate::motion::closed_form::dead_point;
+use crate::motion::root::bisect;
+use crate::motion::{DeadPoint, DeadPointKind};
 use crate::position::{State, Step};
 
 /// A singular pose is no farther ahead than this part where steps have become short: about a hundred of them.

@@ -3,7 +3,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::interpolation::Knots;
+use super::continuation::Knots;
 use super::{DeadPoint, DeadPointKind, Motion};
 use crate::mechanism::{DrivenFourBar, Mechanism, Quantity};
 use crate::sorting::sort_by;
@@ -37,7 +37,7 @@ impl Motion {
         };
         let drawn_input = cycle.wrap(drawn_input - turned);
         let (signs, orientations) = mechanism.as_drawn();
-        let knots = Knots::alone(drawn_input, signs, orientations);
+        let knots = Knots::single(drawn_input, signs, orientations);
         Self::of(mechanism, cycle, knots, dead_points, drawn_input)
     }
 }
@@ -48,7 +48,7 @@ impl Motion {
         let cycle = Cycle::turning(turns);
         let drawn_input = cycle.wrap(mechanism.drawn_input());
         let (signs, orientations) = mechanism.as_drawn();
-        let knots = Knots::alone(drawn_input, signs, orientations);
+        let knots = Knots::single(drawn_input, signs, orientations);
         Self::of(mechanism, cycle, knots, Vec::new(), drawn_input)
     }
 }
