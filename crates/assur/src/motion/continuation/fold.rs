@@ -1,37 +1,35 @@
-//! Where two assemblies of a group meet, and its driver must turn back. The poses of a group with their inputs lie on a
-//! curve that goes on smoothly there; only the input does not. Along the curve the fold is where the input stands
-//! still: a simple root, as exact as the equations are.
+//! Folds of a group: two of its assemblies meet, and the driver must turn back. The poses of a group with their inputs lie
+//! on a curve that is smooth there. Along it the fold is the simple root of the rate of the input, as exact as the
+//! equations.
 //!
-//! The curve is followed by the tangent and Newton's method across it (Keller's pseudo-arclength). Two assemblies may
-//! come very close without meeting: a step from one to the other is told by the determinant of the equations with the
-//! tangent, which keeps its sign along a curve and has the other one on the next.
+//! The curve is followed by Keller's pseudo-arclength continuation: a step along the tangent, and Newton's method across it.
+//! Two branches may come very close without meeting; a jump from one to the other changes the sign of the determinant of
+//! the equations bordered by the tangent.
 
 use std::cell::RefCell;
 
 use nalgebra::{DMatrix, DVector};
 
 use super::{Continuation, Prediction};
-use crate::Jet;
 use crate::index::StepId;
 use crate::motion::root::root;
 use crate::position::{Group, Linearized, Predictor, Step, StepContext};
+use crate::{Jet, tolerance};
 
-/// Newton's method takes no more steps, and ends where they are this small or rounding is all that is left.
-const MOST_STEPS: usize = 12;
-const CONVERGED: f64 = 1e-15;
-/// The curve is followed for so many steps, the first this part of what the second derivatives expect; none is tried
-/// more often with less.
-const MOST_ALONG: usize = 64;
-const FIRST: f64 = 0.25;
-const MOST_TRIES: usize = 48;
-/// Rounding leaves a place uncertain by no more than this part of a step.
-const RESOLVED: f64 = 0.02;
-/// The tangent turns by no more in a step, as the cosine, and by so little where the next may be longer.
-const TURNED: f64 = 0.9;
-const STRAIGHT: f64 = 0.99;
+/// Maximum number of Newton steps for a point on the curve.
+const MAX_NEWTON_STEPS: usize = 12;
+/// Maximum number of steps along the curve, and of tries.
+const MAX_STEPS: usize = 64;
+const MAX_TRIES: usize = 48;
+/// First step, as a fraction of the one at which the first two terms of the Taylor series are equal.
+const FIRST_STEP: f64 = 0.25;
+/// Maximum uncertainty of a point due to rounding, relative to the step.
+const MAX_UNCERTAINTY: f64 = 0.02;
+/// Cosine of the turn of the tangent: minimum in a step, and above which the next step is doubled.
+const MIN_COSINE: f64 = 0.9;
+const STRAIGHT_COSINE: f64 = 0.99;
 
-/// The poses of a group with their inputs around the one it has come to. Places are the unknowns in their units and,
-/// last, the input in its own.
+/// The curve of poses of a group. Coordinates on it are the unknowns, scaled to unit size, and the scaled input last.
 struct Curve<'a> {
     motion: &'a Continuation<'a>,
     group: &'a Group,
@@ -39,19 +37,19 @@ struct Curve<'a> {
     state: RefCell<Predictor>,
 }
 
-/// A place on the curve.
-struct Along {
+/// A point on the curve.
+struct CurvePoint {
     at: DVector<f64>,
-    /// Of length 1.
+    /// Unit tangent.
     tangent: DVector<f64>,
-    /// The sign of the determinant of the equations with the tangent.
-    side: f64,
-    /// What Newton's method changed last: as far as it is uncertain.
-    uncertain: f64,
+    /// Sign of the determinant of the bordered equations.
+    determinant_sign: f64,
+    /// The last Newton correction.
+    uncertainty: f64,
 }
 
 impl Continuation<'_> {
-    /// Where ahead, no farther off than a window, the input of a group turns back. None where it does not.
+    /// The input of the fold of a group ahead, within a window.
     pub(super) fn fold(&self, step: StepId, sense: f64, window: f64) -> Option<f64> {
         let Step::Group(group) = &self.mechanism.steps()[step] else {
             return None;
@@ -62,41 +60,43 @@ impl Continuation<'_> {
             step,
             state: RefCell::new(self.mechanism.blank_state()),
         };
-        let [place, rate, bend] = [0, 1, 2].map(|order| group.in_units(&self.here.natural, order));
-        // By the input in its unit.
-        let [rate, bend] = [rate * curve.unit(), bend * (2.0 * curve.unit().powi(2))];
+        let unit = curve.input_unit();
+        let [value, first, second] =
+            [0, 1, 2].map(|order| group.in_units(&self.here.natural, order));
+        // Derivatives with respect to the scaled input.
+        let [rate, acceleration] = [first * unit, second * (2.0 * unit.powi(2))];
         let tangent = rate.push(1.0).normalize() * sense;
-        let mut here = curve.on(&place.push(self.input / curve.unit()), &tangent, 0.0)?;
-        let mut way = FIRST * (1.0 + rate.norm_squared()) / bend.norm();
-        if !way.is_finite() {
+        let mut here = curve.corrected(&value.push(self.input / unit), &tangent, 0.0)?;
+        let mut step_len = FIRST_STEP * (1.0 + rate.norm_squared()) / acceleration.norm();
+        if !step_len.is_finite() {
             return None;
         }
-        let mut tries = MOST_TRIES;
-        for _ in 0..MOST_ALONG {
-            let (next, turned) = loop {
+        let mut tries = MAX_TRIES;
+        for _ in 0..MAX_STEPS {
+            let (next, cosine) = loop {
                 tries = tries.checked_sub(1)?;
-                if let Some(next) = curve.on(&here.at, &here.tangent, way)
-                    && next.side == here.side
-                    && next.uncertain <= RESOLVED * way
+                if let Some(next) = curve.corrected(&here.at, &here.tangent, step_len)
+                    && next.determinant_sign == here.determinant_sign
+                    && next.uncertainty <= MAX_UNCERTAINTY * step_len
                 {
-                    let turned = next.tangent.dot(&here.tangent);
-                    if turned >= TURNED {
-                        break (next, turned);
+                    let cosine = next.tangent.dot(&here.tangent);
+                    if cosine >= MIN_COSINE {
+                        break (next, cosine);
                     }
                 }
-                way *= 0.5;
+                step_len *= 0.5;
             };
             if curve.rate(&next) * sense <= 0.0 {
-                return curve.turning(&here, &next, way);
+                return curve.fold_between(&here, &next, step_len);
             }
-            // A fold ahead, not one that it comes from: the input gets slower all the way.
+            // Towards a fold the input slows down; away from one it speeds up.
             let slower = curve.rate(&next).abs() < curve.rate(&here).abs();
             if !slower || (curve.input(&next) - self.input) * sense > window {
                 return None;
             }
             here = next;
-            if turned >= STRAIGHT {
-                way *= 2.0;
+            if cosine >= STRAIGHT_COSINE {
+                step_len *= 2.0;
             }
         }
         None
@@ -104,42 +104,46 @@ impl Continuation<'_> {
 }
 
 impl Curve<'_> {
-    /// What inputs are measured by, so that a turn is one of 2π.
-    fn unit(&self) -> f64 {
+    /// Unit of the scaled input: its span is 2π.
+    fn input_unit(&self) -> f64 {
         self.motion.mechanism.span() / std::f64::consts::TAU
     }
 
-    fn input(&self, along: &Along) -> f64 {
-        self.unit() * along.at[along.at.len() - 1]
+    fn input(&self, point: &CurvePoint) -> f64 {
+        self.input_unit() * point.at[point.at.len() - 1]
     }
 
-    /// How the input changes along the curve.
-    fn rate(&self, along: &Along) -> f64 {
-        along.tangent[along.tangent.len() - 1]
+    /// Rate of the input along the curve.
+    fn rate(&self, point: &CurvePoint) -> f64 {
+        point.tangent[point.tangent.len() - 1]
     }
 
-    /// Where between two places the input turns back.
-    fn turning(&self, here: &Along, next: &Along, way: f64) -> Option<f64> {
-        let [first, last] = [here, next].map(|along| self.rate(along));
-        // With so little left of its rate the input is that of the fold, to rounding: it is off by half of the rate by
-        // the way.
-        let nothing = f64::EPSILON * (last - first).abs() / way;
-        let between = |way: f64| self.on(&here.at, &here.tangent, way);
-        let rate = |way: f64| {
-            let rate = self.rate(&between(way)?);
-            Some(if rate * rate <= nothing { 0.0 } else { rate })
+    /// The input of the fold between two points a step apart: the root of the rate.
+    fn fold_between(&self, here: &CurvePoint, next: &CurvePoint, step_len: f64) -> Option<f64> {
+        let [first, last] = [here, next].map(|point| self.rate(point));
+        // Near the fold the input deviates from it by rate² / (2 · slope of the rate): below this it is exact.
+        let negligible = f64::EPSILON * (last - first).abs() / step_len;
+        let point = |length: f64| self.corrected(&here.at, &here.tangent, length);
+        let rate = |length: f64| {
+            let rate = self.rate(&point(length)?);
+            Some(if rate * rate <= negligible { 0.0 } else { rate })
         };
-        let way = root([[0.0, first], [way, last]], rate)?;
-        Some(self.input(&between(way)?))
+        let length = root([[0.0, first], [step_len, last]], rate)?;
+        Some(self.input(&point(length)?))
     }
 
-    /// The place on the curve across from a way along a tangent.
-    fn on(&self, from: &DVector<f64>, tangent: &DVector<f64>, way: f64) -> Option<Along> {
+    /// The point on the curve in the hyperplane normal to a step along a tangent, at its end.
+    fn corrected(
+        &self,
+        from: &DVector<f64>,
+        tangent: &DVector<f64>,
+        step_len: f64,
+    ) -> Option<CurvePoint> {
         let rows = tangent.len();
-        let foot = from + tangent * way;
+        let foot = from + tangent * step_len;
         let mut at = foot.clone();
         let mut last = f64::INFINITY;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let Linearized {
                 residual,
                 slopes,
@@ -148,38 +152,40 @@ impl Curve<'_> {
             } = self.linearized(&at)?;
             let mut bordered = slopes.resize_vertically(rows, 0.0);
             bordered.row_mut(rows - 1).tr_copy_from(tangent);
-            // What is to be mended, and the new tangent.
-            let mut asked = DMatrix::zeros(rows, 2);
-            asked.view_mut((0, 0), (rows - 1, 1)).copy_from(&residual);
-            asked[(rows - 1, 0)] = tangent.dot(&(&at - &foot));
-            asked[(rows - 1, 1)] = 1.0;
+            // Right-hand sides: the residual, and that of the new tangent.
+            let mut rhs = DMatrix::zeros(rows, 2);
+            rhs.view_mut((0, 0), (rows - 1, 1)).copy_from(&residual);
+            rhs[(rows - 1, 0)] = tangent.dot(&(&at - &foot));
+            rhs[(rows - 1, 1)] = 1.0;
             let bordered = bordered.lu();
-            let solved = bordered.solve(&asked)?;
-            let change = solved.column(0).amax();
-            if !change.is_finite() {
+            let solution = bordered.solve(&rhs)?;
+            let correction = solution.column(0).amax();
+            if !correction.is_finite() {
                 return None;
             }
-            at -= solved.column(0);
-            if change <= CONVERGED || change >= 0.5 * last && residual_is_rounding {
-                let tangent = solved.column(1).normalize();
-                // Of redundant equations others may be left out next: their determinant keeps no sign.
-                let side = if is_redundant {
+            at -= solution.column(0);
+            let stagnates = correction >= 0.5 * last && residual_is_rounding;
+            if correction <= tolerance::EXACT || stagnates {
+                let tangent = solution.column(1).normalize();
+                // Of redundant equations others may be dropped at the next point: their determinant keeps no sign.
+                let determinant_sign = if is_redundant {
                     1.0
                 } else {
                     bordered.determinant().signum()
                 };
-                return Some(Along {
+                return Some(CurvePoint {
                     at,
                     tangent,
-                    side,
-                    uncertain: change,
+                    determinant_sign,
+                    uncertainty: correction,
                 });
             }
-            last = change;
+            last = correction;
         }
         None
     }
 
+    /// The equations of the group at a point, linearized.
     fn linearized(&self, at: &DVector<f64>) -> Option<Linearized> {
         let Continuation {
             mechanism,
@@ -190,22 +196,22 @@ impl Curve<'_> {
             ..
         } = self.motion;
         let last = at.len() - 1;
-        let input = self.unit() * at[last];
+        let input = self.input_unit() * at[last];
         let predicted = Prediction::of(here, orientations, input - self.motion.input);
         let near = predicted.near(smooth_roots);
         let state = &mut *self.state.borrow_mut();
         let before = mechanism.solve_before(self.step, input, signs, near, state);
         before.ok()?;
-        let given = StepContext {
+        let context = StepContext {
             step: self.step,
             input: Jet::linear(input, 1.0),
             sign: signs[self.step],
             near,
         };
-        let place = at.rows(0, last).into_owned();
-        let mut linearized = self.group.linearized(state, &given, &place).ok()?;
+        let unknowns = at.rows(0, last).into_owned();
+        let mut linearized = self.group.linearized(state, &context, &unknowns).ok()?;
         let mut by_input = linearized.slopes.column_mut(last);
-        by_input *= self.unit();
+        by_input *= self.input_unit();
         Some(linearized)
     }
 }

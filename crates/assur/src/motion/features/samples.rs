@@ -4,10 +4,9 @@ use std::f64::consts::TAU;
 
 use super::{Extremum, Kind, TooManyTurns};
 use crate::Cycle;
+use crate::motion::SAMPLES_PER_TURN;
 use crate::sorting::sort_by;
 
-/// Number of samples per turn. A pair of roots within a cell is found by the signs of the next derivative at its ends.
-const SAMPLES_PER_TURN: usize = 360;
 /// Maximum number of turns that are searched: in no plot could extrema of more be told apart.
 const MAX_TURNS: usize = 256;
 /// Number of times a cell is halved towards an input at which the crank is in line with the outer hinges of a dyad: near a
@@ -86,8 +85,8 @@ pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
 }
 
 /// Closes the samples of a full cycle; others stay as they are. Samples of a derivative remain centred on the start and end
-/// with the values of the first. Those of the function itself are reordered from start to end, with the start repeated at the end: an angle that turns
-/// fully continues from its value a cycle before.
+/// with the values of the first. Those of the function itself are reordered from start to end, with the start repeated at
+/// the end: an angle that turns fully continues from its value a cycle before.
 pub(super) fn closed(
     cycle: &Cycle,
     mut samples: Samples,
