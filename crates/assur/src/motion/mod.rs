@@ -38,7 +38,6 @@ pub use table::{Column, Row};
 pub use transmission::{DyadTransmission, WorstTransmission};
 
 use std::cell::RefCell;
-use std::convert::Infallible;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -198,10 +197,10 @@ impl Motion {
             .map(|doubled| end + sense * unit * 2_f64.powi(doubled as i32))
             .take_while(|input| (other - input) * sense > 0.0);
         let inside = inputs.find(|input| self.pose::<1>(*input).is_ok())?;
-        let Ok([last, _]) = bisect([inside, end], |input| {
+        let last = bisect([inside, end], |input| {
             let unsolved = self.pose::<1>(input).err();
             step = unsolved.as_ref().map_or(step, |unsolved| unsolved.step);
-            Ok::<bool, Infallible>(unsolved.is_none())
+            unsolved.is_none()
         });
         Some((last, Some(step)))
     }

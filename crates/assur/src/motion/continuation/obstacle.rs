@@ -1,7 +1,5 @@
 //! Obstacles that no certified step can pass: a dead point, the end of a range, or an unknown singularity.
 
-use std::convert::Infallible;
-
 use super::change_point::INEXACT;
 use super::{Continuation, MAX_HALVINGS_OF_DYAD};
 use crate::index::StepId;
@@ -43,9 +41,7 @@ impl Continuation<'_> {
         };
         let beyond = self.input + sense * INEXACT * self.mechanism.span();
         let step = is_out(beyond)?;
-        let Ok([input, _]) = bisect([self.input, beyond], |input| {
-            Ok::<bool, Infallible>(is_out(input).is_none())
-        });
+        let input = bisect([self.input, beyond], |input| is_out(input).is_none());
         Some(DeadPoint {
             input,
             kind: DeadPointKind::Range,
@@ -80,8 +76,8 @@ impl Continuation<'_> {
             .map(|halvings| self.input + sense * window * 0.5_f64.powi(halvings));
         let met = beyond.find_map(|input| Some((input, self.solve(input, &mut probe).err()?)));
         let met = met.map(|(beyond, (step, cause))| {
-            let Ok([last, _]) = bisect([self.input, beyond], |input| {
-                Ok::<bool, Infallible>(self.solve(input, &mut probe).is_ok())
+            let last = bisect([self.input, beyond], |input| {
+                self.solve(input, &mut probe).is_ok()
             });
             self.dead_point_at(last, step, cause)
         });
