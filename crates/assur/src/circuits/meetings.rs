@@ -11,9 +11,7 @@ use crate::tolerance;
 const FOLD_TOLERANCE: f64 = 1e-2;
 /// Tolerance of the poses at a change point, which is known exactly.
 const CROSSING_TOLERANCE: f64 = 1e-5;
-/// Offset from an unmatched end, relative to its arc, at which the other branch is searched; and its maximum, relative to the
-/// domain.
-const INWARD_OFFSET: f64 = 0.1;
+/// Maximum offset from an unmatched end at which the other branch is searched, relative to the domain.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
 /// The meetings of all branches.
@@ -167,7 +165,7 @@ fn ends_of<'a>(
             branch,
             dead: *dead,
             side,
-            back: (INWARD_OFFSET * inward).clamp(-max, max),
+            back: (0.1 * inward).clamp(-max, max),
             wrapped: domain.wrap(dead.input),
             pose: motion.pose(dead.input).ok(),
         })

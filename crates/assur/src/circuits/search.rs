@@ -2,9 +2,9 @@
 //! samples are inserted where a branch may have been missed.
 //!
 //! Completeness: between two neighbouring ends of branches the number of assemblies is constant, unless a branch inside was
-//! missed: a pair of complex assemblies becomes real there, and complex again. Before, the square of half the difference
-//! of the pair goes to zero about linearly, so that its value and slope at a sample predict the input of the fold. The
-//! interval to the next sample is divided until the fold is found or the pair is seen to recede.
+//! missed: a conjugate pair of complex assemblies becomes real there, and complex again. Outside the squared distance of the
+//! pair goes to zero about linearly, so that its value and slope at a sample predict the input of the fold. The interval to
+//! the next sample is divided until the fold is found or the pair is seen to recede.
 
 use std::f64::consts::TAU;
 
@@ -16,11 +16,11 @@ use crate::position::{ComplexPair, Group, Step};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Number of samples per turn, or over a slide's range: of dyads alone, where a sample is cheap and pairs may appear within a
-/// small angle; and with other groups.
+/// Number of samples per turn, or over a slide's range: of dyads alone, where a sample is cheap and, with many dimensions,
+/// pairs may become real over a short interval; and with other groups.
 const SAMPLES_OF_DYADS: usize = 144;
 const SAMPLES_OF_GROUPS: usize = 24;
-/// Position of a new sample in an interval: the golden section avoids the special poses in which linkages are often drawn.
+/// Position of a new sample in an interval, off the special poses in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
 /// Maximum number of samples, of branches, and of knots times bodies: if one link is millions of times as long as the others
 /// each motion has thousands of knots.
@@ -57,7 +57,7 @@ pub(super) struct Search<'a> {
     mechanism: &'a Mechanism,
     pub(super) branches: Vec<Motion>,
     pub(super) domain: Domain,
-    /// True while nothing can have been missed.
+    /// True while no branch can have been missed.
     pub(super) whole: bool,
     samples: Vec<Sample>,
     /// Number of knots times bodies of all motions.
@@ -307,8 +307,7 @@ impl Sample {
 
 /// Distances in a sense, less than a limit, at which the linear extrapolations of squares are zero.
 fn zeros(squares: &[ComplexPair], sense: f64, limit: f64) -> impl Iterator<Item = f64> {
-    let distances = squares
-        .iter()
-        .map(move |one| -one.square / (one.slope * sense));
+    let zero = move |pair: &ComplexPair| -pair.square / (pair.slope * sense);
+    let distances = squares.iter().map(zero);
     distances.filter(move |distance| (0.0..limit).contains(distance))
 }

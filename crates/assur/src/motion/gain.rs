@@ -6,11 +6,8 @@ use super::Motion;
 use crate::index::LinkId;
 use crate::mechanism::{Pose, Quantity};
 
-/// Offsets from the end of a cycle, relative to it, at which angles are compared, tried in turn. At the end itself a deltoid
-/// has no pose, so the angle just after it is extrapolated from just before by the rate.
-const OFFSETS: [f64; 3] = [1e-6, 1e-5, 1e-4];
-
-/// The poses just before and just after the end of a full cycle.
+/// The poses just before and just after the end of a full cycle. At the end itself a deltoid has no pose, so the angle just
+/// after it is extrapolated from just before by the rate.
 pub(super) struct Seam<'a> {
     motion: &'a Motion,
     period: f64,
@@ -21,7 +18,7 @@ pub(super) struct Seam<'a> {
 impl Motion {
     /// The end of a full cycle of this period.
     pub(super) fn seam(&self, period: f64) -> Seam<'_> {
-        let mut offsets = OFFSETS.into_iter().map(|offset| offset * period);
+        let mut offsets = [1e-6, 1e-5, 1e-4].into_iter().map(|offset| offset * period);
         let poses = offsets.find_map(|offset| {
             let [before, after] = [period - offset, offset].map(|input| self.pose(input).ok());
             Some(([before?, after?], offset))

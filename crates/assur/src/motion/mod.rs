@@ -83,18 +83,18 @@ impl Motion {
 
     /// The motion found by continuation.
     fn followed(mut mechanism: Mechanism) -> Self {
-        let mut forth = Continuation::new(&mechanism);
+        let mut forward = Continuation::new(&mechanism);
         let longest = longest_step(&mechanism);
         let mut knots = Knots::new(longest);
-        let full = match forth.follow(1.0, &mut knots) {
+        let full = match forward.follow(1.0, &mut knots) {
             End::Cycle(turns) => {
                 knots.begin_at_zero(TAU * turns as f64);
                 Ok(Cycle::turning(turns))
             }
             End::Dead(last) => {
-                let mut back = Continuation::new(&mechanism);
+                let mut backward = Continuation::new(&mechanism);
                 let mut before = Knots::new(longest);
-                let first = match back.follow(-1.0, &mut before) {
+                let first = match backward.follow(-1.0, &mut before) {
                     End::Dead(first) => first,
                     // Inconsistent: it cannot turn fully in one sense only.
                     End::Cycle(_) => DeadPoint {
@@ -102,12 +102,12 @@ impl Motion {
                         ..last
                     },
                 };
-                forth.smooth_roots.extend(back.smooth_roots);
+                forward.smooth_roots.extend(backward.smooth_roots);
                 knots.prepend(before);
                 Err([first, last])
             }
         };
-        let change_points = forth.smooth_roots;
+        let change_points = forward.smooth_roots;
         let (cycle, turned, dead_points) = match full {
             Ok(cycle) => (cycle, 0.0, Vec::new()),
             Err(ends) => {

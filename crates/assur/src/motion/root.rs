@@ -37,7 +37,7 @@ pub(crate) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>
     Some(if a[1].abs() < b[1].abs() { a[0] } else { b[0] })
 }
 
-/// The last number at which a condition holds, by bisection between one where it holds and one where it does not.
+/// The last number at which a condition holds, by bisection from a number that satisfies it to one that does not.
 pub(super) fn bisect([mut low, mut high]: [f64; 2], mut holds: impl FnMut(f64) -> bool) -> f64 {
     for _ in 0..MAX_STEPS {
         let middle = 0.5 * (low + high);

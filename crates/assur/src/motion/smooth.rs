@@ -9,10 +9,8 @@ use crate::mechanism::Cause;
 use crate::position::{KNOWN, ROUNDING, SmoothRoot};
 use crate::sorting::sort_by;
 
-/// Maximum reach of the interpolation on each side of a change point, relative to the span of the input …
+/// Maximum reach of the interpolation on each side of a change point, relative to the span of the input.
 const MAX_REACH: f64 = 1.0 / 24.0;
-/// … and the number of halvings that are tried.
-const MAX_HALVINGS: i32 = 12;
 
 impl Motion {
     /// Adds the roots at the change points of these steps, in the order of the plan: later steps depend on earlier ones.
@@ -28,7 +26,8 @@ impl Motion {
         sort_by(&mut self.change_points, f64::total_cmp);
     }
 
-    /// The root of a step around a change point, over the widest reach at which its error is rounding, or the smallest.
+    /// The root of a step around a change point, over the widest reach, halved up to eleven times, at which its error is rounding
+    /// or else smallest.
     fn smooth_root(&self, step: StepId, input: f64) -> Option<SmoothRoot> {
         let placing = &self.mechanism.steps()[step];
         let margins = self.margins(step, input)?;
@@ -37,7 +36,7 @@ impl Motion {
         let perturbed = [0, 1].map(|which| margins[which] + rounding[which]);
         let rounding = (placing.square(perturbed) - square).value();
         let mut best: Option<(f64, SmoothRoot)> = None;
-        for halvings in 0..MAX_HALVINGS {
+        for halvings in 0..12 {
             let reach = MAX_REACH * self.mechanism.span() * 0.5_f64.powi(halvings);
             let Some((error, smooth)) = self.interpolated(step, [input, reach], square) else {
                 continue;

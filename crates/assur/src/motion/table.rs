@@ -3,9 +3,6 @@
 use super::{DeadPoint, DeadPointKind, InputRate, Motion};
 use crate::mechanism::{Cause, Mechanism, Pose, Quantity, Unsolved};
 
-/// Relative rounding of an input converted from degrees.
-const INPUT_ROUNDING: f64 = 4.0 * f64::EPSILON;
-
 /// A column: a quantity or one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column {
@@ -99,7 +96,8 @@ impl Motion {
     pub fn row_by_time(&self, columns: &[Column], input: f64, rate: InputRate) -> Row {
         // A group is solved so close to its dead point that derivatives may seem to exist.
         let at = self.cycle.wrap(input);
-        let is_at = |dead: &&DeadPoint| (dead.input - at).abs() <= INPUT_ROUNDING * at.abs();
+        // An input converted from degrees is rounded.
+        let is_at = |dead: &&DeadPoint| (dead.input - at).abs() <= 4.0 * f64::EPSILON * at.abs();
         let dead = self.dead_points.iter().find(is_at);
         let dead = dead.filter(|dead| dead.kind.is_dead_point());
         let dead = dead.map(|dead| Unsolved {

@@ -49,8 +49,6 @@ pub enum Refusal {
 
 /// Tolerance of the last possible value, relative to the range of the dimension.
 const RESOLUTION: f64 = 2e-4;
-/// Number of times a last value is rounded towards the start until it is possible.
-const MAX_ROUNDINGS: usize = 3;
 /// Steps of the input, relative to its span, by which it gives way. The first is the distance it keeps from where the loop
 /// opens.
 const INPUT_STEPS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
@@ -92,10 +90,10 @@ impl Motion {
         let Some(mut obstacle) = path.obstacle else {
             return self.arrived(&path);
         };
-        // Rounded towards the start, and tried: the path there may be a different one.
+        // Rounded towards the start, and tried up to three times: the path there may be a different one.
         let unit = 10_f64.powf((RESOLUTION * width).log10().ceil());
         let mut last = at(path.length);
-        for _ in 0..MAX_ROUNDINGS {
+        for _ in 0..3 {
             last = unit * (sense * last / unit).floor() * sense;
             let whole = (last - from) * sense / width;
             let tried = Path::follow(start.clone(), setting, whole.max(0.0));

@@ -3,16 +3,12 @@
 use super::{INPUT_STEPS, RESOLUTION};
 use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 
-/// First step along a path.
-const FIRST_STEP: f64 = 0.25;
-/// Step at which the input gives way if it fails.
+/// Step length below which the input gives way to avoid a failure.
 const MIN_STEP: f64 = 1.0 / 1024.0;
 /// Maximum number of steps tried; the input gives way in few of them.
 const MAX_TRIES: usize = 200;
-/// Maximum number of further steps of an input that gives way.
-const MAX_INPUT_STEPS: usize = 8;
 
-/// A path as far as it was followed. Lengths are relative to the range of the dimension, so that a shorter change follows the
+/// The followed part of a path. Lengths are relative to the range of the dimension, so that a shorter change follows the
 /// same path as a longer one.
 pub(super) struct Path {
     pub(super) here: Assembled,
@@ -33,7 +29,7 @@ impl Path {
             gave_way: false,
             obstacle: None,
         };
-        let mut step = FIRST_STEP;
+        let mut step = 0.25;
         while path.length < whole && path.obstacle.is_none() {
             let next = (path.length + step).min(whole);
             step = next - path.length;
@@ -66,7 +62,7 @@ impl Path {
 }
 
 /// The neighbour at another input: the one with the largest margin of the step whose loop opened; then farther in the same
-/// sense while the margin grows.
+/// sense while the margin grows, in at most eight steps.
 fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assembled> {
     let margin = |one: &Assembled| one.margin(open.step);
     let better = |a: &Assembled, b: &Assembled| margin(a).total_cmp(&margin(b));
@@ -77,7 +73,7 @@ fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assem
     let steps = INPUT_STEPS.into_iter().flat_map(|step| [step, -step]);
     let mut best = steps.filter_map(|step| next(here, step)).max_by(better)?;
     let sense = (best.input() - here.input()).signum();
-    for _ in 0..MAX_INPUT_STEPS {
+    for _ in 0..8 {
         let mut steps = INPUT_STEPS.into_iter().rev();
         match steps.find_map(|step| next(&best, sense * step)) {
             Some(further) if better(&further, &best).is_gt() => best = further,

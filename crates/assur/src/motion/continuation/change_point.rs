@@ -8,13 +8,12 @@ use crate::{Jet, tolerance};
 
 /// Distance of a change point, relative to the span of the input, at which it is recognized and passed.
 const WINDOW: f64 = 1e-3;
-/// Distance, relative to the span, within which margins near a change point have too few digits.
-pub(super) const INEXACT: f64 = 1e-5;
+/// Distance, relative to the span, within which margins near a change point have too few digits; poses ahead are probed as
+/// far.
+pub(super) const PROBE_DISTANCE: f64 = 1e-5;
 /// Relative rounding of a margin that is zero.
 const ZERO_MARGIN: f64 = 16.0 * ROUNDING;
-/// Number of Newton steps for the minimum of a margin, from nearby.
-const REFINEMENTS: usize = 4;
-/// Maximum relative deviation of a margin's square root from its Taylor series; more shows another singularity nearby.
+/// Maximum relative deviation of a square from its Taylor series; a larger one shows another singularity nearby.
 const MAX_DEVIATION: f64 = 0.1;
 
 /// A change point: steps of the plan whose links pass through in line at one input.
@@ -60,7 +59,7 @@ impl Continuation<'_> {
                 } else {
                     self.signs[step]
                 };
-                let window = [found.input, 4.0 * INEXACT * self.mechanism.span()];
+                let window = [found.input, 4.0 * PROBE_DISTANCE * self.mechanism.span()];
                 let smooth = SmoothRoot::beside((step, after.factor()), window, square);
                 found.smooth_roots.push(smooth);
             }
@@ -74,7 +73,7 @@ impl Continuation<'_> {
 
     /// Moves the start just beyond a change point of a four-bar in closed form: so close to it nothing can be certified.
     pub(super) fn leave_change_point(&mut self) {
-        let near = INEXACT * self.mechanism.span();
+        let near = PROBE_DISTANCE * self.mechanism.span();
         let around = [self.input - near, self.input + near];
         let mut steps = self.mechanism.steps().ids();
         let change_point =
@@ -134,7 +133,8 @@ impl Continuation<'_> {
                 (second > 0.0).then_some(input - slope / second)
             };
             let mut input = minimum(self.input, [1, 2].map(|order| margin.derivative(order)))?;
-            for _ in 0..REFINEMENTS {
+            // Newton's method converges from nearby in four steps.
+            for _ in 0..4 {
                 if !ahead(&input) {
                     return None;
                 }
@@ -202,7 +202,7 @@ impl Continuation<'_> {
     /// the input at which the motion may repeat. Returns the pose in line and the trial input; none if the step is not
     /// certified.
     fn solve_past(&mut self, found: &ChangePoint, sense: f64) -> Option<(Predictor, f64)> {
-        let least = INEXACT * self.mechanism.span();
+        let least = PROBE_DISTANCE * self.mechanism.span();
         let [before, left] =
             [found.input - self.input, self.repeats - found.input].map(|width| width * sense);
         if left < -tolerance::COINCIDENT * self.mechanism.span() {

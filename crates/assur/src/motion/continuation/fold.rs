@@ -21,8 +21,6 @@ const MAX_NEWTON_STEPS: usize = 12;
 /// Maximum number of steps along the curve, and of tries.
 const MAX_STEPS: usize = 64;
 const MAX_TRIES: usize = 48;
-/// First step, as a fraction of the one at which the first two terms of the Taylor series are equal.
-const FIRST_STEP: f64 = 0.25;
 /// Maximum uncertainty of a point due to rounding, relative to the step.
 const MAX_UNCERTAINTY: f64 = 0.02;
 /// Cosine of the turn of the tangent: minimum in a step, and above which the next step is doubled.
@@ -67,7 +65,8 @@ impl Continuation<'_> {
         let [rate, acceleration] = [first * unit, second * (2.0 * unit.powi(2))];
         let tangent = rate.push(1.0).normalize() * sense;
         let mut here = curve.corrected(&value.push(self.input / unit), &tangent, 0.0)?;
-        let mut step_len = FIRST_STEP * (1.0 + rate.norm_squared()) / acceleration.norm();
+        // A quarter of the step at which the first two terms of the Taylor series are equal.
+        let mut step_len = 0.25 * (1.0 + rate.norm_squared()) / acceleration.norm();
         if !step_len.is_finite() {
             return None;
         }

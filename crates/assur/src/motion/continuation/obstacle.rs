@@ -1,6 +1,6 @@
 //! Obstacles that no certified step can pass: a dead point, the end of a range, or an unknown singularity.
 
-use super::change_point::INEXACT;
+use super::change_point::PROBE_DISTANCE;
 use super::{Continuation, MAX_HALVINGS_OF_DYAD};
 use crate::index::StepId;
 use crate::mechanism::{Cause, Singularity};
@@ -9,15 +9,12 @@ use crate::motion::root::bisect;
 use crate::motion::{DeadPoint, DeadPointKind};
 use crate::position::{State, Step};
 
-/// Maximum distance of the singular pose ahead, relative to the span of the input, when steps have become short: about a
-/// hundred of them.
-const MAX_DISTANCE: f64 = 1e-7;
-
 impl Continuation<'_> {
     /// The nearest fold of a group just ahead. Near a fold the rates of dependent groups grow without bound, so that a
     /// dependent group may be the first that is not certified.
     pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
-        let window = MAX_DISTANCE * self.mechanism.span();
+        // Steps shorten in proportion to the distance of the fold: when short, they leave it within this window.
+        let window = 1e-7 * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let steps = self.mechanism.steps().ids();
         let folds = steps.filter_map(|step| {
@@ -39,7 +36,7 @@ impl Continuation<'_> {
             Err((step, Cause::Input)) => Some(step),
             _ => None,
         };
-        let beyond = self.input + sense * INEXACT * self.mechanism.span();
+        let beyond = self.input + sense * PROBE_DISTANCE * self.mechanism.span();
         let step = is_out(beyond)?;
         let input = bisect([self.input, beyond], |input| is_out(input).is_none());
         Some(DeadPoint {
@@ -52,7 +49,7 @@ impl Continuation<'_> {
     /// True if a redundant constraint does not hold just ahead.
     pub(super) fn is_locked(&self, sense: f64) -> bool {
         let mut probe: State<1> = self.mechanism.blank_state();
-        let beyond = self.input + sense * INEXACT * self.mechanism.span();
+        let beyond = self.input + sense * PROBE_DISTANCE * self.mechanism.span();
         let solved = self.solve(beyond, &mut probe);
         matches!(solved, Err((_, Cause::Locked { .. })))
     }
@@ -60,7 +57,7 @@ impl Continuation<'_> {
     /// The dead point of a dyad within the shortest step that could be tried.
     pub(super) fn obstacle(&self, step: StepId, sense: f64) -> DeadPoint {
         // So near there is just one dead point.
-        let window = INEXACT * self.mechanism.span();
+        let window = PROBE_DISTANCE * self.mechanism.span();
         let mut closed = self.mechanism.closed_steps();
         let closed = closed.find(|closed| closed.step == step);
         if let Some((closed, arc)) = closed.and_then(|one| Some((one, one.arc(self.input)?))) {
@@ -97,7 +94,7 @@ impl Continuation<'_> {
         let crosses = matches!(self.mechanism.steps()[step], Step::Prp(_) | Step::Rpp(_));
         let margin = self.here.margins[step][0];
         let ahead = -2.0 * margin.value() / margin.derivative(1);
-        let near = ahead * sense > 0.0 && ahead.abs() <= INEXACT * self.mechanism.span();
+        let near = ahead * sense > 0.0 && ahead.abs() <= PROBE_DISTANCE * self.mechanism.span();
         (crosses && near).then_some(DeadPoint {
             input: self.input + ahead,
             kind: DeadPointKind::Parallel,

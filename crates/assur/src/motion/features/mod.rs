@@ -38,9 +38,6 @@ impl Features {
 const MAX_SAMPLES: usize = 1 << 18;
 /// Rounding of a value, relative to it.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// Minimum size of a part, relative to the drawing, by which lengths in it are judged: points are rounded by 10⁻¹² of the
-/// drawing.
-const MIN_PART: f64 = 1e-3;
 
 /// A motion that repeats only after more turns than are searched for zeros and extrema.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,8 +112,8 @@ impl Motion {
         searchable(self.cycle())
     }
 
-    /// The size by which a quantity is judged: 1 for an angle, the size of the mechanism for a coordinate, and for a
-    /// distance, which may be within a small part of the drawing, the least that rounding allows.
+    /// The scale of tolerances for a quantity: 1 for an angle, the size of the mechanism for a coordinate, and the minimum
+    /// scale of lengths for a distance, which may be within a small part of the drawing.
     pub(super) fn unit(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::X(_) | Quantity::Y(_) => self.mechanism().size(),
@@ -129,10 +126,10 @@ impl Motion {
         }
     }
 
-    /// The size by which lengths within a part of the drawing are judged: that of the part, or of the smallest part whose
-    /// lengths keep enough digits.
+    /// The scale of tolerances for lengths within a part of the drawing: the size of the part, but at least a thousandth of
+    /// the drawing, as points are rounded by 10⁻¹² of it.
     pub(super) fn unit_within(&self, part: f64) -> f64 {
-        part.max(MIN_PART * self.mechanism().size())
+        part.max(1e-3 * self.mechanism().size())
     }
 
     /// The features of a folded angle from those of the unfolded one: folding may reverse the sense and leaves no zeros.
@@ -186,7 +183,7 @@ impl Motion {
 }
 
 /// Zeros and extrema of quantities and of their first two derivatives with respect to time over a cycle: `motion` gives the
-/// quantities at a crank angle φ₁ from the line of the frame, `units` the size by which each is judged (1 for an angle, a
+/// quantities at a crank angle φ₁ from the line of the frame, `units` the scale of tolerances for each (1 for an angle, a
 /// length of the mechanism for a coordinate).
 ///
 /// Each is a root of the quantity or of the next derivative, found by safeguarded Newton steps with exact derivatives. A
@@ -226,8 +223,8 @@ fn features_over(
             closed(cycle, samples, order, &at)
         });
         let arcs: Vec<Samples> = arcs.collect();
-        let size = units[index] * (rate.scale(order).abs() + rate.acceleration.abs());
-        features_of(cycle, &arcs, &at, Tolerance::of(order, size))
+        let scale = units[index] * (rate.scale(order).abs() + rate.acceleration.abs());
+        features_of(cycle, &arcs, &at, Tolerance::of(order, scale))
     };
     (0..units.len())
         .map(|index| [0, 1, 2].map(|order| of(index, order)))
@@ -298,11 +295,11 @@ struct Tolerance {
 }
 
 impl Tolerance {
-    /// Tolerance of a quantity or of its derivative of an order, judged by `size`. A point far from the origin is rounded
-    /// by its distance, but not judged by it.
-    fn of(order: usize, size: f64) -> Self {
+    /// The tolerance of a quantity (order 0) or a derivative of it with a scale. The rounding of a point far from the origin is
+    /// proportional to its distance, but the tolerance is not.
+    fn of(order: usize, scale: f64) -> Self {
         Self {
-            absolute: tolerance::COINCIDENT * size,
+            absolute: tolerance::COINCIDENT * scale,
             relative: if order == 0 {
                 ROUNDING
             } else {

@@ -5,9 +5,6 @@ use super::samples::{Sample, Samples};
 use crate::Cycle;
 use crate::sorting::sort_by;
 
-/// Maximum number of evaluations for a root: every third is a bisection, of which about sixty separate neighbouring numbers.
-const MAX_STEPS: usize = 180;
-
 /// The samples at which the derivative `order`, 0 or 1, of the function vanishes, within the cycle and in ascending order.
 pub(super) fn ordered_roots(
     cycle: &Cycle,
@@ -83,7 +80,8 @@ fn bracketed(
     let (mut low, mut high) = (a, b);
     let nearer = |a: Sample, b: Sample| if f(&a).abs() < f(&b).abs() { a } else { b };
     let mut best = nearer(a, b);
-    for step in 0..MAX_STEPS {
+    // Every third step is a bisection; sixty of them reach rounding.
+    for step in 0..180 {
         let inside = |input: &f64| *input > low.input && *input < high.input;
         let middle = 0.5 * (low.input + high.input);
         let newton = best.input - f(&best) / slope(&best);

@@ -1,4 +1,4 @@
-//! Samples of a function over a cycle: an even grid, refined towards inputs at which a crank is in line with a dyad.
+//! Samples of a function over a cycle, from which its roots are bracketed.
 
 use std::f64::consts::TAU;
 
@@ -7,20 +7,17 @@ use crate::Cycle;
 use crate::motion::SAMPLES_PER_TURN;
 use crate::sorting::sort_by;
 
-/// Maximum number of turns that are searched: in no plot could extrema of more be told apart.
+/// Maximum number of turns that are searched: extrema of more could not be distinguished in a plot.
 const MAX_TURNS: usize = 256;
-/// Number of times a cell is halved towards an input at which the crank is in line with the outer hinges of a dyad: near a
-/// change point, or where the hinges nearly meet, a motion changes within any small angle.
-const MAX_GRADING: i32 = 52;
 
-/// A function and its first two derivatives by the input, at an input.
+/// A function and its first two derivatives with respect to the input.
 #[derive(Clone, Copy)]
 pub(super) struct Sample {
     pub(super) input: f64,
     pub(super) f: [f64; 3],
 }
 
-/// Samples over an arc; none where there is no pose.
+/// Samples over an arc; none without a pose.
 pub(super) type Samples = Vec<Option<Sample>>;
 
 impl Sample {
@@ -36,8 +33,9 @@ impl Sample {
     }
 }
 
-/// The sample inputs of each arc: even, and graded towards the inputs that `in_line` gives within it. A full cycle is
-/// centred on 0, near which floating-point numbers are densest.
+/// The sample inputs of each arc: even, and graded towards the inputs that `in_line` gives within it. There the crank is in line
+/// with the outer hinges of a dyad: near a change point, or if the hinges nearly meet, the motion changes within any small
+/// angle. A full cycle is centred on 0, near which floating-point numbers are densest.
 pub(super) fn grids(
     cycle: &Cycle,
     in_line: &dyn Fn([f64; 2]) -> Vec<f64>,
@@ -53,7 +51,7 @@ pub(super) fn grids(
             .map(|i| from + (to - from) * (i as f64 / count))
             .collect();
         for centre in in_line([from, to]) {
-            for grade in 0..MAX_GRADING {
+            for grade in 0..52 {
                 let offset = cell * 0.5_f64.powi(grade);
                 inputs.extend([centre - offset, centre + offset]);
             }
