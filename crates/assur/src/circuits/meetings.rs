@@ -18,8 +18,8 @@ const MAX_INWARD_OFFSET: f64 = 1e-4;
 #[derive(Default)]
 pub(super) struct Meetings {
     pub(super) list: Vec<Meeting>,
-    /// True if links on which others depend swing freely while the driver is at rest: the branches connected by that are not
-    /// determined.
+    /// True if links on which others depend swing freely while the driver is at rest: the branches connected by that
+    /// are not determined.
     pub(super) incomplete: bool,
     /// Dead points in which only one branch was found to end: the input, and an offset along that branch.
     pub(super) unmatched: Vec<[f64; 2]>,

@@ -2,8 +2,8 @@
 //! reached from each other without disassembly.
 //!
 //! A *branch* is a motion between two folds, or a full cycle. A *fold* is a dead point in which two branches meet: the
-//! driver must turn back, and the links may continue on the other branch. At a *crossing*, a change point, two branches pass
-//! through one pose. Branches that meet form one *circuit* (Chase & Mirth, Circuits and branches of
+//! driver must turn back, and the links may continue on the other branch. At a *crossing*, a change point, two branches
+//! pass through one pose. Branches that meet form one *circuit* (Chase & Mirth, Circuits and branches of
 //! single-degree-of-freedom planar linkages, 1993).
 
 mod domain;
@@ -141,11 +141,11 @@ impl Circuits {
         self.circuits
     }
 
-    /// True if these are all branches, each followed to its ends: at every sampled input the numbers of assemblies and branches
-    /// agree, and between the samples no pair of complex assemblies can become real.
+    /// True if these are all branches, each followed to its ends: at every sampled input the numbers of assemblies and
+    /// branches agree, and between the samples no pair of complex assemblies can become real.
     ///
-    /// False with wheels in mesh within a group, if a motion comes too close to a singular pose or is longer than it is followed,
-    /// or at a limit of work. A branch over less than a millionth of the turn may be missed.
+    /// False with wheels in mesh within a group, if a motion comes too close to a singular pose or is longer than it is
+    /// followed, or at a limit of work. A branch over less than a millionth of the turn may be missed.
     pub fn is_whole(&self) -> bool {
         self.whole
     }

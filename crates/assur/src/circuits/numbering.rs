@@ -1,5 +1,5 @@
-//! Numbering of assemblies, branches and circuits by the angle of the output from 0 to 2π, independent of the names and the
-//! order of links and points in the drawing.
+//! Numbering of assemblies, branches and circuits by the angle of the output from 0 to 2π, independent of the names and
+//! the order of links and points in the drawing.
 
 use std::f64::consts::TAU;
 
@@ -12,8 +12,8 @@ use crate::motion::Motion;
 use crate::sorting::{permute, sort_by, sort_by_key};
 use crate::tolerance;
 
-/// Sort key of an assembly: the angle of the output, then all angles, then all coordinates relative to the size, each list in
-/// ascending order.
+/// Sort key of an assembly: the angle of the output, then all angles, then all coordinates relative to the size, each
+/// list in ascending order.
 fn key<const N: usize>(mechanism: &Mechanism, output: LinkId, pose: &Pose<N>) -> Vec<f64> {
     // A whole turn to rounding counts as 0.
     let angle = |link: LinkId| {
@@ -84,8 +84,8 @@ impl Mechanism {
 impl Motion {
     /// All assemblies at an input in ascending order of their numbers, by the angle of a link from 0 to 2π.
     ///
-    /// They include the poses of this motion at the input. If one of them was not found otherwise the list may be incomplete,
-    /// unless assemblies meet in that pose.
+    /// They include the poses of this motion at the input. If one of them was not found otherwise the list may be
+    /// incomplete, unless assemblies meet in that pose.
     pub fn assemblies_at(&self, input: f64, output: LinkId) -> Assemblies {
         let found = self.mechanism().assemblies_at(input, Method::Usual);
         self.numbered(found, input, output)
@@ -204,8 +204,8 @@ impl Circuits {
         self.circuits = named.len();
     }
 
-    /// Sort keys of the branches: the start, the assembly there (unless it is a fold, shared with others), and the assembly just
-    /// after it.
+    /// Sort keys of the branches: the start, the assembly there (unless it is a fold, shared with others), and the
+    /// assembly just after it.
     fn branch_keys(&self) -> Vec<Vec<f64>> {
         let start = |branch: &Branch| self.domain.min_input(&branch.motion);
         let mut starts: Vec<f64> = self.branches.iter().map(start).collect();

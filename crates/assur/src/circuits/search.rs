@@ -1,10 +1,10 @@
 //! Search for all motions: all assemblies are found at sample inputs, those on no known branch are followed, and further
 //! samples are inserted where a branch may have been missed.
 //!
-//! Completeness: between two neighbouring ends of branches the number of assemblies is constant, unless a branch inside was
-//! missed: a conjugate pair of complex assemblies becomes real there, and complex again. Outside the squared distance of the
-//! pair goes to zero about linearly, so that its value and slope at a sample predict the input of the fold. The interval to
-//! the next sample is divided until the fold is found or the pair is seen to recede.
+//! Completeness: between two neighbouring ends of branches the number of assemblies is constant, unless a branch inside
+//! was missed: a conjugate pair of complex assemblies becomes real there, and complex again. Outside, the squared
+//! distance of the pair goes to zero about linearly, so that its value and slope at a sample predict the input of the
+//! fold. The interval to the next sample is divided until the fold is found or the pair is seen to recede.
 
 use std::f64::consts::TAU;
 
@@ -16,14 +16,14 @@ use crate::position::{ComplexPair, Group, Step};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Number of samples per turn, or over a slide's range: of dyads alone, where a sample is cheap and, with many dimensions,
-/// pairs may become real over a short interval; and with other groups.
+/// Number of samples per turn, or over a slide's range: of dyads alone, where a sample is cheap and, with many
+/// dimensions, pairs may become real over a short interval; and with other groups.
 const SAMPLES_OF_DYADS: usize = 144;
 const SAMPLES_OF_GROUPS: usize = 24;
 /// Position of a new sample in an interval, off the special poses in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// Maximum number of samples, of branches, and of knots times bodies: if one link is millions of times as long as the others
-/// each motion has thousands of knots.
+/// Maximum number of samples, of branches, and of knots times bodies: if one link is millions of times as long as the
+/// others each motion has thousands of knots.
 const MAX_SAMPLES: usize = 2_000;
 const MAX_BRANCHES: usize = 512;
 const MAX_KNOTS: usize = 500_000;
@@ -266,8 +266,8 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// New inputs near the dead points at which only one branch is known to end: in eight distances, as the other branch may be
-    /// short.
+    /// New inputs near the dead points at which only one branch is known to end: in eight distances, as the other
+    /// branch may be short.
     fn inputs_near_ends(&self) -> Vec<f64> {
         let unmatched = Meetings::of(&self.branches, &self.domain).unmatched;
         let inputs = unmatched.into_iter().filter_map(|[end, back]| {

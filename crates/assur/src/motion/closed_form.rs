@@ -57,7 +57,8 @@ struct Rocker<'a> {
 }
 
 impl Motion {
-    /// The inputs of the extrema of the angle of a four-bar's rocker, or of a wheel driven by it; none of other quantities.
+    /// The inputs of the extrema of the angle of a four-bar's rocker, or of a wheel driven by it; none of other
+    /// quantities.
     pub(super) fn limits_in_closed_form(&self, quantity: Quantity) -> Option<Vec<f64>> {
         let Rocker {
             closed, assembly, ..
@@ -104,8 +105,8 @@ impl Motion {
     }
 }
 
-/// The dead point of a four-bar at an end of an arc. The diagonal is shortest towards φ₁ = 0, so coupler and rocker are folded
-/// there, and stretched towards π.
+/// The dead point of a four-bar at an end of an arc. The diagonal is shortest towards φ₁ = 0, so coupler and rocker are
+/// folded there, and stretched towards π.
 pub(super) fn dead_point(
     closed: &DrivenFourBar<'_>,
     [from, to]: [f64; 2],

@@ -27,8 +27,8 @@ pub struct Phase {
 }
 
 impl OutputProfile<'_> {
-    /// The phases of a cycle: dwells at the extrema within a band of full width `tolerance`, of overlapping ones the longest,
-    /// and the strokes between them. Empty if the tolerance is not positive.
+    /// The phases of a cycle: dwells at the extrema within a band of full width `tolerance`, of overlapping ones the
+    /// longest, and the strokes between them. Empty if the tolerance is not positive.
     pub fn cyclogram(&self, tolerance: f64) -> Vec<Phase> {
         self.phases(self.touching(tolerance), tolerance)
     }

@@ -9,8 +9,8 @@ pub enum DeadPointKind {
     Stretched,
     /// The two links of a dyad are in line, folded.
     Folded,
-    /// A link is perpendicular to the guide of its dyad, or the distance of two hinges is the extreme that the guide between
-    /// them allows.
+    /// A link is perpendicular to the guide of its dyad, or the distance of two hinges is the extreme that the guide
+    /// between them allows.
     Perpendicular,
     /// Two guides are parallel.
     Parallel,

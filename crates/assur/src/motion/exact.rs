@@ -20,7 +20,8 @@ const STEPS: usize = 4;
 const MAX_NEWTON_STEPS: usize = 40;
 /// Weight of a change of the drawing relative to one of a pose.
 const DRAWING_WEIGHT: f64 = 1e2;
-/// Tolerance of parallel links in the mean of the poses, radians: one of them may be close to a singular pose and inexact.
+/// Tolerance of parallel links in the mean of the poses, radians: one of them may be close to a singular pose and
+/// inexact.
 const PARALLEL: f64 = 2e-3;
 /// Relative tolerances of the rank for the initial poses, tried in turn: near a singular pose they keep the error of the
 /// drawing from growing.
@@ -41,8 +42,8 @@ pub struct MadeExact {
 }
 
 impl LinkageSpec {
-    /// The nearest drawing whose redundant constraints hold over a motion. None unless this is an overconstrained linkage with
-    /// a crank on the frame, or if a point would move farther than [`NEARLY`] of its size.
+    /// The nearest drawing whose redundant constraints hold over a motion. None unless this is an overconstrained
+    /// linkage with a crank on the frame, or if a point would move farther than [`NEARLY`] of its size.
     pub fn made_exact(&self) -> Option<MadeExact> {
         let refused = Mechanism::new(self).err()?;
         let locked =
@@ -271,7 +272,8 @@ impl System {
                 }
             }
         }
-        // Bound on the residuals if an exact drawing is within `NEARLY`: most locked drawings end here, before the large systems.
+        // Bound on the residuals if an exact drawing is within `NEARLY`: most locked drawings end here, before the
+        // large systems.
         let all = DVector::from_vec(all);
         let (residuals, _) = self.residuals(&all, &angles);
         let most = 4.0 * NEARLY * self.size.powi(2) * (residuals.len() as f64).sqrt();
@@ -334,8 +336,8 @@ impl System {
         self.constants.extend(parallel);
     }
 
-    /// The least-squares solution nearest to a start by the Gauss–Newton method, with the drawing free (1) or fixed (0), and
-    /// singular values below `rank` of the largest taken as zero.
+    /// The least-squares solution nearest to a start by the Gauss–Newton method, with the drawing free (1) or fixed
+    /// (0), and singular values below `rank` of the largest taken as zero.
     fn nearest(
         &self,
         mut at: DVector<f64>,

@@ -6,8 +6,8 @@ use super::Motion;
 use crate::index::LinkId;
 use crate::mechanism::{Pose, Quantity};
 
-/// The poses just before and just after the end of a full cycle. At the end itself a deltoid has no pose, so the angle just
-/// after it is extrapolated from just before by the rate.
+/// The poses just before and just after the end of a full cycle. At the end itself a deltoid has no pose, so the angle
+/// just after it is extrapolated from just before by the rate.
 pub(super) struct Seam<'a> {
     motion: &'a Motion,
     period: f64,

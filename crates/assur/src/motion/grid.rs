@@ -60,8 +60,8 @@ impl Motion {
 }
 
 impl Grid {
-    /// The inputs of the grid within an arc and the ends within it, ascending. Of a grid point and an end that coincide only
-    /// the end is kept.
+    /// The inputs of the grid within an arc and the ends within it, ascending. Of a grid point and an end that coincide
+    /// only the end is kept.
     pub fn rows(self, [first, last]: [At; 2], ends: &[At]) -> impl Iterator<Item = At> + use<> {
         let Self { unit, origin, step } = self;
         let within = |end: &&At| (first.input..=last.input).contains(&end.input);

@@ -18,8 +18,8 @@ impl InputRate {
         acceleration: 0.0,
     };
 
-    /// The `order`-th derivative with respect to time, 0 to 2, of a function of the crank angle: q, q′ ω₁, q″ ω₁² + q′ ε₁; and
-    /// its first two derivatives with respect to the crank angle. Derivatives beyond the jet count as zero.
+    /// The `order`-th derivative with respect to time, 0 to 2, of a function of the crank angle: q, q′ ω₁, q″ ω₁² + q′
+    /// ε₁; and its first two derivatives with respect to the crank angle. Derivatives beyond the jet count as zero.
     pub fn rates<const N: usize>(self, jet: &Jet<N>, order: usize) -> [f64; 3] {
         let power = self.scale(order);
         [0, 1, 2].map(|further| {

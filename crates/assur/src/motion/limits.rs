@@ -67,8 +67,8 @@ impl OutputProfile<'_> {
         self.motion.cycle().arcs().iter().map(travel).collect()
     }
 
-    /// Time ratio K ≥ 1 of the slow to the quick stroke at constant speed of the crank, as [`crate::FourBar::time_ratio`]; none
-    /// unless the crank turns fully and the quantity has two strokes per turn.
+    /// Time ratio K ≥ 1 of the slow to the quick stroke at constant speed of the crank, as
+    /// [`crate::FourBar::time_ratio`]; none unless the crank turns fully and the quantity has two strokes per turn.
     pub fn time_ratio(&self) -> Option<f64> {
         let period = self.period?;
         match self.extrema[..] {
@@ -81,8 +81,8 @@ impl OutputProfile<'_> {
         }
     }
 
-    /// Inputs and values at which the quantity may turn back on an arc: limit positions, change points, and the dead points at
-    /// its ends; at least one.
+    /// Inputs and values at which the quantity may turn back on an arc: limit positions, change points, and the dead
+    /// points at its ends; at least one.
     fn turnings(&self, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
         let cycle = self.motion.cycle();
         let within = |input: &f64| (from..=to).contains(input);

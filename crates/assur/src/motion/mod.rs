@@ -1,5 +1,5 @@
-//! Motion of a mechanism: the branch of poses that contains the drawn one, followed by continuity; and the quantities, dead
-//! points, extrema, profiles and tables over it.
+//! Motion of a mechanism: the branch of poses that contains the drawn one, followed by continuity; and the quantities,
+//! dead points, extrema, profiles and tables over it.
 
 mod change;
 mod closed_form;
@@ -51,13 +51,14 @@ use turn_count::range_between;
 
 /// Number of samples per turn when extrema are searched; the unit of the steps of the continuation.
 const SAMPLES_PER_TURN: usize = 360;
-/// Number of doublings of the offset from an end of an arc to a pose, from the rounding of the input on: as rounding needs …
+/// Number of doublings of the offset from an end of an arc to a pose, from the rounding of the input on: as rounding
+/// needs …
 const ROUNDING_DOUBLINGS: u32 = 6;
 /// … and where another group ends the motion before.
 const MAX_DOUBLINGS: u32 = 40;
 
-/// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input were
-/// determined once, by following the motion.
+/// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
+/// were determined once, by following the motion.
 #[derive(Clone, Debug)]
 pub struct Motion {
     mechanism: Mechanism,
@@ -157,8 +158,8 @@ impl Motion {
         motion
     }
 
-    /// Pulls the ends of the arcs inward by ulps until the pose exists: changing the whole turns of an input rounds it again,
-    /// possibly beyond the dead point.
+    /// Pulls the ends of the arcs inward by ulps until the pose exists: changing the whole turns of an input rounds it
+    /// again, possibly beyond the dead point.
     fn end_in_poses(&mut self) {
         if self.cycle.is_full() {
             return;
@@ -188,8 +189,8 @@ impl Motion {
         }
     }
 
-    /// The last input with a pose before an end without one, and the step that fails beyond it: of two dead points close to
-    /// each other another than the expected one may come first.
+    /// The last input with a pose before an end without one, and the step that fails beyond it: of two dead points
+    /// close to each other another than the expected one may come first.
     fn end_before(&self, end: f64, other: f64, unit: f64) -> Option<(f64, Option<StepId>)> {
         let mut step = self.pose::<1>(end).err()?.step;
         let sense = (other - end).signum();
@@ -247,8 +248,8 @@ impl Motion {
         &self.change_points
     }
 
-    /// Margin from singular poses of the groups solved by Newton's method: the minimum of a Jacobian's determinant over the
-    /// motion, relative to its maximum, with its sign; 1 without such a group.
+    /// Margin from singular poses of the groups solved by Newton's method: the minimum of a Jacobian's determinant over
+    /// the motion, relative to its maximum, with its sign; 1 without such a group.
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();
         let groups = steps.filter(|(_, step)| matches!(step, Step::Group(_)));

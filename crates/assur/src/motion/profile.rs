@@ -1,8 +1,8 @@
 //! Dwells and strokes of a quantity over a motion.
 //!
-//! Between neighbouring extrema a quantity is monotone, so the inputs at which it enters and leaves a band are bracketed roots
-//! of the exact function. As the band moves, the arc on which the quantity stays inside is longest when an extremum touches
-//! an edge or, on a flank, when the rates at entry and exit are equal.
+//! Between neighbouring extrema a quantity is monotone, so the inputs at which it enters and leaves a band are
+//! bracketed roots of the exact function. As the band moves, the arc on which the quantity stays inside is longest when
+//! an extremum touches an edge or, on a flank, when the rates at entry and exit are equal.
 
 mod flank;
 
@@ -236,8 +236,8 @@ impl<'a> OutputProfile<'a> {
             .collect()
     }
 
-    /// The longest arc on which the quantity stays within a band of full width `tolerance`: the whole cycle if it varies less.
-    /// None if the tolerance is not positive, or the motion has no poses.
+    /// The longest arc on which the quantity stays within a band of full width `tolerance`: the whole cycle if it
+    /// varies less. None if the tolerance is not positive, or the motion has no poses.
     pub fn dwell(&self, tolerance: f64) -> Option<Dwell> {
         self.longest(&self.touching(tolerance), tolerance)
     }
@@ -292,8 +292,8 @@ impl<'a> OutputProfile<'a> {
         best
     }
 
-    /// The strokes of a cycle, from extremum to extremum, as inputs and values of their ends; empty for an angle that only
-    /// grows or falls.
+    /// The strokes of a cycle, from extremum to extremum, as inputs and values of their ends; empty for an angle that
+    /// only grows or falls.
     pub fn strokes(&self) -> Vec<[[f64; 2]; 2]> {
         if self.period.is_some() && self.monotone {
             return Vec::new();

@@ -4,8 +4,8 @@
 const MAX_STEPS: usize = 120;
 
 /// The root of a continuous function in a bracket of points `[x, f(x)]` with opposite signs, to rounding: by inverse
-/// quadratic interpolation if that is safe, else by bisection (Chandrupatla, Advances in Engineering Software 28, 1997). None
-/// if the function has no value.
+/// quadratic interpolation if that is safe, else by bisection (Chandrupatla, Advances in Engineering Software 28,
+/// 1997). None if the function has no value.
 pub(crate) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let mut part = 0.5;
     for _ in 0..MAX_STEPS {

@@ -26,8 +26,8 @@ impl Motion {
         sort_by(&mut self.change_points, f64::total_cmp);
     }
 
-    /// The root of a step around a change point, over the widest reach, halved up to eleven times, at which its error is rounding
-    /// or else smallest.
+    /// The root of a step around a change point, over the widest reach, halved up to eleven times, at which its error
+    /// is rounding or else smallest.
     fn smooth_root(&self, step: StepId, input: f64) -> Option<SmoothRoot> {
         let placing = &self.mechanism.steps()[step];
         let margins = self.margins(step, input)?;
@@ -51,8 +51,8 @@ impl Motion {
         best.map(|(_, smooth)| smooth)
     }
 
-    /// The root interpolated from the square at a change point and at `reach` on both sides, and the error of its square half
-    /// way.
+    /// The root interpolated from the square at a change point and at `reach` on both sides, and the error of its
+    /// square half way.
     fn interpolated(
         &self,
         step: StepId,

@@ -13,8 +13,8 @@ pub struct Column {
 }
 
 impl Column {
-    /// All columns: for each link its angle with two derivatives; for each point x and y, then the first derivatives, then the
-    /// second.
+    /// All columns: for each link its angle with two derivatives; for each point x and y, then the first derivatives,
+    /// then the second.
     pub fn all(mechanism: &Mechanism) -> Vec<Self> {
         let mut columns = Vec::new();
         for link in mechanism.link_ids() {

@@ -21,13 +21,14 @@ pub struct DyadTransmission {
     pub quantity: Quantity,
     /// The links of the dyad; of an RRP dyad the rod, then the slider.
     pub links: [LinkId; 2],
-    /// The minimum transmission angle, or the maximum pressure angle; none if the motion has too many turns to be searched.
+    /// The minimum transmission angle, or the maximum pressure angle; none if the motion has too many turns to be
+    /// searched.
     pub worst: Option<WorstTransmission>,
 }
 
 impl Motion {
-    /// The minimum transmission angle of each RRR dyad and the maximum pressure angle of each RRP dyad, in the order in which
-    /// the dyads are solved.
+    /// The minimum transmission angle of each RRR dyad and the maximum pressure angle of each RRP dyad, in the order in
+    /// which the dyads are solved.
     pub fn transmissions(&self) -> Vec<DyadTransmission> {
         let transmitting = self.mechanism().transmitting().into_iter();
         let worst = transmitting.filter_map(|quantity| {
@@ -49,8 +50,8 @@ impl Motion {
         worst.collect()
     }
 
-    /// The minimum transmission angle of an RRR dyad: at an extremum of the cosine of the angle between its links, at the end of
-    /// an arc, or at a change point. None without any pose.
+    /// The minimum transmission angle of an RRR dyad: at an extremum of the cosine of the angle between its links, at
+    /// the end of an arc, or at a change point. None without any pose.
     ///
     /// # Errors
     /// The motion has too many turns to be searched, and no closed form.
@@ -91,8 +92,8 @@ impl Motion {
         Ok(found.reduce(lesser))
     }
 
-    /// The maximum pressure angle of an RRP dyad: at an extremum of its sine, at the end of an arc, or at a change point. None
-    /// without any pose.
+    /// The maximum pressure angle of an RRP dyad: at an extremum of its sine, at the end of an arc, or at a change
+    /// point. None without any pose.
     ///
     /// # Errors
     /// The motion has too many turns to be searched.
@@ -114,8 +115,8 @@ impl Motion {
         }))
     }
 
-    /// The acute angle at every input at which it can be extreme: the extrema of its monotone function, the ends, the change
-    /// points and the drawn pose.
+    /// The acute angle at every input at which it can be extreme: the extrema of its monotone function, the ends, the
+    /// change points and the drawn pose.
     fn extreme(
         &self,
         angle: Quantity,

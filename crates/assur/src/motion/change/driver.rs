@@ -7,8 +7,8 @@ use crate::motion::{Motion, TooManyTurns};
 use crate::tolerance;
 
 impl Motion {
-    /// The driver by which a link of [`Mechanism::drivable`] can drive: its present one, a crank, or a slide over its present
-    /// range; none if the link cannot drive, or does not move.
+    /// The driver by which a link of [`Mechanism::drivable`] can drive: its present one, a crank, or a slide over its
+    /// present range; none if the link cannot drive, or does not move.
     ///
     /// # Errors
     /// The motion has too many turns to be searched for the range of a slide.
@@ -41,8 +41,8 @@ impl Motion {
         Ok(range.map(|range| DriverSpec::Slide { slide, range, rate }))
     }
 
-    /// Minimum and maximum coordinate of a slide along a line of the frame, from its limit positions and the ends of the motion;
-    /// none if it does not move.
+    /// Minimum and maximum coordinate of a slide along a line of the frame, from its limit positions and the ends of
+    /// the motion; none if it does not move.
     fn slide_range(&self, slide: &SlideSpec) -> Result<Option<[f64; 2]>, TooManyTurns> {
         let mechanism = &self.mechanism;
         let point = mechanism.point(&slide.point);
@@ -96,8 +96,8 @@ impl Motion {
         })
     }
 
-    /// The linkage with another driver, from the pose at an input or, if that is a dead point of the new driver, from one next
-    /// to it.
+    /// The linkage with another driver, from the pose at an input or, if that is a dead point of the new driver, from
+    /// one next to it.
     ///
     /// # Errors
     /// The defects of that linkage.

@@ -49,8 +49,8 @@ pub enum Refusal {
 
 /// Tolerance of the last possible value, relative to the range of the dimension.
 const RESOLUTION: f64 = 2e-4;
-/// Steps of the input, relative to its span, by which it gives way. The first is the distance it keeps from where the loop
-/// opens.
+/// Steps of the input, relative to its span, by which it gives way. The first is the distance it keeps from where the
+/// loop opens.
 const INPUT_STEPS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
 
 impl Motion {
@@ -156,7 +156,8 @@ impl Motion {
         })
     }
 
-    /// The linkage with a hinge of the frame moved to a point, or as far towards it as possible, from the pose at an input.
+    /// The linkage with a hinge of the frame moved to a point, or as far towards it as possible, from the pose at an
+    /// input.
     ///
     /// # Errors
     /// The reason why it cannot be moved at all.

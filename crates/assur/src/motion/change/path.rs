@@ -61,8 +61,8 @@ impl Path {
     }
 }
 
-/// The neighbour at another input: the one with the largest margin of the step whose loop opened; then farther in the same
-/// sense while the margin grows, in at most eight steps.
+/// The neighbour at another input: the one with the largest margin of the step whose loop opened; then farther in the
+/// same sense while the margin grows, in at most eight steps.
 fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assembled> {
     let margin = |one: &Assembled| one.margin(open.step);
     let better = |a: &Assembled, b: &Assembled| margin(a).total_cmp(&margin(b));

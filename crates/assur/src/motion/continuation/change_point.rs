@@ -8,8 +8,8 @@ use crate::{Jet, tolerance};
 
 /// Distance of a change point, relative to the span of the input, at which it is recognized and passed.
 const WINDOW: f64 = 1e-3;
-/// Distance, relative to the span, within which margins near a change point have too few digits; poses ahead are probed as
-/// far.
+/// Distance, relative to the span, within which margins near a change point have too few digits; poses ahead are probed
+/// as far.
 pub(super) const PROBE_DISTANCE: f64 = 1e-5;
 /// Relative rounding of a margin that is zero.
 const ZERO_MARGIN: f64 = 16.0 * ROUNDING;
@@ -198,9 +198,9 @@ impl Continuation<'_> {
         true
     }
 
-    /// Solves the trial pose beyond a change point, with the signs there, as far from it as the current pose but not beyond
-    /// the input at which the motion may repeat. Returns the pose in line and the trial input; none if the step is not
-    /// certified.
+    /// Solves the trial pose beyond a change point, with the signs there, as far from it as the current pose but not
+    /// beyond the input at which the motion may repeat. Returns the pose in line and the trial input; none if the step
+    /// is not certified.
     fn solve_past(&mut self, found: &ChangePoint, sense: f64) -> Option<(Predictor, f64)> {
         let least = PROBE_DISTANCE * self.mechanism.span();
         let [before, left] =

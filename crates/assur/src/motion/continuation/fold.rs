@@ -1,10 +1,10 @@
-//! Folds of a group: two of its assemblies meet, and the driver must turn back. The poses of a group with their inputs lie
-//! on a curve that is smooth there. Along it the fold is the simple root of the rate of the input, as exact as the
+//! Folds of a group: two of its assemblies meet, and the driver must turn back. The poses of a group with their inputs
+//! lie on a curve that is smooth there. Along it the fold is the simple root of the rate of the input, as exact as the
 //! equations.
 //!
-//! The curve is followed by Keller's pseudo-arclength continuation: a step along the tangent, and Newton's method across it.
-//! Two branches may come very close without meeting; a jump from one to the other changes the sign of the determinant of
-//! the equations bordered by the tangent.
+//! The curve is followed by Keller's pseudo-arclength continuation: a step along the tangent, and Newton's method
+//! across it. Two branches may come very close without meeting; a jump from one to the other changes the sign of the
+//! determinant of the equations bordered by the tangent.
 
 use std::cell::RefCell;
 

@@ -1,6 +1,6 @@
 //! Continuation of a motion from the drawn pose until it repeats or ends. A step is taken if it is certified
-//! ([`Enclosure`]), and halved if not. Near what no step can pass the cause is determined: a change point, a dead point, or
-//! a pose too close to a singular one.
+//! ([`Enclosure`]), and halved if not. Near what no step can pass the cause is determined: a change point, a dead
+//! point, or a pose too close to a singular one.
 
 mod change_point;
 mod fold;
@@ -32,8 +32,8 @@ const SINGULAR_SEARCH_WORK: usize = 200;
 /// Maximum work, in samples times bodies: about half a second. Hunting teeth may need more.
 const MAX_WORK: usize = 250_000;
 
-/// Maximum length of a step. The guess for a group is interpolated over it, so it is shorter there, most of all with wheels
-/// in mesh; dyads need no guess.
+/// Maximum length of a step. The guess for a group is interpolated over it, so it is shorter there, most of all with
+/// wheels in mesh; dyads need no guess.
 pub(super) fn longest_step(mechanism: &Mechanism) -> f64 {
     let samples = mechanism.steps().iter().map(|step| match step {
         Step::Group(group) if group.has_meshes() => 1.0,

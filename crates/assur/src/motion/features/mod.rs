@@ -49,8 +49,8 @@ pub struct TooManyTurns {
 }
 
 impl Motion {
-    /// Zeros and extrema of quantities and of their first two derivatives with respect to time, by [`features`]. Multiples
-    /// of one quantity are searched once. The jumps of a folded angle are neither.
+    /// Zeros and extrema of quantities and of their first two derivatives with respect to time, by [`features`].
+    /// Multiples of one quantity are searched once. The jumps of a folded angle are neither.
     ///
     /// # Errors
     /// The motion has too many turns to be searched.
@@ -112,8 +112,8 @@ impl Motion {
         searchable(self.cycle())
     }
 
-    /// The scale of tolerances for a quantity: 1 for an angle, the size of the mechanism for a coordinate, and the minimum
-    /// scale of lengths for a distance, which may be within a small part of the drawing.
+    /// The scale of tolerances for a quantity: 1 for an angle, the size of the mechanism for a coordinate, and the
+    /// minimum scale of lengths for a distance, which may be within a small part of the drawing.
     pub(super) fn unit(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::X(_) | Quantity::Y(_) => self.mechanism().size(),
@@ -126,8 +126,8 @@ impl Motion {
         }
     }
 
-    /// The scale of tolerances for lengths within a part of the drawing: the size of the part, but at least a thousandth of
-    /// the drawing, as points are rounded by 10⁻¹² of it.
+    /// The scale of tolerances for lengths within a part of the drawing: the size of the part, but at least a
+    /// thousandth of the drawing, as points are rounded by 10⁻¹² of it.
     pub(super) fn unit_within(&self, part: f64) -> f64 {
         part.max(1e-3 * self.mechanism().size())
     }
@@ -182,9 +182,9 @@ impl Motion {
     }
 }
 
-/// Zeros and extrema of quantities and of their first two derivatives with respect to time over a cycle: `motion` gives the
-/// quantities at a crank angle φ₁ from the line of the frame, `units` the scale of tolerances for each (1 for an angle, a
-/// length of the mechanism for a coordinate).
+/// Zeros and extrema of quantities and of their first two derivatives with respect to time over a cycle: `motion` gives
+/// the quantities at a crank angle φ₁ from the line of the frame, `units` the scale of tolerances for each (1 for an
+/// angle, a length of the mechanism for a coordinate).
 ///
 /// Each is a root of the quantity or of the next derivative, found by safeguarded Newton steps with exact derivatives. A
 /// constant quantity has a level instead.
@@ -295,8 +295,8 @@ struct Tolerance {
 }
 
 impl Tolerance {
-    /// The tolerance of a quantity (order 0) or a derivative of it with a scale. The rounding of a point far from the origin is
-    /// proportional to its distance, but the tolerance is not.
+    /// The tolerance of a quantity (order 0) or a derivative of it with a scale. The rounding of a point far from the
+    /// origin is proportional to its distance, but the tolerance is not.
     fn of(order: usize, scale: f64) -> Self {
         Self {
             absolute: tolerance::COINCIDENT * scale,

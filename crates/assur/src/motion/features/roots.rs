@@ -5,7 +5,8 @@ use super::samples::{Sample, Samples};
 use crate::Cycle;
 use crate::sorting::sort_by;
 
-/// The samples at which the derivative `order`, 0 or 1, of the function vanishes, within the cycle and in ascending order.
+/// The samples at which the derivative `order`, 0 or 1, of the function vanishes, within the cycle and in ascending
+/// order.
 pub(super) fn ordered_roots(
     cycle: &Cycle,
     arcs: &[Samples],

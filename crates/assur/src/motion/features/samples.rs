@@ -33,9 +33,9 @@ impl Sample {
     }
 }
 
-/// The sample inputs of each arc: even, and graded towards the inputs that `in_line` gives within it. There the crank is in line
-/// with the outer hinges of a dyad: near a change point, or if the hinges nearly meet, the motion changes within any small
-/// angle. A full cycle is centred on 0, near which floating-point numbers are densest.
+/// The sample inputs of each arc: even, and graded towards the inputs that `in_line` gives within it. There the crank
+/// is in line with the outer hinges of a dyad: near a change point, or if the hinges nearly meet, the motion changes
+/// within any small angle. A full cycle is centred on 0, near which floating-point numbers are densest.
 pub(super) fn grids(
     cycle: &Cycle,
     in_line: &dyn Fn([f64; 2]) -> Vec<f64>,
@@ -69,7 +69,8 @@ pub(super) fn grids(
     Ok(cycle.arcs().iter().copied().map(graded).collect())
 }
 
-/// Refuses a full cycle of more turns than are searched. The arc of a motion that turns back has as many as were followed.
+/// Refuses a full cycle of more turns than are searched. The arc of a motion that turns back has as many as were
+/// followed.
 pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
     let [start, end] = cycle.axis();
     let turns = ((end - start) / TAU).round() as usize;
@@ -82,9 +83,9 @@ pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
     Ok(())
 }
 
-/// Closes the samples of a full cycle; others stay as they are. Samples of a derivative remain centred on the start and end
-/// with the values of the first. Those of the function itself are reordered from start to end, with the start repeated at
-/// the end: an angle that turns fully continues from its value a cycle before.
+/// Closes the samples of a full cycle; others stay as they are. Samples of a derivative remain centred on the start and
+/// end with the values of the first. Those of the function itself are reordered from start to end, with the start
+/// repeated at the end: an angle that turns fully continues from its value a cycle before.
 pub(super) fn closed(
     cycle: &Cycle,
     mut samples: Samples,

@@ -1,5 +1,5 @@
-//! The longest arc within a band on flanks: the quantity enters on one monotone piece and leaves on another of the same sense,
-//! or on the same.
+//! The longest arc within a band on flanks: the quantity enters on one monotone piece and leaves on another of the same
+//! sense, or on the same.
 
 use super::{Dwell, OutputProfile};
 use crate::mechanism::Pose;
@@ -55,8 +55,8 @@ impl OutputProfile<'_> {
         let level = |k: usize| low + (high - low) * (k as f64 + 0.5) / LEVELS as f64;
         let mut best: Option<Dwell> = None;
         let ends = [0, LEVELS - 1].map(|k| Some((k, flank.passage(level(k))?)));
-        // Entry and exit increase with the level: no arc of a level between two is longer than from the entry at the lower to
-        // the exit at the upper.
+        // Entry and exit increase with the level: no arc of a level between two is longer than from the entry at the
+        // lower to the exit at the upper.
         let mut open = vec![(ends[0]?, ends[1]?)];
         while let Some(((a, below), (b, above))) = open.pop() {
             let longest = best.map_or(shortest, |best| best.length());
