@@ -65,7 +65,7 @@ impl Continuation<'_> {
         let [rate, acceleration] = [first * unit, second * (2.0 * unit.powi(2))];
         let tangent = rate.push(1.0).normalize() * sense;
         let mut here = curve.corrected(&value.push(self.input / unit), &tangent, 0.0)?;
-        // A quarter of the step at which the first two terms of the Taylor series are equal.
+        // A quarter of a lower bound on the radius of curvature.
         let mut step_len = 0.25 * (1.0 + rate.norm_squared()) / acceleration.norm();
         if !step_len.is_finite() {
             return None;
