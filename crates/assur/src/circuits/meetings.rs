@@ -1,45 +1,44 @@
-//! Where branches meet: which of them end in one dead point, or pass through one change point, and what that connects.
+//! Meetings of branches in a common dead point or change point, and the circuits they form.
 
 use super::domain::Domain;
 use super::{Circuits, Meeting, MeetingKind, Reach};
 use crate::mechanism::{Mechanism, Pose};
 use crate::motion::{DeadPoint, DeadPointKind, Motion};
 use crate::sorting::sort_by;
+use crate::tolerance;
 
-/// Inputs of one fold differ by no more than this part of the turn, and its poses by so much of the size: they go with
-/// the square root of how exactly it is known.
-const SAME_FOLD: f64 = 1e-6;
-const FOLDED: f64 = 1e-2;
-/// The same of change points, which are known exactly.
-const SAME_CHANGE: f64 = 1e-9;
-const CROSSED: f64 = 1e-5;
-/// So far inside its end, of its arc and of the turn, a branch is looked for that it must meet there.
-const INSIDE: f64 = 0.1;
-const MOST_INSIDE: f64 = 1e-4;
+/// Tolerance of the poses at a fold, relative to the size: ten times the square root of the tolerance of its input.
+const FOLD_TOLERANCE: f64 = 1e-2;
+/// Tolerance of the poses at a change point, which is known exactly.
+const CROSSING_TOLERANCE: f64 = 1e-5;
+/// Maximum offset from an unmatched end at which the other branch is searched, relative to the domain.
+const MAX_INWARD_OFFSET: f64 = 1e-4;
 
-/// Which branches meet.
+/// The meetings of all branches.
 #[derive(Default)]
-pub(super) struct Met {
-    pub(super) meetings: Vec<Meeting>,
-    /// Links swing freely while the driver stands, and others hang on them: what that connects is not known.
-    pub(super) unknown: bool,
-    /// Dead points that are no other branch's, each with a way from there along its branch.
-    pub(super) alone: Vec<[f64; 2]>,
+pub(super) struct Meetings {
+    pub(super) list: Vec<Meeting>,
+    /// True if links on which others depend swing freely while the driver is at rest: the branches connected by that
+    /// are not determined.
+    pub(super) incomplete: bool,
+    /// Dead points in which only one branch was found to end: the input, and an offset along that branch.
+    pub(super) unmatched: Vec<[f64; 2]>,
 }
 
 /// The end of a branch.
 struct End {
     branch: usize,
     dead: DeadPoint,
-    /// Which end of its arc it is: 0 or 1.
+    /// Index of the end of its arc: 0 or 1.
     side: usize,
-    /// A little way back from it.
+    /// A small offset back along the branch.
     back: f64,
-    told: f64,
+    /// The wrapped input.
+    wrapped: f64,
     pose: Option<Pose<1>>,
 }
 
-impl Met {
+impl Meetings {
     pub(super) fn of(motions: &[Motion], domain: &Domain) -> Self {
         let Some(first) = motions.first() else {
             return Self::default();
@@ -51,65 +50,64 @@ impl Met {
             .flat_map(|(branch, motion)| ends_of(branch, motion, domain))
             .collect();
         let mut found = Self::default();
-        found.fold(mechanism, &ends, domain);
-        found.cross(mechanism, motions, domain);
-        found.swing(mechanism, motions, domain);
-        sort_by(&mut found.meetings, |a, b| {
-            let told = [a, b].map(|meeting| domain.first_told(meeting.inputs[0]));
-            told[0].total_cmp(&told[1])
+        found.add_folds(mechanism, &ends, domain);
+        found.add_crossings(mechanism, motions, domain);
+        found.add_free_swings(mechanism, motions, domain);
+        sort_by(&mut found.list, |a, b| {
+            let [a, b] = [a, b].map(|meeting| domain.wrap(meeting.inputs[0]));
+            a.total_cmp(&b)
         });
         found
     }
 
-    /// Brings together the ends of branches that are nearest to each other.
-    fn fold(&mut self, mechanism: &Mechanism, ends: &[End], domain: &Domain) {
+    /// Adds the folds: pairs of ends of branches, nearest first.
+    fn add_folds(&mut self, mechanism: &Mechanism, ends: &[End], domain: &Domain) {
         let mut near: Vec<(f64, [usize; 2])> = Vec::new();
         for (k, one) in ends.iter().enumerate() {
             for (other_k, other) in ends.iter().enumerate().skip(k + 1) {
                 let [Some(a), Some(b)] = [&one.pose, &other.pose] else {
                     continue;
                 };
-                if one.side == other.side
-                    && domain.between(one.told, other.told) <= SAME_FOLD * domain.span()
-                {
+                let distance = domain.distance(one.wrapped, other.wrapped);
+                if one.side == other.side && distance <= tolerance::TRIPLE_ROOT * domain.span() {
                     near.push((mechanism.distance(a, b), [k, other_k]));
                 }
             }
         }
-        near.retain(|(apart, _)| *apart < FOLDED);
+        near.retain(|(distance, _)| *distance < FOLD_TOLERANCE);
         sort_by(&mut near, |a, b| a.0.total_cmp(&b.0));
-        let mut met = vec![false; ends.len()];
+        let mut matched = vec![false; ends.len()];
         for (_, pair) in near {
-            if pair.iter().any(|k| met[*k]) {
+            if pair.iter().any(|k| matched[*k]) {
                 continue;
             }
-            pair.iter().for_each(|k| met[*k] = true);
+            pair.iter().for_each(|k| matched[*k] = true);
             let pair = pair.map(|k| &ends[k]);
-            self.meetings.push(Meeting {
+            self.list.push(Meeting {
                 kind: MeetingKind::Fold,
                 branches: pair.map(|end| end.branch),
                 inputs: pair.map(|end| end.dead.input),
                 dead_point: Some(pair[0].dead),
             });
         }
-        let alone = ends.iter().zip(met).filter(|(_, met)| !met);
-        self.alone
-            .extend(alone.map(|(end, _)| [end.told, end.back]));
+        let unmatched = ends.iter().zip(matched).filter(|(_, matched)| !matched);
+        self.unmatched
+            .extend(unmatched.map(|(end, _)| [end.wrapped, end.back]));
     }
 
-    /// Finds the poses that two branches pass through.
-    fn cross(&mut self, mechanism: &Mechanism, motions: &[Motion], domain: &Domain) {
-        let passes = motions.iter().enumerate().flat_map(|(branch, motion)| {
+    /// Adds the crossings: common change points of two branches.
+    fn add_crossings(&mut self, mechanism: &Mechanism, motions: &[Motion], domain: &Domain) {
+        let change_points = motions.iter().enumerate().flat_map(|(branch, motion)| {
             let inputs = motion.change_points().iter();
             inputs.filter_map(move |input| Some((branch, *input, motion.pose::<1>(*input).ok()?)))
         });
-        let passes: Vec<(usize, f64, Pose<1>)> = passes.collect();
-        for (k, (branch, input, pose)) in passes.iter().enumerate() {
-            for (other, other_input, other_pose) in &passes[k + 1..] {
-                let told = [input, other_input].map(|input| domain.first_told(*input));
-                let is_same = domain.between(told[0], told[1]) <= SAME_CHANGE * domain.span();
-                if is_same && mechanism.distance(pose, other_pose) < CROSSED {
-                    self.meetings.push(Meeting {
+        let change_points: Vec<(usize, f64, Pose<1>)> = change_points.collect();
+        for (k, (branch, input, pose)) in change_points.iter().enumerate() {
+            for (other, other_input, other_pose) in &change_points[k + 1..] {
+                let distance = domain.distance(domain.wrap(*input), domain.wrap(*other_input));
+                let is_same = distance <= tolerance::COINCIDENT * domain.span();
+                if is_same && mechanism.distance(pose, other_pose) < CROSSING_TOLERANCE {
+                    self.list.push(Meeting {
                         kind: MeetingKind::Crossing,
                         branches: [*branch, *other],
                         inputs: [*input, *other_input],
@@ -120,13 +118,13 @@ impl Met {
         }
     }
 
-    /// In a kite coupler and rocker swing freely from one of its motions to the other.
-    fn swing(&mut self, mechanism: &Mechanism, motions: &[Motion], domain: &Domain) {
+    /// Adds the crossings of a kite, whose coupler and rocker swing freely from one motion to the other.
+    fn add_free_swings(&mut self, mechanism: &Mechanism, motions: &[Motion], domain: &Domain) {
         let inputs = mechanism
             .closed_steps()
             .filter_map(|closed| closed.free_swing());
         for input in inputs {
-            self.unknown |= !mechanism.whole_closed_form();
+            self.incomplete |= !mechanism.whole_closed_form();
             let branches = motions.iter().enumerate();
             let mut visits = branches.flat_map(|(branch, motion)| {
                 let visits = domain.visits(motion, input).into_iter();
@@ -135,7 +133,7 @@ impl Met {
             let Some((first, at)) = visits.next() else {
                 continue;
             };
-            self.meetings.extend(visits.map(|(other, input)| Meeting {
+            self.list.extend(visits.map(|(other, input)| Meeting {
                 kind: MeetingKind::Crossing,
                 branches: [first, other],
                 inputs: [at, input],
@@ -145,12 +143,13 @@ impl Met {
     }
 }
 
-/// The dead points of a motion in which it must meet another: not those in which links go off to infinity.
+/// The dead points of a motion in which it must meet another: not those at which links go to infinity.
 pub(super) fn folds(motion: &Motion) -> impl Iterator<Item = &DeadPoint> {
     let dead_points = motion.dead_points().iter();
     dead_points.filter(|dead| dead.kind.is_dead_point() && dead.kind != DeadPointKind::Parallel)
 }
 
+/// The ends of a branch at folds.
 fn ends_of<'a>(
     branch: usize,
     motion: &'a Motion,
@@ -160,20 +159,20 @@ fn ends_of<'a>(
         let mut arcs = motion.cycle().arcs().iter();
         let arc = arcs.find(|arc| arc.contains(&dead.input))?;
         let side = usize::from(arc[1] == dead.input);
-        let way = arc[1 - side] - dead.input;
-        let most = MOST_INSIDE * domain.span();
+        let inward = arc[1 - side] - dead.input;
+        let max = MAX_INWARD_OFFSET * domain.span();
         Some(End {
             branch,
             dead: *dead,
             side,
-            back: (INSIDE * way).clamp(-most, most),
-            told: domain.first_told(dead.input),
+            back: (0.1 * inward).clamp(-max, max),
+            wrapped: domain.wrap(dead.input),
             pose: motion.pose(dead.input).ok(),
         })
     })
 }
 
-/// Of each branch the number of its circuit, in no particular order.
+/// The circuit of each branch, as connected components; their numbers have no order.
 pub(super) fn circuits(branches: usize, meetings: &[Meeting]) -> Vec<usize> {
     let mut circuits: Vec<usize> = (0..branches).collect();
     for meeting in meetings {
@@ -188,43 +187,43 @@ pub(super) fn circuits(branches: usize, meetings: &[Meeting]) -> Vec<usize> {
 }
 
 impl Circuits {
-    /// Whether a branch can be reached from another, and through which meetings: the fewest.
+    /// Reachability of a branch from another, with the shortest sequence of meetings, by breadth-first search.
     pub fn reach(&self, from: usize, to: usize) -> Reach {
         if from == to {
             return Reach::SameBranch;
         }
-        let mut came: Vec<Option<usize>> = vec![None; self.branches.len()];
+        let mut reached_by: Vec<Option<usize>> = vec![None; self.branches.len()];
         let mut next = vec![from];
-        while !next.is_empty() && came.get(to).is_some_and(Option::is_none) {
-            let mut then = Vec::new();
+        while !next.is_empty() && reached_by.get(to).is_some_and(Option::is_none) {
+            let mut frontier = Vec::new();
             for branch in next {
                 for (k, meeting) in self.meetings.iter().enumerate() {
                     for other in meeting.beyond(branch) {
-                        if other != from && came[other].is_none() {
-                            came[other] = Some(k);
-                            then.push(other);
+                        if other != from && reached_by[other].is_none() {
+                            reached_by[other] = Some(k);
+                            frontier.push(other);
                         }
                     }
                 }
             }
-            next = then;
+            next = frontier;
         }
-        let (mut way, mut at) = (Vec::new(), to);
-        while let Some(Some(k)) = came.get(at) {
-            way.push(*k);
+        let (mut path, mut at) = (Vec::new(), to);
+        while let Some(Some(k)) = reached_by.get(at) {
+            path.push(*k);
             at = self.meetings[*k].beyond(at).next().unwrap_or(from);
         }
-        way.reverse();
-        if way.is_empty() {
+        path.reverse();
+        if path.is_empty() {
             Reach::OtherCircuit
         } else {
-            Reach::SameCircuit(way)
+            Reach::SameCircuit(path)
         }
     }
 }
 
 impl Meeting {
-    /// The branch that one comes to there.
+    /// The other branch, if `branch` is one of the two.
     fn beyond(&self, branch: usize) -> impl Iterator<Item = usize> {
         let [one, other] = self.branches;
         let beyond = if branch == one {

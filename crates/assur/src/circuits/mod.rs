@@ -1,9 +1,9 @@
-//! All assemblies of a linkage, followed over the turn: which motions there are, where they meet, and which can be
-//! reached from each other without taking the linkage apart.
+//! Circuits and branches of a linkage: the motions of all its assemblies, their meetings, and the branches that can be
+//! reached from each other without disassembly.
 //!
-//! A *branch* is a piece of motion between two folds, or a whole cycle. A *fold* is a dead point in which two branches
-//! meet: the driver has to turn back, and the links may go on along the other. At a *crossing*, a change point, two
-//! branches pass through one pose. Branches that meet are of one *circuit* (Chase & Mirth, Circuits and branches of
+//! A *branch* is a motion between two folds, or a full cycle. A *fold* is a dead point in which two branches meet: the
+//! driver must turn back, and the links may continue on the other branch. At a *crossing*, a change point, two branches
+//! pass through one pose. Branches that meet form one *circuit* (Chase & Mirth, Circuits and branches of
 //! single-degree-of-freedom planar linkages, 1993).
 
 mod domain;
@@ -16,7 +16,7 @@ use crate::index::LinkId;
 use crate::mechanism::{Mechanism, Pose};
 use crate::motion::{DeadPoint, Motion};
 use domain::Domain;
-use meetings::Met;
+use meetings::Meetings;
 pub use numbering::NoAssembly;
 use search::Search;
 
@@ -31,29 +31,29 @@ pub struct Circuits {
     domain: Domain,
 }
 
-/// A piece of motion between two folds, or a whole cycle.
+/// A motion between two folds, or a full cycle.
 #[derive(Clone, Debug)]
 pub struct Branch {
     /// The motion, of the mechanism drawn in one of its poses.
     pub motion: Motion,
-    /// The circuit that it is of, from 0.
+    /// Index of its circuit, from 0.
     pub circuit: usize,
 }
 
 /// A pose in which two branches meet.
 #[derive(Clone, Copy, Debug)]
 pub struct Meeting {
-    /// What brings them together.
+    /// Fold or crossing.
     pub kind: MeetingKind,
-    /// The two branches, from 0; one branch twice where it crosses itself.
+    /// Indices of the two branches, from 0; equal if a branch crosses itself.
     pub branches: [usize; 2],
-    /// The input as the motion of each has it, whole turns included.
+    /// The input on each branch, with its whole turns.
     pub inputs: [f64; 2],
-    /// At a fold what stands in line: a dead point of the first branch's motion.
+    /// The dead point of a fold, with the input on the first branch.
     pub dead_point: Option<DeadPoint>,
 }
 
-/// How two branches meet.
+/// Kind of a meeting of two branches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeetingKind {
     /// Both end in a dead point.
@@ -63,7 +63,7 @@ pub enum MeetingKind {
 }
 
 impl MeetingKind {
-    /// Its name in what programs read.
+    /// Name in machine-readable output.
     pub fn code(self) -> &'static str {
         match self {
             Self::Fold => "fold",
@@ -75,27 +75,27 @@ impl MeetingKind {
 /// An assembly at an input.
 #[derive(Clone, Debug)]
 pub struct Assembled {
-    /// The branch that it is on, from 0.
+    /// Index of its branch, from 0.
     pub branch: usize,
-    /// The input as the branch's motion has it.
+    /// The input on that branch, with its whole turns.
     pub input: f64,
     /// The pose.
     pub pose: Pose<1>,
 }
 
-/// Whether one branch can be reached from another without taking the linkage apart.
+/// Reachability of one branch from another without disassembly.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reach {
-    /// They are one: the driver alone leads there.
+    /// Reached by the driver alone.
     SameBranch,
-    /// They are of one circuit: through these meetings, in this order.
+    /// Reached through these meetings, in this order.
     SameCircuit(Vec<usize>),
-    /// They are of two circuits: the links have to be taken apart.
+    /// Not reached: the branches are on different circuits.
     OtherCircuit,
 }
 
 impl Circuits {
-    /// All motions of a linkage. Assemblies are numbered by the angle of `output`, a link.
+    /// All motions of a linkage. Assemblies are numbered by the angle of the link `output`.
     pub fn of(mechanism: &Mechanism, output: LinkId) -> Self {
         let mut search = Search::new(mechanism);
         search.find_all();
@@ -105,12 +105,12 @@ impl Circuits {
             mut whole,
             ..
         } = search;
-        let Met {
-            meetings,
-            unknown,
-            alone,
-        } = Met::of(&motions, &domain);
-        whole &= !unknown && alone.is_empty();
+        let Meetings {
+            list: meetings,
+            incomplete,
+            unmatched,
+        } = Meetings::of(&motions, &domain);
+        whole &= !incomplete && unmatched.is_empty();
         let circuits = meetings::circuits(motions.len(), &meetings);
         let branches = motions.into_iter().zip(circuits);
         let branches = branches.map(|(motion, circuit)| Branch { motion, circuit });
@@ -126,28 +126,26 @@ impl Circuits {
         found
     }
 
-    /// The branches, in the order of their numbers: by the least input that each comes to, and there by their assemblies.
+    /// The branches in ascending order of their minimum inputs, and there of their assembly numbers.
     pub fn branches(&self) -> &[Branch] {
         &self.branches
     }
 
-    /// Where they meet, in ascending inputs.
+    /// The meetings, in ascending inputs.
     pub fn meetings(&self) -> &[Meeting] {
         &self.meetings
     }
 
-    /// How many circuits there are.
+    /// Number of circuits.
     pub fn count(&self) -> usize {
         self.circuits
     }
 
-    /// Whether these are all, each followed to its ends: at an input between any two ends of branches there are as many
-    /// assemblies as branches over it, and no two that are not real come so close to each other between the inputs
-    /// that were looked at that they could be for a while.
+    /// True if these are all branches, each followed to its ends: at every sampled input the numbers of assemblies and
+    /// branches agree, and between the samples no pair of complex assemblies can become real.
     ///
-    /// Not so where wheels are in mesh within a group, where a motion comes too near to a singular pose or goes on for
-    /// longer than it is followed, and where there is too much to look for. What lives over less than a millionth of
-    /// the turn may be missed.
+    /// False with wheels in mesh within a group, if a motion comes too close to a singular pose or is longer than it is
+    /// followed, or at a limit of work. A branch over less than a millionth of the turn may be missed.
     pub fn is_whole(&self) -> bool {
         self.whole
     }
@@ -157,12 +155,12 @@ impl Circuits {
         self.output
     }
 
-    /// An input as it is told first: of a crank by whole turns, so many as assemblies take to repeat.
+    /// The input reduced to the first period of the set of assemblies, of a crank a number of whole turns.
     pub fn first_told(&self, input: f64) -> f64 {
-        self.domain.first_told(input)
+        self.domain.wrap(input)
     }
 
-    /// The assemblies at an input, in the order of their numbers.
+    /// The assemblies at an input, in ascending order of their numbers.
     pub fn at(&self, input: f64) -> Vec<Assembled> {
         let branches = self.branches.iter().enumerate();
         let found = branches.flat_map(|(branch, Branch { motion, .. })| {

@@ -1,29 +1,24 @@
-//! The numbers of assemblies, branches and circuits: by the angle of the output from 0 to 2π. Neither names nor the order
-//! of links and points in a drawing count.
+//! Numbering of assemblies, branches and circuits by the angle of the output from 0 to 2π, independent of the names and
+//! the order of links and points in the drawing.
 
 use std::f64::consts::TAU;
 
 use super::domain::Domain;
-use super::order::{ALIKE, ascending};
-use super::search::SAME;
+use super::order::ascending;
 use super::{Branch, Circuits};
 use crate::index::LinkId;
 use crate::mechanism::{Assemblies, Following, Mechanism, Method, Pose};
 use crate::motion::Motion;
 use crate::sorting::{permute, sort_by, sort_by_key};
+use crate::tolerance;
 
-/// Branches begin at one input within this part of the turn.
-const SAME_BEGINNING: f64 = 1e-7;
-/// Branches that begin in one pose are told apart by this part of the way on to where something else begins or ends.
-const ON: f64 = 1e-2;
-
-/// The values by which assemblies are compared: the angle of the output; where that is alike all angles, and all
-/// coordinates relative to the size, in ascending order.
+/// Sort key of an assembly: the angle of the output, then all angles, then all coordinates relative to the size, each
+/// list in ascending order.
 fn key<const N: usize>(mechanism: &Mechanism, output: LinkId, pose: &Pose<N>) -> Vec<f64> {
-    // What is a whole turn but for rounding is none.
+    // A whole turn to rounding counts as 0.
     let angle = |link: LinkId| {
         let folded = mechanism.folded_angle(pose, link);
-        if TAU - folded <= ALIKE {
+        if TAU - folded <= tolerance::COINCIDENT {
             folded - TAU
         } else {
             folded
@@ -42,7 +37,7 @@ fn key<const N: usize>(mechanism: &Mechanism, output: LinkId, pose: &Pose<N>) ->
     key
 }
 
-/// Sorts what has a pose by its assembly.
+/// Sorts items with poses by their assembly.
 pub(super) fn sort_assemblies<T, const N: usize>(
     mechanism: &Mechanism,
     output: LinkId,
@@ -56,40 +51,41 @@ pub(super) fn sort_assemblies<T, const N: usize>(
     permute(all, ascending(&keys));
 }
 
-/// There is no assembly of that number.
+/// Error: there is no assembly of that number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoAssembly {
-    /// How many there are at the input.
+    /// Number of assemblies at the input.
     pub of: usize,
-    /// Whether these are all.
+    /// True if these are all.
     pub whole: bool,
 }
 
 impl Mechanism {
-    /// The angle of a link without whole turns: in [0, 2π).
+    /// The angle of a link modulo 2π, in [0, 2π).
     pub fn folded_angle<const N: usize>(&self, pose: &Pose<N>, link: LinkId) -> f64 {
         let angle = self.angle(pose, link).value().rem_euclid(TAU);
-        // Rounding makes a whole turn of what is a little less than none.
+        // A tiny negative angle is rounded to 2π.
         if angle < TAU { angle } else { 0.0 }
     }
 
-    /// The link by whose angle assemblies are numbered where nothing else is said: the last that is placed.
+    /// The default link by whose angle assemblies are numbered: the last one solved.
     pub fn output(&self) -> Option<LinkId> {
         let bodies = self.steps().iter().flat_map(|step| step.bodies());
         bodies.filter_map(|body| self.link_of(body)).next_back()
     }
 
-    /// Which of them a pose is, from 0.
+    /// Index of a pose among all, from 0.
     pub fn number_of(&self, pose: &Pose<1>, all: &[Pose<1>]) -> Option<usize> {
-        all.iter().position(|one| self.distance(one, pose) < SAME)
+        all.iter()
+            .position(|one| self.distance(one, pose) < tolerance::TRIPLE_ROOT)
     }
 }
 
 impl Motion {
-    /// All assemblies at an input in the order of their numbers: by the angle of a link from 0 to 2π.
+    /// All assemblies at an input in ascending order of their numbers, by the angle of a link from 0 to 2π.
     ///
-    /// The poses of this motion at the input are among them, also where they are not found otherwise; then there may be
-    /// more, unless the pose is one in which assemblies meet.
+    /// They include the poses of this motion at the input. If one of them was not found otherwise the list may be
+    /// incomplete, unless assemblies meet in that pose.
     pub fn assemblies_at(&self, input: f64, output: LinkId) -> Assemblies {
         let found = self.mechanism().assemblies_at(input, Method::Usual);
         self.numbered(found, input, output)
@@ -98,7 +94,7 @@ impl Motion {
     /// The same linkage drawn in the assembly of a number, from 0, at an input.
     ///
     /// # Errors
-    /// There is none.
+    /// There is no assembly of that number.
     pub fn in_assembly(
         &self,
         input: f64,
@@ -107,41 +103,43 @@ impl Motion {
     ) -> Result<Mechanism, NoAssembly> {
         let mechanism = self.mechanism();
         let found = mechanism.found_at::<4>(input);
-        let (mut whole, mut ways) = (found.whole, found.ways);
+        let (mut whole, mut assemblies) = (found.whole, found.ways);
         // Poses of this motion in which assemblies meet.
         let mut singular: Vec<Pose<1>> = Vec::new();
         for visit in self.visits(input) {
             let Ok(pose) = self.pose::<1>(visit) else {
                 continue;
             };
-            let is_known = ways
+            let is_known = assemblies
                 .iter()
-                .any(|(one, _)| mechanism.distance(one, &pose) < SAME);
+                .any(|(one, _)| mechanism.distance(one, &pose) < tolerance::TRIPLE_ROOT);
             if is_known || mechanism.number_of(&pose, &singular).is_some() {
                 continue;
             }
             if let Ok(pose) = self.pose::<4>(visit) {
                 whole = false;
-                ways.push((pose, self.signs_at(visit)));
+                assemblies.push((pose, self.signs_at(visit)));
             } else {
                 singular.push(pose);
             }
         }
-        let keys = ways.iter().map(|(pose, _)| key(mechanism, output, pose));
-        let met = singular.iter().map(|pose| key(mechanism, output, pose));
-        let keys: Vec<Vec<f64>> = keys.chain(met).collect();
+        let regular = assemblies
+            .iter()
+            .map(|(pose, _)| key(mechanism, output, pose));
+        let singular = singular.iter().map(|pose| key(mechanism, output, pose));
+        let keys: Vec<Vec<f64>> = regular.chain(singular).collect();
         let none = NoAssembly {
             of: keys.len(),
             whole,
         };
         let at = *ascending(&keys).get(number).ok_or(none)?;
-        match ways.get(at) {
-            Some(way) => mechanism.in_assembly(input, way).map_err(|_| none),
+        match assemblies.get(at) {
+            Some(assembly) => mechanism.in_assembly(input, assembly).map_err(|_| none),
             None => Ok(mechanism.clone()),
         }
     }
 
-    /// What is found at an input, completed by the poses of this motion there, in the order of numbers.
+    /// The assemblies found at an input and the poses of this motion there, in ascending order of their numbers.
     fn numbered(&self, mut found: Assemblies, input: f64, output: LinkId) -> Assemblies {
         let mechanism = self.mechanism();
         for visit in self.visits(input) {
@@ -157,7 +155,7 @@ impl Motion {
         found
     }
 
-    /// The inputs by which this motion is at one of the driver, by whole turns after which assemblies are the same again.
+    /// The inputs of this motion that equal a given one modulo the period of the set of assemblies.
     fn visits(&self, input: f64) -> Vec<f64> {
         let (domain, _) = Domain::of(self.mechanism());
         domain.visits(self, input)
@@ -165,22 +163,18 @@ impl Motion {
 }
 
 impl Following {
-    /// All assemblies at an input in the order of their numbers, as [`Motion::assemblies_at`] has them.
+    /// All assemblies at an input in ascending order of their numbers, as [`Motion::assemblies_at`].
     pub fn numbered(&mut self, motion: &Motion, input: f64, output: LinkId) -> Assemblies {
         let found = self.at(input);
         motion.numbered(found, input, output)
     }
 }
 
-/// The values by which branches are compared: where they begin, their assembly there, where that is none that many share,
-/// and just after it.
-type Order = Vec<f64>;
-
 impl Circuits {
-    /// Puts branches, meetings and circuits into the order of their numbers.
+    /// Sorts and numbers branches, meetings and circuits.
     pub(super) fn number(&mut self) {
         let mut numbers = vec![0; self.branches.len()];
-        for (number, at) in ascending(&self.orders()).into_iter().enumerate() {
+        for (number, at) in ascending(&self.branch_keys()).into_iter().enumerate() {
             numbers[at] = number;
         }
         let branches = numbers.iter().copied().zip(self.branches.drain(..));
@@ -193,12 +187,12 @@ impl Circuits {
                 meeting.branches.reverse();
                 meeting.inputs.reverse();
             }
-            // What stands in line is the same for both.
+            // The dead point is common to both branches; its input is that on the first.
             if let Some(dead) = &mut meeting.dead_point {
                 dead.input = meeting.inputs[0];
             }
         }
-        // Circuits in the order in which branches first name them.
+        // Circuits are numbered in the order of their first branches.
         let mut named: Vec<usize> = Vec::new();
         for branch in &mut self.branches {
             let known = named.iter().position(|circuit| *circuit == branch.circuit);
@@ -210,21 +204,23 @@ impl Circuits {
         self.circuits = named.len();
     }
 
-    fn orders(&self) -> Vec<Order> {
-        let least = |branch: &Branch| self.domain.least(&branch.motion);
-        let mut begins: Vec<f64> = self.branches.iter().map(least).collect();
-        sort_by(&mut begins, f64::total_cmp);
-        let same = SAME_BEGINNING * self.domain.span();
-        begins.dedup_by(|next, last| *next - *last < same);
-        let number = |input: f64| begins.partition_point(|begin| *begin <= input);
+    /// Sort keys of the branches: the start, the assembly there (unless it is a fold, shared with others), and the
+    /// assembly just after it.
+    fn branch_keys(&self) -> Vec<Vec<f64>> {
+        let start = |branch: &Branch| self.domain.min_input(&branch.motion);
+        let mut starts: Vec<f64> = self.branches.iter().map(start).collect();
+        sort_by(&mut starts, f64::total_cmp);
+        let same = tolerance::DISTINCT * self.domain.span();
+        starts.dedup_by(|next, last| *next - *last < same);
+        let number = |input: f64| starts.partition_point(|start| *start <= input);
         let branches = self.branches.iter();
-        let orders = branches.map(|branch| {
+        let keys = branches.map(|branch| {
             let motion = &branch.motion;
-            let least = least(branch);
+            let start = start(branch);
             let all = self.branches.iter();
             let ends = all.flat_map(|other| self.domain.ends(&other.motion));
-            let after = ends.filter(|end| *end > least + same);
-            let next = after.fold(least + self.domain.span(), f64::min);
+            let after = ends.filter(|end| *end > start + same);
+            let next = after.fold(start + self.domain.span(), f64::min);
             let key_at = |input: f64| {
                 let inputs = self.domain.visits(motion, input).into_iter();
                 let poses = inputs.filter_map(|input| motion.pose::<1>(input).ok());
@@ -233,17 +229,17 @@ impl Circuits {
                 let first = ascending(&keys).first().copied();
                 first.map_or(Vec::new(), |first| keys.swap_remove(first))
             };
-            let passes = !self.domain.ends(motion).contains(&least);
-            let at = if passes { key_at(least) } else { Vec::new() };
-            let on = key_at(least + ON * (next - least));
-            // Whether there is a key comes before it: so rows that are alike so far have the same values in a column.
-            let mut order = vec![number(least) as f64];
-            for key in [at, on] {
-                order.push(f64::from(u8::from(!key.is_empty())));
-                order.extend(key);
+            let is_end = self.domain.ends(motion).contains(&start);
+            let at_start = if is_end { Vec::new() } else { key_at(start) };
+            let just_after = key_at(start + 0.01 * (next - start));
+            // A flag for an empty key precedes it, so that the columns of equal rows correspond.
+            let mut row = vec![number(start) as f64];
+            for key in [at_start, just_after] {
+                row.push(f64::from(u8::from(!key.is_empty())));
+                row.extend(key);
             }
-            order
+            row
         });
-        orders.collect()
+        keys.collect()
     }
 }

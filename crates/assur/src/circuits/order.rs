@@ -1,31 +1,28 @@
-//! The order of rows of values, by the first that differ: values that are alike to rounding do not count, wherever they are.
+//! Lexicographic order of rows of values, with equality to rounding.
 
 use crate::sorting::sort_by;
+use crate::tolerance;
 
-/// Angles, radians, and places, relative to the size, that differ by no more are alike.
-pub(super) const ALIKE: f64 = 1e-9;
-
-/// The numbers of rows in ascending order. Rows that are alike stay in the order in which they are given.
+/// Indices of the rows in ascending order. Equal rows keep their order, and a row precedes its continuations.
 ///
-/// Values are compared with each other, not by the cells of a grid: two that differ by rounding are alike also where a
-/// cell would end between them. A row that ends before another one comes first.
+/// Values are compared with each other, not rounded to a grid: so two that differ by rounding are equal everywhere.
 pub(super) fn ascending(rows: &[Vec<f64>]) -> Vec<usize> {
     let mut order = Vec::with_capacity(rows.len());
     split(rows, (0..rows.len()).collect(), 0, &mut order);
     order
 }
 
-/// Adds those rows in ascending order that are alike in all values before a column.
-fn split(rows: &[Vec<f64>], mut alike: Vec<usize>, column: usize, order: &mut Vec<usize>) {
-    let more = alike.iter().any(|row| rows[*row].len() > column);
-    if alike.len() < 2 || !more {
-        order.extend(alike);
+/// Appends rows that are equal before a column, in ascending order.
+fn split(rows: &[Vec<f64>], mut equal: Vec<usize>, column: usize, order: &mut Vec<usize>) {
+    let more = equal.iter().any(|row| rows[*row].len() > column);
+    if equal.len() < 2 || !more {
+        order.extend(equal);
         return;
     }
     let value = |row: usize| rows[row].get(column).copied().unwrap_or(f64::NEG_INFINITY);
-    sort_by(&mut alike, |a, b| value(*a).total_cmp(&value(*b)));
-    let differs = |a: &usize, b: &usize| value(*b) - value(*a) > ALIKE;
-    for run in alike.chunk_by(|a, b| !differs(a, b)) {
+    sort_by(&mut equal, |a, b| value(*a).total_cmp(&value(*b)));
+    let differs = |a: &usize, b: &usize| value(*b) - value(*a) > tolerance::COINCIDENT;
+    for run in equal.chunk_by(|a, b| !differs(a, b)) {
         let mut run = run.to_vec();
         run.sort_unstable();
         split(rows, run, column + 1, order);
@@ -50,14 +47,14 @@ mod tests {
         assert_eq!(ascending(&rows), [2, 5, 4, 3, 1, 0]);
     }
 
-    /// Two rows whose first values differ by rounding are ordered by their second values, at the edge of any cell too.
+    /// Rows whose first values differ by rounding are ordered by their second values, at the edge of any grid cell, too.
     #[test]
     fn rounding_does_not_swap_rows() {
         for edge in 0..2_000 {
             let at = (f64::from(edge) + 0.5) * 0.5e-9;
-            for off in [-4e-16, 0.0, 4e-16] {
-                let rows = [vec![at + off, 2.0], vec![at, 1.0], vec![at + 0.5, 0.0]];
-                assert_eq!(ascending(&rows), [1, 0, 2], "{edge} {off}");
+            for rounding in [-4e-16, 0.0, 4e-16] {
+                let rows = [vec![at + rounding, 2.0], vec![at, 1.0], vec![at + 0.5, 0.0]];
+                assert_eq!(ascending(&rows), [1, 0, 2], "{edge} {rounding}");
             }
         }
     }

@@ -1,71 +1,67 @@
-//! The search for all motions: assemblies are looked for at inputs over the whole turn, each that is on no known branch
-//! is followed, and where something may be missed between two inputs it is looked for between them.
+//! Search for all motions: all assemblies are found at sample inputs, those on no known branch are followed, and further
+//! samples are inserted where a branch may have been missed.
 //!
-//! Why nothing is missed: at an input all assemblies are found. Between two ends of branches that follow each other their
-//! number cannot change, unless branches live there that were never met: two assemblies come out of one that is not
-//! real, and go back. Before they are real the two differ from their conjugates by something whose square goes to zero
-//! about evenly, so that its value and slope at an input tell where that may be. Between that input and the next one
-//! looked at it is halved until the two are met, or are seen to turn back.
+//! Completeness: between two neighbouring ends of branches the number of assemblies is constant, unless a branch inside
+//! was missed: a conjugate pair of complex assemblies becomes real there, and complex again. Outside, the squared
+//! distance of the pair goes to zero about linearly, so that its value and slope at a sample predict the input of the
+//! fold. The interval to the next sample is divided until the fold is found or the pair is seen to recede.
 
 use std::f64::consts::TAU;
 
 use super::domain::Domain;
-use super::meetings::{Met, folds};
+use super::meetings::{Meetings, folds};
 use crate::mechanism::{Found, Mechanism, Pose};
 use crate::motion::Motion;
 use crate::position::{ComplexPair, Group, Step};
 use crate::sorting::sort_by;
+use crate::tolerance;
 
-/// So many inputs are looked at in a turn, or a slide's range, whatever is found there: of dyads alone, where a look costs
-/// little, and dimensions of many let them come together and apart again within little; and with other groups.
+/// Number of samples per turn, or over a slide's range: of dyads alone, where a sample is cheap and, with many
+/// dimensions, pairs may become real over a short interval; and with other groups.
 const SAMPLES_OF_DYADS: usize = 144;
-const SAMPLES: usize = 24;
-/// Not at the first of them, where linkages are often drawn in special poses.
-const ASIDE: f64 = 0.381_966;
-/// No more inputs are looked at, nor motions followed.
-const MOST_LOOKS: usize = 2_000;
-const MOST_BRANCHES: usize = 512;
-/// Maximum number of samples of all motions, each of a body: where one link is millions of times as long as the others
-/// each motion has thousands.
-const MOST_SAMPLES: usize = 500_000;
-/// Nothing is looked for within this part of a turn.
-const LEAST: f64 = 1e-6;
-/// Where links go off to infinity nothing is looked for within this part.
-const BESIDE_INFINITY: f64 = 1e-3;
-/// So often it is looked for closer to a dead point.
-const CLOSER: i32 = 8;
-/// Two poses are one within this of the size.
-pub(super) const SAME: f64 = 1e-6;
-/// Two ways that are not real may become so before the next input that is looked at if they would within so many times
-/// the way to it …
-const FAR: f64 = 1.5;
-/// … and are those that a known branch begins with if they would not within this part of the way.
+const SAMPLES_OF_GROUPS: usize = 24;
+/// Position of a new sample in an interval, off the special poses in which linkages are often drawn.
+const GOLDEN_SECTION: f64 = 0.381_966;
+/// Maximum number of samples, of branches, and of knots times bodies: if one link is millions of times as long as the
+/// others each motion has thousands of knots.
+const MAX_SAMPLES: usize = 2_000;
+const MAX_BRANCHES: usize = 512;
+const MAX_KNOTS: usize = 500_000;
+/// Minimum interval that is divided, relative to the domain; and for links that go to infinity.
+const MIN_GAP: f64 = 1e-6;
+const MIN_GAP_AT_INFINITY: f64 = 1e-3;
+/// A complex pair counts as about to become real if its linear extrapolation reaches zero within this many gaps …
+const EXTRAPOLATION: f64 = 1.5;
+/// … and as the start of a known branch at the end of the gap unless it does so before this fraction of it.
 const EARLY: f64 = 0.8;
 
-/// What was seen at an input.
-struct Look {
+/// The assemblies at an input.
+struct Sample {
     input: f64,
     assemblies: usize,
-    unreal: Vec<ComplexPair>,
+    complex: Vec<ComplexPair>,
+    /// Squares of sines between guides: links go to infinity at their zeros.
     parallel: Vec<ComplexPair>,
 }
 
-/// A place in the turn between which and the next one something may be missed.
-struct Stop<'a> {
+/// An end of the intervals of the search: a sample, or an end of branches.
+struct Division<'a> {
     input: f64,
-    look: Option<&'a Look>,
-    /// How many branches come out of folds here, upwards and downwards.
-    begin: [usize; 2],
+    sample: Option<&'a Sample>,
+    /// Number of branches that start at a fold here, towards greater and towards smaller inputs.
+    starts: [usize; 2],
 }
 
+/// State of the search.
 pub(super) struct Search<'a> {
     mechanism: &'a Mechanism,
     pub(super) branches: Vec<Motion>,
     pub(super) domain: Domain,
+    /// True while no branch can have been missed.
     pub(super) whole: bool,
-    looks: Vec<Look>,
-    /// Of all motions, each of a body.
-    samples: usize,
+    samples: Vec<Sample>,
+    /// Number of knots times bodies of all motions.
+    knots: usize,
 }
 
 impl<'a> Search<'a> {
@@ -76,14 +72,14 @@ impl<'a> Search<'a> {
             branches: Vec::new(),
             domain,
             whole,
-            looks: Vec::new(),
-            samples: 0,
+            samples: Vec::new(),
+            knots: 0,
         }
     }
 
-    /// Finds all motions, that of the drawing first.
+    /// Finds all motions, starting with the drawn one.
     pub(super) fn find_all(&mut self) {
-        self.take(Motion::new(self.mechanism.clone()));
+        self.add(Motion::new(self.mechanism.clone()));
         let steps = self.mechanism.steps().iter();
         let groups = steps.filter_map(|step| match step {
             Step::Group(group) => Some(group),
@@ -95,7 +91,7 @@ impl<'a> Search<'a> {
         }
         let has_groups = groups.count() > 0;
         let samples = if has_groups {
-            SAMPLES
+            SAMPLES_OF_GROUPS
         } else {
             SAMPLES_OF_DYADS
         };
@@ -108,98 +104,104 @@ impl<'a> Search<'a> {
         let count = samples * turns.round().max(1.0) as usize;
         let width = (to - from) / count as f64;
         for k in 0..count {
-            self.look(from + width * (k as f64 + ASIDE));
+            self.sample(from + width * (k as f64 + GOLDEN_SECTION));
         }
         loop {
-            let mut next = self.between();
+            let mut next = self.inputs_in_gaps();
             if next.is_empty() {
-                next = self.beside_ends();
+                next = self.inputs_near_ends();
             }
             if next.is_empty() {
                 break;
             }
             for input in next {
-                self.look(input);
+                self.sample(input);
             }
-            if self.looks.len() > MOST_LOOKS || self.is_much() {
+            if self.samples.len() > MAX_SAMPLES || self.is_exhausted() {
                 self.whole = false;
                 break;
             }
         }
-        let miscounted = self.looks.iter().any(|look| {
-            let over = self.branches.iter();
-            let over = over.map(|motion| self.domain.visits(motion, look.input).len());
-            over.sum::<usize>() != look.assemblies
+        let miscounted = self.samples.iter().any(|sample| {
+            let branches = self.branches.iter();
+            let poses = branches.map(|motion| self.domain.visits(motion, sample.input).len());
+            poses.sum::<usize>() != sample.assemblies
         });
         self.whole &= !miscounted;
     }
 
-    /// Whether no more motions are to be followed.
-    fn is_much(&self) -> bool {
-        self.branches.len() > MOST_BRANCHES || self.samples > MOST_SAMPLES
+    /// True if the limit of work is reached.
+    fn is_exhausted(&self) -> bool {
+        self.branches.len() > MAX_BRANCHES || self.knots > MAX_KNOTS
     }
 
-    fn take(&mut self, motion: Motion) {
+    /// Adds a branch.
+    fn add(&mut self, motion: Motion) {
         let mut ends = motion.dead_points().iter();
         self.whole &= !ends.any(|dead| dead.kind.is_given_up());
-        self.samples += motion.knot_count() * self.mechanism.bodies().len();
+        self.knots += motion.knot_count() * self.mechanism.bodies().len();
         self.branches.push(motion);
     }
 
     /// Finds the assemblies at an input, and follows those on no known branch.
-    fn look(&mut self, input: f64) {
+    fn sample(&mut self, input: f64) {
         let found: Found<4> = self.mechanism.found_at(input);
         self.whole &= found.whole;
         let mut known = Vec::new();
         for motion in &self.branches {
-            self.put_poses(motion, input, &mut known);
+            self.append_poses(motion, input, &mut known);
         }
-        for way in &found.ways {
-            let is_here = |pose: &Pose<1>| self.mechanism.distance(&way.0, pose) < SAME;
+        for assembly in &found.ways {
+            let is_here = |pose: &Pose<1>| {
+                self.mechanism.distance(&assembly.0, pose) < tolerance::TRIPLE_ROOT
+            };
             if known.iter().any(is_here) {
                 continue;
             }
-            if self.is_much() {
+            if self.is_exhausted() {
                 self.whole = false;
                 break;
             }
-            let Ok(mechanism) = self.mechanism.in_assembly(input, way) else {
+            let Ok(mechanism) = self.mechanism.in_assembly(input, assembly) else {
                 self.whole = false;
                 continue;
             };
             let motion = Motion::new(mechanism);
             let before = known.len();
-            self.put_poses(&motion, input, &mut known);
+            self.append_poses(&motion, input, &mut known);
             if known[before..].iter().any(is_here) {
-                self.take(motion);
+                self.add(motion);
             } else {
                 self.whole = false;
             }
         }
-        let at = self.looks.partition_point(|look| look.input < input);
-        self.looks.insert(
-            at,
-            Look {
-                input,
-                assemblies: found.ways.len(),
-                unreal: found.unreal,
-                parallel: found.parallel,
-            },
-        );
+        let sample = Sample {
+            input,
+            assemblies: found.ways.len(),
+            complex: found.unreal,
+            parallel: found.parallel,
+        };
+        let at = (self.samples).partition_point(|sample| sample.input < input);
+        self.samples.insert(at, sample);
     }
 
-    /// The poses of a motion at an input.
-    fn put_poses(&self, motion: &Motion, input: f64, poses: &mut Vec<Pose<1>>) {
+    /// Appends the poses of a motion at an input.
+    fn append_poses(&self, motion: &Motion, input: f64, poses: &mut Vec<Pose<1>>) {
         let visits = self.domain.visits(motion, input).into_iter();
         poses.extend(visits.filter_map(|input| motion.pose(input).ok()));
     }
 
-    /// Where the turn is divided: what was looked at, and where branches end.
-    fn stops(&self) -> Vec<Stop<'_>> {
-        let looks = self.looks.iter().map(|look| Stop {
-            input: look.input,
-            look: Some(look),
-            begin: [0; 2],
+    /// Divisions of the domain in ascending order: samples, ends of branches and ends of the domain.
+    fn divisions(&self) -> Vec<Division<'_>> {
+        let end = |input: f64, starts: [usize; 2]| Division {
+            input,
+            sample: None,
+            starts,
+        };
+        let samples = self.samples.iter().map(|sample| Division {
+            input: sample.input,
+            sample: Some(sample),
+            starts: [0; 2],
         });
         let moving = self
             .branches
@@ -210,91 +212,83 @@ impl<'a> Search<'a> {
             arcs.flat_map(move |arc| [0, 1].map(|side| (motion, arc[side], side)))
         });
         let ends = ends.map(|(motion, input, side)| {
-            let folds = folds(motion).any(|dead| dead.input == input);
-            let mut begin = [0; 2];
-            begin[side] = usize::from(folds);
-            Stop {
-                input: self.domain.first_told(input),
-                look: None,
-                begin,
-            }
+            let mut starts = [0; 2];
+            starts[side] = usize::from(folds(motion).any(|dead| dead.input == input));
+            end(self.domain.wrap(input), starts)
         });
-        let bounds = self.domain.ends.map(|input| Stop {
-            input,
-            look: None,
-            begin: [0; 2],
-        });
-        let bounds = bounds.into_iter().filter(|_| self.domain.period.is_none());
-        let mut stops: Vec<Stop<'_>> = looks.chain(ends).chain(bounds).collect();
-        sort_by(&mut stops, |a, b| a.input.total_cmp(&b.input));
-        let same = LEAST * self.domain.span();
-        stops.dedup_by(|next, last| {
-            let is_same =
-                next.look.is_none() && last.look.is_none() && next.input - last.input < same;
+        let bounds = self.domain.ends.map(|input| end(input, [0; 2])).into_iter();
+        let bounds = bounds.filter(|_| self.domain.period.is_none());
+        let mut divisions: Vec<Division<'_>> = samples.chain(ends).chain(bounds).collect();
+        sort_by(&mut divisions, |a, b| a.input.total_cmp(&b.input));
+        let same = MIN_GAP * self.domain.span();
+        divisions.dedup_by(|next, last| {
+            let are_ends = next.sample.is_none() && last.sample.is_none();
+            let is_same = are_ends && next.input - last.input < same;
             if is_same {
-                last.begin = [0, 1].map(|side| last.begin[side] + next.begin[side]);
+                last.starts = [0, 1].map(|side| last.starts[side] + next.starts[side]);
             }
             is_same
         });
-        stops
+        divisions
     }
 
-    /// The inputs between those looked at where something may be missed.
-    fn between(&self) -> Vec<f64> {
-        let stops = self.stops();
-        let least = LEAST * self.domain.span();
-        let around = self.domain.period.map(|_| self.domain.span());
+    /// New inputs in the gaps between divisions in which a branch may have been missed.
+    fn inputs_in_gaps(&self) -> Vec<f64> {
+        let divisions = self.divisions();
+        let span = self.domain.span();
         let mut found = Vec::new();
-        for (k, low) in stops.iter().enumerate() {
-            let (high, above) = match (stops.get(k + 1), around) {
+        for (k, low) in divisions.iter().enumerate() {
+            let (high, next) = match (divisions.get(k + 1), self.domain.period) {
                 (Some(high), _) => (high, high.input),
-                (None, Some(span)) => (&stops[0], stops[0].input + span),
+                (None, Some(_)) => (&divisions[0], divisions[0].input + span),
                 (None, None) => break,
             };
-            let gap = above - low.input;
-            let unseen = match (low.look, high.look) {
+            let gap = next - low.input;
+            let may_miss = match (low.sample, high.sample) {
                 (None, None) => true,
-                _ if gap < least => false,
+                _ if gap < MIN_GAP * span => false,
                 _ => {
-                    let far = gap > BESIDE_INFINITY * self.domain.span();
-                    let may = |look: Option<&Look>, sense, known| {
-                        look.is_some_and(|look| {
-                            look.may_begin(sense, gap, known) || far && look.may_flee(sense, gap)
+                    let is_wide = gap > MIN_GAP_AT_INFINITY * span;
+                    let may_miss = |sample: Option<&Sample>, sense, known| {
+                        sample.is_some_and(|sample| {
+                            sample.may_become_real(sense, gap, known)
+                                || is_wide && sample.may_go_to_infinity(sense, gap)
                         })
                     };
-                    may(low.look, 1.0, high.begin[0]) || may(high.look, -1.0, low.begin[1])
+                    may_miss(low.sample, 1.0, high.starts[0])
+                        || may_miss(high.sample, -1.0, low.starts[1])
                 }
             };
-            if unseen {
-                found.push(self.domain.first_told(low.input + ASIDE * gap));
+            if may_miss {
+                found.push(self.domain.wrap(low.input + GOLDEN_SECTION * gap));
             }
         }
         found
     }
 
-    /// The inputs just inside those dead points at which no other branch is known to end: ever closer, as that may be a
-    /// short one.
-    fn beside_ends(&self) -> Vec<f64> {
-        let alone = Met::of(&self.branches, &self.domain).alone.into_iter();
-        let beside = alone.filter_map(|[end, back]| {
-            let mut ways = (0..CLOSER).map(|k| back * 0.125_f64.powi(k));
-            let new = |way: &f64| {
-                let mut looks = self.looks.iter();
-                let off = |look: &Look| self.domain.between(look.input, end + way);
-                !looks.any(|look| off(look) < 0.1 * way.abs())
+    /// New inputs near the dead points at which only one branch is known to end: in eight distances, as the other
+    /// branch may be short.
+    fn inputs_near_ends(&self) -> Vec<f64> {
+        let unmatched = Meetings::of(&self.branches, &self.domain).unmatched;
+        let inputs = unmatched.into_iter().filter_map(|[end, back]| {
+            let mut offsets = (0..8).map(|k| back * 0.125_f64.powi(k));
+            let is_new = |offset: &f64| {
+                let distance = |sample: &Sample| self.domain.distance(sample.input, end + offset);
+                !(self.samples.iter()).any(|sample| distance(sample) < 0.1 * offset.abs())
             };
-            ways.find(new).map(|way| self.domain.first_told(end + way))
+            let offset = offsets.find(is_new)?;
+            Some(self.domain.wrap(end + offset))
         });
-        beside.collect()
+        inputs.collect()
     }
 }
 
-impl Look {
-    /// Whether ways that are not real may become so within a gap, besides those of branches that begin behind it.
-    fn may_begin(&self, sense: f64, gap: f64, known: usize) -> bool {
+impl Sample {
+    /// True if more complex pairs may become real within a gap than the `known` branches that start at its end.
+    fn may_become_real(&self, sense: f64, gap: f64, known: usize) -> bool {
         let mut expected = 0;
-        for time in zeros(&self.unreal, sense, FAR * gap) {
-            if time < EARLY * gap {
+        for distance in zeros(&self.complex, sense, EXTRAPOLATION * gap) {
+            if distance < EARLY * gap {
                 return true;
             }
             expected += 1;
@@ -302,19 +296,18 @@ impl Look {
         expected > known
     }
 
-    /// Whether links may go off to infinity within a gap.
-    fn may_flee(&self, sense: f64, gap: f64) -> bool {
-        // A square has a double zero, twice as far as its slope tells.
-        zeros(&self.parallel, sense, 0.5 * FAR * gap)
+    /// True if links may go to infinity within a gap.
+    fn may_go_to_infinity(&self, sense: f64, gap: f64) -> bool {
+        // The double zero of a square is twice as far as its linear extrapolation.
+        zeros(&self.parallel, sense, 0.5 * EXTRAPOLATION * gap)
             .next()
             .is_some()
     }
 }
 
-/// How far on squares come to zero, by their slopes, within a way.
-fn zeros(squares: &[ComplexPair], sense: f64, within: f64) -> impl Iterator<Item = f64> {
-    let times = squares
-        .iter()
-        .map(move |one| -one.square / (one.slope * sense));
-    times.filter(move |time| (0.0..within).contains(time))
+/// Distances in a sense, less than a limit, at which the linear extrapolations of squares are zero.
+fn zeros(squares: &[ComplexPair], sense: f64, limit: f64) -> impl Iterator<Item = f64> {
+    let zero = move |pair: &ComplexPair| -pair.square / (pair.slope * sense);
+    let distances = squares.iter().map(zero);
+    distances.filter(move |distance| (0.0..limit).contains(distance))
 }

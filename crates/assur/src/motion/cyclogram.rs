@@ -1,40 +1,39 @@
-//! The cyclogram: what a quantity does over a turn, bar by bar.
+//! Cyclogram of a quantity: the sequence of rises, dwells and returns over a cycle.
 
 use super::profile::is_width;
 use super::{Dwell, OutputProfile};
 use crate::sorting::sort_by;
 
-/// What a quantity does.
+/// Kind of a phase.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PhaseKind {
-    /// It grows.
+    /// The quantity grows.
     Rise,
-    /// It stays within the tolerance.
+    /// The quantity stays within the tolerance.
     Dwell,
-    /// It falls.
+    /// The quantity falls.
     Return,
 }
 
-/// A bar of the cyclogram.
+/// A phase: one bar of the cyclogram.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phase {
-    /// What the quantity does.
+    /// Rise, dwell or return.
     pub kind: PhaseKind,
-    /// From where to where.
+    /// Inputs of its ends.
     pub arc: [f64; 2],
-    /// Its values there.
+    /// Values at its ends.
     pub values: [f64; 2],
 }
 
 impl OutputProfile<'_> {
-    /// The phases of a cycle: dwells at its extrema within a band of full width
-    /// `tolerance`, the longest first where they would overlap, and what is between
-    /// them. Empty where the tolerance is not greater than zero.
+    /// The phases of a cycle: dwells at the extrema within a band of full width `tolerance`, of overlapping ones the
+    /// longest, and the strokes between them. Empty if the tolerance is not positive.
     pub fn cyclogram(&self, tolerance: f64) -> Vec<Phase> {
         self.phases(self.touching(tolerance), tolerance)
     }
 
-    /// The same from the arcs that touch the band.
+    /// [`Self::cyclogram`] from the arcs of the extrema.
     pub(super) fn phases(&self, mut arcs: Vec<Dwell>, tolerance: f64) -> Vec<Phase> {
         let (Some(first), true) = (self.stations.first(), is_width(tolerance)) else {
             return Vec::new();
@@ -45,7 +44,7 @@ impl OutputProfile<'_> {
         }
         sort_by(&mut arcs, |a, b| b.length().total_cmp(&a.length()));
         let mut dwells: Vec<Dwell> = Vec::new();
-        let clash = |a: &Dwell, b: &Dwell| {
+        let overlap = |a: &Dwell, b: &Dwell| {
             let shifts = period.map_or([0.0; 3], |period| [-period, 0.0, period]);
             shifts
                 .iter()
@@ -53,7 +52,7 @@ impl OutputProfile<'_> {
         };
         for arc in arcs {
             let whole = period.is_some_and(|period| arc.length() >= period);
-            if !whole && arc.length() > 0.0 && !dwells.iter().any(|other| clash(&arc, other)) {
+            if !whole && arc.length() > 0.0 && !dwells.iter().any(|other| overlap(&arc, other)) {
                 dwells.push(arc);
             }
         }
@@ -74,7 +73,7 @@ impl OutputProfile<'_> {
         phases
     }
 
-    /// Rise and return between two dwells, parted at extrema.
+    /// Adds the rises and returns between two dwells, divided at extrema.
     fn strokes_between(&self, [from, to]: [f64; 2], phases: &mut Vec<Phase>) {
         let inner = self.within([from, to]).map(|[input, _]| input);
         let inner = inner.filter(|input| *input > from && *input < to);
@@ -88,15 +87,16 @@ impl OutputProfile<'_> {
         }
     }
 
+    /// A phase on an arc; rise or return if no kind is given.
     fn phase(&self, kind: Option<PhaseKind>, arc: [f64; 2]) -> Option<Phase> {
         let values = [self.value(arc[0])?, self.value(arc[1])?];
-        let moved = if values[1] > values[0] {
+        let stroke = if values[1] > values[0] {
             PhaseKind::Rise
         } else {
             PhaseKind::Return
         };
         Some(Phase {
-            kind: kind.unwrap_or(moved),
+            kind: kind.unwrap_or(stroke),
             arc,
             values,
         })

@@ -1,46 +1,43 @@
-//! Where a motion ends, and what stands in line there.
+//! Dead points: the ends of a motion.
 
 use crate::index::StepId;
 
-/// How a motion comes to an end: what is in line, or parallel.
+/// Cause of the end of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DeadPointKind {
-    /// The two links of a dyad are in line, stretched out.
+    /// The two links of a dyad are in line, stretched.
     Stretched,
-    /// They are in line, one over the other.
+    /// The two links of a dyad are in line, folded.
     Folded,
-    /// A link stands at a right angle to the guide it should drive along, or a
-    /// hinge is as far from another as the guide between them allows.
+    /// A link is perpendicular to the guide of its dyad, or the distance of two hinges is the extreme that the guide
+    /// between them allows.
     Perpendicular,
-    /// Two guides have become parallel.
+    /// Two guides are parallel.
     Parallel,
-    /// A group of Class III or higher comes to a position in which its links can
-    /// move while the rest stands.
+    /// Singular pose of a group of Class III or higher: its links can move while the others are at rest.
     Singular,
-    /// A redundant constraint of a group does not hold any further: its links lock.
+    /// A redundant constraint of a group no longer holds: its links lock.
     Locked,
     /// The end of a driven slide's range: no dead point of the linkage.
     Range,
-    /// A pose so near to a singular one, or to another branch of the motion, that it cannot be told how the motion
-    /// goes on: no dead point that is known.
+    /// A pose so close to a singular one, or to another branch, that the continuation is uncertain: no known dead point.
     NearSingular,
-    /// The motion goes on for longer, or needs smaller steps, than it is followed: no dead point.
+    /// The limit of work: the motion goes on farther, or needs smaller steps, than it is followed. No dead point.
     Unfollowed,
 }
 
 impl DeadPointKind {
-    /// Whether links of the linkage stand in the driver's way there: not where its range ends, or it is followed no
-    /// further.
+    /// True if the linkage itself stops the driver: not at the end of its range, nor where the motion is given up.
     pub fn is_dead_point(self) -> bool {
         !matches!(self, Self::Range) && !self.is_given_up()
     }
 
-    /// Whether the motion goes on from there, or may do so, and is followed no further.
+    /// True if the motion goes on, or may go on, and is not followed further.
     pub fn is_given_up(self) -> bool {
         matches!(self, Self::NearSingular | Self::Unfollowed)
     }
 
-    /// Its name in what programs read.
+    /// Name in machine-readable output.
     pub fn code(self) -> &'static str {
         match self {
             Self::Stretched => "stretched",
@@ -56,12 +53,12 @@ impl DeadPointKind {
     }
 }
 
-/// Where the driver can go no further.
+/// A pose at which the driver must turn back, or the motion is given up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeadPoint {
     /// The input.
     pub input: f64,
-    /// What is in line.
+    /// The cause.
     pub kind: DeadPointKind,
     pub(crate) step: StepId,
 }

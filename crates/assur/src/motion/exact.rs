@@ -8,26 +8,26 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{DeadPointKind, Motion};
 use crate::mechanism::{Defect, DriverSpec, FRAME, LinkageSpec, Mechanism};
-use crate::{Point, Vector};
+use crate::{Point, Vector, tolerance};
 
-/// Maximum move of a point, relative to the size of the drawing.
+/// Maximum displacement of a point, relative to the size of the drawing.
 pub const NEARLY: f64 = 1e-3;
-/// Number of poses on each side of the drawing, the angle of the crank between them, and the steps between two.
+/// Number of poses on each side of the drawing, the angle of the crank between them, radians, and the steps between two.
 const POSES: usize = 4;
-const APART: f64 = 0.15;
+const POSE_ANGLE: f64 = 0.15;
 const STEPS: usize = 4;
-/// Maximum number of steps, and tolerance of the residuals relative to the square of the size.
-const MOST_STEPS: usize = 40;
-const CONVERGED: f64 = 1e-15;
+/// Maximum number of Gauss–Newton steps.
+const MAX_NEWTON_STEPS: usize = 40;
 /// Weight of a change of the drawing relative to one of a pose.
-const FREE: f64 = 1e2;
-/// Tolerance of parallel links in the mean of the poses, radians: one of them may be close to a singular pose and inexact.
+const DRAWING_WEIGHT: f64 = 1e2;
+/// Tolerance of parallel links in the mean of the poses, radians: one of them may be close to a singular pose and
+/// inexact.
 const PARALLEL: f64 = 2e-3;
-/// Relative sizes, tried in turn, of the singular values that are taken for zero where poses are first looked for: near a
-/// singular pose the error of the drawing is not to grow.
-const NEAR_SINGULAR: [f64; 3] = [1e-3, 1e-2, 3e-4];
-/// Relative tolerances of the rank, tried in turn: the size of the singular values that vanish at the solution depends
-/// on the mechanism.
+/// Relative tolerances of the rank for the initial poses, tried in turn: near a singular pose they keep the error of the
+/// drawing from growing.
+const INITIAL_RANKS: [f64; 3] = [1e-3, 1e-2, 3e-4];
+/// Relative tolerances of the rank for the solution, tried in turn: the singular values that vanish there depend on the
+/// mechanism.
 const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
 
 /// An exact drawing.
@@ -35,15 +35,15 @@ const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
 pub struct MadeExact {
     /// The drawing.
     pub spec: LinkageSpec,
-    /// The greatest distance by which a point has moved.
+    /// Maximum displacement of a point.
     pub by: f64,
-    /// The point that has moved farthest.
+    /// The point with the maximum displacement.
     pub point: String,
 }
 
 impl LinkageSpec {
-    /// The drawing moved by as little as makes its redundant constraints hold over a motion. None if it is no linkage
-    /// with a crank on the frame and too many constraints, or if it would move by more than [`NEARLY`] of its size.
+    /// The nearest drawing whose redundant constraints hold over a motion. None unless this is an overconstrained
+    /// linkage with a crank on the frame, or if a point would move farther than [`NEARLY`] of its size.
     pub fn made_exact(&self) -> Option<MadeExact> {
         let refused = Mechanism::new(self).err()?;
         let locked =
@@ -51,15 +51,15 @@ impl LinkageSpec {
         if !refused.iter().all(locked) {
             return None;
         }
-        NEAR_SINGULAR.into_iter().find_map(|least| {
+        INITIAL_RANKS.into_iter().find_map(|initial_rank| {
             let mut system = System::new(self)?;
-            let start = system.start(least)?;
+            let start = system.start(initial_rank)?;
             let mut ranks = RANKS.into_iter();
             ranks.find_map(|rank| self.moved(system.solved(start.clone(), rank)?))
         })
     }
 
-    /// The drawing with its points in other places, if it moves then and is nowhere locked.
+    /// The drawing with its points at other places, if it moves and does not lock.
     fn moved(&self, places: Vec<Point>) -> Option<MadeExact> {
         let size = self.size();
         let mut spec = self.clone();
@@ -85,7 +85,7 @@ impl LinkageSpec {
     }
 }
 
-/// A quantity that stays constant, of points by their numbers.
+/// A quantity of points, given by index, that is constant over the motion.
 enum Constant {
     /// |p − q|².
     Distance([usize; 2]),
@@ -100,11 +100,11 @@ enum Constant {
 /// The constraints of a drawing whose crank turns about a point of the frame.
 struct System {
     drawn: Vec<Vector>,
-    /// Whether a point is one of the frame.
+    /// True for points of the frame.
     fixed: Vec<bool>,
     constants: Vec<Constant>,
-    /// Two points of each link that has two.
-    ways: Vec<[usize; 2]>,
+    /// The first two points of each link that has two.
+    lines: Vec<[usize; 2]>,
     /// The centre of the crank and a point on it.
     crank: [usize; 2],
     size: f64,
@@ -132,14 +132,14 @@ impl System {
         let crank = crank?;
         let centre = crank.iter().copied().find(|point| fixed[*point])?;
         let pin = crank.iter().copied().find(|point| *point != centre)?;
-        let (mut constants, mut ways) = (Vec::new(), Vec::new());
+        let (mut constants, mut lines) = (Vec::new(), Vec::new());
         for link in &spec.links {
             let points: Option<Vec<usize>> = link.points.iter().map(index).collect();
             let points = points?;
             if let [first, second, ..] = points[..] {
-                ways.push([first, second]);
+                lines.push([first, second]);
                 constants.push(Constant::Distance([first, second]));
-                // Distances alone do not tell on which side of the line of the first two a further point is.
+                // Distances alone leave open on which side of the line of the first two a further point is.
                 for point in &points[2..] {
                     let four = [first, second, first, *point];
                     constants.extend([Constant::Dot(four), Constant::Cross(four)]);
@@ -160,39 +160,39 @@ impl System {
             drawn: spec.points.iter().map(|point| point.at.coords).collect(),
             fixed,
             constants,
-            ways,
+            lines,
             crank: [centre, pin],
             size: spec.size(),
         })
     }
 
-    /// The column of a point in a pose; pose 0 is the drawing, which has the points of the frame for all.
+    /// The column of a point in a pose. Pose 0 is the drawing; it holds the points of the frame for all poses.
     fn column(&self, pose: usize, point: usize) -> usize {
         let pose = if self.fixed[point] { 0 } else { pose };
         2 * (pose * self.drawn.len() + point)
     }
 
-    /// The residuals of poses at angles of the crank from the drawing, and their derivatives.
+    /// The residuals of poses at crank angles from the drawing, and their Jacobian.
     fn residuals(&self, at: &DVector<f64>, angles: &[f64]) -> (DVector<f64>, DMatrix<f64>) {
         let rows = angles.len() * (self.constants.len() + 1);
         let mut residuals = DVector::zeros(rows);
-        let mut slopes = DMatrix::zeros(rows, at.len());
+        let mut jacobian = DMatrix::zeros(rows, at.len());
         let place = |column: usize| Vector::new(at[column], at[column + 1]);
         let mut row = 0;
         for (k, angle) in angles.iter().enumerate() {
             for constant in &self.constants {
                 for (pose, sign) in [(k + 1, 1.0), (0, -1.0)] {
                     let column = |point: usize| self.column(pose, point);
-                    let mut add = |point: usize, by: Vector| {
-                        slopes[(row, column(point))] += sign * by.x;
-                        slopes[(row, column(point) + 1)] += sign * by.y;
+                    let mut add = |point: usize, gradient: Vector| {
+                        jacobian[(row, column(point))] += sign * gradient.x;
+                        jacobian[(row, column(point) + 1)] += sign * gradient.y;
                     };
                     match *constant {
                         Constant::Distance([p, q]) => {
-                            let way = place(column(p)) - place(column(q));
-                            residuals[row] += sign * way.norm_squared();
-                            add(p, way * 2.0);
-                            add(q, way * -2.0);
+                            let v = place(column(p)) - place(column(q));
+                            residuals[row] += sign * v.norm_squared();
+                            add(p, v * 2.0);
+                            add(q, v * -2.0);
                         }
                         Constant::Cross([a, b, r, s]) => {
                             let u = place(column(b)) - place(column(a));
@@ -213,9 +213,9 @@ impl System {
                             add(r, -u);
                         }
                         Constant::Along([a, b], axis) => {
-                            let way = place(column(b)) - place(column(a));
+                            let v = place(column(b)) - place(column(a));
                             let unit = Vector::ith(axis, self.size);
-                            residuals[row] += sign * way.dot(&unit);
+                            residuals[row] += sign * v.dot(&unit);
                             add(b, unit);
                             add(a, -unit);
                         }
@@ -223,7 +223,7 @@ impl System {
                 }
                 row += 1;
             }
-            // The crank has turned by the angle.
+            // Rotation of the crank by the angle.
             let [centre, pin] = self.crank;
             let [pivot, then, now] =
                 [(0, centre), (0, pin), (k + 1, pin)].map(|(pose, point)| self.column(pose, point));
@@ -232,25 +232,25 @@ impl System {
             let turned = Vector::new(cos * drawn.x - sin * drawn.y, sin * drawn.x + cos * drawn.y);
             let v = place(now) - place(pivot);
             residuals[row] = turned.perp(&v);
-            for (column, by) in [
+            for (column, gradient) in [
                 (now, Vector::new(-turned.y, turned.x)),
                 (
                     then,
                     Vector::new(cos * v.y - sin * v.x, -sin * v.y - cos * v.x),
                 ),
             ] {
-                for (axis, by) in [by.x, by.y].into_iter().enumerate() {
-                    slopes[(row, column + axis)] += by;
-                    slopes[(row, pivot + axis)] -= by;
+                for (axis, slope) in [gradient.x, gradient.y].into_iter().enumerate() {
+                    jacobian[(row, column + axis)] += slope;
+                    jacobian[(row, pivot + axis)] -= slope;
                 }
             }
             row += 1;
         }
-        (residuals, slopes)
+        (residuals, jacobian)
     }
 
-    /// The drawing with poses around it that nearly fulfil the constraints, and their angles of the crank.
-    fn start(&mut self, least: f64) -> Option<(DVector<f64>, Vec<f64>)> {
+    /// The drawing with poses around it that nearly fulfil the constraints, and their crank angles.
+    fn start(&mut self, rank: f64) -> Option<(DVector<f64>, Vec<f64>)> {
         let drawn = self.drawn.iter().flat_map(|place| [place.x, place.y]);
         let drawn: Vec<f64> = drawn.collect();
         let width = drawn.len();
@@ -259,12 +259,12 @@ impl System {
         for sense in [1.0, -1.0] {
             let [mut before, mut pose] = [0, 1].map(|_| drawn.clone());
             for step in 1..=POSES * STEPS {
-                let angle = sense * APART * step as f64 / STEPS as f64;
-                // By extrapolation a change point is passed on the same branch.
-                let ahead = pose.iter().zip(&before).map(|(now, then)| 2.0 * now - then);
-                let both = drawn.iter().copied().chain(ahead);
+                let angle = sense * POSE_ANGLE * step as f64 / STEPS as f64;
+                // Extrapolation stays on the branch at a change point.
+                let extrapolated = pose.iter().zip(&before).map(|(now, then)| 2.0 * now - then);
+                let both = drawn.iter().copied().chain(extrapolated);
                 let both = DVector::from_iterator(2 * width, both);
-                let next = self.nearest(both, &[angle], [0.0, least])?;
+                let next = self.nearest(both, &[angle], [0.0, rank])?;
                 before = std::mem::replace(&mut pose, next.as_slice()[width..].to_vec());
                 if step % STEPS == 0 {
                     angles.push(angle);
@@ -272,8 +272,8 @@ impl System {
                 }
             }
         }
-        // Were an exact drawing this near, its poses would leave no more. Most locked drawings end here, before the large
-        // systems.
+        // Bound on the residuals if an exact drawing is within `NEARLY`: most locked drawings end here, before the
+        // large systems.
         let all = DVector::from_vec(all);
         let (residuals, _) = self.residuals(&all, &angles);
         let most = 4.0 * NEARLY * self.size.powi(2) * (residuals.len() as f64).sqrt();
@@ -288,7 +288,7 @@ impl System {
     fn solved(&self, (start, angles): (DVector<f64>, Vec<f64>), rank: f64) -> Option<Vec<Point>> {
         let exact = self.nearest(start, &angles, [1.0, rank])?;
         let (residuals, _) = self.residuals(&exact, &angles);
-        let closes = residuals.amax() <= 1e-12 * self.size * self.size;
+        let closes = residuals.amax() <= tolerance::NEGLIGIBLE * self.size * self.size;
         closes.then(|| {
             let places = exact.as_slice()[..2 * self.drawn.len()].chunks_exact(2);
             places.map(|at| Point::new(at[0], at[1])).collect()
@@ -299,8 +299,8 @@ impl System {
     /// drawing is a double root.
     fn keep_parallel(&mut self, all: &[f64]) {
         let width = 2 * self.drawn.len();
-        let turns_alike = |one: Option<[usize; 2]>, other: [usize; 2]| {
-            let turn = |pose: usize, [a, b]: [usize; 2]| {
+        let stay_parallel = |one: Option<[usize; 2]>, other: [usize; 2]| {
+            let vector = |pose: usize, [a, b]: [usize; 2]| {
                 let place = |point: usize| {
                     let column = self.column(pose, point);
                     Vector::new(all[column], all[column + 1])
@@ -309,34 +309,35 @@ impl System {
             };
             let poses = 1..all.len() / width;
             let count = poses.len() as f64;
-            let off = poses.map(|pose| {
-                let turned = |way: [usize; 2]| {
-                    let [before, after] = [0, pose].map(|pose| turn(pose, way));
+            let deviations = poses.map(|pose| {
+                let rotation = |line: [usize; 2]| {
+                    let [before, after] = [0, pose].map(|pose| vector(pose, line));
                     before.perp(&after).atan2(before.dot(&after))
                 };
-                let off = turned(other) - one.map_or(0.0, turned);
-                2.0 * (0.5 * off).sin().abs()
+                let difference = rotation(other) - one.map_or(0.0, rotation);
+                2.0 * (0.5 * difference).sin().abs()
             });
-            off.sum::<f64>() <= PARALLEL * count
+            deviations.sum::<f64>() <= PARALLEL * count
         };
         let mut parallel = Vec::new();
-        for (k, way) in self.ways.iter().enumerate() {
-            if turns_alike(None, *way) {
-                parallel.extend([0, 1].map(|axis| Constant::Along(*way, axis)));
+        for (k, line) in self.lines.iter().enumerate() {
+            if stay_parallel(None, *line) {
+                parallel.extend([0, 1].map(|axis| Constant::Along(*line, axis)));
                 continue;
             }
-            let mate = self.ways[..k]
+            let mate = self.lines[..k]
                 .iter()
-                .find(|mate| turns_alike(Some(**mate), *way));
+                .find(|mate| stay_parallel(Some(**mate), *line));
             if let Some([a, b]) = mate {
-                let four = [*a, *b, way[0], way[1]];
+                let four = [*a, *b, line[0], line[1]];
                 parallel.extend([Constant::Dot(four), Constant::Cross(four)]);
             }
         }
         self.constants.extend(parallel);
     }
 
-    /// The place nearest to a solution that least squares come to, the drawing moved freely (1) or not at all (0), with singular values zero below a part of the greatest.
+    /// The least-squares solution nearest to a start by the Gauss–Newton method, with the drawing free (1) or fixed
+    /// (0), and singular values below `rank` of the largest taken as zero.
     fn nearest(
         &self,
         mut at: DVector<f64>,
@@ -344,26 +345,31 @@ impl System {
         [drawing, rank]: [f64; 2],
     ) -> Option<DVector<f64>> {
         let width = 2 * self.drawn.len();
-        let scale = |column: usize| if column < width { drawing } else { FREE };
-        for _ in 0..MOST_STEPS {
-            let (residuals, mut slopes) = self.residuals(&at, angles);
-            if residuals.amax() <= CONVERGED * self.size * self.size {
+        let scale = |column: usize| {
+            if column < width {
+                drawing
+            } else {
+                DRAWING_WEIGHT
+            }
+        };
+        for _ in 0..MAX_NEWTON_STEPS {
+            let (residuals, mut jacobian) = self.residuals(&at, angles);
+            if residuals.amax() <= tolerance::EXACT * self.size * self.size {
                 break;
             }
-            for (column, mut slope) in slopes.column_iter_mut().enumerate() {
-                slope *= scale(column);
+            for (column, mut derivative) in jacobian.column_iter_mut().enumerate() {
+                derivative *= scale(column);
             }
-            let svd = slopes.svd(true, true);
-            let least = rank * svd.singular_values.max();
-            let step = svd.solve(&residuals, least).ok()?;
-            for (column, by) in step.iter().enumerate() {
-                at[column] -= scale(column) * by;
+            let svd = jacobian.svd(true, true);
+            let zero = rank * svd.singular_values.max();
+            let step = svd.solve(&residuals, zero).ok()?;
+            for (column, change) in step.iter().enumerate() {
+                at[column] -= scale(column) * change;
             }
             if !at.iter().all(|x| x.is_finite()) {
                 return None;
             }
-            let most = step.amax();
-            if most <= f64::EPSILON * self.size {
+            if step.amax() <= f64::EPSILON * self.size {
                 break;
             }
         }

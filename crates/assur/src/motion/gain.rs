@@ -1,4 +1,4 @@
-//! What angles gain in a full cycle: whole turns, or of wheels their ratio times those of what drives them.
+//! Growth of angles over a full cycle: whole turns, times the gear ratio for driven wheels.
 
 use std::f64::consts::TAU;
 
@@ -6,37 +6,34 @@ use super::Motion;
 use crate::index::LinkId;
 use crate::mechanism::{Pose, Quantity};
 
-/// How far from the end of a cycle angles are taken, as a share of it. The end itself is the start again, where a deltoid
-/// has no pose: the rate leads from just before it to just after.
-const BESIDE: [f64; 3] = [1e-6, 1e-5, 1e-4];
-
-/// The poses just before and just after the end of a full cycle.
+/// The poses just before and just after the end of a full cycle. At the end itself a deltoid has no pose, so the angle
+/// just after it is extrapolated from just before by the rate.
 pub(super) struct Seam<'a> {
     motion: &'a Motion,
     period: f64,
-    /// The poses, and how far they are from the end; none where there are no such poses.
-    beside: Option<([Pose<3>; 2], f64)>,
+    /// The poses, and their offset from the end.
+    poses: Option<([Pose<3>; 2], f64)>,
 }
 
 impl Motion {
     /// The end of a full cycle of this period.
     pub(super) fn seam(&self, period: f64) -> Seam<'_> {
-        let mut beside = BESIDE.into_iter().map(|share| share * period);
-        let beside = beside.find_map(|beside| {
-            let [before, after] = [period - beside, beside].map(|input| self.pose(input).ok());
-            Some(([before?, after?], beside))
+        let mut offsets = [1e-6, 1e-5, 1e-4].into_iter().map(|offset| offset * period);
+        let poses = offsets.find_map(|offset| {
+            let [before, after] = [period - offset, offset].map(|input| self.pose(input).ok());
+            Some(([before?, after?], offset))
         });
-        debug_assert!(beside.is_some(), "a full cycle has poses beside its end");
+        debug_assert!(poses.is_some(), "a full cycle has poses near its end");
         Seam {
             motion: self,
             period,
-            beside,
+            poses,
         }
     }
 }
 
 impl Seam<'_> {
-    /// What a quantity has gained when the cycle is over: 0 of what is no angle, or folded.
+    /// Growth of a quantity over the cycle: 0 unless it is an unfolded angle.
     pub(super) fn gain(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::Angle(link) => self
@@ -53,16 +50,17 @@ impl Seam<'_> {
         }
     }
 
+    /// Growth of the angle of a link.
     fn gain_of(&self, link: LinkId) -> f64 {
         let mechanism = self.motion.mechanism();
-        let turned = mechanism.multiple_of(link);
-        let Some((poses, beside)) = &self.beside else {
+        let multiple = mechanism.multiple_of(link);
+        let Some((poses, offset)) = &self.poses else {
             return 0.0;
         };
         let [before, after] = poses
             .each_ref()
-            .map(|pose| mechanism.angle(pose, turned.of));
-        let end = before.value() + before.derivative(1) * 2.0 * beside;
-        turned.factor * TAU * ((end - after.value()) / TAU).round()
+            .map(|pose| mechanism.angle(pose, multiple.of));
+        let end = before.value() + before.derivative(1) * 2.0 * offset;
+        multiple.factor * TAU * ((end - after.value()) / TAU).round()
     }
 }

@@ -1,39 +1,36 @@
-//! At which inputs a table of a motion has its rows: in the order of the motion's own range, both its ends
-//! among them.
+//! Inputs of the rows of a table: a grid over the range of a motion, with both its ends.
 
 use super::Motion;
-
-/// Inputs nearer to each other, in steps, are one.
-const NEAR: f64 = 1e-9;
+use crate::tolerance;
 
 /// The input of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct At {
-    /// As the reader counts it.
+    /// In the reader's unit.
     pub counted: f64,
-    /// As the engine has it: radians of a crank, else in the unit of the lengths.
+    /// In the engine's unit: radians of a crank, or the unit of lengths.
     pub input: f64,
 }
 
 /// Inputs at whole steps from an origin.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid {
-    /// One unit of the reader's in the engine's: π/180 where degrees are counted.
+    /// The reader's unit in the engine's: π/180 for degrees.
     pub unit: f64,
-    /// From where steps are counted, as the reader counts.
+    /// Origin of the steps, in the reader's unit.
     pub origin: f64,
-    /// The step, greater than zero, as the reader counts.
+    /// The step, positive, in the reader's unit.
     pub step: f64,
 }
 
 impl At {
-    /// An input that the reader names.
+    /// An input given in the reader's unit.
     pub fn counted(counted: f64, unit: f64) -> Self {
         let input = counted * unit;
         Self { counted, input }
     }
 
-    /// An input of the engine.
+    /// An input given in the engine's unit.
     pub fn of(input: f64, unit: f64) -> Self {
         let counted = decimal(input / unit);
         Self { counted, input }
@@ -41,20 +38,20 @@ impl At {
 }
 
 impl Motion {
-    /// The arcs of the motion, ascending, in a unit of the reader.
+    /// The arcs of the motion, ascending, in the reader's unit.
     pub fn arcs_in(&self, unit: f64) -> Vec<[At; 2]> {
         let arcs = self.cycle.arcs().iter();
         arcs.map(|arc| arc.map(|end| At::of(end, unit))).collect()
     }
 
-    /// The inputs at which the motion turns back, ascending, in a unit of the reader.
+    /// The inputs at which the motion turns back, ascending, in the reader's unit.
     pub fn ends_in(&self, unit: f64) -> Vec<At> {
         let turns_back = !self.cycle.is_full();
         let arcs = self.arcs_in(unit).into_iter().filter(|_| turns_back);
         arcs.flatten().collect()
     }
 
-    /// The inputs of a grid over the whole motion, with those at which it turns back.
+    /// The inputs of a grid over the whole motion, including those at which it turns back.
     pub fn rows(&self, grid: Grid) -> impl Iterator<Item = At> + use<> {
         let ends = self.ends_in(grid.unit);
         let arcs = self.arcs_in(grid.unit).into_iter();
@@ -63,17 +60,22 @@ impl Motion {
 }
 
 impl Grid {
-    /// Its inputs within a stretch and those of the ends that are within, ascending.
+    /// The inputs of the grid within an arc and the ends within it, ascending. Of a grid point and an end that coincide
+    /// only the end is kept.
     pub fn rows(self, [first, last]: [At; 2], ends: &[At]) -> impl Iterator<Item = At> + use<> {
         let Self { unit, origin, step } = self;
         let within = |end: &&At| (first.input..=last.input).contains(&end.input);
         let ends: Vec<At> = ends.iter().filter(within).copied().collect();
         let index = |at: At| (at.counted - origin) / step;
-        let [low, high] = [(index(first) - NEAR).ceil(), (index(last) + NEAR).floor()];
+        let [low, high] = [
+            (index(first) - tolerance::COINCIDENT).ceil(),
+            (index(last) + tolerance::COINCIDENT).floor(),
+        ];
         let count = (high - low + 1.0).max(0.0) as u64;
-        let beside: Vec<f64> = ends.iter().map(|end| index(*end)).collect();
+        let ends_at: Vec<f64> = ends.iter().map(|end| index(*end)).collect();
+        let coincide = |end: f64, k: f64| (end - k).abs() <= tolerance::COINCIDENT;
         let rows = (0..count).map(move |k| low + k as f64);
-        let rows = rows.filter(move |k| beside.iter().all(|end| (end - k).abs() > NEAR));
+        let rows = rows.filter(move |k| !ends_at.iter().any(|end| coincide(*end, *k)));
         let rows = rows.map(move |k| {
             let At { counted, input } = At::counted(decimal(origin + decimal(k * step)), unit);
             At {
@@ -85,7 +87,7 @@ impl Grid {
     }
 }
 
-/// Both in one, ascending.
+/// Merges two ascending sequences.
 fn merged(rows: impl Iterator<Item = At>, ends: Vec<At>) -> impl Iterator<Item = At> {
     let mut rows = rows.peekable();
     let mut ends = ends.into_iter().peekable();
@@ -96,10 +98,10 @@ fn merged(rows: impl Iterator<Item = At>, ends: Vec<At>) -> impl Iterator<Item =
     })
 }
 
-/// A multiple of a decimal step as it is written: 3 × 0.1 is 0.3.
+/// A multiple of a decimal step without its rounding: 3 × 0.1 is 0.3.
 fn decimal(value: f64) -> f64 {
     let rounded = (value * 1e9).round() / 1e9;
-    if (rounded - value).abs() <= 1e-14 * value.abs() {
+    if (rounded - value).abs() <= tolerance::CONVERGED * value.abs() {
         rounded
     } else {
         value
@@ -111,7 +113,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn multiples_of_decimal_steps_are_as_they_are_written() {
+    fn multiples_of_decimal_steps_have_no_rounding() {
         assert_eq!(decimal(3.0 * 0.1), 0.3);
         assert_eq!(decimal(89.99999999999999), 90.0);
         assert_eq!(decimal(89.999999999), 89.999999999);
@@ -136,13 +138,13 @@ mod tests {
             rows(grid(0.0, 10.0), -12.5, 15.0, &[-12.5, 15.0]),
             [-12.5, -10.0, 0.0, 10.0, 15.0]
         );
-        // An end on the grid is one row, as the engine has it.
+        // An end on the grid is one row, with the exact input of the end.
         let near = 20.0 - 1e-12;
         assert_eq!(
             rows(grid(0.0, 10.0), 0.0, near, &[0.0, near]),
             [0.0, 10.0, near]
         );
-        // Ends outside are none, those between are rows too.
+        // Ends outside the arc are dropped, those inside are rows.
         assert_eq!(
             rows(grid(1.5, 1.0), 1.5, 4.0, &[-3.0, 2.25, 5.0]),
             [1.5, 2.25, 2.5, 3.5]

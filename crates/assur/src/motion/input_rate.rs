@@ -1,34 +1,30 @@
-//! The speed and acceleration of the input, which make rates by time of
-//! derivatives by the crank angle.
+//! Speed and acceleration of the input, which turn derivatives with respect to the crank angle into rates.
 
 use crate::Jet;
 
-/// How the crank turns at the instant looked at: the same speed and acceleration
-/// are taken at every crank angle.
+/// Speed and acceleration of the crank, the same at every crank angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputRate {
-    /// ω₁, radians in a unit of time.
+    /// ω₁, radians per unit of time.
     pub speed: f64,
-    /// ε₁, radians in a unit of time squared.
+    /// ε₁, radians per unit of time squared.
     pub acceleration: f64,
 }
 
 impl InputRate {
-    /// The unit of time in which the crank turns by one radian: rates by it are
-    /// the derivatives by the crank angle.
+    /// One radian per unit of time: rates are the derivatives with respect to the crank angle.
     pub const ANALOGUES: Self = Self {
         speed: 1.0,
         acceleration: 0.0,
     };
 
-    /// The `order`-th derivative by time, 0 to 2, of what follows the crank by
-    /// `jet`: q, q′ ω₁, q″ ω₁² + q′ ε₁. After it its own first two derivatives by
-    /// the crank angle; a derivative that the jet does not carry counts as zero.
+    /// The `order`-th derivative with respect to time, 0 to 2, of a function of the crank angle: q, q′ ω₁, q″ ω₁² + q′
+    /// ε₁; and its first two derivatives with respect to the crank angle. Derivatives beyond the jet count as zero.
     pub fn rates<const N: usize>(self, jet: &Jet<N>, order: usize) -> [f64; 3] {
         let power = self.scale(order);
         [0, 1, 2].map(|further| {
             let steady = power * jet.derivative(order + further);
-            // With ε₁ = 0 nothing is added: the analogues stay what they are.
+            // With ε₁ = 0 nothing is added, and the analogues are returned unchanged.
             if order == 2 && self.acceleration != 0.0 {
                 steady + self.acceleration * jet.derivative(order - 1 + further)
             } else {
@@ -37,7 +33,7 @@ impl InputRate {
         })
     }
 
-    /// The `order`-th derivative by time, as [`InputRate::rates`] has it first.
+    /// The `order`-th derivative with respect to time, 0 to 2.
     pub fn rate<const N: usize>(self, jet: &Jet<N>, order: usize) -> f64 {
         self.rates(jet, order)[0]
     }

@@ -1,47 +1,45 @@
-//! Motions over arcs of the driver that nothing joins, in one.
+//! Union of two motions over separate arcs of the driver.
 
 use std::sync::Arc;
 
-use super::Motion;
-use super::interpolation::Knots;
+use super::continuation::Knots;
+use super::{DeadPoint, Motion};
 use crate::mechanism::Quantity;
 use crate::position::{Step, power_of_two};
 use crate::sorting::sort_by;
+use crate::tolerance;
 
-/// Why two motions are not those of one linkage over different inputs.
+/// Reason why two motions have no union.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unjoinable {
-    /// They are of two linkages.
+    /// They belong to different linkages.
     OtherLinkage,
-    /// A driver turns fully, or both move over the same inputs.
+    /// A driver turns fully, or their inputs overlap.
     Overlap,
 }
 
 impl Motion {
-    /// This motion with that of another drawing of the same linkage, over inputs
-    /// that this one does not come to: a crank that has to turn back may be mounted
-    /// on another arc. The other's arcs are told by whole turns so that they come
-    /// after these.
+    /// The union with the motion of another drawing of the same linkage over other inputs: a crank that turns back may be
+    /// assembled on another arc. The other's arcs are shifted by whole turns to follow these.
     ///
     /// # Errors
-    /// Why they are not two motions of one linkage over different inputs.
+    /// They belong to different linkages, or overlap.
     pub fn joined(mut self, other: Self) -> Result<Self, Unjoinable> {
         if !self.mechanism.is_redrawn_as(&other.mechanism) {
             return Err(Unjoinable::OtherLinkage);
         }
         let joined = self.cycle.joined(&other.cycle);
         let (cycle, shift) = joined.ok_or(Unjoinable::Overlap)?;
-        let theirs = other.drawn_input;
         let mut knots = Knots::clone(&other.knots);
         knots.shift(shift);
         let both = self.mechanism.steps().enumerate();
         for ((step, own), other) in both.zip(other.mechanism.steps().iter()) {
             if let (Step::Group(own), Step::Group(other)) = (own, other) {
-                knots.tell_by(step, power_of_two(other.exponent() - own.exponent()));
+                knots.scale_margins(step, power_of_two(other.exponent() - own.exponent()));
             }
         }
         Arc::make_mut(&mut self.knots).join(knots);
-        let dead_points = other.dead_points.iter().map(|dead| super::DeadPoint {
+        let dead_points = other.dead_points.iter().map(|dead| DeadPoint {
             input: dead.input + shift,
             ..*dead
         });
@@ -52,15 +50,17 @@ impl Motion {
         sort_by(&mut self.change_points, f64::total_cmp);
         self.cycle = cycle;
         self.end_in_poses();
-        // What is told of the other linkage must be so of this one.
-        let same = match (self.pose::<1>(theirs + shift), other.pose::<1>(theirs)) {
+        // The drawn pose of the other must be a pose of this one.
+        let input = other.drawn_input;
+        let same = match (self.pose::<1>(input + shift), other.pose::<1>(input)) {
             (Ok(ours), Ok(theirs)) => {
-                let size = 1e-6 * self.mechanism.size();
+                let size = tolerance::TRIPLE_ROOT * self.mechanism.size();
                 let points = self.mechanism.point_ids();
                 points
                     .flat_map(|point| [Quantity::X(point), Quantity::Y(point)])
-                    .all(|place| {
-                        let [a, b] = [&ours, &theirs].map(|pose| place.of(&self.mechanism, pose));
+                    .all(|coordinate| {
+                        let [a, b] =
+                            [&ours, &theirs].map(|pose| coordinate.of(&self.mechanism, pose));
                         (a.value() - b.value()).abs() <= size
                     })
             }

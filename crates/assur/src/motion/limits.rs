@@ -3,11 +3,10 @@
 use std::f64::consts::TAU;
 
 use super::OutputProfile;
-use super::features::CONSTANT;
-use crate::Swing;
 use crate::sorting::sort_by;
+use crate::{Swing, tolerance};
 
-/// A limit position: the quantity stands still and turns back.
+/// A limit position: the quantity is at rest and turns back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitPosition {
     /// The input.
@@ -17,8 +16,7 @@ pub struct LimitPosition {
 }
 
 impl OutputProfile<'_> {
-    /// The limit positions over the whole motion, in ascending inputs: where the
-    /// rate vanishes and changes its sign.
+    /// The limit positions over the whole motion, in ascending inputs: the roots of the rate at which its sign changes.
     pub fn limits(&self) -> Vec<LimitPosition> {
         let limit = |[input, value]: &[f64; 2]| LimitPosition {
             input: *input,
@@ -27,7 +25,7 @@ impl OutputProfile<'_> {
         self.extrema.iter().map(limit).collect()
     }
 
-    /// The least and the greatest value on each arc of the motion; the same where they differ by rounding alone.
+    /// Minimum and maximum on each arc of the motion; equal if they differ by rounding alone.
     pub fn swings(&self) -> Vec<Swing> {
         if self.motion.cycle().is_full() && self.gain != 0.0 {
             return vec![Swing::Turns];
@@ -37,7 +35,7 @@ impl OutputProfile<'_> {
             let [min, max] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], v| {
                 [min.min(v), max.max(v)]
             });
-            if max - min <= CONSTANT * self.motion.unit(self.quantity) {
+            if max - min <= tolerance::COINCIDENT * self.motion.unit(self.quantity) {
                 let value = min.midpoint(max);
                 return Swing::Between {
                     min: value,
@@ -49,19 +47,18 @@ impl OutputProfile<'_> {
         self.motion.cycle().arcs().iter().map(swing).collect()
     }
 
-    /// How far the quantity goes on each arc, there and back added up: over the whole
-    /// cycle, or over the arc and back again.
+    /// Total travel of the quantity on each arc: over the full cycle, or over the arc and back.
     pub fn travels(&self) -> Vec<f64> {
         let full = self.motion.cycle().is_full();
         let travel = |arc: &[f64; 2]| {
             let turnings = self.turnings(*arc);
-            let ways = turnings.windows(2).map(|pair| match pair {
+            let strokes = turnings.windows(2).map(|pair| match pair {
                 [a, b] => (b[1] - a[1]).abs(),
                 _ => 0.0,
             });
-            let sum: f64 = ways.sum();
+            let sum: f64 = strokes.sum();
             match (full, &turnings[..]) {
-                // From the last on to the first of the next cycle.
+                // With the stroke from the last to the first of the next cycle.
                 (true, [first, .., last]) => sum + (first[1] + self.gain - last[1]).abs(),
                 (true, _) => self.gain.abs(),
                 (false, _) => 2.0 * sum,
@@ -70,9 +67,8 @@ impl OutputProfile<'_> {
         self.motion.cycle().arcs().iter().map(travel).collect()
     }
 
-    /// The time ratio K ≥ 1 of the slow to the quick stroke at constant speed of the
-    /// crank (FourBar::time_ratio's); none where the crank does not turn fully or the
-    /// quantity does not go there and back once per turn.
+    /// Time ratio K ≥ 1 of the slow to the quick stroke at constant speed of the crank, as
+    /// [`crate::FourBar::time_ratio`]; none unless the crank turns fully and the quantity has two strokes per turn.
     pub fn time_ratio(&self) -> Option<f64> {
         let period = self.period?;
         match self.extrema[..] {
@@ -85,15 +81,19 @@ impl OutputProfile<'_> {
         }
     }
 
-    /// Inputs and values at which the quantity may turn back on an arc: limit
-    /// positions, change points, and dead points at its ends. One at least.
+    /// Inputs and values at which the quantity may turn back on an arc: limit positions, change points, and the dead
+    /// points at its ends; at least one.
     fn turnings(&self, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
         let cycle = self.motion.cycle();
         let within = |input: &f64| (from..=to).contains(input);
         let limits = self.extrema.iter().map(|[input, _]| *input);
-        let passed = self.motion.change_points().iter().copied();
+        let change_points = self.motion.change_points().iter().copied();
         let ends = [from, to].into_iter().filter(|_| !cycle.is_full());
-        let mut inputs: Vec<f64> = limits.chain(passed).filter(within).chain(ends).collect();
+        let mut inputs: Vec<f64> = limits
+            .chain(change_points)
+            .filter(within)
+            .chain(ends)
+            .collect();
         if inputs.is_empty() {
             inputs.push(self.motion.drawn_input());
         }

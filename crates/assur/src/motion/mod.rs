@@ -1,43 +1,37 @@
-//! A whole motion: the branch of poses that is reached from the drawn one without
-//! a jump, followed by continuity; and what is read off it.
+//! Motion of a mechanism: the branch of poses that contains the drawn one, followed by continuity; and the quantities,
+//! dead points, extrema, profiles and tables over it.
 
 mod change;
-mod closed;
+mod closed_form;
 mod continuation;
-mod counted;
 mod cyclogram;
 mod dead_point;
 mod exact;
-mod extremum;
 mod features;
-mod fold;
 mod gain;
 mod grid;
-mod in_line;
 mod input_rate;
-mod interpolation;
 mod joined;
 mod limits;
-mod obstacle;
-mod placed;
+mod pose_order;
 mod profile;
 pub(crate) mod root;
 mod sampling;
 mod smooth;
 mod table;
 mod transmission;
+mod turn_count;
 
 pub use change::{Changed, Refusal};
 pub use cyclogram::{Phase, PhaseKind};
 pub use dead_point::{DeadPoint, DeadPointKind};
 pub use exact::{MadeExact, NEARLY};
-pub use extremum::{Extremum, Kind};
-pub use features::{Features, TooManyTurns, features};
+pub use features::{Extremum, Features, Kind, TooManyTurns, features};
 pub use grid::{At, Grid};
 pub use input_rate::InputRate;
 pub use joined::Unjoinable;
 pub use limits::LimitPosition;
-pub use placed::PoseOrder;
+pub use pose_order::PoseOrder;
 pub use profile::{Dwell, OutputProfile};
 pub use sampling::{Sampling, Shown, Spacing};
 pub use table::{Column, Row};
@@ -51,25 +45,25 @@ use crate::Cycle;
 use crate::index::StepId;
 use crate::mechanism::{AssemblySigns, Mechanism, Pose, Unsolved};
 use crate::position::Step;
-use continuation::{Continuation, End, longest_step};
-use counted::range_between;
-use interpolation::Knots;
+use continuation::{Continuation, End, Knots, longest_step};
+use root::bisect;
+use turn_count::range_between;
 
-/// So often the way back from an end to a pose is doubled, from the rounding of the input on.
-const BACK: u32 = 6;
-/// Where there is none that near another group has come to its end before; it is doubled so often at most.
-const FARTHER: u32 = 40;
-/// So often the way between an input with a pose and one without is halved: down to rounding.
-const HALVINGS: usize = 64;
+/// Number of samples per turn when extrema are searched; the unit of the steps of the continuation.
+const SAMPLES_PER_TURN: usize = 360;
+/// Number of doublings of the offset from an end of an arc to a pose, from the rounding of the input on: as rounding
+/// needs …
+const ROUNDING_DOUBLINGS: u32 = 6;
+/// … and where another group ends the motion before.
+const MAX_DOUBLINGS: u32 = 40;
 
-/// The motion of a mechanism in one of its assemblies. A pose depends on the
-/// input alone: which way each group is joined at every input has been found out
-/// once, by going through the motion.
+/// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
+/// were determined once, by following the motion.
 #[derive(Clone, Debug)]
 pub struct Motion {
     mechanism: Mechanism,
     cycle: Cycle,
-    /// Shared by all copies: of a motion that is followed far there are many.
+    /// Shared by all copies, as there may be many.
     knots: Arc<Knots>,
     dead_points: Vec<DeadPoint>,
     change_points: Vec<f64>,
@@ -77,8 +71,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The motion of a mechanism from its drawn pose; from another assembly, that of
-    /// the mechanism drawn in it, [`Motion::in_assembly`].
+    /// The motion of a mechanism through its drawn pose. Another assembly is drawn by [`Motion::in_assembly`].
     pub fn new(mechanism: Mechanism) -> Self {
         if mechanism.whole_closed_form() {
             Self::in_closed_form(mechanism)
@@ -89,52 +82,54 @@ impl Motion {
         }
     }
 
+    /// The motion found by continuation.
     fn followed(mut mechanism: Mechanism) -> Self {
-        let mut forth = Continuation::new(&mechanism);
+        let mut forward = Continuation::new(&mechanism);
         let longest = longest_step(&mechanism);
         let mut knots = Knots::new(longest);
-        let full = match forth.go(1.0, &mut knots) {
-            End::FourBarStep(turns) => {
+        let full = match forward.follow(1.0, &mut knots) {
+            End::Cycle(turns) => {
                 knots.begin_at_zero(TAU * turns as f64);
                 Ok(Cycle::turning(turns))
             }
             End::Dead(last) => {
-                let mut back = Continuation::new(&mechanism);
+                let mut backward = Continuation::new(&mechanism);
                 let mut before = Knots::new(longest);
-                let first = match back.go(-1.0, &mut before) {
+                let first = match backward.follow(-1.0, &mut before) {
                     End::Dead(first) => first,
-                    // It cannot turn fully one way only.
-                    End::FourBarStep(_) => DeadPoint {
+                    // Inconsistent: it cannot turn fully in one sense only.
+                    End::Cycle(_) => DeadPoint {
                         input: mechanism.drawn_input(),
                         ..last
                     },
                 };
-                forth.smooth_roots.extend(back.smooth_roots);
+                forward.smooth_roots.extend(backward.smooth_roots);
                 knots.prepend(before);
                 Err([first, last])
             }
         };
-        let passed = forth.smooth_roots;
+        let change_points = forward.smooth_roots;
         let (cycle, turned, dead_points) = match full {
             Ok(cycle) => (cycle, 0.0, Vec::new()),
             Err(ends) => {
                 let (cycle, turned) = range_between(&mut mechanism, ends);
                 knots.shift(-turned);
-                let counted = ends.map(|end| DeadPoint {
+                let ends = ends.map(|end| DeadPoint {
                     input: end.input - turned,
                     ..end
                 });
-                (cycle, turned, counted.to_vec())
+                (cycle, turned, ends.to_vec())
             }
         };
         let drawn_input = cycle.wrap(mechanism.drawn_input());
         let mut motion = Self::of(mechanism, cycle, knots, dead_points, drawn_input);
-        let passed = passed.iter();
-        motion.smooth(passed.map(|one| (one.step, one.input - turned)).collect());
+        let change_points = change_points.iter();
+        let change_points = change_points.map(|root| (root.step, root.input - turned));
+        motion.smooth(change_points.collect());
         motion
     }
 
-    /// A motion that has been found out, with the change points of its closed forms.
+    /// The motion over a known range, with the change points of its closed forms.
     fn of(
         mechanism: Mechanism,
         cycle: Cycle,
@@ -163,22 +158,20 @@ impl Motion {
         motion
     }
 
-    /// Takes back the ends of its arcs, by as little as can be told, to where there is a
-    /// pose. Told by other turns an input is rounded anew, and may then lie beyond a dead
-    /// point that it was just before.
+    /// Pulls the ends of the arcs inward by ulps until the pose exists: changing the whole turns of an input rounds it
+    /// again, possibly beyond the dead point.
     fn end_in_poses(&mut self) {
         if self.cycle.is_full() {
             return;
         }
         let arcs = self.cycle.arcs().to_vec();
         for (index, arc) in arcs.into_iter().enumerate() {
-            let told = arc[0].abs().max(arc[1].abs());
-            let unit = f64::EPSILON * told.max(self.mechanism.span());
+            let largest = arc[0].abs().max(arc[1].abs());
+            let unit = f64::EPSILON * largest.max(self.mechanism.span());
             let ends = [[arc[0], arc[1]], [arc[1], arc[0]]].map(|[end, other]| {
-                let back = (other - end).signum() * unit;
-                let back = (0..BACK).map(|doubled| back * f64::from((1_u32 << doubled) - 1));
-                let mut inside = back
-                    .map(|back| end + back)
+                let ulp = (other - end).signum() * unit;
+                let mut inside = (0..ROUNDING_DOUBLINGS)
+                    .map(|doubled| end + ulp * f64::from((1_u32 << doubled) - 1))
                     .take_while(|input| (other - input) * (other - end) > 0.0);
                 let found = inside.find(|input| self.pose::<1>(*input).is_ok());
                 match found {
@@ -196,24 +189,21 @@ impl Motion {
         }
     }
 
-    /// The last input with a pose before an end at which there is none, and the step that fails there: two groups may come
-    /// to their dead points so close to each other that the one looked for is not the first.
+    /// The last input with a pose before an end without one, and the step that fails beyond it: of two dead points
+    /// close to each other another than the expected one may come first.
     fn end_before(&self, end: f64, other: f64, unit: f64) -> Option<(f64, Option<StepId>)> {
         let mut step = self.pose::<1>(end).err()?.step;
         let sense = (other - end).signum();
-        let farther =
-            (BACK..FARTHER).map(|doubled| end + sense * unit * 2_f64.powi(doubled as i32));
-        let mut within = farther.take_while(|input| (other - input) * sense > 0.0);
-        let mut inside = within.find(|input| self.pose::<1>(*input).is_ok())?;
-        let mut outside = end;
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (inside + outside);
-            match self.pose::<1>(middle) {
-                Ok(_) => inside = middle,
-                Err(unsolved) => (outside, step) = (middle, unsolved.step),
-            }
-        }
-        Some((inside, Some(step)))
+        let mut inputs = (ROUNDING_DOUBLINGS..MAX_DOUBLINGS)
+            .map(|doubled| end + sense * unit * 2_f64.powi(doubled as i32))
+            .take_while(|input| (other - input) * sense > 0.0);
+        let inside = inputs.find(|input| self.pose::<1>(*input).is_ok())?;
+        let last = bisect([inside, end], |input| {
+            let unsolved = self.pose::<1>(input).err();
+            step = unsolved.as_ref().map_or(step, |unsolved| unsolved.step);
+            unsolved.is_none()
+        });
+        Some((last, Some(step)))
     }
 
     /// The mechanism that moves.
@@ -221,52 +211,49 @@ impl Motion {
         &self.mechanism
     }
 
-    /// The inputs over which it moves.
+    /// The range of its input.
     pub fn cycle(&self) -> &Cycle {
         &self.cycle
     }
 
-    /// Which way the groups are joined at an input.
+    /// The assembly signs at an input.
     pub(crate) fn signs_at(&self, input: f64) -> AssemblySigns {
         let mut guess = Vec::new();
         let (signs, _) = self.knots.near(self.cycle.wrap(input), &mut guess);
         signs.clone()
     }
 
-    /// How many knots it is kept in.
+    /// Number of knots that represent it.
     pub(crate) fn knot_count(&self) -> usize {
         self.knots.count()
     }
 
-    /// The input of the drawn pose, told by as many whole turns as the cycle is; where
-    /// there is no pose at it, one far from the ends.
+    /// The input of the drawn pose, reduced by whole turns to the cycle; if it has no pose, the middle of the first arc.
     pub fn drawn_input(&self) -> f64 {
         self.drawn_input
     }
 
-    /// Where the driver must turn back; none where it turns fully.
+    /// The dead points at which the driver must turn back; empty for a full cycle.
     pub fn dead_points(&self) -> &[DeadPoint] {
         &self.dead_points
     }
 
-    /// The links that are in line at a dead point, by name.
+    /// Names of the links that are in line at a dead point.
     pub fn links_at(&self, dead: &DeadPoint) -> impl Iterator<Item = &str> {
         self.mechanism.links_of(dead.step)
     }
 
-    /// The inputs at which links come into line and pass through: there another
-    /// motion crosses this one.
+    /// Change points: the inputs at which links pass through in line, and another motion crosses this one.
     pub fn change_points(&self) -> &[f64] {
         &self.change_points
     }
 
-    /// How far the groups that Newton's method solves stay from singular poses: the
-    /// least determinant of a Jacobian over the motion relative to its greatest, with
-    /// the sign that it keeps; 1 where there is no such group.
+    /// Margin from singular poses of the groups solved by Newton's method: the minimum of a Jacobian's determinant over
+    /// the motion, relative to its maximum, with its sign; 1 without such a group.
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();
-        let groups = steps.filter(|(_, placing)| matches!(placing, Step::Group(_)));
-        let ranges = groups.map(|(step, _)| self.knots.range(step));
+        let groups = steps.filter(|(_, step)| matches!(step, Step::Group(_)));
+        let ranges = groups.map(|(id, _)| self.knots.margin_range(id));
         let ratios = ranges.map(|[low, high]| {
             if low > 0.0 {
                 low / high
@@ -281,10 +268,10 @@ impl Motion {
         })
     }
 
-    /// The pose at an input, with `N − 1` derivatives by it.
+    /// The pose at an input, with `N − 1` derivatives with respect to it.
     ///
     /// # Errors
-    /// Which links find no place, and why.
+    /// The step that has no solution, and the cause.
     pub fn pose<const N: usize>(&self, input: f64) -> Result<Pose<N>, Unsolved>
     where
         Pose<N>: PoseOrder,
@@ -294,10 +281,10 @@ impl Motion {
         Ok(pose)
     }
 
-    /// What of a pose is asked for, at one input after another: only the first allocates.
+    /// Evaluates `of` for the poses at successive inputs, without allocation after the first.
     ///
     /// # Errors
-    /// Which links find no place, and why.
+    /// The step that has no solution, and the cause.
     pub fn telling<const N: usize, T>(
         &self,
         of: impl Fn(&Pose<N>) -> T,
@@ -305,18 +292,18 @@ impl Motion {
     where
         Pose<N>: PoseOrder,
     {
-        let room = RefCell::new(self.mechanism.blank());
+        let buffer = RefCell::new(self.mechanism.blank());
         move |input| {
-            let pose = &mut *room.borrow_mut();
+            let pose = &mut *buffer.borrow_mut();
             self.place(input, pose)?;
             Ok(of(pose))
         }
     }
 
-    /// The same into a pose that was made before: nothing is allocated.
+    /// Writes the pose at an input into `pose`, without allocation.
     ///
     /// # Errors
-    /// Which links find no place, and why; `pose` is then of no use.
+    /// The step that has no solution, and the cause; `pose` is then invalid.
     pub fn place(&self, input: f64, pose: &mut impl PoseOrder) -> Result<(), Unsolved> {
         pose.put(self, input)
     }

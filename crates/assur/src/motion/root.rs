@@ -1,19 +1,17 @@
-//! A root between two places where a function has other signs; the place from which
-//! on something no longer holds.
+//! Scalar root finding in a bracket.
 
-/// Steps after which a root is as good as it gets; halving alone takes about sixty.
-const STEPS: usize = 120;
+/// Maximum number of evaluations: bisection alone takes about sixty to rounding.
+const MAX_STEPS: usize = 120;
 
-/// The root of a continuous function between two ends `[x, f(x)]` of other signs, to
-/// rounding: by inverse quadratic interpolation where that is safe, else by halving
-/// (Chandrupatla, Advances in Engineering Software 28, 1997). None where the
-/// function has no value.
+/// The root of a continuous function in a bracket of points `[x, f(x)]` with opposite signs, to rounding: by inverse
+/// quadratic interpolation if that is safe, else by bisection (Chandrupatla, Advances in Engineering Software 28,
+/// 1997). None if the function has no value.
 pub(crate) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let mut part = 0.5;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_STEPS {
         let x = a[0] + part * (b[0] - a[0]);
         let next = [x, f(x)?];
-        // `a` is the newest place, `b` that of the other sign, `c` the one before.
+        // `a` is the newest point, `b` the one of opposite sign, `c` the one before.
         let c = if (next[1] > 0.0) == (a[1] > 0.0) {
             a
         } else {
@@ -39,24 +37,20 @@ pub(crate) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>
     Some(if a[1].abs() < b[1].abs() { a[0] } else { b[0] })
 }
 
-/// Halves an interval until its ends are neighbours, or as good as that: its first
-/// end is before what is sought, the other one is not.
-pub(super) fn bisect<E>(
-    [mut low, mut high]: [f64; 2],
-    mut is_before: impl FnMut(f64) -> Result<bool, E>,
-) -> Result<[f64; 2], E> {
-    for _ in 0..120 {
+/// The last number at which a condition holds, by bisection from a number that satisfies it to one that does not.
+pub(super) fn bisect([mut low, mut high]: [f64; 2], mut holds: impl FnMut(f64) -> bool) -> f64 {
+    for _ in 0..MAX_STEPS {
         let middle = 0.5 * (low + high);
         if middle == low || middle == high {
             break;
         }
-        if is_before(middle)? {
+        if holds(middle) {
             low = middle;
         } else {
             high = middle;
         }
     }
-    Ok([low, high])
+    low
 }
 
 #[cfg(test)]
@@ -65,7 +59,7 @@ mod tests {
 
     use super::root;
 
-    /// Roots of steep, flat and multiple kind, in few steps where they are simple.
+    /// Steep, flat and multiple roots; simple ones in few steps.
     #[test]
     fn roots_to_rounding() {
         type Case = (fn(f64) -> f64, [f64; 2], f64, usize, f64);
@@ -77,14 +71,18 @@ mod tests {
             (|x| (x - 0.4).powi(5), [0.0, 1.0], 0.4, 90, 1e-12),
         ];
         for (number, (f, ends, expected, most, tolerance)) in cases.into_iter().enumerate() {
-            let asked = Cell::new(0);
+            let evaluations = Cell::new(0);
             let found = root(ends.map(|x| [x, f(x)]), |x| {
-                asked.set(asked.get() + 1);
+                evaluations.set(evaluations.get() + 1);
                 Some(f(x))
             });
-            let off = (found.unwrap() - expected).abs();
-            assert!(off <= tolerance, "{number}: {off:e}");
-            assert!(asked.get() <= most, "{number}: {} values", asked.get());
+            let error = (found.unwrap() - expected).abs();
+            assert!(error <= tolerance, "{number}: {error:e}");
+            assert!(
+                evaluations.get() <= most,
+                "{number}: {} values",
+                evaluations.get()
+            );
         }
         assert_eq!(root([[0.0, -1.0], [1.0, 1.0]], |_| None), None);
     }

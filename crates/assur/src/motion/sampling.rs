@@ -1,47 +1,47 @@
-//! Inputs at which a whole motion is sampled: as many to each of its turns as to the one turn of another motion.
+//! Sample inputs of a whole motion, with the same density for each of its turns.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::Motion;
 use crate::Cycle;
 
-/// Where the samples of an arc stand.
+/// Distribution of the samples over an arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spacing {
-    /// At equal steps, both ends among them.
+    /// At equal steps, including both ends.
     Even,
-    /// So too on a full cycle; elsewhere closer together towards the ends, where curves over the input turn upright.
+    /// Even on a full cycle; otherwise denser towards the ends, where curves become vertical.
     Crowded,
-    /// In the middles of equal steps: none at an end, which may be a dead point.
+    /// At the middles of equal steps: not at the ends, which may be dead points.
     Middles,
 }
 
-/// The turns of a cycle that stand for all where there are too many to sample each.
+/// Turns that are sampled when there are too many to sample all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
-    /// The first ones, in one piece.
+    /// The first turns, in one piece.
     First,
-    /// Whole turns at equal distances over the cycle, each a piece of its own.
+    /// Whole turns at equal distances over the cycle, each in a separate piece.
     Spread,
 }
 
 /// The density of samples over a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
-    /// Samples of a turn of the crank, of an arc shorter than a turn, and of the range of a driven slide.
+    /// Number of samples of a turn of the crank, of an arc shorter than a turn, and of the range of a driven slide.
     pub turn: usize,
-    /// Fewest samples of a turn, where there are many turns.
+    /// Minimum number of samples of a turn, when there are many turns.
     pub coarsest: usize,
-    /// Most samples of the whole motion.
+    /// Maximum number of samples of the whole motion.
     pub most: usize,
-    /// Where they stand.
+    /// Distribution over an arc.
     pub spacing: Spacing,
-    /// Which turns are sampled where the coarsest sampling of all would exceed `most`.
+    /// Turns that are sampled if the coarsest sampling of all would exceed `most`.
     pub shown: Shown,
 }
 
 impl Cycle {
-    /// How many turns of the crank an arc takes, 1 at least: a shorter arc, and the range of a driven slide, count as one.
+    /// Length of an arc in turns of the crank, at least 1: a shorter arc, and the range of a driven slide, count as one.
     pub fn turns_of(&self, [from, to]: [f64; 2]) -> f64 {
         match self.period() {
             Some(_) => ((to - from) / TAU).max(1.0),
@@ -49,7 +49,7 @@ impl Cycle {
         }
     }
 
-    /// The inputs at which a motion is sampled, in ascending pieces without a gap.
+    /// The sample inputs of a motion, in ascending pieces without a gap.
     pub fn samples(&self, sampling: Sampling) -> Vec<Vec<f64>> {
         let all: f64 = self.arcs().iter().map(|arc| self.turns_of(*arc)).sum();
         let most = sampling.most as f64;
@@ -92,16 +92,15 @@ impl Cycle {
 }
 
 impl Motion {
-    /// The inputs at which it is sampled, in ascending pieces without a gap: as [`Cycle::samples`], but so many to each turn
-    /// of the quickest driver or wheel.
+    /// The sample inputs, as [`Cycle::samples`], but with the density for each turn of the fastest driver or wheel.
     pub fn samples(&self, sampling: Sampling) -> Vec<Vec<f64>> {
         let quickest = self.mechanism().quickest();
         let [start, end] = self.cycle().axis();
-        let to_one = match self.cycle().period() {
+        let ratio = match self.cycle().period() {
             Some(_) => quickest,
             None => quickest * (end - start) / TAU,
         };
-        let times = |count: usize| (count as f64 * to_one.max(1.0)).round() as usize;
+        let times = |count: usize| (count as f64 * ratio.max(1.0)).round() as usize;
         self.cycle().samples(Sampling {
             turn: times(sampling.turn),
             coarsest: times(sampling.coarsest),
@@ -110,7 +109,7 @@ impl Motion {
     }
 }
 
-/// A whole number of steps, one at least.
+/// A whole number of steps, at least one.
 fn steps(count: f64) -> usize {
     count.round().max(1.0) as usize
 }
@@ -126,8 +125,8 @@ fn even([from, to]: [f64; 2], count: usize, spacing: Spacing) -> Vec<f64> {
         .collect()
 }
 
-/// Samples whose steps shrink to nothing towards both ends, over half a turn or, of a shorter arc, over half of it; between
-/// them there are as many to a turn as given.
+/// Samples whose steps shrink to zero towards both ends, over half a turn or half of a shorter arc; between these parts
+/// there are `turn` samples per turn.
 fn crowded_to_ends([from, to]: [f64; 2], turns: f64, turn: f64) -> Vec<f64> {
     let eased = |share: f64| 0.5 - 0.5 * (PI * share).cos();
     if turns <= 1.0 {
@@ -160,14 +159,14 @@ mod tests {
         shown: Shown::Spread,
     };
 
-    /// The longest step between neighbours, in turns.
+    /// Maximum step, in turns.
     fn longest(piece: &[f64]) -> f64 {
         let steps = piece.windows(2).map(|pair| pair[1] - pair[0]);
         steps.fold(0.0, f64::max) / TAU
     }
 
     #[test]
-    fn a_turn_of_many_has_as_many_samples_as_one_alone() {
+    fn every_turn_has_as_many_samples_as_a_single_one() {
         for turns in [1, 2, 31, 138] {
             let pieces = Cycle::turning(turns).samples(EACH);
             assert_eq!(pieces.len(), 1);
@@ -175,13 +174,13 @@ mod tests {
             let end = pieces[0][720 * turns];
             assert!((end - TAU * turns as f64).abs() < 1e-12 * end);
         }
-        // Of more than can be, each turn has less.
+        // Beyond the maximum number the density falls.
         let pieces = Cycle::turning(1000).samples(EACH);
         assert_eq!((pieces.len(), pieces[0].len()), (1, 100_001));
     }
 
     #[test]
-    fn too_many_turns_are_shown_by_whole_ones() {
+    fn of_too_many_turns_whole_ones_are_sampled() {
         let cycle = Cycle::turning(974_153);
         let pieces = cycle.samples(EACH);
         assert_eq!(pieces.len(), 100_000 / 60);
@@ -209,7 +208,7 @@ mod tests {
             let ends = [piece[0], piece[piece.len() - 1]];
             assert!((ends[0] - arc[0]).abs() + (ends[1] - arc[1]).abs() < 1e-9);
             assert!(longest(&piece) < 1.01 * FRAC_PI_2 / 720.0, "{turns}");
-            // Close together at both ends.
+            // Dense at both ends.
             assert!(piece[1] - piece[0] < 1e-4 * TAU);
         }
     }

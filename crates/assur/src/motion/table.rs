@@ -1,23 +1,20 @@
-//! A motion as a table: quantities and their derivatives at given inputs.
+//! Table of a motion: quantities and their derivatives at given inputs.
 
 use super::{DeadPoint, DeadPointKind, InputRate, Motion};
 use crate::mechanism::{Cause, Mechanism, Pose, Quantity, Unsolved};
 
-/// Relative rounding of an input that was given in degrees.
-const UNITS: f64 = 4.0 * f64::EPSILON;
-
 /// A column: a quantity or one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// Of what.
+    /// The quantity.
     pub quantity: Quantity,
-    /// 0: the value; 1, 2: its derivatives by the input, or by time.
+    /// Order of the derivative with respect to the input or to time, 0 to 2.
     pub order: usize,
 }
 
 impl Column {
-    /// The columns of everything: of each link its angle with two derivatives; of
-    /// each point x and y, then both first, then both second derivatives.
+    /// All columns: for each link its angle with two derivatives; for each point x and y, then the first derivatives,
+    /// then the second.
     pub fn all(mechanism: &Mechanism) -> Vec<Self> {
         let mut columns = Vec::new();
         for link in mechanism.link_ids() {
@@ -33,32 +30,32 @@ impl Column {
         columns
     }
 
-    /// Those of how well dyads transmit: of each angle with two derivatives.
+    /// The columns of the transmission and pressure angles of dyads, each with two derivatives.
     pub fn transmitting(mechanism: &Mechanism) -> impl Iterator<Item = Self> {
         let angles = mechanism.transmitting().into_iter();
         angles.flat_map(|quantity| [0, 1, 2].map(|order| Self { quantity, order }))
     }
 
-    /// The column of a name, as [`Column::name`] has it.
+    /// The column with a name given by [`Column::name`].
     pub fn named(mechanism: &Mechanism, name: &str) -> Option<Self> {
-        let (of, mut what) = name.rsplit_once('.')?;
+        let (subject, mut kind) = name.rsplit_once('.')?;
         for order in [0, 1, 2] {
-            if let Some(quantity) = Quantity::named(mechanism, &format!("{of}.{what}")) {
+            if let Some(quantity) = Quantity::named(mechanism, &format!("{subject}.{kind}")) {
                 return Some(Self { quantity, order });
             }
-            what = what.strip_prefix('d')?;
+            kind = kind.strip_prefix('d')?;
         }
         None
     }
 
-    /// Its name in tables: `rocker.angle`, `rocker.dangle`, `C.ddx`.
+    /// Name in tables: `rocker.angle`, `rocker.dangle`, `C.ddx`.
     pub fn name(self, mechanism: &Mechanism) -> String {
         self.quantity.name(mechanism, self.order)
     }
 
-    /// Its name where its derivatives are by time: `rocker.omega`, `rocker.epsilon`, `C.vx`, `C.ay`.
+    /// Name with derivatives with respect to time: `rocker.omega`, `rocker.epsilon`, `C.vx`, `C.ay`.
     pub fn name_by_time(self, mechanism: &Mechanism) -> String {
-        let of = self.quantity.subject(mechanism);
+        let subject = self.quantity.subject(mechanism);
         let rates = match self.quantity {
             Quantity::Angle(_) => ["omega", "epsilon"],
             Quantity::X(_) => ["vx", "ax"],
@@ -70,7 +67,7 @@ impl Column {
             Quantity::Between(_) => ["between_omega", "between_epsilon"],
         };
         match self.order.checked_sub(1).and_then(|rate| rates.get(rate)) {
-            Some(rate) => format!("{of}.{rate}"),
+            Some(rate) => format!("{subject}.{rate}"),
             None => self.name(mechanism),
         }
     }
@@ -79,28 +76,28 @@ impl Column {
 /// A row of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Its input.
+    /// The input.
     pub input: f64,
-    /// The values of the columns, where there are any. At a dead point there are
-    /// values but no derivatives.
+    /// The values of the columns. At a dead point there are values but no derivatives.
     pub values: Vec<Option<f64>>,
-    /// Why values are missing.
+    /// Reason why values are missing.
     pub reason: Option<Unsolved>,
 }
 
 impl Motion {
-    /// The row of these columns at an input, derivatives by the input.
+    /// The row of these columns at an input, with derivatives with respect to the input.
     pub fn row(&self, columns: &[Column], input: f64) -> Row {
         self.row_by_time(columns, input, InputRate::ANALOGUES)
     }
 
-    /// The row of these columns at an input, derivatives by time while the input goes as `driven` says.
+    /// The row of these columns at an input, with derivatives with respect to time at a rate of the input.
     ///
-    /// Past the period of a driver that turns fully angles go on: they are never folded.
-    pub fn row_by_time(&self, columns: &[Column], input: f64, driven: InputRate) -> Row {
-        // A higher group comes so near to its dead point that there seem to be derivatives.
+    /// Beyond the period of a full cycle angles continue to grow.
+    pub fn row_by_time(&self, columns: &[Column], input: f64, rate: InputRate) -> Row {
+        // A group is solved so close to its dead point that derivatives may seem to exist.
         let at = self.cycle.wrap(input);
-        let is_at = |dead: &&DeadPoint| (dead.input - at).abs() <= UNITS * at.abs();
+        // An input converted from degrees is rounded.
+        let is_at = |dead: &&DeadPoint| (dead.input - at).abs() <= 4.0 * f64::EPSILON * at.abs();
         let dead = self.dead_points.iter().find(is_at);
         let dead = dead.filter(|dead| dead.kind.is_dead_point());
         let dead = dead.map(|dead| Unsolved {
@@ -112,11 +109,11 @@ impl Motion {
             },
         });
         let (mut values, reason) = match dead.map_or_else(|| self.pose::<3>(input), Err) {
-            Ok(pose) => (self.values(columns, &pose, driven), None),
+            Ok(pose) => (self.values(columns, &pose, rate), None),
             Err(reason) => {
-                let place = self.pose::<1>(input);
-                let values = place.map_or(vec![None; columns.len()], |pose| {
-                    self.values(columns, &pose, driven)
+                let pose = self.pose::<1>(input);
+                let values = pose.map_or(vec![None; columns.len()], |pose| {
+                    self.values(columns, &pose, rate)
                 });
                 (values, Some(reason))
             }
@@ -129,21 +126,21 @@ impl Motion {
         }
     }
 
+    /// The values of columns in a pose.
     fn values<const N: usize>(
         &self,
         columns: &[Column],
         pose: &Pose<N>,
-        driven: InputRate,
+        rate: InputRate,
     ) -> Vec<Option<f64>> {
         let value = |column: &Column| {
             let jet = column.quantity.of(self.mechanism(), pose);
-            (column.order < N).then(|| driven.rate(&jet, column.order))
+            (column.order < N).then(|| rate.rate(&jet, column.order))
         };
         columns.iter().map(value).collect()
     }
 
-    /// Adds to angles what they have grown by in the periods between the input and where it has been
-    /// brought in.
+    /// Adds to angles their growth over the periods by which the input was wrapped.
     fn unfold(&self, columns: &[Column], input: f64, values: &mut [Option<f64>]) {
         let Some(period) = self.cycle.period().filter(|_| self.cycle.is_full()) else {
             return;

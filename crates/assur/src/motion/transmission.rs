@@ -1,35 +1,33 @@
-//! Where dyads transmit worst over a motion.
+//! Extreme transmission and pressure angles of dyads over a motion.
 
 use super::features::turning_points;
 use super::{Motion, TooManyTurns};
-use crate::Jet;
 use crate::mechanism::{LinkId, Pose, Quantity, RrpDyad, RrrDyad, half_turns};
+use crate::{Jet, tolerance};
 
-/// What is beside an end of an arc, as a share of it.
-const BESIDE: f64 = 1e-12;
-
-/// Where a dyad transmits worst.
+/// The extreme transmission or pressure angle of a dyad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstTransmission {
-    /// The least transmission angle, 0 at a dead point; the greatest pressure angle, 90° there. Radians.
+    /// The minimum transmission angle, 0 at a dead point, or the maximum pressure angle, π/2 there, radians.
     pub angle: f64,
     /// The input.
     pub input: f64,
 }
 
-/// How well a dyad transmits over a motion.
+/// Transmission of a dyad over a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DyadTransmission {
-    /// The transmission angle of a dyad RRR, or the pressure angle of a dyad RRP.
+    /// The transmission angle of an RRR dyad, or the pressure angle of an RRP dyad.
     pub quantity: Quantity,
-    /// The links of the dyad; of a dyad RRP the rod, then the slider.
+    /// The links of the dyad; of an RRP dyad the rod, then the slider.
     pub links: [LinkId; 2],
-    /// The least transmission angle, or the greatest pressure angle; none over a motion of too many turns to be searched.
+    /// The minimum transmission angle, or the maximum pressure angle; none if the motion has too many turns to be
+    /// searched.
     pub worst: Option<WorstTransmission>,
 }
 
 impl Motion {
-    /// Of each dyad RRR the least transmission angle and of each dyad RRP the greatest pressure angle, in the order in
+    /// The minimum transmission angle of each RRR dyad and the maximum pressure angle of each RRP dyad, in the order in
     /// which the dyads are solved.
     pub fn transmissions(&self) -> Vec<DyadTransmission> {
         let transmitting = self.mechanism().transmitting().into_iter();
@@ -52,12 +50,11 @@ impl Motion {
         worst.collect()
     }
 
-    /// The least transmission angle of a dyad: at an extremum of the cosine between
-    /// its links, at the end of an arc, or where links pass through in line. None
-    /// where there is no pose at all.
+    /// The minimum transmission angle of an RRR dyad: at an extremum of the cosine of the angle between its links, at
+    /// the end of an arc, or at a change point. None without any pose.
     ///
     /// # Errors
-    /// A motion of too many turns is not searched for extrema, unless a closed form tells them.
+    /// The motion has too many turns to be searched, and no closed form.
     pub fn least_transmission(
         &self,
         dyad: &RrrDyad,
@@ -86,7 +83,7 @@ impl Motion {
             });
             return Ok(found.reduce(lesser));
         }
-        // The cosine is linear in the squared diagonal, which needs no root.
+        // The cosine is linear in the square of the diagonal, which needs no root.
         let diagonal = self.telling(|pose: &Pose<3>| mechanism.diagonal(pose, dyad));
         let diagonal = |input: f64| diagonal(input).ok();
         let reach = mechanism.reach_of(dyad);
@@ -95,11 +92,11 @@ impl Motion {
         Ok(found.reduce(lesser))
     }
 
-    /// The greatest pressure angle of a dyad: at an extremum of its sine, at the end of an arc, or where it passes a
-    /// dead point. None where there is no pose at all.
+    /// The maximum pressure angle of an RRP dyad: at an extremum of its sine, at the end of an arc, or at a change
+    /// point. None without any pose.
     ///
     /// # Errors
-    /// A motion of too many turns is not searched for extrema.
+    /// The motion has too many turns to be searched.
     pub fn greatest_pressure(
         &self,
         dyad: &RrpDyad,
@@ -118,19 +115,19 @@ impl Motion {
         }))
     }
 
-    /// An acute angle wherever it can be extreme: where what it is told by is, and at the ends, change points and in the
-    /// drawn pose.
+    /// The acute angle at every input at which it can be extreme: the extrema of its monotone function, the ends, the
+    /// change points and the drawn pose.
     fn extreme(
         &self,
         angle: Quantity,
-        told_by: &dyn Fn(f64) -> Option<Jet<3>>,
+        function: &dyn Fn(f64) -> Option<Jet<3>>,
         unit: f64,
     ) -> Result<impl Iterator<Item = WorstTransmission> + '_, TooManyTurns> {
-        let extrema = turning_points(self, told_by, unit)?;
-        // Where joints fall into one at an end, there are digits only beside it.
+        let extrema = turning_points(self, function, unit)?;
+        // If joints coincide at an end, the angle is exact only next to it.
         let ends = self.cycle().arcs().iter().flat_map(|[from, to]| {
-            let beside = BESIDE * (to - from);
-            [*from, from + beside, to - beside, *to]
+            let offset = tolerance::NEGLIGIBLE * (to - from);
+            [*from, from + offset, to - offset, *to]
         });
         let inputs = extrema.into_iter().map(|extremum| extremum.input);
         let inputs = inputs

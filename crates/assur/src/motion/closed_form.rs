@@ -1,17 +1,15 @@
-//! The motion of a four-bar and the wheels on it: the closed form tells it all, and
-//! nothing has to be followed.
+//! Motions in closed form, without continuation: a four-bar with the wheels on it, or cranks and wheels alone.
 
 use std::f64::consts::{PI, TAU};
 
-use super::interpolation::Knots;
+use super::continuation::Knots;
 use super::{DeadPoint, DeadPointKind, Motion};
 use crate::mechanism::{DrivenFourBar, Mechanism, Quantity};
 use crate::sorting::sort_by;
 use crate::{Assembly, Cycle};
 
 impl Motion {
-    /// The motion where the closed form of a four-bar is all there is: of a crank that
-    /// cannot turn fully, over the arc that is drawn.
+    /// The motion of a four-bar and the wheels on it; if its crank cannot turn fully, over the drawn arc.
     pub(super) fn in_closed_form(mut mechanism: Mechanism) -> Self {
         let arc = mechanism.closed_steps().next();
         let arc = arc.and_then(|closed| closed.arc(mechanism.drawn_input()));
@@ -37,23 +35,21 @@ impl Motion {
         };
         let drawn_input = cycle.wrap(drawn_input - turned);
         let (signs, orientations) = mechanism.as_drawn();
-        let knots = Knots::alone(drawn_input, signs, orientations);
+        let knots = Knots::single(drawn_input, signs, orientations);
         Self::of(mechanism, cycle, knots, dead_points, drawn_input)
     }
-}
 
-impl Motion {
-    /// The motion of cranks and wheels alone, which repeats after so many turns.
+    /// The motion of cranks and wheels alone, which repeats after `turns`.
     pub(super) fn of_wheels(mechanism: Mechanism, turns: usize) -> Self {
         let cycle = Cycle::turning(turns);
         let drawn_input = cycle.wrap(mechanism.drawn_input());
         let (signs, orientations) = mechanism.as_drawn();
-        let knots = Knots::alone(drawn_input, signs, orientations);
+        let knots = Knots::single(drawn_input, signs, orientations);
         Self::of(mechanism, cycle, knots, Vec::new(), drawn_input)
     }
 }
 
-/// A rocker of a four-bar in closed form, or what turns in a constant ratio to it.
+/// A link that turns at a constant ratio to the rocker of a four-bar in closed form, or the rocker itself.
 struct Rocker<'a> {
     closed: DrivenFourBar<'a>,
     assembly: Assembly,
@@ -61,8 +57,8 @@ struct Rocker<'a> {
 }
 
 impl Motion {
-    /// The inputs at which the angle of a four-bar's rocker, and so that of a wheel it
-    /// drives, has its extrema; none where the closed form does not tell.
+    /// The inputs of the extrema of the angle of a four-bar's rocker, or of a wheel driven by it; none of other
+    /// quantities.
     pub(super) fn limits_in_closed_form(&self, quantity: Quantity) -> Option<Vec<f64>> {
         let Rocker {
             closed, assembly, ..
@@ -76,10 +72,10 @@ impl Motion {
         Some(inputs)
     }
 
-    /// What such an angle has gained after a full cycle.
+    /// The growth of such an angle over a full cycle.
     pub(super) fn gain_in_closed_form(&self, quantity: Quantity, period: f64) -> Option<f64> {
         let rocker = self.rocker(quantity)?;
-        // Any angle will do that is not a deltoid's undetermined one.
+        // Any angle at which a deltoid is not indeterminate.
         let at = |crank: f64| {
             let pose = rocker.closed.linkage.pose::<1>(rocker.assembly, crank);
             Some(pose.ok()?.rocker.value())
@@ -88,6 +84,7 @@ impl Motion {
         Some(rocker.ratio * TAU * turns)
     }
 
+    /// The rocker to which an angle is proportional.
     fn rocker(&self, quantity: Quantity) -> Option<Rocker<'_>> {
         let mechanism = &self.mechanism;
         let closed = mechanism.closed_steps().next()?;
@@ -108,8 +105,8 @@ impl Motion {
     }
 }
 
-/// The dead point of a four-bar at an end of an arc: towards φ₁ = 0 the diagonal is
-/// shortest, so coupler and rocker are folded there, and stretched towards π.
+/// The dead point of a four-bar at an end of an arc. The diagonal is shortest towards φ₁ = 0, so coupler and rocker are
+/// folded there, and stretched towards π.
 pub(super) fn dead_point(
     closed: &DrivenFourBar<'_>,
     [from, to]: [f64; 2],

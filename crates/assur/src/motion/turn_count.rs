@@ -1,5 +1,4 @@
-//! The count of a crank's turns over a motion that turns back or is given up: by which whole turns its inputs are given,
-//! and whether an input outside its range stands for one inside.
+//! Whole turns of the inputs of a motion that turns back or is given up, and its range.
 
 use std::f64::consts::TAU;
 
@@ -7,12 +6,11 @@ use super::DeadPoint;
 use crate::Cycle;
 use crate::mechanism::Mechanism;
 
-/// The range between two ends, inputs as they were followed from the drawn one, and the whole turns by which they are
-/// counted back in it.
+/// The range between two ends, and the whole turns subtracted from the followed inputs in it.
 ///
-/// The range begins within half a period of 0, from whichever of its poses it was followed. Where the motion is given up
-/// at an end nothing is known beyond it: inputs are counted from the drawn one, and an input outside is brought into the
-/// range by whole turns only where these do not count, so that the angle of the crank alone determines its pose.
+/// The range begins within half a period of 0, whatever the drawn pose. If the motion was given up at an end, nothing
+/// is known beyond: inputs keep the turns of the drawn one, and an input outside is wrapped into the range only if the
+/// range is at most a turn, so that the angle of the crank alone determines the pose.
 pub(super) fn range_between(mechanism: &mut Mechanism, ends: [DeadPoint; 2]) -> (Cycle, f64) {
     let [first, last] = ends.map(|end| end.input);
     let given_up = ends.iter().any(|end| end.kind.is_given_up());

@@ -1,24 +1,20 @@
-//! What a motion meets that no certified step can pass: a dead point, the end of a range, or nothing that is known.
+//! Obstacles that no certified step can pass: a dead point, the end of a range, or an unknown singularity.
 
-use std::convert::Infallible;
-
-use super::closed::dead_point;
-use super::continuation::{Continuation, HALVINGS};
-use super::dead_point::{DeadPoint, DeadPointKind};
-use super::in_line::PASSED;
-use super::root::bisect;
+use super::change_point::PROBE_DISTANCE;
+use super::{Continuation, MAX_HALVINGS_OF_DYAD};
 use crate::index::StepId;
 use crate::mechanism::{Cause, Singularity};
+use crate::motion::closed_form::dead_point;
+use crate::motion::root::bisect;
+use crate::motion::{DeadPoint, DeadPointKind};
 use crate::position::{State, Step};
 
-/// A singular pose is no farther ahead than this part where steps have become short: about a hundred of them.
-const AHEAD: f64 = 1e-7;
-
 impl Continuation<'_> {
-    /// The singular pose of a group that lies just ahead, if one is known. One group's fold lets those that hang on
-    /// it move ever faster, so that they may be the first of which nothing can be shown.
+    /// The nearest fold of a group just ahead. Near a fold the rates of dependent groups grow without bound, so that a
+    /// dependent group may be the first that is not certified.
     pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
-        let window = AHEAD * self.mechanism.span();
+        // Steps shorten in proportion to the distance of the fold: when short, they leave it within this window.
+        let window = 1e-7 * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let steps = self.mechanism.steps().ids();
         let folds = steps.filter_map(|step| {
@@ -33,18 +29,16 @@ impl Continuation<'_> {
         })
     }
 
-    /// Where just ahead a driver comes to the end of its range, of a pair within a group.
+    /// The end of the range of a driver within a group, just ahead.
     pub(super) fn out_of_range(&self, sense: f64) -> Option<DeadPoint> {
         let mut probe: State<1> = self.mechanism.blank_state();
         let mut is_out = |input: f64| match self.solve(input, &mut probe) {
             Err((step, Cause::Input)) => Some(step),
             _ => None,
         };
-        let beyond = self.input + sense * PASSED * self.mechanism.span();
+        let beyond = self.input + sense * PROBE_DISTANCE * self.mechanism.span();
         let step = is_out(beyond)?;
-        let Ok([input, _]) = bisect([self.input, beyond], |input| {
-            Ok::<bool, Infallible>(is_out(input).is_none())
-        });
+        let input = bisect([self.input, beyond], |input| is_out(input).is_none());
         Some(DeadPoint {
             input,
             kind: DeadPointKind::Range,
@@ -52,56 +46,55 @@ impl Continuation<'_> {
         })
     }
 
-    /// Whether a redundant constraint does not hold just ahead.
+    /// True if a redundant constraint does not hold just ahead.
     pub(super) fn is_locked(&self, sense: f64) -> bool {
         let mut probe: State<1> = self.mechanism.blank_state();
-        let beyond = self.input + sense * PASSED * self.mechanism.span();
+        let beyond = self.input + sense * PROBE_DISTANCE * self.mechanism.span();
         let solved = self.solve(beyond, &mut probe);
         matches!(solved, Err((_, Cause::Locked { .. })))
     }
 
-    /// What stops a step of the plan just ahead: what stands in the way of a pose within the last step that could be
-    /// tried.
-    pub(super) fn stopped(&self, step: StepId, sense: f64) -> DeadPoint {
-        // So near there is just one thing to meet.
-        let window = PASSED * self.mechanism.span();
+    /// The dead point of a dyad within the shortest step that could be tried.
+    pub(super) fn obstacle(&self, step: StepId, sense: f64) -> DeadPoint {
+        // So near there is just one dead point.
+        let window = PROBE_DISTANCE * self.mechanism.span();
         let mut closed = self.mechanism.closed_steps();
         let closed = closed.find(|closed| closed.step == step);
         if let Some((closed, arc)) = closed.and_then(|one| Some((one, one.arc(self.input)?))) {
             let end = arc[usize::from(sense > 0.0)];
             return match (end - self.input).abs() <= window {
                 true => dead_point(&closed, arc, end),
-                false => self.ends(step, DeadPointKind::NearSingular),
+                false => self.end_here(step, DeadPointKind::NearSingular),
             };
         }
         let mut probe: State<1> = self.mechanism.blank_state();
-        let mut beyond = (0..=HALVINGS)
+        let mut beyond = (0..=MAX_HALVINGS_OF_DYAD)
             .rev()
-            .map(|halved| self.input + sense * window * 0.5_f64.powi(halved));
+            .map(|halvings| self.input + sense * window * 0.5_f64.powi(halvings));
         let met = beyond.find_map(|input| Some((input, self.solve(input, &mut probe).err()?)));
-        let met = met.map(|(bad, (step, cause))| {
-            let Ok([last, _]) = bisect([self.input, bad], |input| {
-                Ok::<bool, Infallible>(self.solve(input, &mut probe).is_ok())
+        let met = met.map(|(beyond, (step, cause))| {
+            let last = bisect([self.input, beyond], |input| {
+                self.solve(input, &mut probe).is_ok()
             });
-            self.dead_at(last, step, cause)
+            self.dead_point_at(last, step, cause)
         });
-        // Guides become parallel between poses; beyond them something else may end the motion. What hangs on their links moves
-        // ever faster towards it.
+        // Guides become parallel between poses, and another step may fail beyond: the rates of links that depend on them
+        // grow without bound.
         let steps = self.mechanism.steps().ids();
         let parallel = steps.filter_map(|step| self.parallel(step, sense));
         let nearest = parallel
             .chain(met)
             .min_by(|a, b| (a.input * sense).total_cmp(&(b.input * sense)));
-        nearest.unwrap_or_else(|| self.ends(step, DeadPointKind::NearSingular))
+        nearest.unwrap_or_else(|| self.end_here(step, DeadPointKind::NearSingular))
     }
 
-    /// Where just ahead the two guides of a step become parallel: there are poses beyond, but not from here. The
-    /// margin is the square of the sine between them.
+    /// The input just ahead at which the two guides of a step become parallel. There are poses beyond, but on another
+    /// branch. The margin is the square of the sine of the angle between the guides.
     fn parallel(&self, step: StepId, sense: f64) -> Option<DeadPoint> {
         let crosses = matches!(self.mechanism.steps()[step], Step::Prp(_) | Step::Rpp(_));
         let margin = self.here.margins[step][0];
         let ahead = -2.0 * margin.value() / margin.derivative(1);
-        let near = ahead * sense > 0.0 && ahead.abs() <= PASSED * self.mechanism.span();
+        let near = ahead * sense > 0.0 && ahead.abs() <= PROBE_DISTANCE * self.mechanism.span();
         (crosses && near).then_some(DeadPoint {
             input: self.input + ahead,
             kind: DeadPointKind::Parallel,
@@ -109,8 +102,8 @@ impl Continuation<'_> {
         })
     }
 
-    /// What kind of dead point a step has at an input.
-    fn dead_at(&self, input: f64, step: StepId, cause: Cause) -> DeadPoint {
+    /// The dead point of a step at an input.
+    fn dead_point_at(&self, input: f64, step: StepId, cause: Cause) -> DeadPoint {
         let mut probe: State<1> = self.mechanism.blank_state();
         let solved = self.solve(input, &mut probe);
         let [p, q] = probe.margins[step].map(|margin| margin.value());
@@ -127,8 +120,8 @@ impl Continuation<'_> {
         DeadPoint { input, kind, step }
     }
 
-    /// It is followed no further than here.
-    pub(super) fn ends(&self, step: StepId, kind: DeadPointKind) -> DeadPoint {
+    /// The end of the motion here.
+    pub(super) fn end_here(&self, step: StepId, kind: DeadPointKind) -> DeadPoint {
         let input = self.input;
         DeadPoint { input, kind, step }
     }

@@ -1,20 +1,20 @@
-//! The poses of a motion, each with its number of derivatives. They are solved by code that is compiled with
-//! the engine, once: what is generic would be compiled again in every crate that asks for it.
+//! Poses of a motion with any number of derivatives. The solver is compiled once, with the engine: a generic one would be
+//! compiled again in every crate that uses it.
 
 use super::Motion;
 use crate::index::StepId;
 use crate::mechanism::{Cause, Pose, Unsolved};
 
-/// A pose that can be asked for, with none to five derivatives by the input.
+/// A pose with none to five derivatives with respect to the input.
 pub trait PoseOrder {
-    /// Makes it the pose of a motion at an input; see [`Motion::place`].
+    /// Writes the pose of a motion at an input; see [`Motion::place`].
     ///
     /// # Errors
-    /// Which links find no place, and why; the pose is then of no use.
+    /// The step that has no solution, and the cause; the pose is then invalid.
     fn put(&mut self, motion: &Motion, input: f64) -> Result<(), Unsolved>;
 }
 
-macro_rules! placed {
+macro_rules! pose_orders {
     ($($orders:literal),+) => {
         $(impl PoseOrder for Pose<$orders> {
             fn put(&mut self, motion: &Motion, input: f64) -> Result<(), Unsolved> {
@@ -24,9 +24,10 @@ macro_rules! placed {
     };
 }
 
-placed!(1, 2, 3, 4, 5, 6);
+pose_orders!(1, 2, 3, 4, 5, 6);
 
 impl Motion {
+    /// Solves the pose at an input.
     fn solve<const N: usize>(&self, input: f64, pose: &mut Pose<N>) -> Result<(), Unsolved> {
         let wrapped = self.cycle.wrap(input);
         let unsolved = |(step, cause)| Unsolved { input, step, cause };
@@ -47,7 +48,7 @@ impl Motion {
         Ok(())
     }
 
-    /// Whether the motion is given up on the way from the drawn pose to an input.
+    /// True if the motion is given up between the drawn pose and an input.
     fn is_given_up_before(&self, input: f64) -> bool {
         let mut ends = self.dead_points.iter();
         ends.any(|end| {

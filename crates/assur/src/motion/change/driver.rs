@@ -1,0 +1,151 @@
+//! Choice of the driver of a linkage, from the pose at hand.
+
+use super::{Changed, INPUT_STEPS};
+use crate::mechanism::{Defect, DriverSpec, FRAME, LinkageSpec, Mechanism, Pose, SlideSpec};
+use crate::motion::features::turning_points;
+use crate::motion::{Motion, TooManyTurns};
+use crate::tolerance;
+
+impl Motion {
+    /// The driver by which a link of [`Mechanism::drivable`] can drive: its present one, a crank, or a slide over its
+    /// present range; none if the link cannot drive, or does not move.
+    ///
+    /// # Errors
+    /// The motion has too many turns to be searched for the range of a slide.
+    pub fn driver(&self, link: &str) -> Result<Option<DriverSpec>, TooManyTurns> {
+        let mechanism = &self.mechanism;
+        let spec = mechanism.spec();
+        let mut drivers = spec.drivers.iter();
+        if let Some(driver) = drivers.find(|driver| spec.driven(driver) == Some(link)) {
+            let mut driver = driver.clone();
+            *driver.rate_mut() = 1.0;
+            return Ok(Some(driver));
+        }
+        if mechanism
+            .cranks()
+            .any(|crank| mechanism.link_name(crank) == link)
+        {
+            return Ok(Some(DriverSpec::Crank {
+                link: link.to_owned(),
+                base: FRAME.to_owned(),
+                rate: 1.0,
+            }));
+        }
+        let mut slides = spec.slides.iter();
+        let slide = slides.position(|slide| slide.link == link && slide.on == FRAME);
+        let Some(slide) = slide else {
+            return Ok(None);
+        };
+        let range = self.slide_range(&spec.slides[slide])?;
+        let rate = 1.0;
+        Ok(range.map(|range| DriverSpec::Slide { slide, range, rate }))
+    }
+
+    /// Minimum and maximum coordinate of a slide along a line of the frame, from its limit positions and the ends of
+    /// the motion; none if it does not move.
+    fn slide_range(&self, slide: &SlideSpec) -> Result<Option<[f64; 2]>, TooManyTurns> {
+        let mechanism = &self.mechanism;
+        let point = mechanism.point(&slide.point);
+        let [from, to] = [0, 1].map(|end| mechanism.spec().place(&slide.line[end]));
+        let (Some(point), Some(from), Some(to)) = (point, from, to) else {
+            debug_assert!(false, "a mechanism has the points of its slides");
+            return Ok(None);
+        };
+        let along = (to - from).normalize();
+        let coordinate = self.telling(|pose: &Pose<3>| {
+            let place = mechanism.place(pose, point);
+            (place.x + -from.x) * along.x + (place.y + -from.y) * along.y
+        });
+        let limits = turning_points(self, &|input| coordinate(input).ok(), mechanism.size())?;
+        let limits = limits.into_iter().map(|limit| limit.value);
+        // At a dead point there is a position, but no derivative.
+        let ends = self.cycle.arcs().iter().flatten().copied();
+        let ends = ends.chain(self.change_points.iter().copied());
+        let ends = ends.chain([self.drawn_input]).filter_map(|input| {
+            let pose = self.pose::<1>(input).ok()?;
+            Some((mechanism.place(&pose, point).place() - from).dot(&along))
+        });
+        let coordinates = limits.chain(ends);
+        let range = coordinates.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
+            [least.min(x), most.max(x)]
+        });
+        let moves = range[1] - range[0] > tolerance::COINCIDENT * mechanism.size();
+        Ok(moves.then_some(range))
+    }
+
+    /// The linkage with another rate of a further driver, given by its index, from the pose at an input.
+    ///
+    /// # Errors
+    /// The defects of that linkage.
+    pub fn at_rate(&self, driver: usize, rate: f64, input: f64) -> Result<Changed, Vec<Defect>> {
+        let pose = self
+            .pose::<1>(input)
+            .or_else(|_| self.pose::<1>(self.drawn_input));
+        let mut spec = match pose {
+            Ok(pose) => self.mechanism.shaped_in(&pose),
+            Err(_) => self.mechanism.spec().clone(),
+        };
+        if let Some(driver) = spec.drivers.get_mut(driver) {
+            *driver.rate_mut() = rate;
+        }
+        let motion = Self::new(Mechanism::new(&spec)?);
+        Ok(Changed {
+            input: motion.drawn_input,
+            gave_way: false,
+            motion,
+        })
+    }
+
+    /// The linkage with another driver, from the pose at an input or, if that is a dead point of the new driver, from
+    /// one next to it.
+    ///
+    /// # Errors
+    /// The defects of that linkage.
+    pub fn driven_by(&self, driver: &DriverSpec, input: f64) -> Result<Changed, Vec<Defect>> {
+        let mut found = Err(Vec::new());
+        let offsets = INPUT_STEPS.into_iter().flat_map(|step| [step, -step]);
+        for offset in [0.0].into_iter().chain(offsets) {
+            let Ok(pose) = self.pose::<1>(input + offset * self.mechanism.span()) else {
+                continue;
+            };
+            let mut spec = self.mechanism.shaped_in(&pose);
+            drive_first(&mut spec, driver);
+            match Mechanism::new(&spec) {
+                Ok(mechanism) => {
+                    let motion = Self::new(mechanism);
+                    let (input, gave_way) = (motion.drawn_input, offset != 0.0);
+                    let moves = motion.pose::<3>(input).is_ok();
+                    let changed = Changed {
+                        motion,
+                        input,
+                        gave_way,
+                    };
+                    if moves {
+                        return Ok(changed);
+                    }
+                    found = found.or(Ok(changed));
+                }
+                Err(defects) => found = found.or(Err(defects)),
+            }
+        }
+        found
+    }
+}
+
+/// Makes a driver the first. If it was a further one, it changes places with the previous first, whose rate becomes the
+/// reciprocal; otherwise the previous first is dropped.
+fn drive_first(spec: &mut LinkageSpec, driver: &DriverSpec) {
+    let driven = spec.driven(driver);
+    let mut all = spec.drivers.iter();
+    let before = all.position(|one| spec.driven(one) == driven);
+    let rate = before.map_or(1.0, |before| spec.drivers[before].rate());
+    if let Some(before) = before {
+        spec.drivers.swap(0, before);
+    }
+    if let Some(first) = spec.drivers.first_mut() {
+        *first = driver.clone();
+    }
+    for further in spec.drivers.iter_mut().skip(1) {
+        *further.rate_mut() /= rate;
+    }
+}

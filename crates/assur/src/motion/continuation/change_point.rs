@@ -1,0 +1,235 @@
+//! Change points of a motion that is followed: links come into line and pass through.
+
+use super::knots::{Knots, MAX_TURN};
+use super::{Continuation, Prediction};
+use crate::index::StepId;
+use crate::position::{KNOWN, Predictor, ROUNDING, SmoothRoot, State, Step};
+use crate::{Jet, tolerance};
+
+/// Distance of a change point, relative to the span of the input, at which it is recognized and passed.
+const WINDOW: f64 = 1e-3;
+/// Distance, relative to the span, within which margins near a change point have too few digits; poses ahead are probed
+/// as far.
+pub(super) const PROBE_DISTANCE: f64 = 1e-5;
+/// Relative rounding of a margin that is zero.
+const ZERO_MARGIN: f64 = 16.0 * ROUNDING;
+/// Maximum relative deviation of a square from its Taylor series; a larger one shows another singularity nearby.
+const MAX_DEVIATION: f64 = 0.1;
+
+/// A change point: steps of the plan whose links pass through in line at one input.
+pub(super) struct ChangePoint {
+    input: f64,
+    steps: Vec<StepId>,
+    /// Roots of the steps whose sign changes; the closed form of a four-bar keeps its sign.
+    smooth_roots: Vec<SmoothRoot>,
+}
+
+impl Continuation<'_> {
+    /// The change point just ahead; none if there is none, or it is too far to be recognized. Steps that depend on its
+    /// links fail first, so one of its steps is `failed` or precedes it in the plan.
+    pub(super) fn change_point_ahead(&self, failed: StepId, width: f64) -> Option<ChangePoint> {
+        if width.abs() > WINDOW * self.mechanism.span() {
+            return None;
+        }
+        let sense = width.signum();
+        let upstream = self.mechanism.steps().ids();
+        let upstream = upstream.take_while(|step| step.index() <= failed.index());
+        let in_line = |step| Some((step, self.in_line_ahead(step, sense)?));
+        let nearest =
+            |(_, a): &(StepId, f64), (_, b): &(StepId, f64)| (a * sense).total_cmp(&(b * sense));
+        let (first, input) = upstream.filter_map(in_line).min_by(nearest)?;
+        Some(self.change_point(first, input, sense))
+    }
+
+    /// The change point of a step, with all other steps whose links pass through in line at the same input.
+    fn change_point(&self, first: StepId, input: f64, sense: f64) -> ChangePoint {
+        let mut found = ChangePoint {
+            input,
+            steps: Vec::new(),
+            smooth_roots: Vec::new(),
+        };
+        let mut next = Some(first);
+        while let Some(step) = next {
+            found.steps.push(step);
+            if self.changes_sign(step) {
+                let square = self.square(step, &self.state_at(input, &found.smooth_roots));
+                let opposite = self.signs[step].opposite();
+                let after = if sense > 0.0 {
+                    opposite
+                } else {
+                    self.signs[step]
+                };
+                let window = [found.input, 4.0 * PROBE_DISTANCE * self.mechanism.span()];
+                let smooth = SmoothRoot::beside((step, after.factor()), window, square);
+                found.smooth_roots.push(smooth);
+            }
+            let state = self.state_at(input, &found.smooth_roots);
+            let others = self.mechanism.steps().ids();
+            let mut others = others.filter(|other| !found.steps.contains(other));
+            next = others.find(|other| self.is_in_line(*other, found.input, &state));
+        }
+        found
+    }
+
+    /// Moves the start just beyond a change point of a four-bar in closed form: so close to it nothing can be certified.
+    pub(super) fn leave_change_point(&mut self) {
+        let near = PROBE_DISTANCE * self.mechanism.span();
+        let around = [self.input - near, self.input + near];
+        let mut steps = self.mechanism.steps().ids();
+        let change_point =
+            steps.find_map(|step| Some((step, *self.closed_change_points(step, around).first()?)));
+        let Some((step, input)) = change_point else {
+            return;
+        };
+        let found = self.change_point(step, input, 1.0);
+        self.repeats = f64::INFINITY;
+        if found.smooth_roots.is_empty()
+            && let Some((_, past)) = self.solve_past(&found, 1.0)
+        {
+            self.advance(past);
+        }
+        self.repeats = self.input;
+    }
+
+    /// True if the assembly sign of a step changes at its change points.
+    fn changes_sign(&self, step: StepId) -> bool {
+        self.mechanism.steps()[step].passes_change_point()
+    }
+
+    /// The square of which a step takes the root.
+    fn square(&self, step: StepId, state: &State<KNOWN>) -> Jet<KNOWN> {
+        self.mechanism.steps()[step].square(state.margins[step])
+    }
+
+    /// The state at an input, as far as it can be solved with these roots of links in line.
+    fn state_at(&self, input: f64, smooth_roots: &[SmoothRoot]) -> State<KNOWN> {
+        let mut state = self.mechanism.blank_state();
+        let predicted = Prediction::of(&self.here, &self.orientations, input - self.input);
+        let near = predicted.near(smooth_roots);
+        // Steps after one that fails stay blank, with nothing in line.
+        let _ = self.mechanism.solve(input, &self.signs, near, &mut state);
+        state
+    }
+
+    /// The input just ahead at which the links of a step come into line and pass through.
+    fn in_line_ahead(&self, step: StepId, sense: f64) -> Option<f64> {
+        let window = WINDOW * self.mechanism.span();
+        let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
+        let placing = &self.mechanism.steps()[step];
+        if let Step::FourBar(_) = placing {
+            let around = [self.input - 2.0 * window, self.input + 2.0 * window];
+            return self
+                .closed_change_points(step, around)
+                .into_iter()
+                .find(ahead);
+        }
+        if !placing.passes_change_point() {
+            return None;
+        }
+        let margins = [0, 1].map(|which| {
+            // A margin with a double zero is about a parabola.
+            let margin = self.here.margins[step][which];
+            let minimum = |input: f64, [slope, second]: [f64; 2]| {
+                (second > 0.0).then_some(input - slope / second)
+            };
+            let mut input = minimum(self.input, [1, 2].map(|order| margin.derivative(order)))?;
+            // Newton's method converges from nearby in four steps.
+            for _ in 0..4 {
+                if !ahead(&input) {
+                    return None;
+                }
+                let margin = self.state_at(input, &[]).margins[step][which];
+                input = minimum(input, [1, 2].map(|order| margin.derivative(order)))?;
+            }
+            let state = self.state_at(input, &[]);
+            (ahead(&input) && self.is_in_line(step, input, &state)).then_some(input)
+        });
+        let minima = margins.into_iter().flatten();
+        minima.min_by(|a, b| (a * sense).total_cmp(&(b * sense)))
+    }
+
+    /// True if the links of a step are in line in a pose, and pass through.
+    fn is_in_line(&self, step: StepId, input: f64, state: &State<KNOWN>) -> bool {
+        let same = tolerance::COINCIDENT * self.mechanism.span();
+        let placing = &self.mechanism.steps()[step];
+        if let Step::FourBar(_) = placing {
+            let around = [input - same, input + same];
+            return !self.closed_change_points(step, around).is_empty();
+        }
+        let touches = |(margin, scale): (Jet<KNOWN>, f64)| {
+            let [value, slope, second] = [0, 1, 2].map(|order| margin.derivative(order));
+            second > 0.0 && value.abs() <= ZERO_MARGIN * scale && slope.abs() <= same * second
+        };
+        let mut margins = state.margins[step].into_iter().zip(placing.scales());
+        placing.passes_change_point() && margins.any(touches)
+    }
+
+    /// The change points of a four-bar in closed form.
+    fn closed_change_points(&self, step: StepId, around: [f64; 2]) -> Vec<f64> {
+        let mut closed = self.mechanism.closed_steps();
+        let closed = closed.find(|closed| closed.step == step);
+        closed.map_or_else(Vec::new, |closed| closed.change_points(around))
+    }
+
+    /// Passes a change point; false if other steps cannot be certified.
+    pub(super) fn pass_change_point(
+        &mut self,
+        found: ChangePoint,
+        sense: f64,
+        knots: &mut Knots,
+    ) -> bool {
+        let (signs, known) = (self.signs.clone(), self.smooth_roots.len());
+        for smooth in &found.smooth_roots {
+            self.signs[smooth.step] = signs[smooth.step].opposite();
+        }
+        self.smooth_roots.extend_from_slice(&found.smooth_roots);
+        let Some((between, past)) = self.solve_past(&found, sense) else {
+            self.signs = signs;
+            self.smooth_roots.truncate(known);
+            return false;
+        };
+        if !found.smooth_roots.is_empty() {
+            // The signs of a knot apply from it on, in ascending inputs.
+            let signs_after = if sense > 0.0 { &self.signs } else { &signs };
+            let pose = (&between, between.orientations());
+            knots.push(found.input, signs_after, pose, self.turned());
+        }
+        self.accept(past, knots);
+        true
+    }
+
+    /// Solves the trial pose beyond a change point, with the signs there, as far from it as the current pose but not
+    /// beyond the input at which the motion may repeat. Returns the pose in line and the trial input; none if the step
+    /// is not certified.
+    fn solve_past(&mut self, found: &ChangePoint, sense: f64) -> Option<(Predictor, f64)> {
+        let least = PROBE_DISTANCE * self.mechanism.span();
+        let [before, left] =
+            [found.input - self.input, self.repeats - found.input].map(|width| width * sense);
+        if left < -tolerance::COINCIDENT * self.mechanism.span() {
+            return None;
+        }
+        let past = found.input + sense * before.min(left).max(least);
+        self.solve_trial(found.input).ok()?;
+        let between = self.trial.clone();
+        self.solve_trial(past).ok()?;
+        let Self {
+            mechanism,
+            enclosure,
+            here,
+            trial,
+            ..
+        } = self;
+        let plan = mechanism.steps();
+        let expected = found.smooth_roots.iter().all(|smooth| {
+            let square = plan[smooth.step].square(trial.margins[smooth.step]).value();
+            let root = smooth.at(Jet::<1>::constant(past)).value();
+            (root * root - square).abs() <= MAX_DEVIATION * square
+        });
+        let width = past - self.input;
+        let certified = enclosure.certify_beside(plan, here, width, (&found.steps, trial));
+        let mut steps = plan.enumerate();
+        let held = steps.all(|(step, placing)| enclosure.holds(step, placing, here, trial));
+        let is_certified = expected && certified.is_ok() && held;
+        (is_certified && self.turned() <= MAX_TURN).then_some((between, past))
+    }
+}

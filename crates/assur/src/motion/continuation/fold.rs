@@ -1,0 +1,216 @@
+//! Folds of a group: two of its assemblies meet, and the driver must turn back. The poses of a group with their inputs
+//! lie on a curve that is smooth there. Along it the fold is the simple root of the rate of the input, as exact as the
+//! equations.
+//!
+//! The curve is followed by Keller's pseudo-arclength continuation: a step along the tangent, and Newton's method
+//! across it. Two branches may come very close without meeting; a jump from one to the other changes the sign of the
+//! determinant of the equations bordered by the tangent.
+
+use std::cell::RefCell;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{Continuation, Prediction};
+use crate::index::StepId;
+use crate::motion::root::root;
+use crate::position::{Group, Linearized, Predictor, Step, StepContext};
+use crate::{Jet, tolerance};
+
+/// Maximum number of Newton steps for a point on the curve.
+const MAX_NEWTON_STEPS: usize = 12;
+/// Maximum number of steps along the curve, and of tries.
+const MAX_STEPS: usize = 64;
+const MAX_TRIES: usize = 48;
+/// Maximum uncertainty of a point due to rounding, relative to the step.
+const MAX_UNCERTAINTY: f64 = 0.02;
+/// Cosine of the turn of the tangent: minimum in a step, and above which the next step is doubled.
+const MIN_COSINE: f64 = 0.9;
+const STRAIGHT_COSINE: f64 = 0.99;
+
+/// The curve of poses of a group. Coordinates on it are the unknowns, scaled to unit size, and the scaled input last.
+struct Curve<'a> {
+    motion: &'a Continuation<'a>,
+    group: &'a Group,
+    step: StepId,
+    state: RefCell<Predictor>,
+}
+
+/// A point on the curve.
+struct CurvePoint {
+    at: DVector<f64>,
+    /// Unit tangent.
+    tangent: DVector<f64>,
+    /// Sign of the determinant of the bordered equations.
+    determinant_sign: f64,
+    /// The last Newton correction.
+    uncertainty: f64,
+}
+
+impl Continuation<'_> {
+    /// The input of the fold of a group ahead, within a window.
+    pub(super) fn fold(&self, step: StepId, sense: f64, window: f64) -> Option<f64> {
+        let Step::Group(group) = &self.mechanism.steps()[step] else {
+            return None;
+        };
+        let curve = Curve {
+            motion: self,
+            group,
+            step,
+            state: RefCell::new(self.mechanism.blank_state()),
+        };
+        let unit = curve.input_unit();
+        let [value, first, second] =
+            [0, 1, 2].map(|order| group.in_units(&self.here.natural, order));
+        // Derivatives with respect to the scaled input.
+        let [rate, acceleration] = [first * unit, second * (2.0 * unit.powi(2))];
+        let tangent = rate.push(1.0).normalize() * sense;
+        let mut here = curve.corrected(&value.push(self.input / unit), &tangent, 0.0)?;
+        // A quarter of a lower bound on the radius of curvature.
+        let mut step_len = 0.25 * (1.0 + rate.norm_squared()) / acceleration.norm();
+        if !step_len.is_finite() {
+            return None;
+        }
+        let mut tries = MAX_TRIES;
+        for _ in 0..MAX_STEPS {
+            let (next, cosine) = loop {
+                tries = tries.checked_sub(1)?;
+                if let Some(next) = curve.corrected(&here.at, &here.tangent, step_len)
+                    && next.determinant_sign == here.determinant_sign
+                    && next.uncertainty <= MAX_UNCERTAINTY * step_len
+                {
+                    let cosine = next.tangent.dot(&here.tangent);
+                    if cosine >= MIN_COSINE {
+                        break (next, cosine);
+                    }
+                }
+                step_len *= 0.5;
+            };
+            if curve.rate(&next) * sense <= 0.0 {
+                return curve.fold_between(&here, &next, step_len);
+            }
+            // Towards a fold the input slows down; away from one it speeds up.
+            let slower = curve.rate(&next).abs() < curve.rate(&here).abs();
+            if !slower || (curve.input(&next) - self.input) * sense > window {
+                return None;
+            }
+            here = next;
+            if cosine >= STRAIGHT_COSINE {
+                step_len *= 2.0;
+            }
+        }
+        None
+    }
+}
+
+impl Curve<'_> {
+    /// Unit of the scaled input: its span is 2π.
+    fn input_unit(&self) -> f64 {
+        self.motion.mechanism.span() / std::f64::consts::TAU
+    }
+
+    fn input(&self, point: &CurvePoint) -> f64 {
+        self.input_unit() * point.at[point.at.len() - 1]
+    }
+
+    /// Rate of the input along the curve.
+    fn rate(&self, point: &CurvePoint) -> f64 {
+        point.tangent[point.tangent.len() - 1]
+    }
+
+    /// The input of the fold between two points a step apart: the root of the rate.
+    fn fold_between(&self, here: &CurvePoint, next: &CurvePoint, step_len: f64) -> Option<f64> {
+        let [first, last] = [here, next].map(|point| self.rate(point));
+        // Near the fold the input deviates from it by rate² / (2 · slope of the rate): below this it is exact.
+        let negligible = f64::EPSILON * (last - first).abs() / step_len;
+        let point = |length: f64| self.corrected(&here.at, &here.tangent, length);
+        let rate = |length: f64| {
+            let rate = self.rate(&point(length)?);
+            Some(if rate * rate <= negligible { 0.0 } else { rate })
+        };
+        let length = root([[0.0, first], [step_len, last]], rate)?;
+        Some(self.input(&point(length)?))
+    }
+
+    /// The point on the curve in the hyperplane normal to a step along a tangent, at its end.
+    fn corrected(
+        &self,
+        from: &DVector<f64>,
+        tangent: &DVector<f64>,
+        step_len: f64,
+    ) -> Option<CurvePoint> {
+        let rows = tangent.len();
+        let foot = from + tangent * step_len;
+        let mut at = foot.clone();
+        let mut last = f64::INFINITY;
+        for _ in 0..MAX_NEWTON_STEPS {
+            let Linearized {
+                residual,
+                slopes,
+                is_redundant,
+                residual_is_rounding,
+            } = self.linearized(&at)?;
+            let mut bordered = slopes.resize_vertically(rows, 0.0);
+            bordered.row_mut(rows - 1).tr_copy_from(tangent);
+            // Right-hand sides: the residual, and that of the new tangent.
+            let mut rhs = DMatrix::zeros(rows, 2);
+            rhs.view_mut((0, 0), (rows - 1, 1)).copy_from(&residual);
+            rhs[(rows - 1, 0)] = tangent.dot(&(&at - &foot));
+            rhs[(rows - 1, 1)] = 1.0;
+            let bordered = bordered.lu();
+            let solution = bordered.solve(&rhs)?;
+            let correction = solution.column(0).amax();
+            if !correction.is_finite() {
+                return None;
+            }
+            at -= solution.column(0);
+            let stagnates = correction >= 0.5 * last && residual_is_rounding;
+            if correction <= tolerance::EXACT || stagnates {
+                let tangent = solution.column(1).normalize();
+                // Of redundant equations others may be dropped at the next point: their determinant keeps no sign.
+                let determinant_sign = if is_redundant {
+                    1.0
+                } else {
+                    bordered.determinant().signum()
+                };
+                return Some(CurvePoint {
+                    at,
+                    tangent,
+                    determinant_sign,
+                    uncertainty: correction,
+                });
+            }
+            last = correction;
+        }
+        None
+    }
+
+    /// The equations of the group at a point, linearized.
+    fn linearized(&self, at: &DVector<f64>) -> Option<Linearized> {
+        let Continuation {
+            mechanism,
+            signs,
+            orientations,
+            here,
+            smooth_roots,
+            ..
+        } = self.motion;
+        let last = at.len() - 1;
+        let input = self.input_unit() * at[last];
+        let predicted = Prediction::of(here, orientations, input - self.motion.input);
+        let near = predicted.near(smooth_roots);
+        let state = &mut *self.state.borrow_mut();
+        let before = mechanism.solve_before(self.step, input, signs, near, state);
+        before.ok()?;
+        let context = StepContext {
+            step: self.step,
+            input: Jet::linear(input, 1.0),
+            sign: signs[self.step],
+            near,
+        };
+        let unknowns = at.rows(0, last).into_owned();
+        let mut linearized = self.group.linearized(state, &context, &unknowns).ok()?;
+        let mut by_input = linearized.slopes.column_mut(last);
+        by_input *= self.input_unit();
+        Some(linearized)
+    }
+}

@@ -1,0 +1,61 @@
+//! Hermite interpolation of degree 7: values and three derivatives at both ends.
+
+/// Taylor coefficients of a function at an end, orders 0 to 3.
+pub(super) type Taylor = [f64; 4];
+
+/// The interpolating polynomials of several functions at an input; each end is its input and the coefficients there.
+pub(super) fn interpolated<'a>(
+    [(from, start), (to, end)]: [(f64, &'a [Taylor]); 2],
+    input: f64,
+) -> impl Iterator<Item = f64> + use<'a> {
+    let width = to - from;
+    let u = ((input - from) / width).clamp(0.0, 1.0);
+    let weights = [weights(u, width), weights(1.0 - u, -width)];
+    start.iter().zip(end).map(move |(a, b)| {
+        let terms = (0..4).map(|order| weights[0][order] * a[order] + weights[1][order] * b[order]);
+        terms.sum::<f64>()
+    })
+}
+
+/// Weights of the Taylor coefficients of one end, at `u` of the `width` from it: the polynomials that vanish with three
+/// derivatives at the other end.
+fn weights(u: f64, width: f64) -> [f64; 4] {
+    let rest = (1.0 - u).powi(4);
+    let x = u * width;
+    let sums = [
+        1.0 + u * (4.0 + u * (10.0 + u * 20.0)),
+        1.0 + u * (4.0 + u * 10.0),
+        1.0 + u * 4.0,
+        1.0,
+    ];
+    let powers = [1.0, x, x * x, x * x * x];
+    std::array::from_fn(|order| rest * powers[order] * sums[order])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Taylor, interpolated};
+
+    /// Polynomials of degree 7 are reproduced.
+    #[test]
+    fn polynomials_are_kept() {
+        let ends = [0.4_f64, 0.7];
+        for degree in 0..8_i32 {
+            let binomial =
+                |k: i32| (0..k).fold(1.0, |c, i| c * f64::from(degree - i) / f64::from(i + 1));
+            let taylor = |at: f64| -> [Taylor; 1] {
+                [[0, 1, 2, 3].map(|k| binomial(k) * at.powi(degree - k))]
+            };
+            let [start, end] = ends.map(taylor);
+            for k in 0..=10 {
+                let input = ends[0] + f64::from(k) / 10.0 * (ends[1] - ends[0]);
+                let value: f64 = interpolated([(ends[0], &start), (ends[1], &end)], input).sum();
+                let expected = input.powi(degree);
+                assert!(
+                    (value - expected).abs() < 1e-15,
+                    "{degree} {input}: {value}"
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,329 @@
+//! Zeros and extrema of quantities over a motion, refined to rounding.
+
+mod extremum;
+mod roots;
+mod samples;
+
+pub use extremum::{Extremum, Kind};
+
+use super::{InputRate, Motion};
+use crate::mechanism::{Pose, Quantity, half_turns};
+use crate::{Cycle, Jet, tolerance};
+use roots::ordered_roots;
+use samples::{Sample, Samples, closed, grids, searchable};
+
+/// Zeros and extrema of a quantity over a motion, in ascending inputs.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Features {
+    /// Inputs of its zeros.
+    pub zeros: Vec<f64>,
+    /// Its local extrema.
+    pub extrema: Vec<Extremum>,
+    /// The value of a constant quantity: 0 if it is rounding alone.
+    pub level: Option<f64>,
+}
+
+impl Features {
+    /// The features of a multiple of the quantity.
+    pub fn scaled(&self, ratio: f64) -> Self {
+        Self {
+            zeros: self.zeros.clone(),
+            extrema: self.extrema.iter().map(|e| e.scaled(ratio)).collect(),
+            level: self.level.map(|level| ratio * level),
+        }
+    }
+}
+
+/// Maximum number of samples that are kept at once, of all quantities together.
+const MAX_SAMPLES: usize = 1 << 18;
+/// Rounding of a value, relative to it.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A motion that repeats only after more turns than are searched for zeros and extrema.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TooManyTurns {
+    /// Number of turns of the crank after which it repeats.
+    pub turns: usize,
+    /// Maximum number of turns that are searched.
+    pub most: usize,
+}
+
+impl Motion {
+    /// Zeros and extrema of quantities and of their first two derivatives with respect to time, by [`features`].
+    /// Multiples of one quantity are searched once. The jumps of a folded angle are neither.
+    ///
+    /// # Errors
+    /// The motion has too many turns to be searched.
+    pub fn features(
+        &self,
+        quantities: &[Quantity],
+        input: InputRate,
+    ) -> Result<Vec<[Features; 3]>, TooManyTurns> {
+        let mechanism = self.mechanism();
+        let multiples = quantities.iter().map(|one| self.multiple(*one));
+        let multiples: Vec<(Quantity, f64)> = multiples.collect();
+        let mut bases: Vec<Quantity> = Vec::new();
+        for (base, _) in &multiples {
+            if !bases.contains(base) {
+                bases.push(*base);
+            }
+        }
+        let grids = self.grids()?;
+        let samples: usize = grids.iter().map(Vec::len).sum();
+        let at_once = (MAX_SAMPLES / samples.max(1)).max(1);
+        let found = bases.chunks(at_once).flat_map(|bases| {
+            let units: Vec<f64> = bases.iter().map(|base| self.unit(*base)).collect();
+            let jets = self.telling(|pose: &Pose<5>| {
+                let bases = bases.iter();
+                bases.map(|base| base.unfolded(mechanism, pose)).collect()
+            });
+            let jets = |input: f64| -> Option<Vec<Jet<5>>> { jets(input).ok() };
+            let found = features_over(&grids, self.cycle(), &jets, &units, input);
+            let found = bases.iter().zip(found);
+            found.map(|(base, found)| {
+                if base.is_folded() {
+                    self.folded(*base, found)
+                } else {
+                    found
+                }
+            })
+        });
+        let found: Vec<[Features; 3]> = found.collect();
+        let scaled = |(base, factor): (Quantity, f64)| {
+            let mut known = bases.iter().zip(&found);
+            let found = known.find(|(one, _)| **one == base);
+            let found = found.map(|(_, found)| found.each_ref().map(|order| order.scaled(factor)));
+            debug_assert!(found.is_some(), "every base was searched");
+            found
+        };
+        Ok(multiples.into_iter().filter_map(scaled).collect())
+    }
+
+    /// The sample inputs of each arc.
+    fn grids(&self) -> Result<Vec<Vec<f64>>, TooManyTurns> {
+        grids(self.cycle(), &|arc| self.mechanism().in_line(arc))
+    }
+
+    /// Checks that zeros and extrema can be searched.
+    ///
+    /// # Errors
+    /// The motion has too many turns to be searched.
+    pub fn searchable(&self) -> Result<(), TooManyTurns> {
+        searchable(self.cycle())
+    }
+
+    /// The scale of tolerances for a quantity: 1 for an angle, the size of the mechanism for a coordinate, and the
+    /// minimum scale of lengths for a distance, which may be within a small part of the drawing.
+    pub(super) fn unit(&self, quantity: Quantity) -> f64 {
+        match quantity {
+            Quantity::X(_) | Quantity::Y(_) => self.mechanism().size(),
+            Quantity::Distance(_) => self.unit_within(0.0),
+            Quantity::Angle(_)
+            | Quantity::Transmission(_)
+            | Quantity::Pressure(_)
+            | Quantity::Corner(_)
+            | Quantity::Between(_) => 1.0,
+        }
+    }
+
+    /// The scale of tolerances for lengths within a part of the drawing: the size of the part, but at least a
+    /// thousandth of the drawing, as points are rounded by 10⁻¹² of it.
+    pub(super) fn unit_within(&self, part: f64) -> f64 {
+        part.max(1e-3 * self.mechanism().size())
+    }
+
+    /// The features of a folded angle from those of the unfolded one: folding may reverse the sense and leaves no zeros.
+    fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
+        let with_sense = |extremum: Extremum| {
+            let pose = self.pose::<3>(extremum.input);
+            debug_assert!(pose.is_ok(), "an extremum is found in a pose");
+            let angle = quantity.unfolded(self.mechanism(), &pose.ok()?);
+            Some(extremum.scaled(quantity.sense(&angle)))
+        };
+        // While two links turn as one, the rounding of the angle between them crosses zero several times.
+        let coincide = |one: f64, other: f64| (one - other).abs() < tolerance::COINCIDENT;
+        let [value, first, second] = found.map(|mut order| {
+            order.zeros.dedup_by(|one, other| coincide(*one, *other));
+            order
+                .extrema
+                .dedup_by(|one, other| one.kind == other.kind && coincide(one.input, other.input));
+            order.extrema = order.extrema.into_iter().filter_map(with_sense).collect();
+            order
+        });
+        let value = Features {
+            zeros: Vec::new(),
+            extrema: (value.extrema.into_iter())
+                .map(|extremum| Extremum {
+                    value: quantity.folded(extremum.value),
+                    ..extremum
+                })
+                .collect(),
+            level: value.level.map(|level| quantity.folded(level)),
+        };
+        let rate = |order: Features| Features {
+            level: order.level.filter(|level| *level == 0.0),
+            ..order
+        };
+        [value, rate(first), rate(second)]
+    }
+
+    /// The quantity of which another is a multiple, and the factor. An angle with an offset has zeros of its own and is
+    /// a multiple of itself alone.
+    fn multiple(&self, quantity: Quantity) -> (Quantity, f64) {
+        let Quantity::Angle(link) = quantity else {
+            return (quantity, 1.0);
+        };
+        let multiple = self.mechanism().multiple_of(link);
+        if multiple.offset.abs() < tolerance::NEGLIGIBLE {
+            (Quantity::Angle(multiple.of), multiple.factor)
+        } else {
+            (quantity, 1.0)
+        }
+    }
+}
+
+/// Zeros and extrema of quantities and of their first two derivatives with respect to time over a cycle: `motion` gives
+/// the quantities at a crank angle φ₁ from the line of the frame, `units` the scale of tolerances for each (1 for an
+/// angle, a length of the mechanism for a coordinate).
+///
+/// Each is a root of the quantity or of the next derivative, found by safeguarded Newton steps with exact derivatives. A
+/// constant quantity has a level instead.
+///
+/// # Errors
+/// The cycle has too many turns to be searched.
+pub fn features(
+    cycle: &Cycle,
+    motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
+    units: &[f64],
+    input: InputRate,
+) -> Result<Vec<[Features; 3]>, TooManyTurns> {
+    let grids = grids(cycle, &|arc| half_turns(0.0, arc).collect())?;
+    Ok(features_over(&grids, cycle, motion, units, input))
+}
+
+/// [`features`] from samples at the inputs of each grid.
+fn features_over(
+    grids: &[Vec<f64>],
+    cycle: &Cycle,
+    motion: &dyn Fn(f64) -> Option<Vec<Jet<5>>>,
+    units: &[f64],
+    rate: InputRate,
+) -> Vec<[Features; 3]> {
+    let at = |input: &f64| Some((*input, motion(*input)?));
+    let poses = grids.iter().map(|grid| grid.iter().map(at).collect());
+    let poses: Vec<Vec<_>> = poses.collect();
+    let of = |index: usize, order: usize| {
+        let sample = |(input, jets): &(f64, Vec<Jet<5>>)| Sample {
+            input: *input,
+            f: rate.rates(&jets[index], order),
+        };
+        let at = |input: f64| Some(sample(&(input, motion(input)?)));
+        let arcs = poses.iter().map(|poses| {
+            let samples = poses.iter().map(|pose| pose.as_ref().map(sample)).collect();
+            closed(cycle, samples, order, &at)
+        });
+        let arcs: Vec<Samples> = arcs.collect();
+        let scale = units[index] * (rate.scale(order).abs() + rate.acceleration.abs());
+        features_of(cycle, &arcs, &at, Tolerance::of(order, scale))
+    };
+    (0..units.len())
+        .map(|index| [0, 1, 2].map(|order| of(index, order)))
+        .collect()
+}
+
+/// The extrema of one quantity, from two derivatives.
+///
+/// # Errors
+/// The motion has too many turns to be searched.
+pub(super) fn turning_points(
+    motion: &Motion,
+    quantity: &dyn Fn(f64) -> Option<Jet<3>>,
+    unit: f64,
+) -> Result<Vec<Extremum>, TooManyTurns> {
+    let cycle = motion.cycle();
+    let sample = |input: f64| {
+        let jet = quantity(input)?;
+        let f = [0, 1, 2].map(|order| jet.derivative(order));
+        Some(Sample { input, f })
+    };
+    let arcs = motion.grids()?.into_iter().map(|grid| {
+        let samples = grid.into_iter().map(sample).collect();
+        closed(cycle, samples, 0, &sample)
+    });
+    let arcs: Vec<Samples> = arcs.collect();
+    let Variation::Varies = variation(&arcs, Tolerance::of(0, unit)) else {
+        return Ok(Vec::new());
+    };
+    let turns = ordered_roots(cycle, &arcs, &sample, 1);
+    Ok(turns.iter().filter_map(Sample::extremum).collect())
+}
+
+/// Zeros and extrema of one function of the input, from samples of the whole motion.
+fn features_of(
+    cycle: &Cycle,
+    arcs: &[Samples],
+    sample: &dyn Fn(f64) -> Option<Sample>,
+    tolerance: Tolerance,
+) -> Features {
+    if let Variation::Constant(level) = variation(arcs, tolerance) {
+        return Features {
+            level,
+            ..Features::default()
+        };
+    }
+    let [zeros, turns] = [0, 1].map(|order| ordered_roots(cycle, arcs, sample, order));
+    Features {
+        zeros: zeros.iter().map(|sample| sample.input).collect(),
+        extrema: turns.iter().filter_map(Sample::extremum).collect(),
+        level: None,
+    }
+}
+
+/// Variation of a function over the motion.
+enum Variation {
+    Varies,
+    /// Its value, if there are any samples.
+    Constant(Option<f64>),
+}
+
+/// Maximum variation of a function that counts as constant.
+#[derive(Clone, Copy)]
+struct Tolerance {
+    absolute: f64,
+    /// Relative to its largest value.
+    relative: f64,
+}
+
+impl Tolerance {
+    /// The tolerance of a quantity (order 0) or a derivative of it with a scale. The rounding of a point far from the
+    /// origin is proportional to its distance, but the tolerance is not.
+    fn of(order: usize, scale: f64) -> Self {
+        Self {
+            absolute: tolerance::COINCIDENT * scale,
+            relative: if order == 0 {
+                ROUNDING
+            } else {
+                tolerance::COINCIDENT
+            },
+        }
+    }
+}
+
+fn variation(arcs: &[Samples], tolerance: Tolerance) -> Variation {
+    let values = arcs.iter().flatten().flatten().map(|s| s.f[0]);
+    let [least, most] = values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], value| [least.min(value), most.max(value)],
+    );
+    let largest = least.abs().max(most.abs());
+    let rounding = tolerance.absolute.max(tolerance.relative * largest);
+    if most - least > rounding {
+        return Variation::Varies;
+    }
+    let value = if largest > rounding {
+        least.midpoint(most)
+    } else {
+        0.0
+    };
+    Variation::Constant((least <= most).then_some(value))
+}

@@ -1,0 +1,110 @@
+//! Roots of sampled functions, refined to rounding.
+
+use super::ROUNDING;
+use super::samples::{Sample, Samples};
+use crate::Cycle;
+use crate::sorting::sort_by;
+
+/// The samples at which the derivative `order`, 0 or 1, of the function vanishes, within the cycle and in ascending
+/// order.
+pub(super) fn ordered_roots(
+    cycle: &Cycle,
+    arcs: &[Samples],
+    sample: &dyn Fn(f64) -> Option<Sample>,
+    order: usize,
+) -> Vec<Sample> {
+    let in_cycle = |input: f64| {
+        let [start, end] = cycle.axis();
+        let wrapped = cycle.wrap(input);
+        if cycle.is_full() && wrapped >= end {
+            start
+        } else {
+            wrapped
+        }
+    };
+    // A pose that a deltoid leaves indeterminate splits its motion: rates may jump there.
+    let cells = arcs.iter().flat_map(|samples| samples.windows(2));
+    let cells = cells.filter_map(|pair| match pair {
+        [Some(a), Some(b)] => Some(roots(sample, order, *a, *b)),
+        _ => None,
+    });
+    let mut ordered: Vec<Sample> = cells.flatten().collect();
+    sort_by(&mut ordered, |a, b| a.input.total_cmp(&b.input));
+    // Near a root rounding changes the sign several times; not near 0, where numbers are densest.
+    ordered.dedup_by(|later, one| later.input - one.input <= ROUNDING * later.input.abs());
+    let [start, end] = cycle.axis();
+    if let (true, [first, .., last]) = (cycle.is_full(), &ordered[..])
+        && first.input + (end - start) - last.input <= ROUNDING * last.input.abs()
+    {
+        ordered.pop();
+    }
+    for root in &mut ordered {
+        root.input = in_cycle(root.input);
+    }
+    sort_by(&mut ordered, |a, b| a.input.total_cmp(&b.input));
+    ordered
+}
+
+/// Roots of the derivative `order` between two neighbouring samples: none, one at a change of sign, or two around an
+/// extremum of the derivative within the cell.
+fn roots(
+    sample: &dyn Fn(f64) -> Option<Sample>,
+    order: usize,
+    a: Sample,
+    b: Sample,
+) -> Vec<Sample> {
+    let [f, slope] = [0, 1].map(|k| move |s: &Sample| s.f[order + k]);
+    if f(&a) == 0.0 || f(&a) * f(&b) < 0.0 {
+        return bracketed(sample, a, b, f, slope).into_iter().collect();
+    }
+    let towards_zero = f(&a) * slope(&a) < 0.0 && f(&b) * slope(&b) > 0.0;
+    if !towards_zero {
+        return Vec::new();
+    }
+    match bracketed(sample, a, b, slope, |_| f64::NAN) {
+        Some(extremum) if f(&extremum) * f(&a) < 0.0 => [(a, extremum), (extremum, b)]
+            .into_iter()
+            .filter_map(|(a, b)| bracketed(sample, a, b, f, slope))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The root of `f` in the bracket from `a` to `b`: Newton's method with `slope`, safeguarded by bisection.
+fn bracketed(
+    sample: &dyn Fn(f64) -> Option<Sample>,
+    a: Sample,
+    b: Sample,
+    f: impl Fn(&Sample) -> f64,
+    slope: impl Fn(&Sample) -> f64,
+) -> Option<Sample> {
+    let (mut low, mut high) = (a, b);
+    let nearer = |a: Sample, b: Sample| if f(&a).abs() < f(&b).abs() { a } else { b };
+    let mut best = nearer(a, b);
+    // Every third step is a bisection; sixty of them reach rounding.
+    for step in 0..180 {
+        let inside = |input: &f64| *input > low.input && *input < high.input;
+        let middle = 0.5 * (low.input + high.input);
+        let newton = best.input - f(&best) / slope(&best);
+        let input = [newton, middle]
+            .into_iter()
+            .skip(usize::from(step % 3 == 2))
+            .find(inside);
+        // No number lies between two neighbours: the root is found.
+        let Some(next) = input.map(sample) else { break };
+        let next = next?;
+        if f(&next) * f(&low) > 0.0 {
+            low = next;
+        } else {
+            high = next;
+        }
+        let moved = (next.input - best.input).abs();
+        best = nearer(next, best);
+        if f(&best) == 0.0 || moved <= f64::EPSILON * next.input.abs() {
+            break;
+        }
+    }
+    // At a jump `f` is nowhere small: the root is where the sign changes.
+    let outside = best.input < low.input || best.input > high.input;
+    Some(if outside { nearer(low, high) } else { best })
+}

@@ -1,0 +1,131 @@
+//! Samples of a function over a cycle, from which its roots are bracketed.
+
+use std::f64::consts::TAU;
+
+use super::{Extremum, Kind, TooManyTurns};
+use crate::Cycle;
+use crate::motion::SAMPLES_PER_TURN;
+use crate::sorting::sort_by;
+
+/// Maximum number of turns that are searched: extrema of more could not be distinguished in a plot.
+const MAX_TURNS: usize = 256;
+
+/// A function and its first two derivatives with respect to the input.
+#[derive(Clone, Copy)]
+pub(super) struct Sample {
+    pub(super) input: f64,
+    pub(super) f: [f64; 3],
+}
+
+/// Samples over an arc; none without a pose.
+pub(super) type Samples = Vec<Option<Sample>>;
+
+impl Sample {
+    /// The extremum at a stationary point.
+    pub(super) fn extremum(&self) -> Option<Extremum> {
+        let [value, _, second] = self.f;
+        let kind = if second < 0.0 { Kind::Max } else { Kind::Min };
+        (second != 0.0).then_some(Extremum {
+            kind,
+            input: self.input,
+            value,
+        })
+    }
+}
+
+/// The sample inputs of each arc: even, and graded towards the inputs that `in_line` gives within it. There the crank
+/// is in line with the outer hinges of a dyad: near a change point, or if the hinges nearly meet, the motion changes
+/// within any small angle. A full cycle is centred on 0, near which floating-point numbers are densest.
+pub(super) fn grids(
+    cycle: &Cycle,
+    in_line: &dyn Fn([f64; 2]) -> Vec<f64>,
+) -> Result<Vec<Vec<f64>>, TooManyTurns> {
+    searchable(cycle)?;
+    let graded = |[from, to]: [f64; 2]| {
+        // The range of a driven slide counts as one turn.
+        let turn = if cycle.turns() { TAU } else { to - from };
+        let cell = turn / SAMPLES_PER_TURN as f64;
+        // An even count: the start of a full cycle, in the middle, is a sample.
+        let count = 2.0 * (0.5 * (to - from) / cell).ceil();
+        let mut inputs: Vec<f64> = (0..=count as usize)
+            .map(|i| from + (to - from) * (i as f64 / count))
+            .collect();
+        for centre in in_line([from, to]) {
+            for grade in 0..52 {
+                let offset = cell * 0.5_f64.powi(grade);
+                inputs.extend([centre - offset, centre + offset]);
+            }
+        }
+        inputs.retain(|input| (from..=to).contains(input));
+        sort_by(&mut inputs, f64::total_cmp);
+        inputs.dedup();
+        inputs
+    };
+    if cycle.is_full() {
+        let [start, end] = cycle.axis();
+        let half = 0.5 * (end - start);
+        return Ok(vec![graded([start - half, start + half])]);
+    }
+    Ok(cycle.arcs().iter().copied().map(graded).collect())
+}
+
+/// Refuses a full cycle of more turns than are searched. The arc of a motion that turns back has as many as were
+/// followed.
+pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
+    let [start, end] = cycle.axis();
+    let turns = ((end - start) / TAU).round() as usize;
+    if cycle.is_full() && turns > MAX_TURNS {
+        return Err(TooManyTurns {
+            turns,
+            most: MAX_TURNS,
+        });
+    }
+    Ok(())
+}
+
+/// Closes the samples of a full cycle; others stay as they are. Samples of a derivative remain centred on the start and
+/// end with the values of the first. Those of the function itself are reordered from start to end, with the start
+/// repeated at the end: an angle that turns fully continues from its value a cycle before.
+pub(super) fn closed(
+    cycle: &Cycle,
+    mut samples: Samples,
+    order: usize,
+    at: &dyn Fn(f64) -> Option<Sample>,
+) -> Samples {
+    if !cycle.is_full() {
+        return samples;
+    }
+    if order > 0 {
+        if let [Some(first), .., Some(last)] = &mut samples[..] {
+            last.f = first.f;
+        }
+        return samples;
+    }
+    let [start, end] = cycle.axis();
+    // The first and the last are a cycle apart.
+    let samples = samples.get(1..).unwrap_or_default();
+    // Without a pose, where a deltoid is indeterminate, the next sample is taken.
+    let growth = (samples.iter().flatten())
+        .take_while(|sample| sample.input < start)
+        .find_map(|sample| Some(at(sample.input + (end - start))?.f[0] - sample.f[0]));
+    let a_cycle_later = |mut sample: Sample| {
+        sample.input += end - start;
+        sample.f[0] += growth?;
+        Some(sample)
+    };
+    let middle = samples
+        .iter()
+        .position(|sample| sample.is_some_and(|sample| sample.input >= start));
+    // Without a middle all are before it.
+    let (before, after) = samples.split_at(middle.unwrap_or(samples.len()));
+    let moved = before.iter().map(|sample| sample.and_then(a_cycle_later));
+    // Inputs before the start may already belong to the next cycle; the end itself has its own value.
+    let closing = after.first().map(|first| {
+        let first = (*first)?;
+        let input = first.input + (end - start);
+        let [_, slope, second] = first.f;
+        let f = [at(input)?.f[0], slope, second];
+        Some(Sample { input, f })
+    });
+    after.iter().copied().chain(moved).chain(closing).collect()
+}
