@@ -16,9 +16,6 @@ pub(crate) const NEGLIGIBLE: f64 = 1e-12;
 /// and so do inputs, relative to a turn.
 pub(crate) const COINCIDENT: f64 = 1e-9;
 
-/// The greatest coordinate: with it a length of 1 is known to [`COINCIDENT`].
-pub(crate) const FARTHEST: f64 = 1e9;
-
 /// Half of the digits, √ε rounded down: to this a double root is known.
 pub(crate) const DOUBLE_ROOT: f64 = 1e-8;
 
