@@ -396,7 +396,7 @@ slide?: number | null,
  */
 range?: [number, number] | null, 
 /**
- * Of a further driver by how much its coordinate grows with that of the first; without it as much.
+ * Rate of a further driver's coordinate by that of the first; 1 by default.
  */
 rate?: number | null, };
 export type TracerDocument = { 
@@ -516,7 +516,7 @@ phi0_deg: number,
  */
 positions: Array<PositionDocument>, 
 /**
- * Whether φ₂ and φ₃ are told from starts that may be chosen.
+ * True if φ₂ and φ₃ are counted from starts that may be chosen.
  */
 free: boolean, 
 /**

@@ -64,7 +64,7 @@ export type PolygonStepHere = {
  */
 kind: "pole" | "equation" | "image" | "group", 
 /**
- * Of an equation the point looked for and the one it is told from.
+ * The unknown point of an equation and its reference point.
  */
 target?: string | null, from?: string | null, 
 /**
@@ -365,7 +365,7 @@ sections: SectionsSummary | null,
  */
 closed: Array<string>, 
 /**
- * Links that hang on nothing after the cuts.
+ * Links joined to nothing after the cuts.
  */
 apart: Array<string>, 
 /**
@@ -849,7 +849,7 @@ export type SweepColumn = {
  */
 name: string, 
 /**
- * None where the name is all that is told.
+ * None if the name says it all.
  */
 quantity: SweepQuantity | null, };
 export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner" | "between" | "transmission" | "pressure" | "radius" | "centre_x" | "centre_y", of: string, order: number, };
