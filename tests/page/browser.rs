@@ -271,7 +271,7 @@ impl Page {
     }
 
     pub(crate) async fn click(&self, id: &str) {
-        self.element(id).await.click().await.unwrap();
+        self.read(id, async |element| element.click().await).await;
         self.settle().await;
     }
 
@@ -319,7 +319,7 @@ impl Page {
             .unwrap_or_else(|_| panic!("{id} shows {value}"))
     }
 
-    /// Reads an element; once more where it has been replaced between finding and reading it.
+    /// Reads or presses an element; once more if it has been replaced since it was found.
     async fn read<T>(&self, id: &str, of: impl AsyncFn(&WebElement) -> WebDriverResult<T>) -> T {
         loop {
             let element = self.element(id).await;

@@ -228,7 +228,7 @@ fn what_is_wrong_with_a_function_is_named() {
     );
     let log = wanted(&json!("log10"));
     for (count, code) in [(1, "too_few_positions"), (65, "too_many_positions")] {
-        let said = serde_json::to_value(&log.positions(count, false).unwrap_err()).unwrap();
+        let said = serde_json::to_value(log.positions(count, false).unwrap_err()).unwrap();
         assert_eq!(said[0]["code"], code);
     }
     let unknown = json!({"function": function(&json!("tan"))});

@@ -25,7 +25,7 @@ fn addressed(hash: &str) -> State {
 }
 
 /// What draws by chance.
-const CHANCE: &str = include_str!("chance.js");
+const CHANCE: &str = include_str!("../chance.js");
 
 #[tokio::test]
 async fn edits_by_chance_are_undone_and_redone() {
