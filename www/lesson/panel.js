@@ -31,7 +31,7 @@ import { withView } from "assur/state/state.js";
  * @typedef {Readonly<{
  *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], from: number | null, question: Question | null,
  *   tools: import("assur/lesson/tools.js").Wanted & { figure?: (engine: import("assur/engine.js").Engine) => Figure },
- * }>} A step in words; progress is kept by its id; `from`: the index of the step whose mechanism it shows, null if it
+ * }>} Told a step in words; progress is kept by its id; `from`: the index of the step whose mechanism it shows, null if it
  * shows none
  * @typedef {{
  *   readonly id: string, readonly name: string, readonly paper?: import("assur/lesson/paper.js").Printed, tell(words: Words): readonly Told[],
