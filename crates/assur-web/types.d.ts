@@ -500,7 +500,7 @@ passive: Array<string>,
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type FunctionSummary = { 
 /**
- * x in even steps, and by how much the linkage's y is too great there; null where it cannot go.
+ * x in even steps, and the error of the linkage's y there; null beyond its reach.
  */
 curve: Array<[number, number | null]>, 
 /**

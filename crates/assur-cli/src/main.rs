@@ -141,7 +141,7 @@ enum Command {
     ///
     /// l0 is the frame, l1 the coupler, l2 the output link, l3 the driver. Two positions leave a family, three one
     /// linkage, more the best compromise with l1, l2, l3 from a tenth of l0 to ten times l0. With --function the positions
-    /// are put on a function y = f(x), and the greatest error of y is told with the x where it is.
+    /// are put on a function y = f(x), and the greatest error of y is given with its x.
     Synth(synth::Asked),
 }
 

@@ -1,6 +1,6 @@
 //! Mechanisms that people have made with other programs, as linkages: links of PMKS+ in both
 //! of its forms and of the PMKS before it, and files of Linkage (`.linkage2`). What could not be taken over as it was is
-//! told by name ([`LeftOut`]); docs/file-format.md lists what is taken over.
+//! listed ([`LeftOut`]); docs/file-format.md lists what is taken over.
 //!
 //! What is read need not be a mechanism that moves: [`LinkageDocument::mechanism`] tells.
 

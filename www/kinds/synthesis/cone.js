@@ -4,7 +4,7 @@ const SVG = "http://www.w3.org/2000/svg";
 /** The directions as readers meet them, the frame's first. */
 const LOOKS = Object.freeze([["e₀", "ink"], ["e₁", "coupler"], ["e₂", "rocker"], ["e₃", "crank"]]);
 
-/** How far off the middle names are written, by how much farther one that would cover another, and how far the picture goes. */
+/** Distance of names from the middle, the extra distance of a name that would cover another, and the reach of the picture. */
 const NAME = 1.16;
 const FARTHER = 0.22;
 const SIZE = 1.5;

@@ -124,7 +124,7 @@ fn formula(name: &str) -> Result<FormulaDocument, Failure> {
     let text =
         std::fs::read_to_string(name).map_err(|error| Failure::Io(format!("{name}: {error}")))?;
     let lines = text.lines().filter(|line| !line.trim().is_empty());
-    // A line that is none is told by its number, as one is whose x does not grow.
+    // An invalid line is named by its number, and so is a line whose x does not grow.
     let rows = lines.map(|line| numbers(line).unwrap_or([f64::NAN; 2]));
     Ok(FormulaDocument::Table(rows.collect()))
 }

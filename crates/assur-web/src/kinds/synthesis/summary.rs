@@ -49,7 +49,7 @@ pub(crate) struct SynthesisSummary<'a> {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FunctionSummary {
-    /// x in even steps, and by how much the linkage's y is too great there; null where it cannot go.
+    /// x in even steps, and the error of the linkage's y there; null beyond its reach.
     curve: Vec<(f64, Option<f64>)>,
     /// The same where the error is greatest; none where the linkage reaches nothing of the interval.
     greatest: Option<(f64, f64)>,
