@@ -28,20 +28,17 @@ mod function;
 mod least_squares;
 mod line;
 mod linear;
-mod minimiser;
-mod objective;
+
 mod options;
 mod output_error;
 mod polynomial;
 mod ranges;
 mod ranking;
-mod starts;
-mod surface;
+
 mod task;
 pub mod theorems;
 mod three;
 mod verdict;
-mod weighted_difference;
 
 pub use closure::Closure;
 pub use drawn::{DraftError, Drawn};
@@ -49,15 +46,13 @@ pub use equation::MainEquation;
 pub use family::{Change, ChangeKind, Family, MemberError, Range, TwoPositions};
 pub use five::{StartsError, five_positions};
 pub use function::{ErrorCurve, ErrorSample, FunctionError, Mapping, Table, chebyshev};
-pub use least_squares::{Bound, Minimum, Progress, Search};
+pub use least_squares::{Bound, Minimum, Progress, Search, Surface, weighted_difference};
 pub use line::Line;
 pub use options::{NoOptions, Options};
 pub use ranking::{Criterion, Requirement, Requirements, rank};
-pub use surface::Surface;
 pub use task::{Frame, Position, Task, TaskError};
 pub use three::ThreePositions;
 pub use verdict::{Order, Passage, Verdict};
-pub use weighted_difference::weighted_difference;
 
 use crate::{Assembly, FourBar, Invalid};
 

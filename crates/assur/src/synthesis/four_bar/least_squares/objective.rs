@@ -3,8 +3,8 @@
 
 use nalgebra::Complex;
 
-use super::closure::{Direction, dot};
-use super::{Proportions, Task};
+use crate::synthesis::four_bar::closure::{Direction, dot};
+use crate::synthesis::four_bar::{Proportions, Task};
 
 /// The unknowns: ln z₂, ln z₃ and then, of four, φ₂₀ and φ₃₀. The logarithms keep lengths positive
 /// and halves as far as doubles.

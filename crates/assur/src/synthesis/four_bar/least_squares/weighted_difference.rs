@@ -6,7 +6,7 @@
 //! positions the least of both is nothing, at the same linkage; for more the weights differ little
 //! from position to position where J is small, and the two minima differ by the order of J.
 
-use super::{Proportions, Task, linear};
+use crate::synthesis::four_bar::{Proportions, Task, linear};
 
 /// The proportions with the least sum of squares, with the weights of the task: a linear problem
 /// in Z, 1/z₃ and 1/z₂. None where a length is not positive or the positions leave it open.

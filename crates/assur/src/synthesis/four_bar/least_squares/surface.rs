@@ -1,7 +1,7 @@
 //! ΣJ over the plane of z₂ and z₃, to be drawn.
 
-use super::Task;
 use super::objective::Objective;
+use crate::synthesis::four_bar::Task;
 
 /// ΣJ of a task as a function of z₂ and z₃, with the best z₁ within the ratios.
 #[derive(Clone, Debug)]

@@ -1,8 +1,8 @@
 //! A local minimum from one start: Newton's method with the damping of Levenberg and Marquardt,
 //! within bounds of the lengths.
 
-use super::linear;
 use super::objective::{Objective, Point, Value};
+use crate::synthesis::four_bar::linear;
 
 /// One way down.
 #[derive(Clone, Debug)]

@@ -5,7 +5,8 @@ use crate::sorting::sort_by;
 use std::f64::consts::TAU;
 
 use super::objective::{Objective, Point};
-use super::{Task, ThreePositions, five, weighted_difference};
+use super::weighted_difference::weighted_difference;
+use crate::synthesis::four_bar::{Task, ThreePositions, five};
 
 /// Places of the grid along ln z₂ and ln z₃.
 const GRID: usize = 8;

@@ -3,14 +3,21 @@
 //! ΣJ has several local minima, so the search goes down from many starts and reports where each
 //! ended. It is deterministic, and goes step by step so that it can be shown and stopped.
 
+mod minimiser;
+mod objective;
+mod starts;
+mod surface;
+mod weighted_difference;
+
 use crate::sorting::sort_by;
 use std::f64::consts::TAU;
 
 use super::closure::near;
-use super::minimiser::Descent;
-use super::objective::{Objective, Point};
-use super::starts;
 use super::{Proportions, Solution, Task};
+use minimiser::Descent;
+use objective::{Objective, Point};
+pub use surface::Surface;
+pub use weighted_difference::weighted_difference;
 
 /// A local minimum of ΣJ.
 #[derive(Clone, Debug, PartialEq)]
