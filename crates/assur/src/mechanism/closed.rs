@@ -1,5 +1,6 @@
 //! Arcs, dead points and periods of motions by the closed forms of four-bars, without a search.
 
+use crate::tolerance;
 use std::f64::consts::{PI, TAU};
 
 use crate::index::{BodyId, StepId};
@@ -7,9 +8,6 @@ use crate::mechanism::Mechanism;
 use crate::position::{BodyPoint, DriveLaw, Solvable, Step};
 use crate::sorting::sort_by;
 use crate::{Assembly, FourBar, Grashof, Unsolved, Vector};
-
-/// A change point that is off by less of a period is where it would be without rounding.
-const ROUNDED: f64 = 1e-12;
 
 /// A step that is a four-bar on the driven crank and the frame.
 #[derive(Clone, Copy, Debug)]
@@ -71,7 +69,7 @@ impl DrivenFourBar<'_> {
         for input in crossings.chain(swings) {
             let ahead = (input - from).rem_euclid(period);
             // One at the beginning may be rounded to lie before it.
-            let ahead = if ahead > period * (1.0 - ROUNDED) {
+            let ahead = if ahead > period * (1.0 - tolerance::NEGLIGIBLE) {
                 0.0
             } else {
                 ahead

@@ -5,6 +5,7 @@
 //! equal cranks, add equations of their own: where all cranks are in line the Jacobian of the constraints alone is
 //! singular, although all constraints together allow only one motion.
 
+use crate::tolerance;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
@@ -20,13 +21,8 @@ use crate::structure::{Structure, with_passive_links};
 
 /// Inputs on either side of the drawn one at which the constraints are checked, radians of a crank.
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
-/// Tolerance of equal angular velocities, per radian of a crank.
-const ALIKE: f64 = 1e-8;
 /// Number of the poses beside the drawn one that may be in line, where angular velocities are lost to cancellation.
 const IN_LINE: usize = 1;
-
-/// Tolerance of linear dependence: the remainder of a row orthogonal to the rows before it, relative to its length.
-const DEPENDENT: f64 = 1e-7;
 
 /// Mobility by count and by rank.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -65,7 +61,7 @@ impl Basis {
             }
         }
         let left = rest.norm();
-        let is_independent = left > DEPENDENT * row.norm();
+        let is_independent = left > tolerance::DISTINCT * row.norm();
         if is_independent {
             self.0.push(rest / left);
         }
@@ -295,7 +291,7 @@ impl Mechanism {
         let turns_alike = |one: BodyId, other: BodyId| {
             let alike = poses.iter().filter(|pose| {
                 let [a, b] = [one, other].map(|body| pose.angle(body).derivative(1) * unit);
-                (a - b).abs() <= ALIKE
+                (a - b).abs() <= tolerance::DOUBLE_ROOT
             });
             let alike = alike.count();
             2 * alike > poses.len() && alike + IN_LINE >= poses.len()

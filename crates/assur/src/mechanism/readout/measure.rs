@@ -3,10 +3,7 @@
 use crate::Jet;
 use crate::index::{LinkId, PointId};
 use crate::mechanism::{Mechanism, Pose};
-
-/// Points closer than this share of the drawing coincide, and so slow a rate is none.
-const COINCIDE: f64 = 1e-12;
-const RATE: f64 = 1e-9;
+use crate::tolerance;
 
 impl Mechanism {
     /// How far two points are apart. Where they coincide the derivatives are those just after it; of points that stay
@@ -18,7 +15,7 @@ impl Mechanism {
     ) -> Jet<N> {
         let [p, q] = [from, to].map(|point| self.place(pose, point));
         let ways = [q.x - p.x, q.y - p.y];
-        if span(ways) > COINCIDE * self.size() {
+        if span(ways) > tolerance::NEGLIGIBLE * self.size() {
             return norm(ways);
         }
         // They part as t u, with u through their relative velocity: the distance is t |u|.
@@ -32,7 +29,7 @@ impl Mechanism {
                 }
             }))
         });
-        if span(parting) <= RATE * self.size() {
+        if span(parting) <= tolerance::COINCIDENT * self.size() {
             return Jet::constant(0.0);
         }
         let rate = norm(parting);
@@ -51,7 +48,7 @@ impl Mechanism {
     ) -> Jet<N> {
         let [a, b, c] = points.map(|point| self.place(pose, point));
         let [u, v] = [a, c].map(|end| [end.x - b.x, end.y - b.y]);
-        if span(u).min(span(v)) <= COINCIDE * self.size() {
+        if span(u).min(span(v)) <= tolerance::NEGLIGIBLE * self.size() {
             return Jet::constant(0.0);
         }
         (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])

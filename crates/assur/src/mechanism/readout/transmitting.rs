@@ -1,6 +1,7 @@
 //! How well dyads transmit force, in a pose: the transmission angle of a dyad RRR, the pressure angle of a dyad RRP. Both
 //! are acute angles between two lines, which are folded at 0 and at 90°: there their rates jump.
 
+use crate::tolerance;
 use std::f64::consts::PI;
 
 use crate::index::{LinkId, PointId, StepId};
@@ -8,10 +9,6 @@ use crate::mechanism::readout::dyads::arms_of;
 use crate::mechanism::{LinkOrFrame, Mechanism, OuterJoint, Pose, Quantity, RrrDyad};
 use crate::position::{Rrp, Step};
 use crate::{Jet, Vector};
-
-/// Two lines are in line or at right angles, and an angle stands, within rounding.
-const FOLD: f64 = 1e-12;
-const RATE: f64 = 1e-9;
 
 /// An Assur group of two links, two hinges and a slide: a rod and what it pushes along a way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,11 +121,13 @@ pub(in crate::mechanism) fn acute(angle: f64) -> f64 {
 /// 1 where the acute angle grows with the angle between two lines, else −1; where it is folded, as just after that.
 pub(in crate::mechanism) fn sense<const N: usize>(angle: &Jet<N>) -> f64 {
     let (sin, cos) = angle.value().sin_cos();
-    if (sin * cos).abs() > FOLD {
+    if (sin * cos).abs() > tolerance::NEGLIGIBLE {
         return (sin * cos).signum();
     }
     let rates = [1, 2].map(|order| angle.derivative(order));
-    let grows = rates.into_iter().find(|rate| rate.abs() > RATE);
+    let grows = rates
+        .into_iter()
+        .find(|rate| rate.abs() > tolerance::COINCIDENT);
     let grows = grows.unwrap_or(1.0).signum();
     if sin.abs() < cos.abs() { grows } else { -grows }
 }
