@@ -1,4 +1,5 @@
-//! What is measured on a drawing: how far two points are apart, the angle at a point between two others, that of two links.
+//! Measurements on a drawing: the distance of two points, the angle at a point between two others, the angle of two
+//! links.
 
 use crate::Jet;
 use crate::index::{LinkId, PointId};
@@ -6,8 +7,8 @@ use crate::mechanism::{Mechanism, Pose};
 use crate::tolerance;
 
 impl Mechanism {
-    /// How far two points are apart. Where they coincide the derivatives are those just after it; of points that stay
-    /// there, none.
+    /// The distance of two points. If they coincide, the derivatives are those just after; zero if the points stay
+    /// together.
     pub(in crate::mechanism) fn between_points<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -18,7 +19,7 @@ impl Mechanism {
         if span(ways) > tolerance::NEGLIGIBLE * self.size() {
             return norm(ways);
         }
-        // They part as t u, with u through their relative velocity: the distance is t |u|.
+        // They part as t u, with u the relative velocity at first: the distance is t |u|.
         let parting: [Jet<N>; 2] = ways.map(|way| {
             Jet::of_derivatives(std::array::from_fn(|order| {
                 let next = order + 1;
@@ -39,8 +40,8 @@ impl Mechanism {
         }))
     }
 
-    /// The angle at the second of three points from the first to the third, counter-clockwise, within half a turn either
-    /// way; 0 while one of these is at the second.
+    /// The angle at the second of three points from the first to the third, counter-clockwise, within half a turn
+    /// either way; 0 if one of these coincides with the second.
     pub(in crate::mechanism) fn corner<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -54,17 +55,17 @@ impl Mechanism {
         (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
     }
 
-    /// Two points by their names with a hyphen between them.
+    /// Two points by their names, with a hyphen between them.
     pub(in crate::mechanism) fn two_points(&self, names: &str) -> Option<[PointId; 2]> {
         two(names, |name| self.point(name))
     }
 
-    /// Two links so.
+    /// Two links by their names, with a hyphen between them.
     pub(in crate::mechanism) fn two_links(&self, names: &str) -> Option<[LinkId; 2]> {
         two(names, |name| self.link(name))
     }
 
-    /// Three points so, of which no two are the same.
+    /// Three different points by their names, with hyphens between them.
     pub(in crate::mechanism) fn three_points(&self, names: &str) -> Option<[PointId; 3]> {
         let mut parts = names.match_indices('-');
         parts.find_map(|(at, _)| {
@@ -75,7 +76,7 @@ impl Mechanism {
     }
 }
 
-/// Two that are not the same by their names with a hyphen between them; names may have hyphens of their own.
+/// Two different objects by their names, with a hyphen between them; names may have hyphens of their own.
 fn two<T: PartialEq>(names: &str, named: impl Fn(&str) -> Option<T>) -> Option<[T; 2]> {
     let mut parts = names.match_indices('-');
     parts.find_map(|(at, _)| {
@@ -84,12 +85,12 @@ fn two<T: PartialEq>(names: &str, named: impl Fn(&str) -> Option<T>) -> Option<[
     })
 }
 
-/// How long a vector is.
+/// The length of a vector.
 fn span<const N: usize>([x, y]: [Jet<N>; 2]) -> f64 {
     x.value().hypot(y.value())
 }
 
-/// The same with its derivatives, where it is not zero.
+/// The same with its derivatives, if it is not zero.
 fn norm<const N: usize>([x, y]: [Jet<N>; 2]) -> Jet<N> {
     (x.square() + y.square()).sqrt()
 }
