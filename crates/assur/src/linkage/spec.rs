@@ -98,8 +98,8 @@ pub enum DriverSpec {
         /// Rate of its coordinate relative to the first driver's; 1 for the first.
         rate: f64,
     },
-    /// A slide moved along its line; the coordinate is the displacement of its point from the first point of the line
-    /// towards the second.
+    /// A slide moved along its line; the coordinate is the position of its point along the line, from the first point
+    /// of the line towards the second.
     Slide {
         /// Index of the slide.
         slide: usize,
@@ -138,7 +138,7 @@ pub enum Defect {
     Range {
         /// The link that slides.
         link: String,
-        /// The range as given; its first number is not the lesser one.
+        /// The range as given; its first number is not less than the second.
         range: [f64; 2],
     },
     /// A driven slide drawn outside its range, so far that the linkage does not close as drawn.

@@ -8,8 +8,8 @@ use crate::mechanism::{Mechanism, check};
 
 impl Mechanism {
     /// The linkage of a specification, drawn in one of its assemblies at an input (radians, or the coordinate of a
-    /// driven slide; None for the drawn one). The drawing gives only dimensions that are as drawn, and the coordinates
-    /// of further drivers. None if the links cannot be joined at the input.
+    /// driven slide; None for the drawn one). The drawing matters only for dimensions that it gives, and for the
+    /// coordinates of further drivers. None if the links cannot be joined at the input.
     ///
     /// # Errors
     /// All defects of the specification except those of its drawing.

@@ -21,7 +21,7 @@ pub struct Assemblies {
     /// A pose of each.
     pub poses: Vec<Pose<1>>,
     /// The number of solutions of each group solved over the complex numbers, once for each assembly of the groups
-    /// before it: six for five links of a Baranov truss, 14, 16 or 18 for seven, fewer for special dimensions.
+    /// before it: six for a Baranov truss of five links, 14, 16 or 18 for one of seven, fewer for special dimensions.
     pub complex: Vec<usize>,
     /// True if these are all. They are not if wheels mesh within a group, if there are very many, or if finding them
     /// would take too long.
@@ -29,7 +29,7 @@ pub struct Assemblies {
 }
 
 /// The assemblies of a linkage at successive inputs. Near the last input the solutions of groups are tracked from
-/// there, in a tenth of the time or less. They are complete if they are distinct and as many as in general; in any
+/// there, in a tenth of the time or less. They are complete if distinct and as many as there are in general; in any
 /// doubt they are found anew.
 #[derive(Clone, Debug)]
 pub struct Following {
@@ -59,7 +59,7 @@ pub(crate) struct Found<const N: usize> {
     /// The pose and the assembly signs of each assembly.
     pub(crate) ways: Vec<(Pose<N>, AssemblySigns)>,
     complex: Vec<usize>,
-    /// Solutions that are not real, if there are derivatives: of groups, and of dyads out of reach.
+    /// Complex pairs, if derivatives are computed: of groups, and of dyads out of reach.
     pub(crate) unreal: Vec<ComplexPair>,
     /// Square of the sine between two guides that must cross. At its zeros bodies go to infinity; just beside, links
     /// joined to them may be within reach over a short interval.

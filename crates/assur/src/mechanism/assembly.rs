@@ -15,8 +15,8 @@ pub(crate) type AssemblySigns = List<StepId, Sign>;
 
 /// Maximum distance of a point from its drawn place, relative to the size.
 const MISDRAWN: f64 = 0.3;
-/// Distance from a singular drawn pose of the input from which the motion is followed: radians of a crank; for a slide,
-/// the same fraction of its range as of a turn.
+/// Distance of the starting input from a singular drawn pose: radians of a crank; for a slide, the same fraction of its
+/// range as of a turn.
 const ASIDE: f64 = 1e-3;
 /// Maximum number of doublings, starting at the rounding, of the step back from an input just beyond a dead point.
 const BACK: u32 = 24;

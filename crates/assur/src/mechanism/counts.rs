@@ -80,7 +80,7 @@ pub(super) fn counts(spec: &Resolved<'_>, bodies: &Bodies) -> Counts {
         links: graph.links - 1 + idlers + doubled,
         lower_pairs: graph.lower_pairs() + idlers + hinges,
         higher_pairs: graph.higher_pairs() + passive + idlers,
-        // An idler has three freedoms, less its hinge and one more mesh.
+        // An idler adds nothing: three freedoms, less its hinge and one more mesh.
         mobility: graph.mobility() - passive as isize + 3 * doubled as isize - 2 * hinges as isize,
         passive,
     }

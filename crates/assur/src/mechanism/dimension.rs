@@ -25,7 +25,7 @@ pub enum Dimension {
     /// The distance of the point of a slide to the left of its line, seen from the first point of the line towards the
     /// second.
     Offset(SlideId),
-    /// The abscissa of a hinge of the frame, or of a point of a guide of the frame; links that are hinged or slide there keep
+    /// The abscissa of a hinge of the frame, or of a point of a guide of the frame; links hinged or sliding there keep
     /// their dimensions.
     X(PointId),
     /// The ordinate of such a point.
@@ -60,8 +60,8 @@ impl Mechanism {
         all.filter(|dimension| self.has(*dimension)).collect()
     }
 
-    /// True if it has a dimension: none for a point that a link shares, as one body, with the frame or with a link that
-    /// must keep its shape.
+    /// True if this dimension exists; not for a point that a link shares, as one body, with the frame or with a link
+    /// that must keep its shape.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {

@@ -79,7 +79,7 @@ pub struct Mechanism {
     /// Bodies of groups with redundant constraints that stay parallel to another body.
     parallel: Vec<[BodyId; 2]>,
     steps: List<StepId, Step>,
-    /// RRR dyads of groups with redundant constraints, without their passive links.
+    /// RRR dyads inside groups with redundant constraints, found by removing their passive links.
     within: Vec<[Arm; 2]>,
     /// The step that places each body; None for the frame.
     placed_by: List<BodyId, Option<StepId>>,

@@ -97,7 +97,7 @@ fn common(a: usize, b: usize) -> Option<usize> {
     (multiple < NEVER).then_some(multiple)
 }
 
-/// True if a body turning at this rate is back after these turns.
+/// True if a body turning at this rate is back after this number of turns of the crank.
 fn is_whole(rate: f64, turns: usize) -> bool {
     let turned = rate * turns as f64;
     (turned - turned.round()).abs() <= WHOLE * turns as f64
@@ -214,7 +214,7 @@ impl Mechanism {
     }
 
     /// Shift of the input that leaves the pose unchanged, for a motion that does not repeat: [`Self::least_turns`] in
-    /// radians. None without those, or if a group counts the turns of the crank.
+    /// radians. None without such turns, or if a group counts the turns of the crank.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.rates_of_bodies();
         let mut counted = self.steps.iter().flat_map(|step| match step {

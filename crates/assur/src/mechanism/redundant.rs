@@ -1,4 +1,4 @@
-//! Redundant constraints: a group with more constraints than freedoms that moves all the same.
+//! Redundant constraints: groups with more constraints than freedoms that still move.
 //!
 //! Every constraint of such a group is one of its equations. Pivoting selects, in each pose anew, as many independent
 //! equations as there are unknowns; the residuals of the others are checked. Bodies that stay parallel, as rods on

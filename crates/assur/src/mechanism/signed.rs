@@ -41,7 +41,7 @@ impl SignedAssemblies<'_> {
 }
 
 impl Mechanism {
-    /// The assemblies at the drawn input by their signs. They are found anew with each call, in up to some milliseconds.
+    /// The assemblies at the drawn input by their signs, found anew with each call in up to some milliseconds.
     pub fn signed_assemblies(&self) -> SignedAssemblies<'_> {
         let mut search = Search {
             mechanism: self,

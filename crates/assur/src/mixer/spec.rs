@@ -31,8 +31,7 @@ impl Mixer {
         self.spec_on(cycle.arcs()[0])
     }
 
-    /// The same, drawn in the middle of an arc, or beside it: a deltoid's pose may be
-    /// undetermined there.
+    /// The same, drawn in the middle of an arc, or beside it: a kite's pose may be undetermined there.
     pub(super) fn spec_on(&self, [from, to]: [f64; 2]) -> Result<LinkageSpec, Unsolved> {
         let drawn = self.spec_at(0.5 * (from + to));
         drawn.or_else(|_| self.spec_at(0.6 * from + 0.4 * to))
@@ -102,8 +101,8 @@ impl Mixer {
         Ok(spec.crank("crank"))
     }
 
-    /// The traced points, on the links of the specification. The zero direction of a wheel is turned to its tooth by
-    /// the mounting.
+    /// The traced points, on the links of the specification. On a wheel they are measured from its middle tooth, which
+    /// the mounting turns from its zero direction.
     fn spec_tracers(&self) -> impl Iterator<Item = TracerSpec> {
         self.tracers().iter().enumerate().map(|(k, tracer)| {
             let at = Vector::new(tracer.x, tracer.y);

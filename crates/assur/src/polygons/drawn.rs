@@ -8,7 +8,7 @@ use crate::motion::InputRate;
 use crate::position::Step;
 use crate::{JetPoint, Vector};
 
-/// A pose, the derivative and the rate of the input.
+/// A pose, with the derivative wanted and the rate of the input.
 struct Sheet<'a, const N: usize> {
     mechanism: &'a Mechanism,
     pose: &'a Pose<N>,

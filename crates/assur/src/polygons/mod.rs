@@ -33,7 +33,7 @@ pub enum Order {
 pub struct Node {
     /// The point.
     pub point: PointId,
-    /// The body, if the point is not one of its own: its place that coincides with the point now.
+    /// The body, if the point is not one of its own: the place of the body that coincides with the point.
     pub on: Option<BodyId>,
 }
 
@@ -97,7 +97,7 @@ pub struct Stage {
 /// A polygon of velocities or accelerations in a pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
-    /// Its derivative.
+    /// Velocity or acceleration.
     pub order: Order,
     /// Its parts in the order of drawing.
     pub stages: Vec<Stage>,

@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn a_compound_hinge_closes_nothing() {
         assert_eq!(longest(4, &[vec![0, 1, 2, 3]]), 0);
-        // Four bars, each two neighbours and a fifth in one hinge.
+        // Four bars in a ring; each hinge joins two neighbours and one more body.
         let joints = [[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]].map(Vec::from);
         assert_eq!(longest(8, &joints), 4);
     }
@@ -148,8 +148,8 @@ mod tests {
         assert_eq!(longest(8, &joints), 6);
     }
 
-    /// Three paths of 2, 4 and 4 pairs between two bodies: drawn with the first
-    /// outermost, one sees a contour of 8 pairs, but two of 6 make it up.
+    /// Three paths of 2, 4 and 4 pairs between two bodies: drawn with the first outermost, one sees a contour of 8
+    /// pairs, but it is the sum of two of 6.
     #[test]
     fn a_contour_made_of_lower_ones_does_not_count() {
         let joints = [

@@ -63,7 +63,7 @@ pub enum Fault {
         /// Number of their freedoms together, equal to that of missing drivers.
         freedoms: usize,
     },
-    /// Links with no freedom to drive, where no driver is given.
+    /// Links with no freedom to drive, if no driver is given.
     Rigid {
         /// The links, all but the ground.
         links: Vec<usize>,

@@ -22,9 +22,8 @@
 //! number of outer pairs. The class is that of the highest contour:
 //!
 //! - II, the dyad: two links;
-//! - III, where the only closed contours are rigid: links with three pairs;
-//! - k > III, where the inner pairs close a contour of k pairs whose angles
-//!   change.
+//! - III, if the only closed contours are rigid: links with three pairs;
+//! - k > III, if the inner pairs close a contour of k pairs whose angles change.
 //!
 //! If several contours are closed, those of a shortest basis count: contours none of which is a sum of shorter ones.
 //! Their lengths depend neither on the basis nor on the drawing, in which a contour around two others would be higher
@@ -34,12 +33,13 @@
 //! one link. A higher pair counts as its substitute, a link with two lower pairs; so a wheel hinged on solved links and
 //! in mesh with a solved wheel is of Class II, order 2.
 //!
-//! # What counting cannot see
+//! # Limits of counting
 //!
 //! Special dimensions. A parallelogram with a third rocker moves, though it counts as locked, and is refused as
 //! [`Fault::Overconstrained`]. So would be a second satellite between sun and ring, but [`crate::mechanism::Mechanism`]
-//! knows the numbers of teeth and omits its passive mesh. Groups of prismatic pairs alone that have the right count and
-//! yet do not determine a place are [`Fault::Sliding`]. Everything else can be solved, except for special dimensions.
+//! knows the numbers of teeth and omits its passive mesh. Links joined by prismatic pairs alone, which have the right
+//! count and yet no determined place, are [`Fault::Sliding`]. Everything else can be solved, except for special
+//! dimensions.
 //!
 //! ```
 //! use assur::structure::{Driver, Graph, Pair, decompose};

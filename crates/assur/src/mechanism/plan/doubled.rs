@@ -1,4 +1,5 @@
-//! Doubled links: a link that shares two points or more with another body, in the same places on both, is one body with it.
+//! Doubled links: a link that shares two points or more with another body, at the same places on both, is one body with
+//! it.
 
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::linkage::check::CLOSEST;

@@ -142,8 +142,7 @@ impl Placed<'_> {
         drawn + turned
     }
 
-    /// The step of a driver with one of its bodies (`base`) placed: it places the other (`body`), which may be the
-    /// driven one or not.
+    /// The step of a driver that places `body`, with `base` placed already; either of them may be the driven one.
     pub(in crate::mechanism) fn driven(
         &self,
         spec: &Resolved<'_>,

@@ -186,7 +186,7 @@ impl Plan<'_> {
                         best
                     }
                 });
-                // Two points close together do not determine a distant one, which is made known first.
+                // Two points close together do not determine a distant one, which must be known first.
                 let longest =
                     longest.filter(|pair| length(pair) >= CLOSE * self.reach(body, first.1));
                 longest.map(Follows::Points)

@@ -12,7 +12,8 @@ use crate::position::{EpicyclicStep, Member, Orientation};
 pub(in crate::mechanism) struct Singular;
 
 impl Placed<'_> {
-    /// The gear couplings of a group: all their bodies are in the group or solved before.
+    /// The gear couplings of a group: at least one of their bodies is in the group, the others are in it or solved
+    /// before.
     pub(in crate::mechanism) fn couplings(&self, group: &[BodyId]) -> Vec<&Gear> {
         let inside = |body: &BodyId| group.contains(body);
         let of_it = |gear: &&Gear| {
@@ -40,7 +41,7 @@ impl Placed<'_> {
         }
     }
 
-    /// A waiting wheel, whose mate and carrier do not wait, and its angle.
+    /// A waiting wheel with known mate and carrier, and its angle.
     fn mounted(&self, group: &[BodyId], waiting: &[BodyId]) -> Option<(BodyId, f64)> {
         self.couplings(group).into_iter().find_map(|gear| {
             let mut unknown = gear.all().into_iter().filter(|body| waiting.contains(body));

@@ -65,7 +65,7 @@ pub enum ConstraintKind {
 /// Both sides of a constraint equation, or of a derivative of it, in a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sides {
-    /// The left side, by the places of the points, one for each point.
+    /// The left side, evaluated at one position for each point.
     pub left: f64,
     /// The required value.
     pub right: f64,
@@ -78,7 +78,7 @@ impl Sides {
     }
 }
 
-/// What a mechanism's equations are read from.
+/// The source of a mechanism's equations.
 pub(in crate::mechanism) struct Parts<'a> {
     pub(in crate::mechanism) spec: &'a Resolved<'a>,
     pub(in crate::mechanism) bodies: &'a Bodies,
@@ -194,8 +194,8 @@ impl Mechanism {
         &self.constraints
     }
 
-    /// Both sides of an equation in a pose, or of its derivative by the input, of an order below `N`. Derivatives are
-    /// those of half the square of a distance, as in papers: `x x′ + y y′ = 0`, `x x″ + y y″ = −(x′² + y′²)`.
+    /// Both sides of an equation in a pose, or of its derivative by the input, of an order below `N`. Squares of
+    /// distances are halved when differentiated, as in papers: `x x′ + y y′ = 0`, `x x″ + y y″ = −(x′² + y′²)`.
     pub fn sides<const N: usize>(
         &self,
         pose: &Pose<N>,

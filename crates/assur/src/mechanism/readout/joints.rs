@@ -130,7 +130,7 @@ impl Mechanism {
         Some(heading).filter(|heading| heading.norm_squared().is_finite())
     }
 
-    /// A direction of a body, seen from the frame in a pose.
+    /// A direction of a body in a pose, in the coordinates of the frame.
     pub(crate) fn turned<const N: usize>(
         &self,
         pose: &Pose<N>,

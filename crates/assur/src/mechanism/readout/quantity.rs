@@ -109,7 +109,7 @@ impl Quantity {
     }
 
     /// True for an angle without sense: an acute one between two lines, or one at a corner. It is folded if its sides
-    /// are in line or, for lines, at right angles: its rate jumps there, without an extremum.
+    /// are in line or, for lines, at right angles: its rate jumps there, which does not count as an extremum.
     pub fn is_folded(self) -> bool {
         matches!(
             self,
@@ -127,8 +127,8 @@ impl Quantity {
         }
     }
 
-    /// Ratio to the acute angle by which it is folded: an angle at a corner is folded at every half turn, one between
-    /// lines at every quarter.
+    /// Factor of the acute angle that is folded: 2 at a corner, folded at every half turn; 1 between lines, folded at
+    /// every quarter.
     fn folds(self) -> f64 {
         if matches!(self, Self::Corner(_)) {
             2.0

@@ -207,7 +207,7 @@ fn a_full_turn_has_every_value() {
     }
 }
 
-/// l₂ + l₃ just spans BD where φ₁ is a right angle.
+/// l₂ + l₃ just spans BD at a right angle φ₁.
 #[test]
 fn a_dead_point_has_places_without_derivatives() {
     let (names, rows) = rows([3.0, 2.0, 3.0, 4.0], 360);

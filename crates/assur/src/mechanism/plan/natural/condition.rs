@@ -23,7 +23,8 @@ pub(in crate::mechanism) enum Condition {
     /// The turns of bodies with the coefficients of their angles; and the index of the angle constraint that gives the
     /// sum.
     AngleConstraint(Vec<(Form, f64)>, usize),
-    /// A vector parallel to a direction. `length` makes the residual a length: 1, or 0 if both are directions.
+    /// A vector parallel to a direction. `length` is the factor that makes the residual a length: 1, or 0 if both are
+    /// directions.
     Line {
         direction: Form,
         way: Form,
