@@ -5,14 +5,15 @@ use super::{InstantCentre, Source};
 use crate::Vector;
 use crate::index::{BodyId, PointId};
 use crate::mechanism::{Joint, Mechanism, Pose};
+use crate::tolerance;
 
-/// How far off, relative to what is drawn, a centre may be that pairs tell.
-const EXACT: f64 = 1e-15;
+/// Relative error of a centre given by a pair.
+const EXACT: f64 = tolerance::EXACT;
 /// Two lines that place their crossing better than this are taken at once, in the order of the links; worse ones only
 /// when there are no others, the best first.
-const CLEAR: f64 = 1e-12;
-/// Lines that place it worse than this hardly cross: they tell nothing.
-const VAGUE: f64 = 1e-8;
+const CLEAR: f64 = tolerance::NEGLIGIBLE;
+/// Lines that place it worse than this hardly cross and are not used.
+const VAGUE: f64 = tolerance::DOUBLE_ROOT;
 
 /// A centre that is known, of length 1, and how far off it may be.
 #[derive(Clone, Copy)]

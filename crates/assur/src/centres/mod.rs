@@ -15,11 +15,9 @@ mod projective;
 
 use crate::index::BodyId;
 use crate::mechanism::{Mechanism, Pose};
+use crate::tolerance;
 use crate::{Point, Vector};
 use projective::Place;
-
-/// Below this, relative to the fastest link, two links do not move against each other.
-const STILL: f64 = 1e-12;
 
 /// Where an instant centre is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +92,7 @@ impl Mechanism {
         for first in self.bodies() {
             for second in self.bodies().skip(first.index() + 1) {
                 let apart = twists[second.index()] - twists[first.index()];
-                let moves = apart.norm() > STILL * fastest;
+                let moves = apart.norm() > tolerance::NEGLIGIBLE * fastest;
                 centres.push(InstantCentre {
                     bodies: [first, second],
                     centre: if moves {

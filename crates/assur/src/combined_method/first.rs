@@ -1,10 +1,8 @@
 //! The chain of substitutions for the velocity analogues: coefficients c and b, Cramer's rule for G, then the other points.
 
 use super::places::{Places, product};
+use crate::tolerance;
 use crate::{Relation, Vector};
-
-/// Where |f_L| is this near to 1, HL is as long as HG, and the equations of GH and LH are the same one.
-const SAME: f64 = 1e-9;
 
 /// The coefficients in a pose, by their numbers in the paper. c₁₃ does not occur, nor does a number zero.
 #[derive(Clone, Debug)]
@@ -64,7 +62,7 @@ impl First {
             b,
             delta,
             lambda,
-            tells: (1.0 - f_l.norm_squared()).abs() > SAME,
+            tells: (1.0 - f_l.norm_squared()).abs() > tolerance::COINCIDENT,
         }
     }
 

@@ -1,9 +1,10 @@
 //! What the whole plane of a link shows of curvature at an instant: pole, pole tangent, inflection circle, return circle,
 //! Ball's point.
 
-use super::{STILL, left};
+use super::left;
 use crate::index::BodyId;
 use crate::mechanism::{Mechanism, Pose};
+use crate::tolerance;
 use crate::{Point, Vector};
 
 /// The circles of a body that moves against the frame, at an instant at which it turns.
@@ -39,7 +40,7 @@ impl Circles {
         let point = mechanism.fixed_to(pose, body, middle);
         let [v, a, j] = [1, 2, 3].map(|order| point.derivative(order));
         let size = mechanism.scale_of_places();
-        let turns = w.abs() * size > STILL * (v.norm() + w.abs() * size);
+        let turns = w.abs() * size > tolerance::NEGLIGIBLE * (v.norm() + w.abs() * size);
         if !turns {
             return None;
         }
@@ -57,7 +58,7 @@ impl Circles {
             pole_velocity: p1,
             spin: w,
             diameter,
-            ball: (diameter.norm() > STILL * size)
+            ball: (diameter.norm() > tolerance::NEGLIGIBLE * size)
                 .then(|| ball(pole, diameter, p1 * (e / w) - p2 - left(p1) * w))
                 .flatten(),
         })

@@ -15,10 +15,9 @@ pub use circle::{CircleOfCurvature, NoCircle};
 pub use circles::Circles;
 pub use evolute::Evolute;
 
+use crate::tolerance;
 use crate::{JetPoint, Point, Vector};
 
-/// A speed below this, relative to the size that places have, is none.
-const STILL: f64 = 1e-12;
 /// A radius above this, relative to the size that places have, is that of a straight line.
 const STRAIGHT: f64 = 1e9;
 
@@ -43,7 +42,7 @@ impl Curvature {
     pub fn of<const N: usize>(point: &JetPoint<N>, size: f64) -> Option<Self> {
         let [v, a, j] = [1, 2, 3].map(|order| point.derivative(order));
         let speed = v.norm();
-        let moves = speed > STILL * size;
+        let moves = speed > tolerance::NEGLIGIBLE * size;
         if !moves {
             return None;
         }

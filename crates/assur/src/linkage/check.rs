@@ -1,5 +1,4 @@
-//! Whether what a draft names exists and makes sense: everything that can be said
-//! without geometry of the whole.
+//! Checks of a specification that need no geometry of the whole: everything named exists, and the numbers are sound.
 
 use std::collections::BTreeSet;
 
@@ -7,12 +6,12 @@ use super::spec::{Defect, DriverSpec, FRAME, GearSpec, LinkageSpec, PointSpec, S
 use super::tracer;
 use crate::gears::{Mesh, TEETH};
 
-/// Coordinates and lengths beyond this are no drawing.
+/// Maximum absolute value of a coordinate or length.
 pub const FARTHEST: f64 = 1e9;
-/// Two points of a link closer than this relative to the size of the drawing coincide.
+/// Maximum distance, relative to the size of the drawing, of two points of a link that coincide.
 pub(crate) const CLOSEST: f64 = 1e-9;
 
-/// Every reason, none where the references of the draft are sound.
+/// All defects; none if references and numbers are sound.
 pub(crate) fn defects(spec: &LinkageSpec) -> Vec<Defect> {
     let mut found = Vec::new();
     names(spec, &mut found);
@@ -78,7 +77,7 @@ fn names(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     );
 }
 
-/// Whether a coordinate or a length can be.
+/// True if a coordinate or a length is finite and in range.
 fn sound(value: f64) -> bool {
     value.is_finite() && value.abs() <= FARTHEST
 }
@@ -113,9 +112,9 @@ fn numbers(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     }
 }
 
-/// The points of a link, or of the frame: none twice, no two at one place.
+/// Checks the points of a link, or of the frame: none twice, no two at one place.
 fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<Defect>) {
-    // What is fixed to a link has its points where that one has them.
+    // A link fixed to another has its points at the places of that one.
     let own = spec.link(spec.root_of(link));
     let own = own.and_then(|own| Some((own, own.shape.as_ref()?)));
     let in_shape = |name: &String| {
@@ -159,7 +158,7 @@ fn shape(link: &crate::mechanism::LinkSpec, found: &mut Vec<Defect>) {
     }
 }
 
-/// Links fixed to others, slides, gears and drivers.
+/// Checks links fixed to others, slides, gears and drivers.
 fn pairs(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     for link in &spec.links {
         if spec.root_of(&link.name).is_empty() {
@@ -231,14 +230,13 @@ fn meshing(spec: &LinkageSpec, gear: &GearSpec, found: &mut Vec<Defect>) {
 }
 
 impl LinkageSpec {
-    /// Every reason why the draft is no linkage that can be said without the geometry of the whole; none where all that
-    /// it names is there and its numbers are sound.
+    /// All defects that can be found without the geometry of the whole; none if everything named exists and the numbers
+    /// are sound.
     pub fn defects(&self) -> Vec<Defect> {
         defects(self)
     }
 
-    /// The link that a link is fixed to in the end: itself, another, or the frame;
-    /// empty where it is fixed to itself over others.
+    /// The link to which a link is ultimately fixed: itself, another, or the frame; empty if links are fixed in a ring.
     pub(crate) fn root_of<'a>(&'a self, link: &'a str) -> &'a str {
         let mut root = link;
         for _ in 0..=self.links.len() {
@@ -251,7 +249,7 @@ impl LinkageSpec {
     }
 }
 
-/// Whether a link has a point, itself or by what is fixed to it or it is fixed to.
+/// True if a link has a point, itself or through links fixed to each other.
 fn has(spec: &LinkageSpec, link: &str, point: &String) -> bool {
     let root = spec.root_of(link);
     let mut links = spec
@@ -261,7 +259,7 @@ fn has(spec: &LinkageSpec, link: &str, point: &String) -> bool {
     root == FRAME && spec.frame.contains(point) || links.any(|other| other.points.contains(point))
 }
 
-/// Whether two links share a point.
+/// True if two links share a point.
 fn hinged(spec: &LinkageSpec, links: [&str; 2]) -> bool {
     let shared = |point: &PointSpec| links.iter().all(|link| has(spec, link, &point.name));
     spec.points.iter().any(shared)

@@ -1,4 +1,4 @@
-//! The specification of a linkage, as a person gives it, and every defect of one.
+//! The specification of a linkage, as given by a person, and its defects.
 
 pub(crate) mod check;
 pub(crate) mod spec;

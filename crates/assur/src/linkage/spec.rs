@@ -1,15 +1,14 @@
-//! A linkage as a person gives it: anything at all. [`crate::mechanism::Mechanism::new`]
-//! lists every reason why it is none.
+//! A linkage as given by a person, valid or not. [`crate::mechanism::Mechanism::new`] lists all its defects.
 
 use super::TracerSpec;
 use crate::gears::Mesh;
 use crate::mechanism::Singularity;
 use crate::{Point, Vector};
 
-/// The name of the frame, a link that every draft has.
+/// The name of the frame, a link that every linkage has.
 pub const FRAME: &str = "frame";
 
-/// A linkage, sound or not. Things name each other; lengths in any one unit.
+/// A linkage, valid or not. Its parts refer to each other by name; lengths are in any one unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkageSpec {
     /// Every point, with its place in the drawing.
@@ -22,18 +21,18 @@ pub struct LinkageSpec {
     pub slides: Vec<SlideSpec>,
     /// Gear couplings.
     pub gears: Vec<GearSpec>,
-    /// What is driven, as many as there are freedoms. The input is the coordinate of the first; that of each
-    /// further one grows in proportion to it from where it is drawn.
+    /// The drivers, as many as there are freedoms. The input is the coordinate of the first; that of each further one
+    /// grows in proportion to it from its drawn value.
     pub drivers: Vec<DriverSpec>,
     /// Points that links carry and that join nothing: tracer points.
     pub tracers: Vec<TracerSpec>,
 }
 
-/// A point. The drawing shows one pose: it says which of the assemblies is meant
-/// and, for a link without dimensions of its own, the dimensions.
+/// A point. The drawing shows one pose: it selects the assembly and gives the dimensions of links without a shape of
+/// their own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointSpec {
-    /// Its name, unlike every other point's.
+    /// Its unique name.
     pub name: String,
     /// Where it is drawn.
     pub at: Point,
@@ -42,15 +41,15 @@ pub struct PointSpec {
 /// A moving link: a rigid body that holds points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkSpec {
-    /// Its name, unlike every other link's.
+    /// Its unique name.
     pub name: String,
     /// Its points, by name: joints with other links that list them too, and
     /// points of its own (tracer points, centres of mass). The link's angle runs
     /// from its first to its second point.
     pub points: Vec<String>,
-    /// The places of the points on the link, in the same order; none: as drawn.
+    /// The places of the points on the link, in the same order; None if as drawn.
     pub shape: Option<Vec<Point>>,
-    /// The link this one is fixed to, as a wheel to its shaft: both turn as one.
+    /// The link to which this one is fixed, as a wheel to its shaft: both turn as one.
     pub fixed_to: Option<String>,
     /// Its centre of mass, by name, one of its points.
     pub centre_of_mass: Option<String>,
@@ -65,17 +64,16 @@ pub struct SlideSpec {
     pub link: String,
     /// Its point that stays at its drawn distance from the line.
     pub point: String,
-    /// The link that has the line, or the frame.
+    /// The link with the line, or the frame.
     pub on: String,
     /// Two points of `on` that give the line.
     pub line: [String; 2],
 }
 
-/// A gear coupling of two links that are hinged on the same carrier: seen from it, the
-/// second turns with the first, in the ratio of the teeth,
-/// `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` (R. Willis, *Principles of Mechanism*, 1841).
-/// The drawing gives the constant; a wheel with nothing but its hinge is mounted so
-/// that its angle is zero, seen from the carrier, where its mate's is.
+/// A gear coupling of two links hinged on the same carrier: relative to it, the second turns with the first in the
+/// ratio of the teeth, `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` (R. Willis, *Principles of Mechanism*, 1841). The drawing
+/// gives the constant; a wheel with nothing but its hinge is mounted so that its angle relative to the carrier is zero
+/// when its mate's is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSpec {
     /// The two links.
@@ -91,37 +89,35 @@ pub struct GearSpec {
 /// A driven pair.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DriverSpec {
-    /// A link turned about a point that it shares with `base`; the coordinate is
-    /// its angle against the base's.
+    /// A link turned about a point that it shares with `base`; the coordinate is its angle relative to the base.
     Crank {
         /// The link that is turned.
         link: String,
-        /// The link, or the frame, against which it is turned.
+        /// The link, or the frame, relative to which it is turned.
         base: String,
-        /// By how much its coordinate grows with that of the first driver; of the first 1.
+        /// Rate of its coordinate relative to the first driver's; 1 for the first.
         rate: f64,
     },
-    /// A slide moved along its line; the coordinate is the way of its point from
-    /// the first point of the line towards the second.
+    /// A slide moved along its line; the coordinate is the position of its point along the line, from the first point
+    /// of the line towards the second.
     Slide {
-        /// Which of the slides.
+        /// Index of the slide.
         slide: usize,
         /// Least and greatest coordinate.
         range: [f64; 2],
-        /// By how much its coordinate grows with that of the first driver; of the first 1.
+        /// Rate of its coordinate relative to the first driver's; 1 for the first.
         rate: f64,
     },
 }
 
 impl DriverSpec {
-    /// By how much its coordinate grows with that of the first driver.
+    /// Rate of its coordinate relative to the first driver's.
     pub fn rate(&self) -> f64 {
         match self {
             Self::Crank { rate, .. } | Self::Slide { rate, .. } => *rate,
         }
     }
 
-    /// The same, to be changed.
     pub(crate) fn rate_mut(&mut self) -> &mut f64 {
         match self {
             Self::Crank { rate, .. } | Self::Slide { rate, .. } => rate,
@@ -129,7 +125,7 @@ impl DriverSpec {
     }
 }
 
-/// What makes a draft no mechanism, with the names of what is at fault.
+/// A defect of a specification, with the names of the parts at fault.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Defect {
     /// Two points, or two links, of one name; or a link named as the frame.
@@ -138,14 +134,14 @@ pub enum Defect {
     Unknown(String),
     /// A coordinate, a mass or a range that is not finite, or out of any range.
     NotFinite(String),
-    /// A driven slide whose range is given backwards, or is empty.
+    /// A driven slide with a range given backwards, or empty.
     Range {
         /// The link that slides.
         link: String,
-        /// The range as given, of which the first number is not the lesser one.
+        /// The range as given; its first number is not less than the second.
         range: [f64; 2],
     },
-    /// A driven slide that is drawn outside its range, so far that the linkage does not close as it is drawn.
+    /// A driven slide drawn outside its range, so far that the linkage does not close as drawn.
     BeyondRange {
         /// The link that slides.
         link: String,
@@ -170,9 +166,9 @@ pub enum Defect {
         /// The point.
         point: String,
     },
-    /// A link whose shape has not one place for each point.
+    /// A link whose shape does not have one place for each point.
     Shape(String),
-    /// A point that a link should have, and has not.
+    /// A point that a link should have and does not.
     NotOnLink {
         /// The link.
         link: String,
@@ -182,7 +178,7 @@ pub enum Defect {
     /// A link fixed to, sliding on or geared with itself, or a ring of links
     /// fixed to each other.
     WithItself(String),
-    /// Two links that are to be hinged on each other and share no point.
+    /// Two links that should be hinged on each other and share no point.
     NotHinged {
         /// The links.
         links: [String; 2],
@@ -204,46 +200,46 @@ pub enum Defect {
     Underdriven {
         /// The mobility W by the count.
         mobility: isize,
-        /// What is left free.
+        /// The links left free.
         links: Vec<String>,
     },
     /// Links locked by too many pairs, or driven twice.
     Locked {
         /// The mobility W by the count.
         mobility: isize,
-        /// What is locked.
+        /// The locked links.
         links: Vec<String>,
     },
-    /// Links whose constraints allow a motion in the drawn pose by their rank, but hold in no pose beside it.
+    /// Links whose constraints allow a motion by their rank in the drawn pose, but hold in no pose beside it.
     Instant {
-        /// What is locked.
+        /// The locked links.
         links: Vec<String>,
     },
-    /// A driver whose rate is not finite, of the first not 1; or with which the motion would not repeat within
-    /// 24 turns of the first crank.
+    /// A driver whose rate is not finite, or for the first not 1; or with which the motion would not repeat within 24
+    /// turns of the first crank.
     Rate {
-        /// What the driver turns or moves.
+        /// The driven link.
         link: String,
         /// Its rate.
         rate: f64,
     },
-    /// Guides that are parallel where they must cross.
+    /// Parallel guides that must cross.
     ParallelGuides {
         /// The links that slide on them.
         links: Vec<String>,
     },
-    /// Wheels in mesh whose numbers of teeth do not determine how these links turn: their mates turn alike.
+    /// Wheels in mesh whose numbers of teeth do not determine the angles of these links: their mates turn alike.
     Undetermined {
         /// The links of the train.
         links: Vec<String>,
     },
-    /// Two wheels that can only turn together with all the others if none of them turns: their mesh closes a ring of
-    /// wheels, with another ratio than the rest of it.
+    /// Two wheels whose mesh closes a ring of wheels with another ratio than the rest of it: they can turn together
+    /// with all the others only if none turns.
     Contradiction {
         /// The wheels.
         links: [String; 2],
     },
-    /// A group for which no way of solving it is known yet.
+    /// A group that cannot be solved yet.
     Unsupported {
         /// Its links.
         links: Vec<String>,
@@ -262,22 +258,21 @@ pub enum Defect {
         /// The kind of singular position.
         singularity: Singularity,
     },
-    /// Links that may stand at any angle as drawn: two hinges coincide that only they join.
+    /// Links that may have any angle as drawn: two hinges coincide that are joined by these links only.
     CoincidentHinges {
         /// The links of the group.
         links: Vec<String>,
     },
-    /// A point that its links put elsewhere than it is drawn, too far for the
-    /// drawing to give the assembly.
+    /// A point whose links put it elsewhere than drawn, too far for the drawing to select the assembly.
     Misdrawn {
         /// The point.
         point: String,
-        /// By this length.
+        /// The distance.
         by: f64,
     },
 }
 
-/// Writing a draft line by line; nothing is checked yet.
+/// Building a specification line by line; nothing is checked yet.
 impl LinkageSpec {
     /// With a point drawn at (x, y).
     #[must_use]
@@ -327,7 +322,7 @@ impl LinkageSpec {
         self
     }
 
-    /// The last driver goes at a rate to the first.
+    /// With this rate of the last driver relative to the first.
     #[must_use]
     pub fn at_rate(mut self, new: f64) -> Self {
         if let Some(driver) = self.drivers.last_mut() {
@@ -336,8 +331,7 @@ impl LinkageSpec {
         self
     }
 
-    /// The link that a driver turns or moves; none where the driven slide does not
-    /// exist.
+    /// The link that a driver turns or moves; None if the driven slide does not exist.
     pub fn driven<'a>(&'a self, driver: &'a DriverSpec) -> Option<&'a str> {
         match driver {
             DriverSpec::Crank { link, .. } => Some(link),
@@ -348,7 +342,7 @@ impl LinkageSpec {
         }
     }
 
-    /// The links that can be driven: cranks, what slides along a line of the frame, and what is driven now.
+    /// The links that can be driven: cranks, links that slide along a line of the frame, and links driven now.
     pub fn drivable(&self) -> Vec<&str> {
         let cranks = self.links.iter().filter(|link| self.is_crank(link));
         let cranks = cranks.map(|link| link.name.as_str());
@@ -362,13 +356,13 @@ impl LinkageSpec {
         found
     }
 
-    /// Whether a link can be driven as a crank: hinged on the frame, fixed to no other.
+    /// True if a link can be driven as a crank: hinged on the frame, fixed to no other.
     pub(crate) fn is_crank(&self, link: &LinkSpec) -> bool {
         let hinged = |point: &String| self.frame.contains(point);
         link.fixed_to.is_none() && link.points.iter().any(hinged)
     }
 
-    /// Where a point is drawn.
+    /// The drawn place of a point.
     pub(crate) fn place(&self, name: &str) -> Option<Point> {
         let point = self.points.iter().find(|point| point.name == name);
         point.map(|point| point.at)
@@ -385,7 +379,7 @@ impl LinkageSpec {
     }
 }
 
-/// The diagonal of the box around places.
+/// The diagonal of the bounding box of places.
 pub(crate) fn extent(places: impl Iterator<Item = Vector>) -> f64 {
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {

@@ -1,4 +1,4 @@
-//! Tracer points of a specification: carried by a link, among nobody's joints.
+//! Tracer points of a specification: points of a link that join nothing.
 
 use std::collections::BTreeSet;
 
@@ -8,7 +8,7 @@ use crate::Vector;
 /// A point carried by a link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TracerSpec {
-    /// Its name, unlike that of any point and of any other tracer.
+    /// Its name, unique among points and tracers.
     pub name: String,
     /// The link that carries it, or the frame.
     pub link: String,
@@ -31,7 +31,7 @@ impl LinkageSpec {
     }
 }
 
-/// What is wrong with the tracers of a draft; `sound` tells coordinates that can be.
+/// The defects of the tracers of a specification; `sound` checks a coordinate.
 pub(super) fn defects(spec: &LinkageSpec, sound: impl Fn(f64) -> bool) -> Vec<Defect> {
     let names = spec.points.iter().map(|point| point.name.as_str());
     let mut names: BTreeSet<&str> = names.collect();

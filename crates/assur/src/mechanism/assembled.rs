@@ -1,4 +1,4 @@
-//! A linkage by its dimensions alone, drawn in one of its assemblies whatever its drawing shows.
+//! Assembly of a linkage by its dimensions alone, whatever its drawing shows.
 
 use crate::Vector;
 use crate::linkage::check::CLOSEST;
@@ -7,12 +7,12 @@ use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Mechanism, check};
 
 impl Mechanism {
-    /// The linkage of a draft, drawn in one of its assemblies at an input (radians, or the coordinate of a driven slide;
-    /// none: the drawn one). Places in the drawing count where a dimension is as drawn, and for the coordinates of
-    /// further drivers. None where the links cannot be joined at the input.
+    /// The linkage of a specification, drawn in one of its assemblies at an input (radians, or the coordinate of a
+    /// driven slide; None for the drawn one). The drawing matters only for dimensions that it gives, and for the
+    /// coordinates of further drivers. None if the links cannot be joined at the input.
     ///
     /// # Errors
-    /// Every reason other than its drawing why the draft is no linkage.
+    /// All defects of the specification except those of its drawing.
     pub fn assembled(spec: &LinkageSpec, input: Option<f64>) -> Result<Option<Self>, Vec<Defect>> {
         let spec = spec.spread();
         let defects = check::defects(&spec);
@@ -28,8 +28,7 @@ impl Mechanism {
 }
 
 impl LinkageSpec {
-    /// The same with points drawn apart whose places tell nothing: those that are drawn on another point of a link, and
-    /// of which no dimension is as drawn.
+    /// The same with coincident points of a link drawn apart, if no dimension is given by their drawn places.
     fn spread(&self) -> Self {
         let shapes = self.links.iter().filter_map(|link| link.shape.as_ref());
         let lengths = shapes.map(|shape| extent(shape.iter().map(|at| at.coords)));
@@ -62,7 +61,7 @@ impl LinkageSpec {
         spread
     }
 
-    /// Whether another link is fixed to a link, where it is drawn on it.
+    /// True if another link is fixed to this one, as drawn on it.
     pub(super) fn is_base(&self, link: &str) -> bool {
         let mut fixed = self
             .links

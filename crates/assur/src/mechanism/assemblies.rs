@@ -1,4 +1,4 @@
-//! All assemblies at an input: the links joined in every way, group by group.
+//! All assemblies at an input: all combinations of the assemblies of the groups.
 
 use crate::Jet;
 use crate::index::{BodyId, List, StepId};
@@ -7,11 +7,12 @@ use crate::position::{
     Cause, ComplexPair, Method, Nearby, Orientation, Sign, State, Step, StepContext, Tracker,
 };
 
-/// No more ways are found, and no more steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may close.
+/// Maximum numbers of assemblies, and of steps solved to find them: n dyads have 2ⁿ combinations, few of which may
+/// close.
 const MOST: usize = 4096;
 const MOST_TRIES: usize = 1 << 16;
-/// No more work is done to solve groups over the complex numbers, about microseconds: a group of four loops of hinges, or of
-/// three with slides, but not long chains of such groups, each of which hangs in many ways.
+/// Maximum work, about microseconds, to solve groups over the complex numbers: enough for a group of four loops of
+/// hinges, or of three with slides, but not for long chains of such groups, each with many assemblies.
 const MOST_WORK: usize = 60_000;
 
 /// The assemblies of a linkage at an input.
@@ -19,22 +20,22 @@ const MOST_WORK: usize = 60_000;
 pub struct Assemblies {
     /// A pose of each.
     pub poses: Vec<Pose<1>>,
-    /// Of each group that was solved over the complex numbers, once for every way in which it could hang, how many
-    /// solutions there are: six of five links of a Baranov truss, 14, 16 or 18 of seven, fewer of special dimensions.
+    /// The number of solutions of each group solved over the complex numbers, once for each assembly of the groups
+    /// before it: six for a Baranov truss of five links, 14, 16 or 18 for one of seven, fewer for special dimensions.
     pub complex: Vec<usize>,
-    /// Whether these are all. They are not where wheels are in mesh within a group, where there are very many, and where
-    /// it would take too long to find them.
+    /// True if these are all. They are not if wheels mesh within a group, if there are very many, or if finding them
+    /// would take too long.
     pub whole: bool,
 }
 
-/// The assemblies of a linkage at one input after another. Where an input is near the last one the solutions of groups are
-/// followed from there, which takes a tenth of the time or less; as many as there are in general, none twice, are all of
-/// them, and on any doubt they are found anew.
+/// The assemblies of a linkage at successive inputs. Near the last input the solutions of groups are tracked from
+/// there, in a tenth of the time or less. They are complete if distinct and as many as there are in general; in any
+/// doubt they are found anew.
 #[derive(Clone, Debug)]
 pub struct Following {
     mechanism: Mechanism,
     groups: List<StepId, Tracker>,
-    /// Room for what is solved.
+    /// Buffer for solving.
     room: State<1>,
 }
 
@@ -52,31 +53,32 @@ impl Following {
     }
 }
 
-/// All that is found at an input, with derivatives.
+/// Result of the search at an input, with derivatives.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Found<const N: usize> {
-    /// Of each assembly a pose, and which way its dyads are joined.
+    /// The pose and the assembly signs of each assembly.
     pub(crate) ways: Vec<(Pose<N>, AssemblySigns)>,
     complex: Vec<usize>,
-    /// What is not real, where derivatives tell it: of solutions of groups, and of dyads that do not reach.
+    /// Complex pairs, if derivatives are computed: of groups, and of dyads out of reach.
     pub(crate) unreal: Vec<ComplexPair>,
-    /// The square of the sine between two guides that must cross: links joined to bodies that go to infinity where they
-    /// are parallel may reach it just beside there.
+    /// Square of the sine between two guides that must cross. At its zeros bodies go to infinity; just beside, links
+    /// joined to them may be within reach over a short interval.
     pub(crate) parallel: Vec<ComplexPair>,
     pub(crate) whole: bool,
 }
 
 impl Mechanism {
-    /// All assemblies at an input: radians, or the way of a driven slide. Dyads are joined in closed form; the equations
-    /// of other groups are solved over the complex numbers, so that none is missed. Wheels stay as they are mounted.
+    /// All assemblies at an input: radians, or the coordinate of a driven slide. Dyads are solved in closed form; the
+    /// equations of other groups are solved over the complex numbers, so that no solution is missed. Wheels stay as
+    /// mounted.
     ///
-    /// They come in no particular order, none twice; those that meet in a singular pose are none.
+    /// They come in no particular order, without repetition; those that meet in a singular pose are left out.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
         let state = &mut self.blank_state();
         self.found_with::<1>(input, method, None, state).into()
     }
 
-    /// The same at one input after another.
+    /// The same at successive inputs.
     pub fn following(&self) -> Following {
         Following {
             mechanism: self.clone(),
@@ -85,7 +87,7 @@ impl Mechanism {
         }
     }
 
-    /// The same with derivatives, and with what nearly is an assembly.
+    /// The same with derivatives, and with complex pairs.
     pub(crate) fn found_at<const N: usize>(&self, input: f64) -> Found<N> {
         self.found_with(input, Method::Usual, None, &mut self.blank_state())
     }
@@ -117,7 +119,7 @@ impl Mechanism {
         search.found
     }
 
-    /// The same linkage in a pose that was found at an input.
+    /// The same linkage drawn in a pose found at an input.
     pub(crate) fn in_assembly(
         &self,
         input: f64,
@@ -201,7 +203,7 @@ impl<const N: usize> Search<'_, N> {
         self.signs[*step] = Sign::Plus;
     }
 
-    /// Puts a step, whose unknowns may be solved already, and joins the rest.
+    /// Places a step, whose unknowns may be solved already, and joins the rest.
     fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>, solved: bool) {
         if self.tries == 0 || self.found.ways.len() == MOST {
             self.found.whole = false;
@@ -220,7 +222,7 @@ impl<const N: usize> Search<'_, N> {
                 }
                 self.join(rest, state);
             }
-            // The margins of a group are no squares.
+            // The margins of a group are not squares.
             Err(_) if matches!(self.mechanism.steps[step], Step::Group(_)) => {}
             Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
                 let negative = state.margins[step].into_iter();

@@ -1,4 +1,4 @@
-//! The assembly of a mechanism that is drawn: which way its groups are joined.
+//! The drawn assembly of a mechanism: the signs of its groups.
 
 use std::f64::consts::TAU;
 
@@ -10,22 +10,22 @@ use crate::position::{
 };
 use crate::{Jet, Point};
 
-/// Of each step which of two ways its links are joined; plus where there is one.
+/// Assembly sign of each step; plus if it has only one assembly.
 pub(crate) type AssemblySigns = List<StepId, Sign>;
 
-/// A point may be drawn this far, relative to the size, from where the links put it.
+/// Maximum distance of a point from its drawn place, relative to the size.
 const MISDRAWN: f64 = 0.3;
-/// Where the drawn pose is singular the motion is followed from an input that is off
-/// by this, radians of a crank; of a slide's range the same part as of a turn.
+/// Distance of the starting input from a singular drawn pose: radians of a crank; for a slide, the same fraction of its
+/// range as of a turn.
 const ASIDE: f64 = 1e-3;
-/// So often the way back from an input beyond a dead point is doubled, from the rounding of the input on.
+/// Maximum number of doublings, starting at the rounding, of the step back from an input just beyond a dead point.
 const BACK: u32 = 24;
-/// A wheel that is off by less, radians, is mounted as it is drawn: a whole turn of what turns it makes more, unless it
-/// has tens of thousands of teeth.
+/// Maximum deviation, radians, of a wheel mounted as drawn. A whole turn of the body that drives it shifts it by more,
+/// unless it has tens of thousands of teeth.
 const MOUNTED: f64 = 1e-4;
 
 impl Mechanism {
-    /// The drawn pose as the one nearby.
+    /// The drawn pose as the nearby pose.
     pub(super) fn drawn(&self) -> Nearby<'_> {
         Nearby {
             orientations: &self.orientations,
@@ -54,7 +54,7 @@ impl Mechanism {
         }
     }
 
-    /// Finds the assembly that is drawn.
+    /// Finds the drawn assembly.
     pub(super) fn settle(&mut self) -> Result<(), Vec<Defect>> {
         let mut state: State<1> = self.blank_state();
         for step in self.steps.ids() {
@@ -62,7 +62,7 @@ impl Mechanism {
             let sign = self.drawn_sign(step, &mut state);
             let sign = sign.map_err(|cause| vec![self.open(step, Some(cause))])?;
             self.signs[step] = sign;
-            // The try that counts, last: the state is that of the drawn pose.
+            // Solved last with the chosen sign, so that the state is the drawn pose.
             let solved = self.try_step(step, sign, &mut state);
             solved.map_err(|cause| vec![self.open(step, Some(cause))])?;
             if let Step::Group(group) = &mut self.steps[step] {
@@ -96,10 +96,10 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Counts the drawn input by other whole turns, with the wheels mounted and four-bars joined as they are drawn. False,
-    /// and nothing is changed, where the links do not close at an input given so.
+    /// Shifts the drawn input by whole turns, with wheels and four-bars kept as drawn. Returns false, with nothing
+    /// changed, if the links do not close at the new input.
     pub(crate) fn rebase_turns(&mut self, drawn_input: f64) -> bool {
-        // Drawn at a dead point an input is rounded anew, and may then lie just beyond it.
+        // The new input is rounded anew; drawn at a dead point, it may lie just beyond it.
         let unit = f64::EPSILON * drawn_input.abs().max(self.span());
         let aside = (0..BACK).flat_map(|doubled| {
             let off = unit * f64::from((1_u32 << doubled) - 1);
@@ -114,7 +114,7 @@ impl Mechanism {
         let turned = TAU * ((self.drawn_input - drawn_input) / TAU).round();
         let mut state: State<1> = self.blank_state();
         for step in before.ids() {
-            // Where φ₁ passes a change point, a whole turn of it is the other assembly.
+            // If φ₁ passes a change point, a whole turn leads to the other assembly.
             if let Step::FourBar(closed) = &mut self.steps[step]
                 && closed.linkage.changes()
             {
@@ -132,8 +132,8 @@ impl Mechanism {
         true
     }
 
-    /// Mounts the wheels of a step as they are drawn. If the body that turns them is counted by other whole turns than in
-    /// the drawing, a wheel makes a part of a turn for each of them.
+    /// Mounts the wheels of a step as drawn. Each whole turn by which the body that drives them differs from the
+    /// drawing turns a wheel by a fraction of a turn.
     fn mount(&mut self, step: StepId, drawn_input: f64, state: &mut State<1>) {
         let drawn = &self.orientations;
         match &mut self.steps[step] {
@@ -169,8 +169,7 @@ impl Mechanism {
         }
     }
 
-    /// The way to join a step's links that puts its points closest to where they are
-    /// drawn.
+    /// The sign of a step that puts its points closest to their drawn places.
     pub(super) fn drawn_sign(&self, step: StepId, state: &mut State<1>) -> Result<Sign, Cause> {
         let mut best: Option<(f64, Sign)> = None;
         let mut met = Cause::DeadPoint;
@@ -188,7 +187,7 @@ impl Mechanism {
         best.map(|(_, sign)| sign).ok_or(met)
     }
 
-    /// The ways to join a step's links.
+    /// The possible signs of a step.
     pub(super) fn joinings(&self, step: StepId) -> &'static [Sign] {
         if self.steps[step].has_sign() {
             &Sign::BOTH
@@ -197,7 +196,7 @@ impl Mechanism {
         }
     }
 
-    /// The point of a step's links that is farthest from where it is drawn.
+    /// The point of a step's links farthest from its drawn place, with the distance.
     fn misdrawn(&self, state: &State<1>, step: StepId) -> Option<(PointId, f64)> {
         let mut farthest: Option<(PointId, f64)> = None;
         for body in self.steps[step].bodies() {
@@ -231,9 +230,8 @@ impl Mechanism {
         self.drawn_by(&pose.state)
     }
 
-    /// The same linkage drawn in this pose, with one point drawn elsewhere: the
-    /// links that list it are then as drawn, the others keep their dimensions. A
-    /// tracer is moved on its link.
+    /// The same linkage drawn in this pose, with one point moved: the links that list it take their dimensions from the
+    /// drawing, the others keep theirs. A tracer is moved on its link.
     pub fn redrawn(&self, pose: &Pose<1>, point: PointId, to: Point) -> LinkageSpec {
         let mut spec = self.drawn_in(pose);
         let joints = spec.points.len();
@@ -265,18 +263,18 @@ impl Mechanism {
         (*input, &self.signs, state)
     }
 
-    /// Which way the groups are joined as drawn, and how the bodies are turned.
+    /// Assembly signs and orientations of the drawn pose.
     pub(crate) fn as_drawn(&self) -> (&AssemblySigns, &List<BodyId, Orientation>) {
         (&self.signs, &self.orientations)
     }
 
-    /// The input at, or next to, the drawn one where the pose has derivatives.
+    /// The drawn input, or one next to it if the drawn pose has no derivatives.
     pub(super) fn entry(&self, signs: &AssemblySigns, state: &mut Predictor) -> Option<f64> {
         let mut inputs = self.entries().into_iter();
         inputs.find(|input| self.solve(*input, signs, self.drawn(), state).is_ok())
     }
 
-    /// The drawn input and those next to it.
+    /// The drawn input and one on each side.
     pub(super) fn entries(&self) -> [f64; 3] {
         [0.0, ASIDE, -ASIDE].map(|aside| self.drawn_input + aside * self.span() / TAU)
     }
@@ -288,7 +286,7 @@ mod tests {
     use crate::gears::Mesh;
     use crate::mechanism::GearSpec;
 
-    /// Where the links do not close at an input the wheels that were mounted for it before stay as they were.
+    /// If the links do not close at an input, wheels already mounted for it are restored.
     #[test]
     fn turns_that_do_not_close_change_nothing() {
         let mut spec = LinkageSpec::default()

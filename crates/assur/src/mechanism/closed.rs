@@ -1,5 +1,6 @@
 //! Arcs, dead points and periods of motions by the closed forms of four-bars, without a search.
 
+use crate::tolerance;
 use std::f64::consts::{PI, TAU};
 
 use crate::index::{BodyId, StepId};
@@ -8,21 +9,18 @@ use crate::position::{BodyPoint, DriveLaw, Solvable, Step};
 use crate::sorting::sort_by;
 use crate::{Assembly, FourBar, Grashof, Unsolved, Vector};
 
-/// A change point that is off by less of a period is where it would be without rounding.
-const ROUNDED: f64 = 1e-12;
-
 /// A step that is a four-bar on the driven crank and the frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DrivenFourBar<'a> {
-    /// Which step of the plan.
+    /// Its step of the plan.
     pub(crate) step: StepId,
     pub(crate) linkage: &'a FourBar,
     /// Offset of φ₁ from the input.
     pub(crate) angle_offset: f64,
 }
 
-/// The inputs within an arc at which φ₁, which leads the input, is a whole multiple of π: there the diagonal is longest or
-/// shortest.
+/// The inputs within an arc at which φ₁, the input plus the offset, is a multiple of π: there the diagonal is longest
+/// or shortest.
 pub(crate) fn half_turns(angle_offset: f64, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
     let first = ((from + angle_offset) / PI).ceil() as i32;
     let last = ((to + angle_offset) / PI).floor() as i32;
@@ -30,8 +28,7 @@ pub(crate) fn half_turns(angle_offset: f64, [from, to]: [f64; 2]) -> impl Iterat
 }
 
 impl DrivenFourBar<'_> {
-    /// The arc of inputs on which `input` lies, or the nearest; none where the crank
-    /// turns fully.
+    /// The arc with `input`, or the nearest one; None if the crank turns fully.
     pub(crate) fn arc(&self, input: f64) -> Option<[f64; 2]> {
         let cycle = self.linkage.cycle();
         let crank = input + self.angle_offset;
@@ -52,14 +49,14 @@ impl DrivenFourBar<'_> {
         (period / TAU).round() as usize
     }
 
-    /// The input at which coupler and rocker of a kite lie upon each other and swing freely about the frame's hinge.
+    /// The input at which coupler and rocker of a kite coincide and swing freely about the hinge of the frame.
     pub(crate) fn free_swing(&self) -> Option<f64> {
         let pose = self.linkage.pose::<1>(Assembly::First, 0.0);
         matches!(pose, Err(Unsolved::Undetermined { .. })).then_some(-self.angle_offset)
     }
 
-    /// The inputs of its change points within an arc, its end excluded, ascending: where motions cross in one pose, and
-    /// where coupler and rocker of a kite swing freely from one motion to the other.
+    /// The inputs of its change points within an arc, its end excluded, ascending: poses in which motions cross, and in
+    /// which coupler and rocker of a kite swing freely from one motion to the other.
     pub(crate) fn change_points(&self, [from, to]: [f64; 2]) -> Vec<f64> {
         let turns = self.turns();
         let period = TAU * turns as f64;
@@ -70,8 +67,8 @@ impl DrivenFourBar<'_> {
         let mut found = Vec::new();
         for input in crossings.chain(swings) {
             let ahead = (input - from).rem_euclid(period);
-            // One at the beginning may be rounded to lie before it.
-            let ahead = if ahead > period * (1.0 - ROUNDED) {
+            // Rounding may put one at the start before it.
+            let ahead = if ahead > period * (1.0 - tolerance::NEGLIGIBLE) {
                 0.0
             } else {
                 ahead
@@ -107,8 +104,8 @@ impl Mechanism {
         })
     }
 
-    /// Inputs within an arc at which the crank is in line with the outer hinges of a dyad RRR or RPR, one of them on the
-    /// crank and the other fixed. There the distance of the hinges is least or greatest.
+    /// Inputs within an arc at which the crank is in line with the outer hinges of a dyad RRR or RPR, one of them on
+    /// the crank and the other fixed. There the distance of the hinges is least or greatest.
     pub(crate) fn in_line(&self, arc: [f64; 2]) -> Vec<f64> {
         let closed = self.closed_steps().map(|closed| closed.angle_offset);
         let guided = self.steps.iter().filter_map(|step| match step {
@@ -121,8 +118,8 @@ impl Mechanism {
             .collect()
     }
 
-    /// Lead over the input of the angle of a crank that carries one of two hinges, the angle counted from the line of
-    /// its pivot and the other hinge; none if the other hinge moves.
+    /// Offset from the input of the angle of a crank that carries one of two hinges, measured from the line of its
+    /// pivot and the other hinge; None if the other hinge moves.
     fn lead_of(&self, hinges: [BodyPoint; 2]) -> Option<f64> {
         let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
             [true, false] => hinges,
@@ -139,8 +136,8 @@ impl Mechanism {
         is_first.then(|| angle(driven.local - crank.hinge) - crank.angle_offset - base)
     }
 
-    /// Whether it is one crank, at most one four-bar, and wheels that drive nothing
-    /// else: then the closed form tells all of its motion.
+    /// True if it is one crank, at most one four-bar, and wheels that drive nothing else: then the closed form gives
+    /// its whole motion.
     pub(crate) fn whole_closed_form(&self) -> bool {
         let known = |step: &Step| match step {
             Step::Crank(_) | Step::FourBar(_) => true,
@@ -153,7 +150,7 @@ impl Mechanism {
         alone && self.closed_steps().count() <= 1 && self.steps.iter().all(known)
     }
 
-    /// Whether a wheel is back with the crank or the four-bar that turns it, or looks the same all round.
+    /// True if a wheel returns with the crank or four-bar that turns it, or looks the same at any angle.
     fn returns(&self, wheel: BodyId) -> bool {
         let Some(link) = self.link_of(wheel).filter(|_| self.shows_its_angle(wheel)) else {
             return true;
@@ -170,8 +167,8 @@ impl Mechanism {
         is_whole || self.closed_steps().any(swings)
     }
 
-    /// Whether another drawing shows the same linkage: the same names, steps, and
-    /// places of joints on their bodies, within rounding.
+    /// True if another drawing shows the same linkage: the same names, steps, and places of joints on their bodies,
+    /// within rounding.
     pub(crate) fn is_redrawn_as(&self, other: &Self) -> bool {
         let near = |a: &crate::Vector, b: &crate::Vector| (a - b).norm() <= 1e-9 * self.size;
         let kind = std::mem::discriminant::<Step>;

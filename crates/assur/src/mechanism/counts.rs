@@ -8,7 +8,7 @@ use crate::mechanism::Mechanism;
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
 
-/// What mobility is counted from.
+/// The numbers from which mobility is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Counts {
     /// n: moving links; links fixed to each other are one, doubled links are not.
@@ -19,7 +19,7 @@ pub struct Counts {
     pub higher_pairs: usize,
     /// W by the formula, which is too low by one for each passive mesh.
     pub mobility: isize,
-    /// How many meshes are passive: they only repeat what the others do.
+    /// Number of passive meshes, which only repeat the effect of others.
     pub passive: usize,
 }
 
@@ -30,8 +30,8 @@ impl Mechanism {
         self.counts
     }
 
-    /// The wheels of passive meshes, one of each: the satellite, whose hinge fewer links share than that of sun and
-    /// ring. Their meshes fulfil their equations whatever the others do.
+    /// The wheel of each passive mesh: the satellite, whose hinge is shared by fewer links than that of sun and ring.
+    /// The equation of a passive mesh holds in every pose.
     pub fn passive_wheels(&self) -> impl Iterator<Item = LinkId> {
         let LinkageSpec { gears, links, .. } = &self.spec;
         let passive = gears.iter().zip(&self.passive);
@@ -44,17 +44,17 @@ impl Mechanism {
                 links.iter().filter(shares).count()
             };
             let wheels: Vec<LinkId> = wheels.collect();
-            // Of equals the second.
+            // The second of equals.
             wheels.into_iter().rev().min_by_key(sharing)
         })
     }
 }
 
 impl LinkageSpec {
-    /// The links, pairs and mobility of what need not move yet.
+    /// The links, pairs and mobility of a specification that need not move yet.
     ///
     /// # Errors
-    /// What is named and is not there, and whatever else leaves nothing to count.
+    /// Names of nothing, and all other defects that prevent counting.
     pub fn counts(&self) -> Result<Counts, Vec<Defect>> {
         let defects = check::defects(self);
         if !defects.is_empty() {
@@ -67,20 +67,20 @@ impl LinkageSpec {
     }
 }
 
-/// The counts of a draft.
+/// The counts of a specification.
 pub(super) fn counts(spec: &Resolved<'_>, bodies: &Bodies) -> Counts {
     let graph = bodies.graph(spec.places.ids());
     let gears = spec.gears.iter();
     let idlers = gears.filter(|gear| gear.mesh == Mesh::AsPrinted).count();
     let passive = bodies.passive.iter().filter(|passive| **passive).count();
-    // A doubled link has three freedoms and a hinge at each point that it shares.
+    // A doubled link has three freedoms and a hinge at each shared point.
     let doubled = spec.doubled.iter().map(|one| one.shared.len());
     let (doubled, hinges) = (spec.doubled.len(), doubled.sum::<usize>());
     Counts {
         links: graph.links - 1 + idlers + doubled,
         lower_pairs: graph.lower_pairs() + idlers + hinges,
         higher_pairs: graph.higher_pairs() + passive + idlers,
-        // Three freedoms, less a hinge and one mesh more.
+        // An idler adds nothing: three freedoms, less its hinge and one more mesh.
         mobility: graph.mobility() - passive as isize + 3 * doubled as isize - 2 * hinges as isize,
         passive,
     }

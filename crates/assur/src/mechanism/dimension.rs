@@ -1,5 +1,5 @@
-//! The dimensions of a linkage: single numbers of it that can be read and set. One
-//! notion for sliders, hands on the drawing and searches.
+//! Dimensions of a linkage: single numbers that can be read and set, by sliders, by dragging on the drawing and by
+//! searches.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,40 +9,40 @@ use crate::mechanism::{DoubledLink, Mechanism, Part, Setting};
 use crate::{Point, Vector};
 use nalgebra::Rotation2;
 
-/// A number of a linkage; of use with the mechanism whose link or point it is of.
-/// What else the linkage has stays as it is when it is set.
+/// A dimension of a linkage; valid only with the mechanism of its link or point. Setting it leaves the rest of the
+/// linkage unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
-    /// The distance of the first two points of a link: of one with two points its length. Its other points stay where they
-    /// are on it.
+    /// The distance of the first two points of a link: its length, if there are only two. Its other points keep their
+    /// places on it.
     Length(LinkId),
-    /// The distance of a point of a link, by its place from 2, to the first (0) or the second (1). The first two stay; with
-    /// them, in the first case, the angle at the first, in the second the distance to it.
+    /// The distance from the first (0) or second (1) point of a link to a later one, given by its index from 2. The
+    /// first two points stay; so does, for 0, the angle at the first point and, for 1, the distance to it.
     Side(LinkId, [usize; 2]),
-    /// The angle at the first point of a link from the second to a later one, by its place from 2, radians in (−π, π].
-    /// The sides beside it stay.
+    /// The angle at the first point of a link from the second to a later one, given by its index from 2; radians in
+    /// (−π, π]. The adjacent sides stay.
     Corner(LinkId, usize),
-    /// How far the point of a slide stays to the left of its line, seen from the first towards the second of the points that
-    /// give it.
+    /// The distance of the point of a slide to the left of its line, seen from the first point of the line towards the
+    /// second.
     Offset(SlideId),
-    /// The abscissa of a hinge of the frame, or of a point of a guide of the frame; links that are hinged or slide there keep
+    /// The abscissa of a hinge of the frame, or of a point of a guide of the frame; links hinged or sliding there keep
     /// their dimensions.
     X(PointId),
-    /// The ordinate of one.
+    /// The ordinate of such a point.
     Y(PointId),
 }
 
-/// A length may be set so many times longer and shorter than it is …
+/// Limits of a length, relative to its value …
 const LENGTHS: [f64; 2] = [0.05, 2.0];
-/// … a corner opened by so much, radians …
+/// … maximum change of a corner, radians …
 const OPENED: f64 = 0.5;
-/// … and a hinge moved, or an offset changed, by this part of the size.
+/// … and of the coordinate of a hinge or an offset, relative to the size.
 const ASIDE: f64 = 0.1;
 
 impl Mechanism {
-    /// All dimensions, in the order of the draft: the lengths of links with two points and the sides and corners of those
-    /// with more, the offsets of slides, then the coordinates of the hinges of the frame and of points of its guides that
-    /// stand alone: no driven slide counts from them, and no link lies on another there.
+    /// All dimensions, in the order of the specification: the lengths of links with two points and the sides and
+    /// corners of those with more, the offsets of slides, then the coordinates of hinges and guide points of the frame
+    /// on which nothing else depends: no driven slide is measured from them, and no link is fixed to another there.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let spec = self.spec();
         let links = self.link_ids().zip(&spec.links);
@@ -60,8 +60,8 @@ impl Mechanism {
         all.filter(|dimension| self.has(*dimension)).collect()
     }
 
-    /// Whether it has a dimension: none that a link on the frame, or a plate on which others lie, shares with a link that
-    /// is one body with it.
+    /// True if this dimension exists; not for a point that a link shares, as one body, with the frame or with a link
+    /// that must keep its shape.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {
@@ -94,7 +94,7 @@ impl Mechanism {
             }
     }
 
-    /// The value of a dimension; none of what is none of [`Self::dimensions`].
+    /// The value of a dimension; None if it is not one of [`Self::dimensions`].
     pub fn value(&self, dimension: Dimension) -> Option<f64> {
         let spec = self.spec();
         self.has(dimension).then(|| {
@@ -110,7 +110,7 @@ impl Mechanism {
         })
     }
 
-    /// The value that a dimension is set to where this one is wanted: an angle is set the shorter way round.
+    /// The equivalent of a value nearest to the current one: an angle changes by at most half a turn.
     pub fn nearest(&self, dimension: Dimension, value: f64) -> f64 {
         match (dimension, self.value(dimension)) {
             (Dimension::Corner(..), Some(from)) => from + (value - from + PI).rem_euclid(TAU) - PI,
@@ -118,8 +118,8 @@ impl Mechanism {
         }
     }
 
-    /// From where to where it makes sense to set a dimension; not every value between
-    /// makes a mechanism. None of what is none of [`Self::dimensions`].
+    /// Sensible range of a dimension; not every value in it makes a mechanism. None if it is not one of
+    /// [`Self::dimensions`].
     pub fn range(&self, dimension: Dimension) -> Option<[f64; 2]> {
         let value = self.value(dimension)?;
         let around = |aside: f64| [value - aside, value + aside];
@@ -134,14 +134,14 @@ impl Mechanism {
         })
     }
 
-    /// The sides beside a corner at the first point of a link.
+    /// The sides adjacent to a corner at the first point of a link.
     pub(crate) fn beside_corner(&self, link: LinkId, point: usize) -> [f64; 2] {
         [1, point].map(|end| self.spec().side(link, [0, end]))
     }
 }
 
 impl Dimension {
-    /// What it is to set it to a value in a linkage drawn so; a side opposite to a corner is set by that.
+    /// The setting that gives it a value in a drawn linkage; a side opposite to a corner is set by that corner.
     pub(crate) fn setting(self, spec: &LinkageSpec, value: f64) -> Setting {
         let at = |point: PointId| spec.points[point.index()].at;
         let placed = |link: LinkId, point: usize, angle: f64, side: f64| {
@@ -164,8 +164,7 @@ impl Dimension {
 }
 
 impl LinkageSpec {
-    /// The same with a shape for every link that could have one, so that the drawing
-    /// can move without changing any.
+    /// The same with a shape for every link that can have one, so that moving the drawing changes none.
     pub(super) fn shaped(&self) -> Self {
         let mut shaped = self.clone();
         for (link, own) in shaped.links.iter_mut().zip(&self.links) {
@@ -178,7 +177,7 @@ impl LinkageSpec {
         shaped
     }
 
-    /// Whether a linkage that is drawn so has a dimension.
+    /// True if the drawn linkage has a dimension.
     fn has(&self, dimension: Dimension) -> bool {
         let shaped = |link: LinkId| self.links.get(link.index()).filter(|own| self.is_free(own));
         let has_corner = |link: LinkId, point: usize| {
@@ -196,14 +195,15 @@ impl LinkageSpec {
         }
     }
 
-    /// Whether the distances of a link's points may change: with more than two of them no link lies on another.
+    /// True if the distances of a link's points may change: it is fixed to no other and, if it has more than two
+    /// points, no other is fixed to it.
     fn is_free(&self, link: &LinkSpec) -> bool {
         let points = link.points.len();
         link.fixed_to.is_none() && (points == 2 || points > 2 && !self.is_base(&link.name))
     }
 
-    /// Whether a point of the frame is a hinge or gives a line, and nothing else depends on its place: no driven slide,
-    /// whose input counts from it, and no link that lies on another as drawn.
+    /// True if a point of the frame is a hinge or gives a line, and nothing else depends on its place: no driven slide
+    /// is measured from it, and no link with it is fixed to another or has another fixed to it.
     fn can_move(&self, point: &String) -> bool {
         let has = |link: &LinkSpec| link.points.contains(point);
         let guides = |slide: &SlideSpec| slide.line.contains(point);
@@ -218,7 +218,7 @@ impl LinkageSpec {
             && !self.links.iter().any(|link| has(link) && lies(link))
     }
 
-    /// From one point of a link to another, on the link.
+    /// Vector between two points of a link, in its coordinates.
     fn ray(&self, link: LinkId, [from, to]: [usize; 2]) -> Vector {
         let link = &self.links[link.index()];
         self.on_link(link, to) - self.on_link(link, from)
@@ -235,7 +235,7 @@ impl LinkageSpec {
         from.perp(&to).atan2(from.dot(&to))
     }
 
-    /// Where a point of a link is on it, by its place among the link's points.
+    /// Place of a point on its link; the point is given by its index among the link's points.
     pub(super) fn on_link(&self, link: &LinkSpec, point: usize) -> Point {
         let shape = link.shape.as_ref().and_then(|shape| shape.get(point));
         let drawn = || self.place(link.points.get(point)?);
@@ -243,7 +243,7 @@ impl LinkageSpec {
     }
 }
 
-/// The shape of a link: of one with two points only their distance counts.
+/// The shape of a link; of one with two points only their distance counts.
 pub(super) fn along_axis(shape: Vec<Point>) -> Vec<Point> {
     match shape[..] {
         [from, to] => vec![Point::origin(), Point::new((to - from).norm(), 0.0)],

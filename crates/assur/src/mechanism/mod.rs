@@ -1,8 +1,7 @@
 //! Any planar linkage: links with points, hinges, slides, gears, a driver.
 //!
-//! A [`LinkageSpec`] may be anything; a [`Mechanism`] is always one that can be
-//! assembled, because only [`Mechanism::new`] makes it. It is solved Assur group
-//! by Assur group in the order that [`crate::structure`] finds.
+//! A [`LinkageSpec`] need not be valid; a [`Mechanism`] can always be assembled, because only [`Mechanism::new`] makes
+//! one. It is solved group by group, in the order found by [`crate::structure`].
 
 mod assembled;
 mod assemblies;
@@ -71,41 +70,41 @@ pub struct Mechanism {
     origin: Vector,
     points: List<PointId, BodyPoint>,
     links: List<LinkId, Part>,
-    /// Of each body the link that it is made for, none for the frame, and its points
-    /// with their places on it.
+    /// The link of each body (None for the frame), and its points with their places on the body.
     made_for: List<BodyId, LinkOrFrame>,
     bodies: List<BodyId, Vec<(PointId, Vector)>>,
-    /// The structure, with passive links by themselves, and the groups by which it is solved, which hold them.
+    /// The structure with passive links as separate steps; and the one used for solving, with them inside their groups.
     structure: Structure,
     solved_by: Structure,
     /// Bodies of groups with redundant constraints that stay parallel to another body.
     parallel: Vec<[BodyId; 2]>,
     steps: List<StepId, Step>,
-    /// RRR dyads that groups with redundant constraints have without their passive links.
+    /// RRR dyads inside groups with redundant constraints, found by removing their passive links.
     within: Vec<[Arm; 2]>,
-    /// Of each body the step that places it; none of the frame.
+    /// The step that places each body; None for the frame.
     placed_by: List<BodyId, Option<StepId>>,
     constraints: Vec<Constraint>,
     counts: Counts,
     doubled: Vec<DoubledLink>,
-    /// How far the point of each slide stays to the left of its line.
+    /// Offset of each slide: distance of its point to the left of its line.
     offsets: List<SlideId, f64>,
-    /// Of each gear coupling whether it is passive.
+    /// For each gear coupling, true if it is passive.
     passive: Vec<bool>,
     size: f64,
     range: Option<[f64; 2]>,
-    /// After how many turns of the crank all drivers are back; none of a slide, and where one goes on.
+    /// Turns of the crank until all drivers and visible wheels are back; None for a driven slide, or if a driver does
+    /// not return.
     period_turns: Option<usize>,
-    /// After how many turns the assemblies are the same again, whatever wheels show that carry nothing.
+    /// Turns until the assemblies repeat; wheels that carry nothing do not count.
     turns_of_assemblies: Option<usize>,
-    /// The drawn pose: the input, which way the groups are joined, how the bodies
-    /// are turned, and the unknowns of groups that Newton's method solves.
+    /// The drawn pose: the input, the assembly signs, the orientations of the bodies, and the unknowns of groups solved
+    /// by Newton's method.
     drawn_input: f64,
     signs: AssemblySigns,
     orientations: List<BodyId, Orientation>,
     natural: Vec<f64>,
-    /// The input and pose from which the motion is followed: the drawn ones, or
-    /// those just next to them where the drawn pose is singular.
+    /// The input and pose from which the motion is followed: the drawn ones, or ones just beside them if the drawn pose
+    /// is singular.
     start: (f64, Predictor),
 }
 
@@ -119,10 +118,10 @@ struct Part {
 }
 
 impl Mechanism {
-    /// The mechanism that a draft describes, in the drawn position.
+    /// The mechanism of a specification, in the drawn pose.
     ///
     /// # Errors
-    /// Every reason why it is none, with the names of what is at fault.
+    /// All defects, with the names of the parts at fault.
     pub fn new(spec: &LinkageSpec) -> Result<Self, Vec<Defect>> {
         let defects = check::defects(spec);
         if !defects.is_empty() {
@@ -170,7 +169,8 @@ impl Mechanism {
         Ok(mechanism)
     }
 
-    /// The mechanism of a draft without surplus constraints, not joined yet, with its bodies and the links on them.
+    /// The mechanism of a specification without surplus constraints, before assembly, with its bodies and the
+    /// placements of its links.
     fn planned(
         resolved: &Resolved<'_>,
     ) -> Result<(Self, Bodies, List<LinkId, Placement>), Vec<Defect>> {
@@ -183,8 +183,7 @@ impl Mechanism {
         Ok((mechanism, bodies, placements))
     }
 
-    /// The mechanism before its assembly is found. If the drawing is of a known pose, angles have the whole turns of
-    /// that pose.
+    /// The mechanism before its assembly is found. If the drawn pose is known, angles have its whole turns.
     fn of(
         resolved: &Resolved<'_>,
         bodies: &Bodies,
@@ -197,7 +196,7 @@ impl Mechanism {
         let plan = plan::plan(resolved, bodies, placements, &structure, parallel, drawn);
         let plan = plan.map_err(|defect| vec![defect])?;
         let points = resolved.places.enumerate().map(|(point, at)| {
-            // A point that no link has stays where it is drawn.
+            // A point of no link stays where it is drawn.
             let still = || BodyPoint {
                 body: BodyId::FRAME,
                 local: *at,

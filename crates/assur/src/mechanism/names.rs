@@ -8,24 +8,24 @@ impl Mechanism {
         &self.spec
     }
 
-    /// The moving links in the order of the draft, by name.
+    /// The moving links in the order of the specification, by name.
     pub fn links(&self) -> impl ExactSizeIterator<Item = &str> {
         self.spec.links.iter().map(|link| link.name.as_str())
     }
 
-    /// The points in the order of the draft, then its tracers, by name.
+    /// The points in the order of the specification, then its tracers, by name.
     pub fn points(&self) -> impl ExactSizeIterator<Item = &str> {
         self.point_ids().map(|point| self.point_name(point))
     }
 
-    /// The moving links in the order of the draft.
+    /// The moving links in the order of the specification.
     pub fn link_ids(
         &self,
     ) -> impl DoubleEndedIterator<Item = LinkId> + ExactSizeIterator + Clone + use<> {
         self.links.ids()
     }
 
-    /// The points in the order of the draft, then its tracers.
+    /// The points in the order of the specification, then its tracers.
     pub fn point_ids(
         &self,
     ) -> impl DoubleEndedIterator<Item = PointId> + ExactSizeIterator + Clone + use<> {
@@ -61,13 +61,12 @@ impl Mechanism {
         &self.links[link].points
     }
 
-    /// The link that a link is fixed to in the end, itself if to none; none where
-    /// that is the frame.
+    /// The link to which a link is ultimately fixed: itself if to none; None for the frame.
     pub fn root_of(&self, link: LinkId) -> LinkOrFrame {
         self.link_of(self.links[link].body)
     }
 
-    /// The links that can be driven: cranks, what slides along a line of the frame, and what is driven now.
+    /// The links that can be driven: cranks, links that slide along a line of the frame, and links driven now.
     pub fn drivable(&self) -> Vec<&str> {
         self.spec.drivable()
     }
@@ -104,7 +103,7 @@ impl Mechanism {
         self.bodies().map(|body| self.body_name(body))
     }
 
-    /// The doubled links, in the order of the draft.
+    /// The doubled links, in the order of the specification.
     pub fn doubled(&self) -> &[DoubledLink] {
         &self.doubled
     }
@@ -132,7 +131,7 @@ impl Mechanism {
         bodies.map(|body| self.body_name(body))
     }
 
-    /// The kind of singular position that a dead point of a step of the plan is.
+    /// The kind of singular position of a dead point of a step.
     pub fn singularity(&self, step: StepId) -> Singularity {
         self.steps[step].singularity()
     }
@@ -147,7 +146,7 @@ impl Mechanism {
         self.drawn_input
     }
 
-    /// True where the first driver is a crank; else it is a slide.
+    /// True if the first driver is a crank, false if it is a slide.
     pub fn turns(&self) -> bool {
         self.range.is_none()
     }

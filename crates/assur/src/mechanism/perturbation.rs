@@ -1,5 +1,5 @@
-//! A linkage next to another one: with a dimension set a little differently, joined
-//! the same way at an input nearby. A change goes from neighbour to neighbour.
+//! Neighbours of a linkage: a dimension is set a little differently, in the same assembly, at an input nearby. Larger
+//! changes go from neighbour to neighbour.
 
 use std::collections::BTreeSet;
 
@@ -12,27 +12,27 @@ use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Mechanism, Pose};
 use crate::position::{Cause, Sign, State, Step};
 
-/// What is set of a linkage.
+/// A change of a linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Setting {
-    /// Where on a link one of its points is, by its place among them.
+    /// Place of a point on a link; the point is given by its index there.
     Place(LinkId, usize, Point),
-    /// Where a hinge of the frame is.
+    /// Place of a hinge of the frame.
     Hinge(PointId, Point),
-    /// How far the point of a slide stays to the left of its line.
+    /// Distance of the point of a slide to the left of its line.
     Offset(SlideId, f64),
 }
 
-/// A linkage joined at an input: its draft is drawn in that pose.
+/// A linkage assembled at an input, with a specification drawn in that pose.
 #[derive(Clone, Debug)]
 pub(crate) struct Assembled {
     mechanism: Mechanism,
     state: State<1>,
-    /// Of each step on which side its links are joined: ±1.
+    /// For each step, the side on which its links are joined: ±1.
     sides: List<StepId, f64>,
 }
 
-/// Where links come apart on the way to a neighbour.
+/// Links that come apart on the way to a neighbour.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LoopOpen {
     pub(crate) step: StepId,
@@ -40,22 +40,21 @@ pub(crate) struct LoopOpen {
     pub(crate) cause: Cause,
 }
 
-/// Why there is no neighbour.
+/// The reason why there is no neighbour.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NoNeighbour {
     /// Its links cannot be joined.
     LoopOpen(LoopOpen),
-    /// With this setting it is no mechanism, however it is joined.
+    /// With this setting it is no mechanism, in any assembly.
     Defects(Vec<Defect>),
 }
 
-/// A neighbour's bodies are turned no further, radians, and moved no further, relative
-/// to the size.
+/// Maximum turn, radians, and displacement, relative to the size, of the bodies of a neighbour.
 const NEAR: f64 = 0.2;
 /// Maximum ratio of the second to the first correction of Newton's method at which it converges to the continuation
 /// of the last solution: P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 5.1.
 const CONTRACTION: f64 = 0.125;
-/// The first one is this long at most, relative to the size.
+/// Maximum length of the first correction, relative to the size.
 const CORRECTED: f64 = 0.03;
 /// Maximum factor by which the determinant of a group's Jacobian may change: two solutions that are about to meet
 /// are not confused.
@@ -88,13 +87,13 @@ impl Assembled {
         self.mechanism.drawn_input
     }
 
-    /// What its input can go over: a turn, or the range of a slide.
+    /// Span of its input: a turn, or the range of a slide.
     pub(crate) fn span(&self) -> f64 {
         self.mechanism.span()
     }
 
-    /// How far the links of a step are from being in line, or from a singular pose; to
-    /// be compared with that of its neighbours.
+    /// Margin of a step: distance of its links from being in line, or from a singular pose; to be compared with that of
+    /// its neighbours.
     pub(crate) fn margin(&self, step: StepId) -> f64 {
         let [p, q] = self.state.margins[step].map(|margin| margin.value());
         match self.mechanism.steps[step] {
@@ -104,10 +103,10 @@ impl Assembled {
         }
     }
 
-    /// The neighbour of this setting at an input.
+    /// The neighbour with this setting, at an input.
     ///
     /// # Errors
-    /// Which links come apart, or would have to go farther than a neighbour's; why it would be no mechanism.
+    /// The links that come apart, or would move farther than those of a neighbour; or the defects of the mechanism.
     pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, NoNeighbour> {
         let spec = match setting {
             Setting::Place(link, point, at) => self.mechanism.placed(link, point, at),
@@ -137,8 +136,8 @@ impl Mechanism {
         spec
     }
 
-    /// The mechanism of a draft that is drawn in a known pose, with this set otherwise than it is drawn, to be joined at an
-    /// input.
+    /// The mechanism of a specification drawn in a known pose, with a setting that differs from the drawing, before
+    /// assembly at an input.
     fn laid_out(
         &self,
         spec: &LinkageSpec,
@@ -148,7 +147,7 @@ impl Mechanism {
     ) -> Result<Self, NoNeighbour> {
         let laid_out = || {
             let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
-            // Links are one body no longer if a dimension is changed on one of them and kept by another, or by the frame.
+            // Links cease to be one body if a dimension is changed on one of them and kept by another, or by the frame.
             let (before, after) = (&self.doubled, &resolved.doubled);
             if before != after {
                 let parted = before.iter().filter(|one| !after.contains(one));
@@ -187,7 +186,7 @@ impl Mechanism {
         Ok(mechanism)
     }
 
-    /// Joins the links on these sides, else as they are drawn.
+    /// Joins the links on these sides, or else as drawn.
     fn join(&mut self, sides: Option<&List<StepId, f64>>) -> Result<State<1>, LoopOpen> {
         let mut state = self.blank_state();
         for step in self.steps.ids() {
@@ -209,7 +208,7 @@ impl Mechanism {
         Ok(state)
     }
 
-    /// On which side a sign joins the links of a step.
+    /// Side on which a sign joins the links of a step.
     fn side(&self, step: StepId, sign: Sign, state: &State<1>) -> f64 {
         match &self.steps[step] {
             Step::FourBar(closed) => closed.side(sign, state),
@@ -217,7 +216,7 @@ impl Mechanism {
         }
     }
 
-    /// The step whose links are no neighbours of those in another pose.
+    /// A step whose links moved farther than those of a neighbour.
     fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
         let moved = self.moved(before, state, NEAR);
         if let Some(body) = moved {
@@ -236,7 +235,7 @@ impl Mechanism {
         let lost = groups.find(|(step, group)| {
             let margins = [before, state].map(|state| state.margins[*step]);
             let [[a, of_a], [b, of_b]] = margins.map(|both| both.map(|margin| margin.value()));
-            // Of redundant equations others may have been left out.
+            // Pivoting may have left out other redundant equations.
             let ratio = b / a * (of_b - of_a).exp2();
             let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&ratio);
             far || changed
@@ -250,7 +249,7 @@ impl Mechanism {
         LoopOpen { step, links, cause }
     }
 
-    /// As it is joined in a state.
+    /// The linkage assembled in a state.
     fn joined(mut self, state: State<1>) -> Assembled {
         let sides = self.steps.ids();
         let sides = sides.map(|step| self.side(step, self.signs[step], &state));

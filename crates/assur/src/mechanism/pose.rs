@@ -1,4 +1,4 @@
-//! A pose of a mechanism, and why there is none at an input.
+//! Poses of a mechanism, and the reason if there is none at an input.
 
 use std::fmt;
 
@@ -7,14 +7,14 @@ use crate::mechanism::Mechanism;
 use crate::position::{BodyPoint, Cause, Complex, State};
 use crate::{Jet, JetPoint};
 
-/// Why a mechanism has no pose at an input.
+/// The reason why a mechanism has no pose at an input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unsolved {
     /// The input.
     pub input: f64,
     /// The step of the plan that fails; [`Mechanism::links_of`] names its links.
     pub step: StepId,
-    /// What is in its way.
+    /// The cause.
     pub cause: Cause,
 }
 
@@ -27,12 +27,12 @@ impl fmt::Display for Unsolved {
 
 impl std::error::Error for Unsolved {}
 
-/// Where all links are, with `N − 1` derivatives by the input. Only
-/// [`crate::motion::Motion`] fills one; it is of use with its mechanism.
+/// Positions of all links, with `N − 1` derivatives by the input. Filled only by [`crate::motion::Motion`]; valid only
+/// with its mechanism.
 #[derive(Clone, Debug)]
 pub struct Pose<const N: usize> {
     pub(super) state: State<N>,
-    /// Room for what is guessed of it before it is solved.
+    /// Buffer for the initial guess.
     guess: Vec<f64>,
 }
 
@@ -44,8 +44,8 @@ impl<const N: usize> Pose<N> {
         }
     }
 
-    /// The places of its bodies alone, without what poses beside it are found from, which is many times as large: of poses
-    /// there may be many.
+    /// The pose with the places of its bodies only. The data for solving nearby poses, many times as large, is left
+    /// out: many poses may be kept.
     pub fn bodies(&self) -> Self {
         Self::of(self.state.bodies())
     }
@@ -56,7 +56,7 @@ impl<const N: usize> Pose<N> {
 }
 
 impl Mechanism {
-    /// A pose to be filled again and again.
+    /// An empty pose, to be filled repeatedly.
     pub fn blank<const N: usize>(&self) -> Pose<N> {
         Pose::of(self.blank_state())
     }
@@ -68,15 +68,14 @@ impl Mechanism {
         pose.state.angle(part.body) + part.angle_offset
     }
 
-    /// Where a point is in a pose.
+    /// The position of a point in a pose.
     #[inline]
     pub fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> JetPoint<N> {
         (pose.state.place(self.points[point]) + Complex::constant(self.origin)).into()
     }
 
-    /// Where a link carries one of its points in a pose: the same as
-    /// [`Self::place`], whichever of the links that are hinged there is asked. None
-    /// where the point is not the link's.
+    /// The position of a point as carried by a link: the same as [`Self::place`], for each of the links hinged there.
+    /// None if the point is not the link's.
     pub fn carried<const N: usize>(
         &self,
         pose: &Pose<N>,

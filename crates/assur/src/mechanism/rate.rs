@@ -1,4 +1,4 @@
-//! At what rates further drivers go with the first, and after how many of its turns all are back.
+//! Rates of further drivers relative to the first, and periods in turns of the first.
 
 use std::f64::consts::TAU;
 
@@ -8,20 +8,20 @@ use crate::mechanism::Mechanism;
 use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::position::Step;
 
-/// Further drivers are back after so many turns of the first crank at most.
+/// Maximum period of the drivers, in turns of the first crank.
 const MOST_TURNS: usize = 24;
 
-/// More turns than any motion is followed.
+/// A number of turns beyond that of any motion followed.
 pub(crate) const NEVER: usize = 10_000_000;
 
-/// A rate is a ratio of whole numbers, within this.
+/// Tolerance of a rate as a ratio of whole numbers.
 const WHOLE: f64 = 1e-11;
 
-/// After how many turns of the first crank every driver is back; none where one is a slide that goes on, or the
-/// first is.
+/// Turns of the first crank until every driver is back; None if the first driver is a slide, or a further one is a
+/// slide that does not return.
 ///
 /// # Errors
-/// Each driver with a rate that will not do.
+/// Each driver with an inadmissible rate.
 pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Defect>> {
     let defect = |driver: &Driver| Defect::Rate {
         link: spec.link_name(spec.driven(driver)).to_owned(),
@@ -49,7 +49,7 @@ pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Def
                     .map(|turns| period_turns.map(|_| turns))
             }
             Driver::Slide { .. } if rate == 0.0 => Some(period_turns),
-            // It comes to an end of its range before the motion is cut.
+            // It must reach an end of its range before the motion is cut.
             Driver::Slide { range, .. } => {
                 let way = (range[1] - range[0]) / rate.abs();
                 (way < TAU * (MOST_TURNS - 1) as f64).then_some(None)
@@ -67,13 +67,13 @@ pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Def
     }
 }
 
-/// The denominator of a ratio that numbers of teeth make, by its continued fraction; none beyond [`NEVER`].
+/// Denominator of a ratio of numbers of teeth, by its continued fraction; None beyond [`NEVER`].
 fn denominator(ratio: f64) -> Option<usize> {
     let mut rest = ratio;
     let mut denominators = [0.0, 1.0];
     while denominators[1] < NEVER as f64 {
         let turned = ratio * denominators[1];
-        // As exact as a sum of products of a few ratios.
+        // Rounding of a sum of products of a few ratios.
         let exact = 64.0 * f64::EPSILON * (1.0 + ratio.abs()) * denominators[1];
         if (turned - turned.round()).abs() <= exact {
             return Some(denominators[1] as usize);
@@ -87,7 +87,7 @@ fn denominator(ratio: f64) -> Option<usize> {
     None
 }
 
-/// The least common multiple; none where it is beyond [`NEVER`].
+/// Least common multiple; None beyond [`NEVER`].
 fn common(a: usize, b: usize) -> Option<usize> {
     let (mut divisor, mut rest) = (a, b);
     while rest > 0 {
@@ -97,15 +97,15 @@ fn common(a: usize, b: usize) -> Option<usize> {
     (multiple < NEVER).then_some(multiple)
 }
 
-/// Whether what turns at a rate is back after so many turns.
+/// True if a body turning at this rate is back after this number of turns of the crank.
 fn is_whole(rate: f64, turns: usize) -> bool {
     let turned = rate * turns as f64;
     (turned - turned.round()).abs() <= WHOLE * turns as f64
 }
 
 impl Mechanism {
-    /// Lets the period be that of the wheels as well that turn in proportion to the input: of those that carry
-    /// others or show how they are turned. Where one does not come back it never ends.
+    /// Extends the period to the wheels that turn in proportion to the input, if they carry other links or show their
+    /// orientation. It becomes [`NEVER`] if one of them does not return.
     pub(super) fn count_turns_of_wheels(&mut self) {
         let [carrying, seen] = [false, true].map(|seen| {
             self.together(|body| self.carries(body) || seen && self.shows_its_angle(body))
@@ -113,7 +113,7 @@ impl Mechanism {
         (self.period_turns, self.turns_of_assemblies) = (seen, carrying);
     }
 
-    /// After how many turns the drivers are back, and those bodies that turn in proportion to the input.
+    /// Turns until the drivers, and the selected bodies that turn in proportion to the input, are all back.
     fn together(&self, counts: impl Fn(BodyId) -> bool) -> Option<usize> {
         let period_turns = self.period_turns?;
         let rates = self.rates_of_bodies();
@@ -147,8 +147,8 @@ impl Mechanism {
         rates
     }
 
-    /// The greatest rate, radians to a unit of the input, at which a driver turns a link, or a wheel that carries another
-    /// link or a point off its centre; 0 where nothing turns in proportion to the input.
+    /// Maximum rate, radians per unit of the input, of links turned by drivers and of wheels that carry another link or
+    /// a point off their centre; 0 if nothing turns in proportion to the input.
     pub fn quickest(&self) -> f64 {
         let rates = self.rates_of_bodies();
         let bodies = self.bodies();
@@ -157,25 +157,25 @@ impl Mechanism {
         rates.fold(0.0, |most, rate| most.max(rate.abs()))
     }
 
-    /// By how much the coordinate of each driver grows with that of the first.
+    /// Rate of each driver's coordinate relative to the first.
     pub fn rates(&self) -> impl Iterator<Item = f64> {
         self.spec.drivers.iter().map(DriverSpec::rate)
     }
 
-    /// What the input grows by until all drivers are back: whole turns of a crank. None of a slide, and where a
-    /// further driver is a slide that goes on with the crank.
+    /// Period of the drivers in the input: whole turns of a crank. None for a driven slide, or if a further driver is a
+    /// slide that does not return.
     pub(crate) fn period(&self) -> Option<f64> {
         self.period_turns
             .map(|period_turns| TAU * period_turns as f64)
     }
 
-    /// After how many turns of the crank the assemblies are the same again: those after which drivers are back, and
-    /// wheels that carry others. None of a slide, and where a further driver is a slide that goes on with the crank.
+    /// Turns of the crank until the assemblies repeat: until the drivers, and the wheels that carry other links, are
+    /// back. None as for [`Self::period`].
     pub(crate) fn turns_of_assemblies(&self) -> Option<usize> {
         self.turns_of_assemblies
     }
 
-    /// The inputs within the ranges of all driven slides; endless where there is none.
+    /// The interval of inputs within the ranges of all driven slides; infinite without any.
     pub(crate) fn within_ranges(&self) -> [f64; 2] {
         let within = self.steps.iter().flat_map(|step| match step {
             Step::Slider(slider) => vec![(slider.law, slider.range)],
@@ -193,28 +193,28 @@ impl Mechanism {
         })
     }
 
-    /// The same in turns; 1 where there is none.
+    /// The period in turns; 1 if there is none.
     pub(crate) fn period_turns(&self) -> usize {
         self.period_turns.unwrap_or(1)
     }
 
-    /// After how many turns a mechanism of cranks and wheels alone repeats, by the numbers of teeth; none of another,
-    /// and of one that takes more than can be told.
+    /// Turns until a mechanism of cranks and wheels alone repeats, by the numbers of teeth; None for any other
+    /// mechanism, and beyond [`NEVER`].
     pub(crate) fn turns_of_wheels(&self) -> Option<usize> {
         let mut steps = self.steps.iter();
         let alone = steps.all(|step| matches!(step, Step::Crank(_) | Step::Epicyclic(_)));
         self.period_turns.filter(|turns| alone && *turns < NEVER)
     }
 
-    /// After how many turns a motion may repeat, and no sooner: as the drivers and wheels do, and each four-bar in
-    /// closed form, one that is in its other assembly after a turn after two; none where that is never over.
+    /// Minimum number of turns after which a motion may repeat: common multiple of the period of drivers and wheels and
+    /// those of four-bars in closed form (two turns if one turn leads to the other assembly). None beyond [`NEVER`].
     pub(crate) fn least_turns(&self) -> Option<usize> {
         let turns = self.closed_steps().map(|closed| closed.turns());
         common(turns.max().unwrap_or(1), self.period_turns())
     }
 
-    /// Shift of the input that leaves the pose unchanged, for a motion that does not repeat: the turns after which it
-    /// might, unless there are none or a group counts the turns of the crank.
+    /// Shift of the input that leaves the pose unchanged, for a motion that does not repeat: [`Self::least_turns`] in
+    /// radians. None without such turns, or if a group counts the turns of the crank.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.rates_of_bodies();
         let mut counted = self.steps.iter().flat_map(|step| match step {

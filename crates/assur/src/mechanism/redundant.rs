@@ -1,10 +1,11 @@
-//! Redundant constraints: a group with more constraints than freedoms that moves all the same.
+//! Redundant constraints: groups with more constraints than freedoms that still move.
 //!
-//! Every constraint of such a group is an equation of it. Pivoting selects, in each pose anew, as many independent
+//! Every constraint of such a group is one of its equations. Pivoting selects, in each pose anew, as many independent
 //! equations as there are unknowns; the residuals of the others are checked. Bodies that stay parallel, as rods on
-//! equal cranks, add equations of their own: where all cranks are in line the Jacobian of the constraints alone is
-//! singular, although all constraints together allow only one motion.
+//! equal cranks, add further equations: with all cranks in line the Jacobian of the constraints alone is singular,
+//! although all constraints together allow only one motion.
 
+use crate::tolerance;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
@@ -20,13 +21,8 @@ use crate::structure::{Structure, with_passive_links};
 
 /// Inputs on either side of the drawn one at which the constraints are checked, radians of a crank.
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
-/// Tolerance of equal angular velocities, per radian of a crank.
-const ALIKE: f64 = 1e-8;
-/// Number of the poses beside the drawn one that may be in line, where angular velocities are lost to cancellation.
+/// Maximum number of poses beside the drawn one that may be in line; there angular velocities are lost to cancellation.
 const IN_LINE: usize = 1;
-
-/// Tolerance of linear dependence: the remainder of a row orthogonal to the rows before it, relative to its length.
-const DEPENDENT: f64 = 1e-7;
 
 /// Mobility by count and by rank.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,7 +51,7 @@ type Rows = Vec<(String, DVector<f64>)>;
 struct Basis(Vec<DVector<f64>>);
 
 impl Basis {
-    /// Takes a row if it is independent of those taken.
+    /// Adds a row if it is independent of those before; true if added.
     fn takes(&mut self, row: &DVector<f64>) -> bool {
         let mut rest = row.clone();
         // Twice is enough (Kahan, in Parlett, The Symmetric Eigenvalue Problem, 6.9).
@@ -65,7 +61,7 @@ impl Basis {
             }
         }
         let left = rest.norm();
-        let is_independent = left > DEPENDENT * row.norm();
+        let is_independent = left > tolerance::DISTINCT * row.norm();
         if is_independent {
             self.0.push(rest / left);
         }
@@ -89,7 +85,7 @@ impl Mechanism {
         self.mobility_by(&self.rows_in(&self.beside()))
     }
 
-    /// Mobility by count and by the rank of the constraints in the most general one of some poses.
+    /// Mobility by count and by the rank of the constraints in the most general of some poses.
     fn mobility_by(&self, rows: &[Rows]) -> Mobility {
         let count = self.counts.mobility;
         let general = rows.iter().map(dependent);
@@ -103,8 +99,8 @@ impl Mechanism {
         }
     }
 
-    /// The hinges of doubled links with their redundant constraints: of the first hinge none, of the second one, of others
-    /// two.
+    /// The hinges of doubled links, repeated by their number of redundant constraints: 0 for the first hinge, 1 for the
+    /// second, 2 for each further one.
     fn hinges_of_doubled(&self) -> Vec<String> {
         let doubled = self.doubled.iter().flat_map(|one| {
             let further = one.shared.iter().enumerate().skip(1);
@@ -118,12 +114,12 @@ impl Mechanism {
         poses.iter().map(|pose| self.rows(pose)).collect()
     }
 
-    /// The constraints of the pairs on the twists of the bodies, with the names of the pairs. A twist is the velocity at
-    /// the origin, per size, and the angular velocity.
+    /// The constraints of the pairs on the twists of the bodies, with the names of the pairs. A twist is the velocity
+    /// at the origin, divided by the size, and the angular velocity.
     fn rows(&self, pose: &Predictor) -> Rows {
         let place = |anchor: BodyPoint| pose.place(anchor).value() / self.size;
         let blank = || DVector::zeros(3 * self.bodies.len());
-        // A part of a velocity at a place, of a body against another one.
+        // Component at a place of the velocity of a body relative to another.
         let along = |at: Vector, way: Vector, [body, base]: [BodyId; 2]| {
             let mut row = blank();
             for (of, sign) in [(body, 1.0), (base, -1.0)] {
@@ -198,15 +194,16 @@ impl Mechanism {
         matches!(&self.steps[step], Step::Group(group) if group.is_redundant())
     }
 
-    /// The structure with passive links by themselves. None if a redundant constraint does not hold around the drawn pose,
-    /// or the mobility by rank is not the number of drivers: drivers that agree only at their rates are too many.
+    /// The structure with passive links as separate steps. None if a redundant constraint fails around the drawn pose,
+    /// or if the mobility by rank differs from the number of drivers: drivers compatible only at their given rates are
+    /// too many.
     pub(super) fn shown(&self, redundancy: &Redundancy) -> Option<Structure> {
         let rows = self.rows_in(&self.beside());
         let drivers = self.spec.drivers.len();
         if rows.is_empty() || self.mobility_by(&rows).rank != drivers as isize {
             return None;
         }
-        // Counting would leave out a link that drives others.
+        // Counting alone would also remove a link that drives others.
         let moves = |passive: &BTreeSet<usize>| {
             let rank = |rows: &Rows| {
                 let mut basis = Basis::default();
@@ -224,8 +221,8 @@ impl Mechanism {
         Some(shown.unwrap_or_else(|| self.solved_by.clone()))
     }
 
-    /// What is wrong with a drawing whose constraints do not hold around it; of links that could move by the rank of their
-    /// constraints in the drawn pose, that they are mobile for an instant only.
+    /// The defects of a drawing whose constraints fail around it. If the rank in the drawn pose allows a motion, the
+    /// links are mobile for an instant, else locked.
     pub(super) fn locked(&self, redundancy: &Redundancy) -> Vec<Defect> {
         let mut state: Predictor = self.blank_state();
         let solved = self.solve(self.drawn_input, &self.signs, self.drawn(), &mut state);
@@ -270,15 +267,15 @@ impl Mechanism {
         found
     }
 
-    /// Bodies of groups with redundant constraints that stay parallel, each to the frame or to another body. None if the
-    /// constraints fail beside the drawn pose.
+    /// Bodies of groups with redundant constraints that stay parallel to the frame or to another body, in pairs. None
+    /// if the constraints fail beside the drawn pose.
     pub(super) fn parallel(&mut self) -> Option<Vec<[BodyId; 2]>> {
         let mut state = self.blank_state();
         for step in self.steps.ids() {
             let sign = self.drawn_sign(step, &mut state);
             match sign {
                 Ok(sign) => self.signs[step] = sign,
-                // Drawn where all constraints together are singular.
+                // All constraints together are singular in the drawn pose.
                 Err(_) if self.is_redundant(step) => {}
                 Err(_) => return None,
             }
@@ -295,7 +292,7 @@ impl Mechanism {
         let turns_alike = |one: BodyId, other: BodyId| {
             let alike = poses.iter().filter(|pose| {
                 let [a, b] = [one, other].map(|body| pose.angle(body).derivative(1) * unit);
-                (a - b).abs() <= ALIKE
+                (a - b).abs() <= tolerance::DOUBLE_ROOT
             });
             let alike = alike.count();
             2 * alike > poses.len() && alike + IN_LINE >= poses.len()
@@ -303,7 +300,7 @@ impl Mechanism {
         let mut parallel = Vec::new();
         for step in self.steps.ids().filter(|step| self.is_redundant(*step)) {
             for body in self.steps[step].bodies() {
-                // The first of those that turn alike, with the frame before all others.
+                // The first body with the same angular velocity; the frame comes before all others.
                 let before = self.bodies.ids().filter(|other| *other != body);
                 let before = before.filter(|other| {
                     let placed = self.placed_by[*other];

@@ -1,12 +1,11 @@
-//! Whether a mechanism is in the same pose as before, and which of its wheels do not matter for that.
+//! Comparison of poses, in which wheels that move nothing else do not count.
 
 use crate::index::BodyId;
 use crate::mechanism::{Mechanism, Pose};
 use crate::position::{Predictor, State, Step};
 
 impl Mechanism {
-    /// Whether every link that matters is in the same place in two poses. A round wheel
-    /// that moves nothing else may have turned.
+    /// True if all links have the same position in two poses. A round wheel that moves nothing else may have turned.
     pub(crate) fn is_same_pose(&self, a: &Predictor, b: &Predictor, within: f64) -> bool {
         let mut bodies = self.bodies.ids();
         bodies.all(|body| {
@@ -15,8 +14,7 @@ impl Mechanism {
         })
     }
 
-    /// A body that is in another place, or turned otherwise, in another pose. A wheel
-    /// that moves nothing else may have turned.
+    /// A body whose position or orientation differs between two poses. A wheel that moves nothing else may have turned.
     pub(crate) fn moved<const N: usize>(
         &self,
         a: &State<N>,
@@ -27,8 +25,8 @@ impl Mechanism {
         bodies.find(|body| !self.is_near(a, b, *body, within) && !self.is_idle_wheel(*body))
     }
 
-    /// How far two poses are apart: the most that a body is off, relative to the size, or to how far out it is, or turned,
-    /// radians where that is little. Wheels that move nothing else do not count.
+    /// Distance of two poses: maximum over the bodies of the displacement, relative to the size or to the distance from
+    /// the origin if that is larger, and of the turn, radians if small. Wheels that move nothing else do not count.
     pub(crate) fn distance<const N: usize, const M: usize>(&self, a: &Pose<N>, b: &Pose<M>) -> f64 {
         let bodies = self.bodies.ids().filter(|body| !self.is_idle_wheel(*body));
         let off = bodies.map(|body| {
@@ -61,13 +59,13 @@ impl Mechanism {
         self.bodies[body].len() > 1 || tracers.any(|tracer| tracer.body == body)
     }
 
-    /// Whether anything else is solved by the place or the angle of a body.
+    /// True if a step depends on the place or the angle of a body.
     pub(super) fn carries(&self, body: BodyId) -> bool {
         self.steps.iter().any(|step| step.depends_on(body))
     }
 }
 
-/// How far a body is turned, radians where that is little, and moved from one pose to another.
+/// Turn, radians if small, and displacement of a body between two poses.
 fn off<const N: usize, const M: usize>(a: &State<N>, b: &State<M>, body: BodyId) -> [f64; 2] {
     let turned = a.bodies[body].turn.value() - b.bodies[body].turn.value();
     let moved = a.bodies[body].origin.value() - b.bodies[body].origin.value();

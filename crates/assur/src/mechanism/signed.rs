@@ -1,18 +1,18 @@
-//! Assemblies by the signs of their dyads: by these, files and links of before give the number of an assembly. Nothing
-//! else does: readers number assemblies by the angle of a link, see [`Motion::assemblies_at`](crate::motion::Motion::assemblies_at).
+//! Assemblies numbered by the signs of their dyads, as in older files and links. Everywhere else they are numbered by
+//! the angle of a link, see [`Motion::assemblies_at`](crate::motion::Motion::assemblies_at).
 
 use crate::Assembly;
 use crate::index::StepId;
 use crate::mechanism::{AssemblySigns, Mechanism};
 use crate::position::{Predictor, Sign, State};
 
-/// Greatest count of assemblies, and of steps solved to find them: n dyads can be joined in 2ⁿ ways, few of which may
+/// Maximum numbers of assemblies, and of steps solved to find them: n dyads have 2ⁿ combinations, few of which may
 /// close.
 const MOST_ASSEMBLIES: usize = 256;
 const MOST_TRIES: usize = 1 << 14;
 
-/// The assemblies at the drawn input in which a motion can begin, in the order of the signs of their dyads; of groups of
-/// higher class the drawn way only. Beyond 256, or 16,384 steps solved, there are none but the drawn one.
+/// The assemblies at the drawn input in which a motion can begin, in the order of the signs of their dyads; groups of
+/// higher class only as drawn. Beyond 256, or 16,384 steps solved, only the drawn one is added.
 #[derive(Clone, Debug)]
 pub struct SignedAssemblies<'a> {
     mechanism: &'a Mechanism,
@@ -20,12 +20,12 @@ pub struct SignedAssemblies<'a> {
 }
 
 impl SignedAssemblies<'_> {
-    /// How many there are.
+    /// Number of assemblies.
     pub fn count(&self) -> usize {
         self.all.len()
     }
 
-    /// The number of the drawn one, from 0.
+    /// Number of the drawn assembly, from 0.
     pub fn drawn(&self) -> usize {
         let others = self.all.iter();
         others
@@ -33,15 +33,15 @@ impl SignedAssemblies<'_> {
             .count()
     }
 
-    /// The same linkage drawn in the assembly of a number, from 0, at the drawn input, or just next to it where
-    /// assemblies meet in one pose. None where there is no such assembly, or no drawing tells it from the others.
+    /// The same linkage drawn in the assembly with this number, from 0, at the drawn input, or just beside it if
+    /// assemblies meet there. None if there is no such assembly, or no drawing distinguishes it from the others.
     pub fn assembly(&self, number: usize) -> Option<Mechanism> {
         self.mechanism.with_signs(self.all.get(number)?)
     }
 }
 
 impl Mechanism {
-    /// The assemblies at the drawn input by their signs. They are found anew with each call, in up to some milliseconds.
+    /// The assemblies at the drawn input by their signs, found anew with each call in up to some milliseconds.
     pub fn signed_assemblies(&self) -> SignedAssemblies<'_> {
         let mut search = Search {
             mechanism: self,
@@ -52,7 +52,7 @@ impl Mechanism {
         let steps: Vec<StepId> = self.steps.ids().collect();
         search.join(&steps, &mut self.blank_state());
         let mut all = search.found;
-        // The search may have ended before it came to the drawn one.
+        // The search may have stopped before the drawn one.
         if !all.contains(&self.signs) {
             all.push(self.signs.clone());
         }
@@ -65,8 +65,8 @@ impl Mechanism {
         }
     }
 
-    /// The same linkage drawn with its four-bar in the other assembly. None where it is drawn so already, and where it
-    /// does not close or no drawing tells it.
+    /// The same linkage drawn with its four-bar in this assembly. None if it is so already, does not close, or no
+    /// drawing distinguishes it.
     pub(crate) fn with_four_bar(&self, assembly: Assembly) -> Option<Self> {
         let step = self.closed_steps().next()?.step;
         let mut signs = self.signs.clone();
@@ -87,17 +87,17 @@ impl Mechanism {
     }
 }
 
-/// A search for all ways to join the groups.
+/// Search for all combinations of signs.
 struct Search<'a> {
     mechanism: &'a Mechanism,
     signs: AssemblySigns,
     found: Vec<AssemblySigns>,
-    /// How many steps may still be solved.
+    /// Number of steps that may still be solved.
     tries: usize,
 }
 
 impl Search<'_> {
-    /// Joins the groups of these steps in all ways.
+    /// Joins the groups of these steps with all signs.
     fn join(&mut self, steps: &[StepId], state: &mut State<1>) {
         let [step, rest @ ..] = steps else {
             self.found.push(self.signs.clone());

@@ -8,7 +8,10 @@ impl Mechanism {
         State::new(self.bodies.len(), steps, self.natural.len() / 2, self.size)
     }
 
-    /// Solves every step for an input; the step that fails and why.
+    /// Solves every step for an input.
+    ///
+    /// # Errors
+    /// The step that fails, and the cause.
     pub(crate) fn solve<const N: usize>(
         &self,
         input: f64,
@@ -56,17 +59,17 @@ impl Mechanism {
         Ok(())
     }
 
-    /// What certifies steps of its motion.
+    /// An enclosure for certifying steps of the motion.
     pub(crate) fn enclosure(&self) -> Enclosure {
         Enclosure::new(self.bodies.len(), self.steps.len())
     }
 
-    /// One turn, or the range of the driven slide.
+    /// Span of the input: one turn, or the range of the driven slide.
     pub(crate) fn span(&self) -> f64 {
         self.range.map_or(TAU, |[from, to]| to - from)
     }
 
-    /// The step that places a body; none of the frame.
+    /// The step that places a body; None for the frame.
     pub(crate) fn placed_by(&self, body: BodyId) -> Option<StepId> {
         self.placed_by[body]
     }

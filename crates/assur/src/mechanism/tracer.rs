@@ -1,5 +1,5 @@
-//! Tracer points: carried by a link, among nobody's joints. They change neither
-//! the structure nor the assemblies, and follow their link through every redraw.
+//! Tracer points: points of a link that join nothing. They change neither the structure nor the assemblies, and stay on
+//! their link whenever it is redrawn.
 
 use crate::index::{BodyId, LinkId, List, PointId};
 use crate::linkage::TracerSpec;
@@ -16,15 +16,15 @@ impl Mechanism {
         link.map_or(place.coords, |link| self.on_link(pose, link, place))
     }
 
-    /// The tracer that a point is; none of a point that links list.
+    /// The tracer of a point; None for a point that links list.
     pub fn tracer(&self, point: PointId) -> Option<&TracerSpec> {
         let tracer = point.index().checked_sub(self.spec.points.len())?;
         self.spec.tracers.get(tracer)
     }
 
-    /// Where a place is in the coordinates of a link, those of [`TracerSpec::at`].
+    /// A place in the coordinates of a link, those of [`TracerSpec::at`].
     pub fn on_link<const N: usize>(&self, pose: &Pose<N>, link: LinkId, place: Point) -> Vector {
-        // A link without points is no link: `Mechanism::new` refuses it.
+        // `Mechanism::new` refuses a link without points.
         let origin = self
             .points_of(link)
             .first()

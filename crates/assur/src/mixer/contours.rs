@@ -91,7 +91,7 @@ impl Mixer {
         Ok(all)
     }
 
-    /// (25), (26): the wheels, with u as the paper has it, without a sign; and u, which has one.
+    /// (25), (26): the wheels, with u unsigned as in the paper; and the signed u.
     fn wheels(&self, pose: &Pose<3>) -> Vec<Relation> {
         let mut all = Vec::new();
         let strokes = [["ψ₄", "ψ₅"], ["ψ₄′", "ψ₅′"], ["ψ₄″", "ψ₅″"]];

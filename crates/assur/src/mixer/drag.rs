@@ -1,11 +1,11 @@
-//! What becomes of a mixer when one of its joints is dragged.
+//! Dragging of the joints of a mixer.
 
 use std::f64::consts::PI;
 
 use super::Mixer;
 use crate::{Assembly, FourBar, Point, Unsolved};
 
-/// A joint that can be dragged; A stays where it is.
+/// A joint that can be dragged; A is fixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joint {
     /// Crank and coupler: drives the crank.
@@ -16,16 +16,16 @@ pub enum Joint {
     D,
 }
 
-/// What dragging a joint changes.
+/// The change made by dragging a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dragged {
     /// The crank angle, radians, with its whole turns kept.
     Crank(f64),
-    /// The dimensions, sound or not.
+    /// The dimensions, valid or not.
     Lengths {
         /// l₁ … l₄, in the unit of the lengths.
         lengths: [f64; 4],
-        /// The assembly that has C where it was dragged to.
+        /// The assembly with C at its new place.
         assembly: Assembly,
     },
 }
@@ -40,8 +40,7 @@ impl Mixer {
     /// The lengths are not checked: [`Mixer::new`] does that.
     ///
     /// # Errors
-    /// [`Unsolved`]: an angle or a place that is not finite, or D dragged where
-    /// there is no pose and so no C.
+    /// [`Unsolved`]: an angle or a place that is not finite, or D dragged at a crank angle without a pose.
     pub fn dragged(&self, joint: Joint, crank: f64, to: Point) -> Result<Dragged, Unsolved> {
         if !(crank.is_finite() && to.x.is_finite() && to.y.is_finite()) {
             return Err(Unsolved::NotAnAngle);
@@ -72,7 +71,7 @@ impl Mixer {
     }
 }
 
-/// The assembly that has C nearest to a place; none where there is no pose.
+/// The assembly with C nearest to a place; None if there is no pose.
 fn nearest(lengths: [f64; 4], crank: f64, c: Point) -> Option<Assembly> {
     let linkage = FourBar::new(lengths).ok()?;
     let off = |assembly| {
@@ -125,8 +124,7 @@ mod tests {
         }
     }
 
-    /// On either side of BD, at any crank angle, from either assembly, also to
-    /// where the lengths make a parallelogram.
+    /// On either side of BD, at any crank angle, from either assembly, also if the lengths then make a parallelogram.
     #[test]
     fn c_follows_to_either_side() {
         for start in Assembly::ALL {
@@ -191,7 +189,7 @@ mod tests {
                 assert_eq!(swings.dragged(joint, crank, to), Err(Unsolved::NotAnAngle));
             }
         }
-        // Sound or not: what makes no mixer is refused where mixers are made.
+        // Valid or not: `Mixer::new` refuses invalid lengths.
         let Ok(Dragged::Lengths { lengths, assembly }) =
             swings.dragged(Joint::D, 1.0, Point::new(-1.0, 0.0))
         else {

@@ -56,7 +56,7 @@ impl Case {
     }
 }
 
-/// The free dimensions of a mixer, sound or not.
+/// The free dimensions of a mixer, valid or not.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dimensions {
     /// l₁ … l₄: crank, coupler, rocker, frame.
@@ -70,9 +70,9 @@ pub struct Dimensions {
     pub mesh: Mesh,
     /// Module of the wheels, in the unit of the lengths.
     pub module: f64,
-    /// Which way the loop is closed.
+    /// The assembly of the loop.
     pub assembly: Assembly,
-    /// The points P₁, P₂, … that are traced.
+    /// The traced points P₁, P₂, …
     pub tracers: Vec<Tracer>,
 }
 
@@ -81,11 +81,11 @@ pub struct Dimensions {
 pub struct Mixer {
     /// The linkage.
     pub linkage: FourBar,
-    /// Which way its loop is closed.
+    /// The assembly of its loop.
     pub assembly: Assembly,
     /// Wheel 4, which turns with the rocker, and wheels 5, 6, … around it.
     pub gears: GearSet,
-    /// The points that are traced; on wheels there are.
+    /// The traced points; their wheels exist.
     tracers: Vec<Tracer>,
 }
 
@@ -93,7 +93,7 @@ impl Mixer {
     /// The mixer with these dimensions.
     ///
     /// # Errors
-    /// Every reason why they make none, at once.
+    /// All invalid dimensions at once.
     pub fn new(dimensions: &Dimensions) -> Result<Self, Vec<Invalid>> {
         let linkage = FourBar::new(dimensions.lengths);
         let gears = GearSet::new(
@@ -117,9 +117,8 @@ impl Mixer {
         }
     }
 
-    /// Which link joins which: 0 the frame, 1 the crank, 2 the coupler, 3 the rocker
-    /// with wheel 4, which are one link; then the other wheels, each on a hinge of its
-    /// own and in mesh with the one before it in its train.
+    /// The graph of links and pairs: 0 is the frame, 1 the crank, 2 the coupler, 3 the rocker with wheel 4, which are
+    /// one link; then the other wheels, each on its own hinge and in mesh with the one before it in its train.
     pub fn graph(&self) -> Graph {
         let hinges = [[0, 1], [1, 2], [2, 3], [3, 0]];
         let mut pairs: Vec<Pair> = hinges.map(|two| Pair::Revolute(two.to_vec())).to_vec();

@@ -1,16 +1,16 @@
-//! The motion of a mixer, as of a linkage like any other.
+//! The motion of a mixer, as of any linkage.
 
 use super::Mixer;
 use crate::Unsolved;
 use crate::mechanism::{Defect, LinkageSpec, Mechanism};
 use crate::motion::{Motion, Unjoinable};
 
-/// Why a mixer has no motion as a linkage.
+/// The reason why a mixer has no motion as a linkage.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unmoved {
     /// It cannot be drawn.
     Unsolved(Unsolved),
-    /// Its draft is no mechanism.
+    /// Its specification is no mechanism.
     Defects(Vec<Defect>),
     /// Its arcs are not those of one linkage.
     Unjoinable(Unjoinable),
@@ -21,7 +21,7 @@ impl Mixer {
     /// assembly of the mixer.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why there is none.
     pub fn motion(&self) -> Result<Motion, Unmoved> {
         let mut motion = self.moved(&self.spec().map_err(Unmoved::Unsolved)?)?;
         let cycle = self.linkage.cycle();

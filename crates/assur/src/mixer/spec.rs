@@ -1,4 +1,4 @@
-//! The mixer as a linkage like any other.
+//! The mixer as the specification of a linkage.
 
 use nalgebra::Rotation2;
 
@@ -6,7 +6,7 @@ use super::{Carrier, Mixer};
 use crate::mechanism::{FRAME, GearSpec, LinkSpec, LinkageSpec, PointSpec, TracerSpec};
 use crate::{Link, Point, Unsolved, Vector};
 
-/// The crank angle at which a mixer is drawn whose crank turns fully.
+/// Crank angle in the drawing of a mixer whose crank turns fully.
 const DRAWN: f64 = 1.0;
 
 /// The links with two joints, and the names of their joints and centres of mass.
@@ -17,13 +17,12 @@ const BARS: [(Link, Carrier, [&str; 4]); 3] = [
 ];
 
 impl Mixer {
-    /// The mixer as a draft. Links `crank`, `coupler`, `rocker`, `wheel4` fixed to
-    /// the rocker, `wheel5`, … on the frame; joints A, B, C, D, centres of mass
-    /// C1, C2, C3 in the middle of their links, the wheels' centres E5, …; the points
-    /// traced, P1, …, are tracers.
+    /// The mixer as a specification. Links `crank`, `coupler`, `rocker`, `wheel4` fixed to the rocker, `wheel5`, … on
+    /// the frame; joints A, B, C, D, centres of mass C1, C2, C3 in the middle of their links, the wheels' centres E5,
+    /// …; the traced points, P1, …, are tracers.
     ///
     /// # Errors
-    /// Why there is no pose to draw.
+    /// The reason why there is no pose to draw.
     pub fn spec(&self) -> Result<LinkageSpec, Unsolved> {
         let cycle = self.linkage.cycle();
         if cycle.is_full() {
@@ -32,8 +31,7 @@ impl Mixer {
         self.spec_on(cycle.arcs()[0])
     }
 
-    /// The same, drawn in the middle of an arc, or beside it: a deltoid's pose may be
-    /// undetermined there.
+    /// The same, drawn in the middle of an arc, or beside it: a kite's pose may be undetermined there.
     pub(super) fn spec_on(&self, [from, to]: [f64; 2]) -> Result<LinkageSpec, Unsolved> {
         let drawn = self.spec_at(0.5 * (from + to));
         drawn.or_else(|_| self.spec_at(0.6 * from + 0.4 * to))
@@ -103,8 +101,8 @@ impl Mixer {
         Ok(spec.crank("crank"))
     }
 
-    /// The points traced, on the links of the draft. A tooth of a wheel is not at
-    /// the wheel's zero direction but where it was mounted.
+    /// The traced points, on the links of the specification. On a wheel they are measured from its middle tooth, which
+    /// the mounting turns from its zero direction.
     fn spec_tracers(&self) -> impl Iterator<Item = TracerSpec> {
         self.tracers().iter().enumerate().map(|(k, tracer)| {
             let at = Vector::new(tracer.x, tracer.y);

@@ -1,4 +1,4 @@
-//! Points of the mixer's bodies whose paths are looked at (coupler curves).
+//! Traced points of the mixer's bodies (coupler curves).
 
 use super::Mixer;
 use crate::{Dimension, Fault, Invalid, Jet, JetPoint, Point, Pose};
@@ -29,14 +29,14 @@ pub struct Tracer {
 }
 
 impl Tracer {
-    /// The most points that are traced.
+    /// Maximum number of traced points.
     pub const MOST: usize = 6;
 
-    /// The largest coordinate taken, in the unit of the lengths.
+    /// Maximum coordinate, in the unit of the lengths.
     const FARTHEST: f64 = 1e9;
 }
 
-/// Whether these points are on bodies of a mixer with this many peripheral wheels.
+/// Checks that these points are on bodies of a mixer with this number of peripheral wheels.
 pub(super) fn check(tracers: &[Tracer], wheels: usize) -> Result<(), Vec<Invalid>> {
     let mut reasons = Vec::new();
     if tracers.len() > Tracer::MOST {
@@ -71,7 +71,7 @@ pub(super) fn check(tracers: &[Tracer], wheels: usize) -> Result<(), Vec<Invalid
 }
 
 impl Mixer {
-    /// The points that are traced: P₁, P₂, …
+    /// The traced points: P₁, P₂, …
     pub fn tracers(&self) -> &[Tracer] {
         &self.tracers
     }
@@ -94,8 +94,8 @@ impl Mixer {
         }
     }
 
-    /// Where a body's coordinates begin, and the direction of its x. A wheel there
-    /// is not is taken for the rocker; [`Mixer::new`] lets none pass.
+    /// The origin of a body's coordinates, and the direction of its x axis. A wheel that does not exist counts as the
+    /// rocker; [`Mixer::new`] refuses it.
     pub fn body<const N: usize>(&self, pose: &Pose<N>, carrier: Carrier) -> (JetPoint<N>, Jet<N>) {
         let [a, b, _, d] = self.linkage.joints(pose);
         match carrier {
@@ -141,8 +141,7 @@ mod tests {
         }
     }
 
-    /// A place taken on a body is that place, and stays at its distance from the
-    /// body's first joint.
+    /// A point taken at a place is there, and keeps its distance from the body's first joint.
     #[test]
     fn a_point_keeps_its_place_on_its_body() {
         let mixer = Mixer::new(&dimensions(Vec::new())).unwrap();
@@ -157,7 +156,7 @@ mod tests {
                 let (origin, angle) = mixer.body(&pose, carrier);
                 let arm = mixer.traced(&pose, &tracer).place() - origin.place();
                 assert!((arm.norm() - tracer.x.hypot(tracer.y)).abs() < 1e-15);
-                // On a fixed centre the velocity stands on the arm, φ′ times as long.
+                // About a fixed centre the velocity is normal to the arm, φ′ times as long.
                 if carrier != Carrier::Coupler {
                     let rate = mixer.traced(&pose, &tracer).derivative(1);
                     assert!(rate.dot(&arm).abs() < 1e-14, "{carrier:?}");

@@ -1,13 +1,11 @@
 //! The constraints of a whole scheme, row by row.
 
+use crate::tolerance;
 use std::collections::BTreeSet;
 
 use super::elimination::System;
 use super::screw::{Form, IN_PLANE, Screw, basis};
 use super::{Pair, Scheme, Space};
-
-/// Entries of a null vector relative to its greatest: what is less is zero.
-const NOTHING: f64 = 1e-7;
 
 /// Of each pair the wrenches that it bears between its first link and each other one, in the space where motions
 /// are looked for.
@@ -92,7 +90,8 @@ impl Constraints {
             .fold(0.0, |most: f64, value| most.max(value.abs()));
         let bears = |pair: &usize| {
             let own = &stress[self.starts[*pair]..self.starts[pair + 1]];
-            own.iter().any(|value| value.abs() > NOTHING * greatest)
+            own.iter()
+                .any(|value| value.abs() > tolerance::DISTINCT * greatest)
         };
         (0..self.wrenches.len()).filter(bears).collect()
     }

@@ -6,12 +6,10 @@ use super::elimination::System;
 use super::screw::{Form, Screw};
 use super::{NoRank, Scheme, Space};
 use crate::sorting::sort_by_key;
+use crate::tolerance;
 
 /// Steps away from the drawn pose, angles and ways relative to the size.
 const STEPS: [f64; 3] = [0.05, 0.02, 0.005];
-
-/// Gaps of this size, relative to that of the scheme, are closed.
-const CLOSED: f64 = 1e-12;
 
 /// How often gaps are closed further.
 const CORRECTIONS: usize = 40;
@@ -100,7 +98,7 @@ impl Scheme {
             let halves = self.halves(drawn, &placements);
             let gaps = halves.iter().flatten().flat_map(|half| &half.gaps);
             let worst = gaps.fold(0.0, |worst: f64, gap| worst.max(gap.abs()));
-            if worst < CLOSED {
+            if worst < tolerance::NEGLIGIBLE {
                 let forms = halves
                     .into_iter()
                     .filter_map(|halves| halves.into_iter().next());

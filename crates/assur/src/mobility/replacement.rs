@@ -5,14 +5,12 @@
 //! linear form on the self-stresses (the power of their wrench on its twist), and these forms must be independent.
 
 use crate::sorting::sort_by_key;
+use crate::tolerance;
 use std::f64::consts::PI;
 
 use super::constraints::Constraints;
 use super::screw::{Form, across};
 use super::{NoRank, Pair, PairKind, Scheme, SchemeSpec, Space, Vector3};
-
-/// What is left of a form, relative to its length, after others are taken out: less depends on them.
-const INDEPENDENT: f64 = 1e-6;
 
 /// How long is searched: so many products of forms.
 const WORK: usize = 20_000_000;
@@ -164,7 +162,7 @@ impl Scheme {
     /// A direction across an axis; of a planar scheme one in the plane.
     fn beside(&self, axis: &Vector3, place: usize) -> Vector3 {
         let in_plane = Vector3::z().cross(axis);
-        if self.is_planar() && in_plane.norm() > INDEPENDENT {
+        if self.is_planar() && in_plane.norm() > tolerance::TRIPLE_ROOT {
             return in_plane.normalize();
         }
         let golden = PI * (3.0 - 5.0_f64.sqrt());
@@ -265,7 +263,7 @@ fn independent(taken: &[Vec<f64>], forms: impl Iterator<Item = Vec<f64>>) -> Vec
             }
         }
         let length = dot(&form, &form).sqrt();
-        if length > INDEPENDENT {
+        if length > tolerance::TRIPLE_ROOT {
             form.iter_mut().for_each(|value| *value /= length);
             new.push(form);
         }

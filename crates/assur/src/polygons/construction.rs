@@ -1,4 +1,4 @@
-//! Which vector equations are drawn for each step of the plan.
+//! Vector equations drawn for each step of the plan.
 
 use super::Node;
 use crate::Vector;
@@ -15,23 +15,23 @@ pub(super) struct Way {
 pub(super) enum By {
     /// Both are points of this body.
     Turning(BodyId),
-    /// It slides along a line in this direction of this body, of which the known one is a point, or against which it
-    /// keeps its angle.
+    /// It slides along a line of this body in this direction. The known point is on the line's body, or on one that
+    /// keeps its angle to it.
     Sliding(BodyId, Vector),
 }
 
-/// A point with the ways that lead to it: one of what is driven, or two.
+/// A point with the routes to it: one if it is driven, or two.
 pub(super) struct Equations {
     pub(super) target: Node,
     pub(super) ways: Vec<Way>,
 }
 
-/// A point that bodies have in common, or one of them has.
+/// A point of one body, or common to several.
 fn node(point: PointId) -> Node {
     Node { point, on: None }
 }
 
-/// The place of a body at which a point is.
+/// The place of a body that coincides with a point.
 fn on_body(body: BodyId, point: PointId) -> Node {
     Node {
         point,
@@ -39,7 +39,7 @@ fn on_body(body: BodyId, point: PointId) -> Node {
     }
 }
 
-/// A point of the body of an arm, which it turns about.
+/// The turning of an arm about its outer hinge.
 fn turning(mechanism: &Mechanism, arm: &Arm) -> Option<Way> {
     let outer = mechanism.shared_by([arm.body, arm.outer.body], Some(arm.from))?;
     Some(Way {
@@ -48,7 +48,7 @@ fn turning(mechanism: &Mechanism, arm: &Arm) -> Option<Way> {
     })
 }
 
-/// Along a track a point slides on the body that has it.
+/// The sliding of a point along a track, on the body with the line.
 fn sliding(point: PointId, track: &Track) -> Way {
     Way {
         from: on_body(track.line.body, point),
@@ -61,7 +61,7 @@ fn hinge(mechanism: &Mechanism, side: &Side) -> Option<PointId> {
     mechanism.shared_by([side.body, side.outer.body], Some(side.hinge))
 }
 
-/// Which of two bodies has the line along which they slide.
+/// The one of two bodies with the line along which they slide.
 fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
     let mut joints = mechanism.joints().into_iter();
     joints.find_map(|joint| match joint {
@@ -73,7 +73,7 @@ fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
     })
 }
 
-/// The equations of a step; none of a group that is no dyad, and of a body that shows no further point.
+/// The equations of a step; none for a group that is not a dyad, and for a body without further points.
 pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     match &mechanism.steps()[step] {
         Step::Epicyclic(geared) => {
@@ -90,7 +90,7 @@ pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     }
 }
 
-/// Of a body that turns about a hinge as something else tells: its first other point.
+/// The equation of a body that turns about a hinge in a known way, for its first other point.
 fn driven(mechanism: &Mechanism, [base, body]: [BodyId; 2], at: Vector) -> Option<Equations> {
     let hinge = mechanism.shared_by([body, base], Some(at))?;
     let mut points = mechanism
@@ -124,7 +124,7 @@ fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
             }
         }
         Step::Rpr(dyad) => {
-            // The hinge of what slides, as it lies on the body with the line.
+            // The hinge of the sliding body, as a place of the body with the line.
             let [i, j] = &dyad.sides;
             let on = line_of(mechanism, [i.body, j.body])?;
             let [block, guide] = if on == j.body { [i, j] } else { [j, i] };

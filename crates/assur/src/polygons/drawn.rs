@@ -1,4 +1,4 @@
-//! The numbers of a polygon.
+//! The vectors of a polygon.
 
 use super::construction::{By, Equations, Way, equations};
 use super::{Kind, Leg, Node, Order, Polygon, Route, Stage};
@@ -8,7 +8,7 @@ use crate::motion::InputRate;
 use crate::position::Step;
 use crate::{JetPoint, Vector};
 
-/// A pose and what is asked of it.
+/// A pose, with the derivative wanted and the rate of the input.
 struct Sheet<'a, const N: usize> {
     mechanism: &'a Mechanism,
     pose: &'a Pose<N>,
@@ -50,7 +50,7 @@ fn left(v: Vector) -> Vector {
     Vector::new(-v.y, v.x)
 }
 
-/// The direction of a vector; none is along x.
+/// The direction of a vector; x for a zero vector.
 fn direction(v: Vector) -> Vector {
     let length = v.norm();
     if length > 0.0 {
@@ -61,7 +61,7 @@ fn direction(v: Vector) -> Vector {
 }
 
 impl<const N: usize> Sheet<'_, N> {
-    /// Velocity or acceleration, 1 or 2, of a moving point.
+    /// Velocity (order 1) or acceleration (order 2) of a moving point.
     fn rate(&self, point: &JetPoint<N>, order: usize) -> Vector {
         Vector::new(
             self.input.rate(&point.x, order),
@@ -77,7 +77,7 @@ impl<const N: usize> Sheet<'_, N> {
         }
     }
 
-    /// Where a point is in the polygon.
+    /// The place of a point in the polygon.
     fn at(&self, node: Node) -> Vector {
         let order = match self.order {
             Order::Velocity => 1,
@@ -86,7 +86,7 @@ impl<const N: usize> Sheet<'_, N> {
         self.rate(&self.moving(node), order)
     }
 
-    /// The points of a body but for those that are there already.
+    /// The points of a body except those already known.
     fn others(&self, body: BodyId, known: &[(Node, Vector)]) -> Vec<(Node, Vector)> {
         let tracers = self.mechanism.tracers_on(body);
         let points = self.mechanism.points_on(body).chain(tracers);
@@ -105,8 +105,8 @@ impl<const N: usize> Sheet<'_, N> {
         }
     }
 
-    /// What is drawn for a step: its equations, then what follows from the images of its bodies. Points that a body
-    /// shares with one before it are known by then.
+    /// The parts drawn for a step: its equations, then the images of its bodies. Points shared with an earlier body are
+    /// known by then.
     fn step(&self, step: StepId) -> Vec<Stage> {
         let placing = &self.mechanism.steps()[step];
         let bodies = placing.bodies();
@@ -163,7 +163,7 @@ impl<const N: usize> Sheet<'_, N> {
         stages
     }
 
-    /// The legs of one way to a point.
+    /// The legs of a route to a point.
     fn route(&self, target: Node, way: &Way, driven: bool) -> Route {
         let mechanism = self.mechanism;
         let [from, to] = [way.from, target].map(|node| self.moving(node));
@@ -206,7 +206,7 @@ impl<const N: usize> Sheet<'_, N> {
                     Order::Acceleration => {
                         let [speed, _] = spins(body);
                         let coriolis = left(slides) * (2.0 * speed);
-                        // What slides on the frame has none.
+                        // Sliding on the frame has no Coriolis acceleration.
                         if body != BodyId::FRAME {
                             add(Kind::Coriolis, coriolis, left(along), true);
                         }

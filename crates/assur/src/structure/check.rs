@@ -1,12 +1,13 @@
-//! Whether a graph with its drivers can be taken apart.
+//! Checks if a graph with its drivers can be decomposed.
 
 use super::pebbles::{BODY, Pebbles, Surplus};
 use super::{Driver, Fault, Graph, Pair};
 
-/// The freedoms, all spent but those of the whole in the plane, and the parts with more constraints than that.
+/// The freedoms, all spent except those of the whole in the plane, and the parts with surplus constraints.
 ///
 /// # Errors
-/// Every fault, of single pairs and drivers or else of the count; surplus constraints are one unless they are allowed.
+/// All faults: of single pairs and drivers, or else of the count. Surplus constraints are a fault unless they are
+/// allowed.
 pub(super) fn check(
     graph: &Graph,
     drivers: &[Driver],
@@ -34,7 +35,7 @@ pub(super) fn check(
         let links: Vec<usize> = (0..graph.links)
             .filter(|&link| link != graph.ground && with_ground[link])
             .collect();
-        // A driver is asked for only where something could be driven. Surplus constraints are a fault of their own.
+        // A missing driver is reported only if something could be driven. Surplus constraints are a fault of their own.
         if !undriven.is_empty() || links.is_empty() || !whole {
             faults.push(Fault::NoDriver);
         } else if surplus_allowed || surplus.is_empty() {
@@ -115,8 +116,7 @@ fn driven(graph: &Graph, drivers: &[Driver]) -> Vec<Fault> {
     faults
 }
 
-/// For each link whether pairs join it to the ground, and all nodes of the
-/// count so joined: links, and the points of their pairs.
+/// For each link, true if pairs join it to the ground; and all nodes joined so: links, and the points of their pairs.
 fn joined_to_ground(graph: &Graph) -> (Vec<bool>, Vec<usize>) {
     let mut links = vec![false; graph.links];
     let mut nodes = vec![];

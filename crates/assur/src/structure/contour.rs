@@ -3,19 +3,15 @@
 use crate::sorting::sort_by_key;
 use std::collections::VecDeque;
 
-/// The number of pairs in the longest contour of a shortest basis of the
-/// contours, 0 where none is closed.
+/// The number of pairs in the longest contour of a shortest basis of the contours; 0 if none is closed.
 ///
-/// `joints` says for each joint which of the bodies it joins, a compound hinge
-/// more than two of them. The whole must hang together.
+/// `joints` gives the bodies joined by each joint, more than two by a compound hinge. The graph must be connected.
 ///
-/// A contour runs from body to joint to body, so it is a cycle in the graph
-/// with both as nodes. The cycles of length up to k are made up of the closed
-/// walks of length up to k from a body along its tree of shortest paths, over
-/// one more edge, and back: take a cycle, a body on it, and the walks for each
-/// of its edges; none is longer than the cycle, and in their sum all the paths
-/// go out and back. So the longest is met when such walks, from all bodies and
-/// in order of length, first make up every cycle.
+/// A contour alternates between bodies and joints, so it is a cycle in the graph with both as nodes. The cycles of
+/// length up to k are sums of closed walks of length up to k from a body along its tree of shortest paths, over one
+/// more edge, and back: take a cycle, a body on it, and the walks for each of its edges; none is longer than the cycle,
+/// and in their sum the paths out and back cancel. So the longest contour is found when such walks, from all bodies and
+/// in order of length, first span all cycles.
 pub(super) fn longest(bodies: usize, joints: &[Vec<usize>]) -> usize {
     let mut edges = vec![];
     for (i, joint) in joints.iter().enumerate() {
@@ -60,7 +56,7 @@ pub(super) fn longest(bodies: usize, joints: &[Vec<usize>]) -> usize {
     longest
 }
 
-/// From one node to each: how long the shortest path is, and its edges.
+/// Length and edges of the shortest path from one node to each.
 fn shortest_paths(
     nodes: usize,
     edges: &[(usize, usize)],
@@ -140,7 +136,7 @@ mod tests {
     #[test]
     fn a_compound_hinge_closes_nothing() {
         assert_eq!(longest(4, &[vec![0, 1, 2, 3]]), 0);
-        // Four bars, each two neighbours and a fifth in one hinge.
+        // Four bars in a ring; each hinge joins two neighbours and one more body.
         let joints = [[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]].map(Vec::from);
         assert_eq!(longest(8, &joints), 4);
     }
@@ -152,8 +148,8 @@ mod tests {
         assert_eq!(longest(8, &joints), 6);
     }
 
-    /// Three paths of 2, 4 and 4 pairs between two bodies: drawn with the first
-    /// outermost, one sees a contour of 8 pairs, but two of 6 make it up.
+    /// Three paths of 2, 4 and 4 pairs between two bodies: drawn with the first outermost, one sees a contour of 8
+    /// pairs, but it is the sum of two of 6.
     #[test]
     fn a_contour_made_of_lower_ones_does_not_count() {
         let joints = [

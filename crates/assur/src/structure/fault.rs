@@ -1,9 +1,9 @@
-//! What is wrong with a graph or its drivers.
+//! Faults of a graph or its drivers.
 
 use std::fmt;
 
-/// One reason why a graph cannot be taken apart. Links, pairs and drivers are
-/// named by their indices, links in ascending order.
+/// A reason why a graph cannot be decomposed. Links, pairs and drivers are given by their indices, links in ascending
+/// order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
     /// The ground is none of the links.
@@ -44,11 +44,11 @@ pub enum Fault {
         /// The driver.
         driver: usize,
     },
-    /// A driver drives the same two links of the same pair as one before it.
+    /// A driver drives the same two links of the same pair as an earlier one.
     DrivenTwice {
         /// The driver.
         driver: usize,
-        /// The one before it.
+        /// The earlier driver.
         earlier: usize,
     },
     /// Links that no pairs join to the ground.
@@ -56,32 +56,30 @@ pub enum Fault {
         /// The links, all such.
         links: Vec<usize>,
     },
-    /// Links still free to move when all drivers stand.
+    /// Links still free to move while all drivers are fixed.
     Undriven {
         /// The links, all such.
         links: Vec<usize>,
-        /// How many freedoms they have together: so many drivers are missing.
+        /// Number of their freedoms together, equal to that of missing drivers.
         freedoms: usize,
     },
-    /// Links with no freedom to drive, where no driver is given.
+    /// Links with no freedom to drive, if no driver is given.
     Rigid {
         /// The links, all but the ground.
         links: Vec<usize>,
     },
-    /// Links that hold too many constraints: they count as locked, and more
-    /// than that. There may be several such parts.
+    /// Links with more constraints than are needed to lock them. There may be several such parts.
     Overconstrained {
         /// The links of the part.
         links: Vec<usize>,
         /// The drivers in it; without any, the pairs alone are too many.
         drivers: Vec<usize>,
-        /// How many constraints are too many.
+        /// Number of surplus constraints.
         excess: usize,
     },
-    /// Links of one group or body in which prismatic pairs alone determine an
-    /// angle twice over: in a ring of them, or in a row of them between links
-    /// of given angle. A translation is left free for it, though the count is
-    /// right. Such is a group of two links and three prismatic pairs.
+    /// Links of one group or body in which prismatic pairs alone determine an angle twice: in a ring of them, or in a
+    /// row of them between links of given angle. A translation stays free instead, though the count is right. Example:
+    /// a group of two links and three prismatic pairs.
     Sliding {
         /// The links.
         links: Vec<usize>,

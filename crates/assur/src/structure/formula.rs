@@ -4,15 +4,13 @@ use super::{Group, Step, Structure};
 use std::fmt::Display;
 
 impl Structure {
-    /// The structural formula in Artobolevsky's way: [its terms](Self::terms) in
-    /// turn.
+    /// The structural formula in Artobolevsky's notation: [its terms](Self::terms) in turn.
     pub fn formula<N: Display>(&self, name: impl Fn(usize) -> N) -> String {
         self.terms(name).join(" → ")
     }
 
-    /// The terms of the structural formula: for each step the class, the order
-    /// below it and the links, named by the caller. Links that move as one have a
-    /// + between them.
+    /// The terms of the structural formula: for each step the class, the order as a subscript, and the links, named by
+    /// the caller. Links of one body have a + between them.
     pub fn terms<N: Display>(&self, name: impl Fn(usize) -> N) -> Vec<String> {
         let body = |links: &[usize]| {
             let names = links.iter().map(|&link| name(link).to_string());
@@ -42,7 +40,7 @@ impl Group {
     }
 }
 
-/// A number in digits below the line.
+/// A number in subscript digits.
 pub(crate) fn subscript(number: usize) -> String {
     let number = number.to_string();
     let digits = number.chars().filter_map(|digit| {
@@ -52,7 +50,7 @@ pub(crate) fn subscript(number: usize) -> String {
     digits.collect()
 }
 
-/// A class as textbooks write it: IV.
+/// A class in Roman numerals: IV.
 pub fn roman(mut number: usize) -> String {
     let mut roman = String::new();
     for (value, letters) in [

@@ -8,8 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// An Assur group.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
-    /// Its bodies: each a link, or links that cannot move against each other
-    /// when the drivers stand. Ascending, as are the links in each.
+    /// Its bodies: each a link, or links without relative motion while the drivers are fixed. Ascending, as are the
+    /// links in each.
     pub bodies: Vec<Vec<usize>>,
     /// The pairs between its bodies; a hinge of k bodies k − 1 times.
     pub inner: Vec<usize>,
@@ -19,7 +19,7 @@ pub struct Group {
     pub class: usize,
     /// The form, if it is a dyad of two bodies and three one-freedom pairs.
     pub dyad: Option<Dyad>,
-    /// How many constraints are more than its bodies have freedoms; none of an Assur group.
+    /// Number of constraints in excess of the freedoms of its bodies; 0 for an Assur group.
     pub surplus: usize,
 }
 
@@ -86,19 +86,19 @@ impl Group {
             dyad: None,
             surplus,
         };
-        // For the class: bodies with what replaces higher pairs, and joints.
+        // For the class: bodies, with substitutes of higher pairs, and joints.
         let mut count = group.bodies.len();
         let mut joints: Vec<Vec<usize>> = vec![];
         for (index, pair) in graph.pairs.iter().enumerate() {
             let mut here = BTreeMap::new();
             for &link in pair.links() {
                 if let Some(body) = group.body_of(link) {
-                    // Of links of one body the first stands for all.
+                    // The first link of a body represents it.
                     let first = here.entry(body).or_insert(link);
                     *first = link.min(*first);
                 }
             }
-            // It is the group's own where no link of it is solved before.
+            // A pair is an inner one if none of its links is solved before.
             let base = depends.base(pair.links());
             let outer = group.body_of(base).is_none();
             if outer {
@@ -112,7 +112,7 @@ impl Group {
             }
             let joint: Vec<usize> = here.into_keys().collect();
             if matches!(pair, Pair::Gear(_)) {
-                // Not where the other wheel comes later.
+                // Except if the other wheel comes later.
                 if outer && joint.len() == 1 || joint.len() == 2 {
                     joints.extend(joint.iter().map(|&body| vec![body, count]));
                     count += 1;
@@ -133,12 +133,12 @@ impl Group {
         Ok(group)
     }
 
-    /// Which of its bodies a link is in.
+    /// Index of the body of a link.
     fn body_of(&self, link: usize) -> Option<usize> {
         self.bodies.iter().position(|body| body.contains(&link))
     }
 
-    /// The form of two bodies, or none of the dyads.
+    /// The form of a dyad; None for other groups.
     fn form(&self, graph: &Graph) -> Option<Dyad> {
         let slides = |pair: usize| matches!(graph.pairs[pair], Pair::Prismatic(_));
         let outer = self.outer.iter().filter(|outer| slides(outer.pair)).count();
@@ -155,8 +155,7 @@ impl Group {
         }
     }
 
-    /// An error where prismatic pairs alone determine the angle of bodies twice
-    /// over.
+    /// Checks that prismatic pairs alone do not determine the angle of a body twice.
     fn check_sliding(&self, graph: &Graph) -> Result<(), Fault> {
         let sliding: Vec<BTreeSet<usize>> = self
             .inner
@@ -169,7 +168,7 @@ impl Group {
                 links.filter_map(|&link| self.body_of(link)).collect()
             })
             .collect();
-        // Bodies of one angle.
+        // Sets of bodies with a common angle.
         let mut parts: Vec<BTreeSet<usize>> = vec![];
         for ends in &sliding {
             let mut part = ends.clone();
@@ -194,8 +193,7 @@ impl Group {
     }
 }
 
-/// The links in sets that cannot move against each other, by the pairs and
-/// drivers between them.
+/// The links in sets without relative motion, by the pairs and drivers between them.
 fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>> {
     let (mut pebbles, _) = Pebbles::count(graph, drivers, |link| links.contains(&link));
     let mut bodies: Vec<Vec<usize>> = vec![];
@@ -208,8 +206,8 @@ fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>>
     bodies
 }
 
-/// An error where prismatic pairs spoil the locking of a body: it comes apart
-/// into groups on one of its links, and one of those is at fault.
+/// Checks that a body is locked in spite of prismatic pairs: with one of its links as ground it decomposes into groups,
+/// none of which is at fault.
 fn check_body(graph: &Graph, drivers: &[Driver], body: &[usize]) -> Result<(), Fault> {
     if body.len() == 1 {
         return Ok(());

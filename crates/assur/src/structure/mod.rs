@@ -1,25 +1,20 @@
 //! The structure of any planar linkage: driver and Assur groups, added in turn.
 //!
-//! Only the [`Graph`] is looked at, which pair joins which links: no lengths,
-//! no names, no order. [`decompose`] gives the [`Structure`], whatever the
-//! class of its groups, or everything that is wrong with the graph.
+//! It depends only on the [`Graph`], the pairs and the links they join: not on lengths, names or order. [`decompose`]
+//! gives the [`Structure`], with groups of any class, or all faults of the graph.
 //!
 //! # Groups
 //!
-//! An *Assur group* is a chain that adds no freedom when its outer pairs join
-//! it to links already solved, 3n = 2P₁ + P₂, and that holds no smaller such
-//! chain. The count is made with a link as three freedoms, a hinge as the two
-//! of its point, and two constraints for each link on the hinge. That is
-//! k − 1 pairs for a compound hinge of k links, without choosing which two
-//! links each of them joins: a choice would change the groups.
+//! An *Assur group* is a chain that adds no freedom when its outer pairs join it to links already solved, 3n = 2P₁ +
+//! P₂, and that contains no smaller such chain. A link counts as three freedoms, a hinge as the two of its point, with
+//! two constraints for each link on the hinge. That is k − 1 pairs for a compound hinge of k links, without choosing
+//! the two links joined by each of them: a choice would change the groups.
 //!
-//! Give each constraint to a freedom that it determines (`pebbles.rs`). Then a
-//! set of links which depends on nothing outside of it is solved on its own,
-//! and links which depend on each other in a ring are solved together: they
-//! are the groups, the same for every way to give them out (Servatius, Shai,
-//! Whiteley, *Combinatorial characterization of the Assur graphs from
-//! engineering*, 2010). A link is never divided: that a prismatic pair gives
-//! its angle before its place makes no smaller group.
+//! Assign each constraint to a freedom that it determines (`pebbles.rs`). Then a set of links that depends on nothing
+//! outside is solved on its own, and links that depend on each other in a ring are solved together: they are the
+//! groups, the same for every assignment (Servatius, Shai, Whiteley, *Combinatorial characterization of the Assur
+//! graphs from engineering*, 2010). A link is never divided: a prismatic pair that gives its angle before its place
+//! makes no smaller group.
 //!
 //! # Class and order
 //!
@@ -27,30 +22,24 @@
 //! number of outer pairs. The class is that of the highest contour:
 //!
 //! - II, the dyad: two links;
-//! - III, where the only closed contours are rigid: links with three pairs;
-//! - k > III, where the inner pairs close a contour of k pairs whose angles
-//!   change.
+//! - III, if the only closed contours are rigid: links with three pairs;
+//! - k > III, if the inner pairs close a contour of k pairs whose angles change.
 //!
-//! Where several contours are closed, theirs are the lengths of a shortest
-//! basis: of the contours none of which is made up of shorter ones. Its
-//! lengths do not depend on the basis taken, nor on the drawing, where a
-//! contour around two others would be higher than both.
+//! If several contours are closed, those of a shortest basis count: contours none of which is a sum of shorter ones.
+//! Their lengths depend neither on the basis nor on the drawing, in which a contour around two others would be higher
+//! than both.
 //!
-//! Links that cannot move against each other, a triangle of bars, or a
-//! cylinder and its driven piston, are one *body* and count as one link. A
-//! higher pair counts as what replaces it, a link with two lower pairs; so a
-//! wheel hinged on solved links and in mesh with a solved wheel is of
-//! Class II, order 2.
+//! Links without relative motion (a triangle of bars, or a cylinder and its driven piston) are one *body* and count as
+//! one link. A higher pair counts as its substitute, a link with two lower pairs; so a wheel hinged on solved links and
+//! in mesh with a solved wheel is of Class II, order 2.
 //!
-//! # What counting cannot see
+//! # Limits of counting
 //!
-//! Special dimensions. A parallelogram with a third rocker moves, though it
-//! counts as locked, and is refused as [`Fault::Overconstrained`]. So would a second
-//! satellite between sun and ring, were it not for [`crate::mechanism::Mechanism`],
-//! which knows the numbers of teeth and leaves its passive mesh out. Prismatic pairs
-//! with nothing else between them, which count right and yet do not determine
-//! a place, are [`Fault::Sliding`]. What is not refused can be solved, but for
-//! special dimensions.
+//! Special dimensions. A parallelogram with a third rocker moves, though it counts as locked, and is refused as
+//! [`Fault::Overconstrained`]. So would be a second satellite between sun and ring, but [`crate::mechanism::Mechanism`]
+//! knows the numbers of teeth and omits its passive mesh. Links joined by prismatic pairs alone, which have the right
+//! count and yet no determined place, are [`Fault::Sliding`]. Everything else can be solved, except for special
+//! dimensions.
 //!
 //! ```
 //! use assur::structure::{Driver, Graph, Pair, decompose};
@@ -113,7 +102,7 @@ impl Pair {
 /// Links, numbered from 0, and the pairs between them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Graph {
-    /// How many links there are, the ground among them.
+    /// Number of links, the ground included.
     pub links: usize,
     /// The link that does not move.
     pub ground: usize,
@@ -122,7 +111,7 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// P₁: how many one-freedom pairs there are, a hinge of k links as k − 1.
+    /// P₁: number of one-freedom pairs; a hinge of k links counts as k − 1.
     pub fn lower_pairs(&self) -> usize {
         let pairs = self.pairs.iter();
         pairs
@@ -134,7 +123,7 @@ impl Graph {
             .sum()
     }
 
-    /// P₂: how many two-freedom pairs there are.
+    /// P₂: number of two-freedom pairs.
     pub fn higher_pairs(&self) -> usize {
         let pairs = self.pairs.iter();
         pairs.filter(|pair| matches!(pair, Pair::Gear(_))).count()
@@ -148,35 +137,34 @@ impl Graph {
     }
 }
 
-/// A driver: the input is the motion of one link against another in their pair.
+/// A driver: the input is the relative motion of two links in their pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Driver {
     /// The pair, revolute or prismatic.
     pub pair: usize,
-    /// The two links, both of the pair; of a compound hinge, which two.
+    /// The two links of the pair that move relative to each other.
     pub links: [usize; 2],
 }
 
-/// A linkage taken apart.
+/// The decomposition of a linkage.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
-    /// What is added in turn, each joined to what came before. Where several
-    /// could come next: what can be added earliest, drivers, the lowest link.
+    /// The steps in order, each joined to those before. Of several possible ones next comes the one that can be added
+    /// earliest, then a driver, then the lowest link.
     pub steps: Vec<Step>,
-    /// For each link the step that adds it; none for the ground.
+    /// The step that adds each link; None for the ground.
     pub step_of: Vec<Option<usize>>,
 }
 
-/// One thing added to a linkage.
+/// A step of the decomposition.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Step {
     /// The mechanism of Class I: a driver.
     Driver {
-        /// Which of the drivers.
+        /// Index of the driver.
         driver: usize,
-        /// The link it starts from and the one it moves. Where it drives two
-        /// links of one group, as a piston in its cylinder, the group is the
-        /// next step but for other drivers, and adds both links.
+        /// The base link and the driven link. If it drives two links of one group, as a piston in its cylinder, the
+        /// group is the next step, except for other drivers, and adds both links.
         links: [usize; 2],
     },
     /// An Assur group.
@@ -189,7 +177,7 @@ impl Structure {
         self.groups().map(|group| group.class).max().unwrap_or(1)
     }
 
-    /// The groups, in turn.
+    /// The groups, in order.
     pub fn groups(&self) -> impl Iterator<Item = &Group> {
         self.steps.iter().filter_map(|step| match step {
             Step::Group(group) => Some(group),
@@ -207,7 +195,7 @@ impl Structure {
         Self { steps, step_of }
     }
 
-    /// The steps on which a step rests directly, in turn.
+    /// The steps on which a step depends directly, in order.
     pub fn needs(&self, step: usize) -> Vec<usize> {
         let of = |link: usize| self.step_of.get(link).copied().flatten();
         let needs: BTreeSet<usize> = match self.steps.get(step) {
@@ -225,20 +213,19 @@ impl Structure {
     }
 }
 
-/// Takes a linkage apart into its drivers and Assur groups.
+/// Decomposes a linkage into its drivers and Assur groups.
 ///
 /// # Errors
-/// All faults at once. What is wrong with single pairs and drivers comes first
-/// and alone; the freedoms are counted only after that.
+/// All faults at once: those of single pairs and drivers or, if there are none, those of the count of freedoms.
 pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fault>> {
     taken_apart(graph, drivers, false)
 }
 
-/// The same where constraints may be redundant: links that hold more of them than are independent in general position
-/// are one group, whose constraints may determine a motion all the same.
+/// The same with redundant constraints allowed: links with more constraints than are independent in general position
+/// are one group, whose constraints may still determine a motion.
 ///
 /// # Errors
-/// All faults at once but surplus constraints.
+/// All faults at once, except surplus constraints.
 pub fn decompose_redundant(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fault>> {
     taken_apart(graph, drivers, true)
 }
@@ -273,7 +260,7 @@ fn taken_apart(
         surplus.iter().filter(inside).map(|part| part.excess).sum()
     };
 
-    // A block comes one later than the last of those it is joined to.
+    // The level of a block is one more than the highest of those it is joined to.
     let mut level = vec![0; graph.links];
     for block in &blocks {
         let joined = graph
@@ -285,7 +272,7 @@ fn taken_apart(
             level[link] = next.unwrap_or(0) + 1;
         }
     }
-    // A link that a driver moves against one solved before is a block of its own.
+    // A link that a driver moves relative to a solved one is a block of its own.
     let driven = |block: &[usize]| driven_alone(block, &depends);
     sort_by_key(&mut blocks, |block| {
         (level[block[0]], driven(block).is_none(), block[0])
@@ -320,17 +307,17 @@ fn taken_apart(
     }
 }
 
-/// On which links the place of each link depends.
+/// Dependence of the places of links on each other.
 struct Depends {
     ground: usize,
-    /// For each link, all links on which it depends, itself among them.
+    /// For each link, all links on which it depends, itself included.
     on: Vec<BTreeSet<usize>>,
 }
 
 impl Depends {
     fn of(graph: &Graph, mut pebbles: Pebbles) -> Self {
         let Graph { links, ground, .. } = *graph;
-        // The frame determines and is not determined: its freedoms stay free.
+        // The frame determines others and is not determined: its freedoms stay free.
         pebbles.gather(&[ground], BODY);
         let on = (0..links).map(|link| {
             let nodes = pebbles.reach(&[link]).into_iter();
@@ -351,8 +338,7 @@ impl Depends {
         }
     }
 
-    /// The links that depend on the ground, in blocks that depend on each other;
-    /// each block depends on blocks before it.
+    /// The links that depend on the ground, in blocks that depend on each other; each block depends on earlier blocks.
     fn blocks(&self) -> Vec<Vec<usize>> {
         let depends = |&link: &usize| link != self.ground && self.on[link].contains(&self.ground);
         let moving = (0..self.on.len()).filter(depends);
@@ -368,8 +354,7 @@ impl Depends {
         blocks
     }
 
-    /// Of links that share a constraint, the one solved first: the others
-    /// depend on it, or it and they on each other.
+    /// Of links that share a constraint, the one solved first: the others depend on it, or all depend on each other.
     fn base(&self, links: &[usize]) -> usize {
         let first = links.iter().copied().min_by_key(|&i| (self.on[i].len(), i));
         first.unwrap_or(self.ground)

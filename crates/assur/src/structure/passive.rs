@@ -6,8 +6,8 @@ use super::check::check;
 use super::{Driver, Graph, Group, Outer, Pair, Step, Structure, decompose};
 
 /// The structure of a linkage without its passive links, followed by one step for each of these. A passive link has two
-/// pairs, and without it the linkage has one surplus constraint less; `moves` says whether the linkage moves the same
-/// without some links, which counting cannot see. None if surplus constraints remain.
+/// pairs, and without it the linkage has one surplus constraint less; `moves` is true if the linkage moves the same
+/// without some links, which counting cannot decide. None if surplus constraints remain.
 pub fn with_passive_links(
     graph: &Graph,
     drivers: &[Driver],
@@ -15,7 +15,7 @@ pub fn with_passive_links(
 ) -> Option<Structure> {
     let mut passive = BTreeSet::new();
     let mut surplus = surplus(graph, drivers, &passive)?;
-    // Of several the last ones.
+    // The last of several.
     for link in (0..graph.links).rev().filter(|link| *link != graph.ground) {
         let joins = graph
             .pairs
@@ -57,14 +57,14 @@ pub fn with_passive_links(
     Some(structure)
 }
 
-/// The number of surplus constraints without some links; none if there is another fault.
+/// The number of surplus constraints without some links; None if there is another fault.
 fn surplus(graph: &Graph, drivers: &[Driver], passive: &BTreeSet<usize>) -> Option<usize> {
     let without = Without::new(graph, drivers, passive);
     let (_, surplus) = check(&without.graph, &without.drivers, true).ok()?;
     Some(surplus.iter().map(|part| part.excess).sum())
 }
 
-/// A graph without some links, with the numbers that its links and pairs had.
+/// A graph without some links, with the original indices of its links and pairs.
 struct Without {
     graph: Graph,
     drivers: Vec<Driver>,
@@ -110,7 +110,7 @@ impl Without {
         }
     }
 
-    /// Puts the numbers that they had.
+    /// Restores the original indices.
     fn renumber(&self, structure: &mut Structure, links: usize) {
         let link = |link: &mut usize| *link = self.links[*link];
         let pair = |pair: &mut usize| *pair = self.pairs[*pair];

@@ -9,33 +9,29 @@ const POINT: usize = 2;
 
 /// Freedoms, some of them spent on constraints.
 ///
-/// The nodes are the links, then a point for each pair (used by hinges only).
-/// Each starts with its freedoms as pebbles. A constraint between two nodes
-/// takes a pebble of one of them, which then *depends* on the other. It is
-/// independent of those before it where the two can bring together four
-/// pebbles, three for moving as one body and one to spend. Pebbles are brought
-/// by letting the other end pay for constraints (Lee, Streinu, *Pebble game
-/// algorithms and sparse graphs*, 2008). With the points of hinges as nodes
-/// that is independence in the plane for bodies in general position (Whiteley,
-/// *A matroid on hypergraphs*, 1989).
+/// The nodes are the links, then a point for each pair (used by hinges only). Each starts with its freedoms as pebbles.
+/// A constraint between two nodes takes a pebble of one of them, which then *depends* on the other. It is independent
+/// of those before it if the two can gather four pebbles: three for moving as one body and one to spend. Pebbles are
+/// gathered by letting the other end pay for constraints (Lee, Streinu, *Pebble game algorithms and sparse graphs*,
+/// 2008). With the points of hinges as nodes this is independence in the plane for bodies in general position
+/// (Whiteley, *A matroid on hypergraphs*, 1989).
 pub(super) struct Pebbles {
     free: Vec<usize>,
-    /// For each node the other ends of the constraints it pays for.
+    /// For each node, the other ends of the constraints that it pays for.
     spent: Vec<Vec<usize>>,
 }
 
-/// Nodes that hold more constraints than are independent.
+/// Nodes with more constraints than are independent.
 pub(super) struct Surplus {
-    /// Which nodes, ascending.
+    /// The nodes, ascending.
     pub(super) nodes: Vec<usize>,
-    /// How many constraints are too many.
+    /// Number of surplus constraints.
     pub(super) excess: usize,
 }
 
 impl Pebbles {
-    /// Counts the pairs and drivers within the kept links. Also says where they
-    /// are not independent: disjoint parts, whatever the order of the pairs,
-    /// for they are the connected components of the matroid (any two of its
+    /// Counts the pairs and drivers within the kept links, and finds the parts in which they are not independent. These
+    /// are disjoint, whatever the order of the pairs: they are the connected components of the matroid (any two of its
     /// circuits that share an element share two nodes, and conversely).
     pub(super) fn count(
         graph: &Graph,
@@ -47,7 +43,7 @@ impl Pebbles {
             free: [vec![BODY; graph.links], vec![POINT; graph.pairs.len()]].concat(),
             spent: vec![vec![]; points.end],
         };
-        // Drivers and their pairs first: of dependent constraints another one is too many.
+        // Drivers and their pairs come first: of dependent constraints another one is surplus.
         let driven = drivers.iter().map(|driver| driver.links);
         let mut constraints: Vec<(usize, usize)> = driven.map(|[a, b]| (a, b)).collect();
         let is_driven = |pair: usize| drivers.iter().any(|driver| driver.pair == pair);
@@ -74,7 +70,7 @@ impl Pebbles {
                     nodes: pebbles.reach(&[a, b]),
                     excess: 1,
                 };
-                // What joins the new part may then join more of them.
+                // A joined part may share nodes with further parts.
                 while let Some(i) = surplus.iter().position(|part| part.shares_two(&new)) {
                     new.join(surplus.swap_remove(i));
                 }
@@ -88,14 +84,12 @@ impl Pebbles {
         (pebbles, surplus)
     }
 
-    /// Whether the constraints already leave two nodes no motion against each
-    /// other.
+    /// True if the constraints leave two nodes no relative motion.
     pub(super) fn locked(&mut self, a: usize, b: usize) -> bool {
         !self.gather(&[a, b], BODY + 1)
     }
 
-    /// Brings free pebbles to the nodes until they have so many together; false
-    /// where there are no more to be had.
+    /// Gathers free pebbles on the nodes until they have the `wanted` number together; false if that is impossible.
     pub(super) fn gather(&mut self, nodes: &[usize], wanted: usize) -> bool {
         while nodes.iter().map(|&node| self.free[node]).sum::<usize>() < wanted {
             let (found, from) = self.search(nodes);
@@ -106,7 +100,7 @@ impl Pebbles {
                 return false;
             };
             self.free[node] -= 1;
-            // Each end on the way pays for what the one before it paid for.
+            // Each node on the path takes over the constraint that the one before it paid for.
             while let Some(before) = from[node] {
                 if let Some(i) = self.spent[before].iter().position(|&to| to == node) {
                     self.spent[before].swap_remove(i);
@@ -119,7 +113,7 @@ impl Pebbles {
         true
     }
 
-    /// All nodes on which these depend, themselves among them, ascending.
+    /// All nodes on which these depend, themselves included, ascending.
     pub(super) fn reach(&self, nodes: &[usize]) -> Vec<usize> {
         let mut reach = self.search(nodes).0;
         sort(&mut reach);

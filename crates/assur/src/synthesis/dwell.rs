@@ -9,6 +9,7 @@
 
 use crate::mechanism::{Dimension, Mechanism, Quantity};
 use crate::motion::{Motion, OutputProfile};
+use crate::tolerance;
 
 /// What is wanted of the output, an angle (radians) or a coordinate (length).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,8 +107,6 @@ pub struct Search {
 /// The first step relative to the range of a dimension, and the least.
 const FIRST: f64 = 1.0 / 16.0;
 const LEAST: f64 = 1e-7;
-/// A residual this small is none.
-const FULFILLED: f64 = 1e-6;
 /// No candidate may come closer to a singular pose.
 const SINGULARITY_MARGIN: f64 = 1e-3;
 
@@ -169,7 +168,7 @@ impl Search {
                 judged: 1,
                 accepted: true,
                 evaluation,
-                end: (evaluation.residual <= FULFILLED).then_some(End::Fulfilled),
+                end: (evaluation.residual <= tolerance::TRIPLE_ROOT).then_some(End::Fulfilled),
             },
         })
     }
@@ -250,7 +249,7 @@ impl Search {
                 self.steps[k] *= 2.0;
                 self.progress.evaluation = evaluation;
                 self.progress.accepted = true;
-                if evaluation.residual <= FULFILLED {
+                if evaluation.residual <= tolerance::TRIPLE_ROOT {
                     self.progress.end = Some(End::Fulfilled);
                 }
             }

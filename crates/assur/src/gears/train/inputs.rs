@@ -1,14 +1,11 @@
 //! Two of the three shafts driven, held or tied: what all of them do.
 
+use crate::tolerance;
 use nalgebra::Vector3;
 
 use super::differential::GREATEST;
 use super::{Differential, Shaft, Shafts};
 use crate::Fault;
-
-/// A tie is singular if the determinant of the three equations is below this
-/// relative to the product of their lengths: rounding leaves about 1e-16.
-const SINGULAR: f64 = 1e-12;
 
 /// What is wanted of a shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,7 +110,7 @@ impl Differential {
         let across = rows[0].cross(&rows[1]);
         let determinant = train.dot(&across);
         let size = train.norm() * rows[0].norm() * rows[1].norm();
-        if determinant.abs() <= SINGULAR * size {
+        if determinant.abs() <= tolerance::NEGLIGIBLE * size {
             return Err(vec![singular(first, second)]);
         }
         // Cramer's rule for three equations, the train's without right-hand side.

@@ -1,4 +1,4 @@
-//! The rigid bodies of a draft: which points each holds, and where.
+//! The rigid bodies of a specification, with their points.
 
 use crate::Vector;
 use crate::gears::Mesh;
@@ -11,18 +11,17 @@ use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::plan::willis;
 
-/// Bodies with their points, in local coordinates; those of the frame are those of
-/// the drawing.
+/// Bodies with their points in local coordinates; those of the frame are those of the drawing.
 #[derive(Clone, Debug)]
 pub(in crate::mechanism) struct Bodies {
     /// The points of each body, in the order of its links.
     points: List<BodyId, Vec<(PointId, Vector)>>,
-    /// Where each body's origin is drawn, and its turn there.
+    /// Drawn origin and turn of each body.
     drawn: List<BodyId, (Vector, Vector)>,
     pub(in crate::mechanism) slides: List<SlideId, Slide>,
     /// Gear couplings without the passive ones.
     pub(in crate::mechanism) gears: Vec<Gear>,
-    /// Of each gear coupling of the draft whether it is passive.
+    /// For each gear coupling of the specification, true if it is passive.
     pub(in crate::mechanism) passive: Vec<bool>,
 }
 
@@ -43,12 +42,12 @@ pub(in crate::mechanism) struct Placement {
 }
 
 impl Bodies {
-    /// The bodies of a draft, and where each link is. A hinge of the frame may be
-    /// elsewhere than it is drawn: the links, their guides and wheels stay as drawn.
+    /// The bodies of a specification, and the placements of its links. A hinge of the frame may differ from the
+    /// drawing: the links, their guides and wheels stay as drawn.
     ///
     /// # Errors
-    /// A link whose orientation nothing determines; a slide by a point that its link has not, or along two points that
-    /// are one on theirs.
+    /// A link of undetermined orientation; a slide whose point is not on its link, or whose line has two coincident
+    /// points.
     pub(in crate::mechanism) fn new(
         spec: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
@@ -76,7 +75,7 @@ impl Bodies {
     /// The same without slides and gear couplings.
     ///
     /// # Errors
-    /// A link whose orientation nothing determines.
+    /// A link of undetermined orientation.
     pub(in crate::mechanism) fn rigid(
         spec: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
@@ -111,11 +110,11 @@ impl Bodies {
         Ok((bodies, placements))
     }
 
-    /// The body of a link of its own: the first point is its origin, and from there
-    /// its axis goes to the second one or, without a second, along its guide.
+    /// Makes the body of a link: its origin is the first point, and its axis runs to the second one or, without a
+    /// second, along its guide.
     ///
     /// # Errors
-    /// A link with a shape of which no two points are drawn apart: its orientation is not determined.
+    /// A link with a shape, no two points of which are drawn apart: its orientation is not determined.
     fn make(&mut self, spec: &Resolved<'_>, id: LinkId) -> Result<(), Defect> {
         let link = &spec.links[id];
         let origin = spec.places[link.first];
@@ -147,7 +146,7 @@ impl Bodies {
         Ok(())
     }
 
-    /// Adds the points of a link that is fixed to a body; the angle of the link on it.
+    /// Adds the points of a link fixed to a body; returns the angle of the link on it.
     fn fix(&mut self, spec: &Resolved<'_>, body: BodyId, points: &[PointId]) -> f64 {
         let (origin, turn) = self.drawn[body];
         let own = |way: Vector| product(way, conjugate(turn));
@@ -157,7 +156,7 @@ impl Bodies {
             known.unwrap_or_else(|| own(spec.places[point] - origin))
         };
         let way = match *points {
-            // Of two points close together rounding of their places on the body would blur the direction.
+            // For two points close together, rounding of their places on the body would blur the direction.
             [first, second, ..] if is_new(&first) && is_new(&second) => {
                 own(spec.places[second] - spec.places[first])
             }
@@ -174,7 +173,7 @@ impl Bodies {
         self.points.ids()
     }
 
-    /// How all bodies are turned in the drawing.
+    /// Orientations of all bodies in the drawing.
     pub(in crate::mechanism) fn orientations(&self) -> List<BodyId, Orientation> {
         let drawn = self.ids().map(|body| Orientation {
             angle: self.drawn_angle(body),
@@ -188,7 +187,7 @@ impl Bodies {
         &self.points[body]
     }
 
-    /// Where a point is on a body, if it is one of its.
+    /// The place of a point on a body; None if the body does not have it.
     pub(in crate::mechanism) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
         let mut points = self.points[body].iter();
         points
@@ -196,7 +195,7 @@ impl Bodies {
             .map(|(_, local)| *local)
     }
 
-    /// A point on the first of the bodies that has it and is accepted.
+    /// A point on the first accepted body that has it.
     pub(in crate::mechanism) fn anchor_of(
         &self,
         point: PointId,
@@ -210,7 +209,7 @@ impl Bodies {
         })
     }
 
-    /// Which pair joins which bodies; links of the graph are bodies.
+    /// The graph of the pairs; its links are the bodies.
     pub(in crate::mechanism) fn graph(&self, points: impl Iterator<Item = PointId>) -> Graph {
         let hinge = |point: PointId| -> Option<Pair> {
             let joined = self.ids().filter(|body| self.local(*body, point).is_some());
@@ -232,10 +231,10 @@ impl Bodies {
         }
     }
 
-    /// A driver as the structure knows it: its pair and bodies.
+    /// A driver of the structure: its pair and bodies.
     ///
     /// # Errors
-    /// A driver between links that are one body, or that nothing joins.
+    /// A driver between links that are one body, or that no pair joins.
     pub(in crate::mechanism) fn driver(
         &self,
         spec: &Resolved<'_>,
@@ -262,7 +261,8 @@ impl Bodies {
         Ok(structure::Driver { pair, links })
     }
 
-    /// Whether the drawing shows how a body is turned: a wheel with nothing but its hinge looks the same all round.
+    /// True if the drawing shows the orientation of a body: a wheel with nothing but its hinge looks the same at any
+    /// angle.
     pub(in crate::mechanism) fn shows_its_angle(&self, body: BodyId) -> bool {
         let mut slides = self.slides.iter();
         self.of(body).len() > 1 || slides.any(|slide| slide.bodies.contains(&body))
@@ -287,11 +287,11 @@ impl Gear {
     }
 }
 
-/// How a link is turned whose points are drawn these ways from its first one: towards the second or, where that is
-/// drawn at the same place, by the first two points that are apart both there and in the link's shape. None where
-/// there are no such two.
+/// The turn of a link, by the vectors from its first point to all its points in the drawing: the direction to the
+/// second point or, if that is drawn at the same place, of the first two points that are apart both in the drawing and
+/// in the link's shape. None if there are no such two.
 fn drawn_turn(ways: &[Vector], shape: Option<&[Vector]>, size: f64) -> Option<Vector> {
-    // However small a link is drawn, of two places that rounding does not blur the direction is known.
+    // However small a link is drawn, the direction is known if the distance exceeds rounding.
     let direction = |way: Vector, size: f64| {
         let length = way.norm();
         (length > f64::EPSILON * size).then(|| way / length)
@@ -311,8 +311,7 @@ fn drawn_turn(ways: &[Vector], shape: Option<&[Vector]>, size: f64) -> Option<Ve
     })
 }
 
-/// The places of a shape with the first one moved to the origin and the second one
-/// turned onto the axis.
+/// The places of a shape, moved so that the first is the origin and the second is on the axis.
 fn in_own_axes(shape: &[Vector]) -> Vec<Vector> {
     let [first, rest @ ..] = shape else {
         return Vec::new();

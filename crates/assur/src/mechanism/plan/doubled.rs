@@ -1,4 +1,5 @@
-//! Doubled links: a link that shares two points or more with another body, in the same places on both, is one body with it.
+//! Doubled links: a link that shares two points or more with another body, at the same places on both, is one body with
+//! it.
 
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::linkage::check::CLOSEST;
@@ -11,12 +12,12 @@ use crate::position::{conjugate, product};
 use crate::structure::subscript;
 use crate::{Point, Vector};
 
-/// A link that is one body with another, or with the frame, by the points that it shares with it.
+/// A link that is one body with another, or with the frame, by shared points.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct DoubledLink {
     /// The link.
     pub link: LinkId,
-    /// The points that it shares with its body, two or more.
+    /// The points shared with its body, two or more.
     pub shared: Vec<PointId>,
 }
 
@@ -28,7 +29,7 @@ impl DoubledLink {
 }
 
 impl Mechanism {
-    /// The draft with a point of a link elsewhere on it, and on the links that are one body with it by their points.
+    /// The specification with a point moved on a link, and on the links doubled with it.
     pub(in crate::mechanism) fn placed(
         &self,
         link: LinkId,
@@ -57,7 +58,7 @@ impl Mechanism {
         spec
     }
 
-    /// A place on a link as it is on another link of its body.
+    /// A place on a link, in the coordinates of another link of its body.
     fn on_other(&self, at: Point, links: [LinkId; 2]) -> Option<Point> {
         let [from, to] = links.map(|link| self.axes(link));
         let ([own, on_body, turn], [other, there, turned]) = (from?, to?);
@@ -65,7 +66,8 @@ impl Mechanism {
         Some((other + product(at - there, conjugate(turned))).into())
     }
 
-    /// The first place of a link with a shape, on it and on its body, and how its axes are turned there.
+    /// Place of the first point of a link with a shape, on the link and on its body, and the turn of the link's axes on
+    /// the body.
     fn axes(&self, link: LinkId) -> Option<[Vector; 3]> {
         let Part { body, points, .. } = &self.links[link];
         let shape = self.spec.links[link.index()].shape.as_ref()?;
@@ -79,7 +81,7 @@ impl Mechanism {
     }
 }
 
-/// A body that is one with a body before it.
+/// A body that is one with an earlier body.
 struct Doubling {
     body: BodyId,
     base: BodyId,
@@ -89,11 +91,11 @@ struct Doubling {
 }
 
 impl Resolved<'_> {
-    /// Makes doubled links one body with those that they double. Each brings its points along, by which others may double
-    /// the whole.
+    /// Merges doubled links with the bodies that they double. Each brings its points along, by which further links may
+    /// double the merged body.
     ///
     /// # Errors
-    /// A link whose orientation nothing determines.
+    /// A link of undetermined orientation.
     pub(in crate::mechanism) fn join_doubled(&mut self) -> Result<(), Defect> {
         loop {
             let (bodies, _) = Bodies::rigid(self, None)?;

@@ -1,4 +1,4 @@
-//! Drivers: their coordinates in the drawing, and the steps that place what they drive.
+//! Drivers: their coordinates in the drawing, and the steps that place the driven bodies.
 
 use std::f64::consts::TAU;
 
@@ -46,7 +46,7 @@ impl DrivenPair {
         Self { kind, course }
     }
 
-    /// Whether it turns a body against another one.
+    /// True if it turns this body relative to another one.
     pub(in crate::mechanism) fn turns(&self, body: BodyId) -> bool {
         match &self.kind {
             PairKind::Hinge { bodies, .. } => bodies.contains(&body),
@@ -56,7 +56,7 @@ impl DrivenPair {
 }
 
 impl Bodies {
-    /// Where two bodies are hinged on each other: on the first and on the second.
+    /// The hinge of two bodies: its place on the first and on the second.
     pub(in crate::mechanism) fn hinge(
         &self,
         [base, body]: [BodyId; 2],
@@ -115,8 +115,8 @@ impl Placed<'_> {
         }
     }
 
-    /// The drawn input. An angle against a link that moves is at most half a turn; in a known pose it has
-    /// the whole turns of that pose, and so has the driven link.
+    /// The drawn input. An angle relative to a moving link is at most half a turn; in a known pose the input and the
+    /// driven link have the whole turns of that pose.
     pub(in crate::mechanism) fn drawn_input(
         &mut self,
         spec: &Resolved<'_>,
@@ -142,7 +142,7 @@ impl Placed<'_> {
         drawn + turned
     }
 
-    /// The step of a driver whose base is placed: what is placed may be either of the two that it drives.
+    /// The step of a driver that places `body`, with `base` placed already; either of them may be the driven one.
     pub(in crate::mechanism) fn driven(
         &self,
         spec: &Resolved<'_>,

@@ -1,4 +1,4 @@
-//! In which order a mechanism is solved, and by which closed form each group.
+//! The plan of a mechanism: the order of solving, and the closed form of each group.
 
 pub(in crate::mechanism) mod body;
 pub(in crate::mechanism) mod doubled;
@@ -31,20 +31,20 @@ pub(in crate::mechanism) struct Plan {
     pub(in crate::mechanism) drawn_input: f64,
     /// The range of the first driver, if it is a slide.
     pub(in crate::mechanism) range: Option<[f64; 2]>,
-    /// The drawn unknowns of groups that Newton's method solves.
+    /// The drawn unknowns of groups solved by Newton's method.
     pub(in crate::mechanism) natural: Vec<f64>,
-    /// How the bodies are turned in the drawing, those of wheels as they are mounted.
+    /// Orientations of the bodies in the drawing; wheels as they are mounted.
     pub(in crate::mechanism) orientations: List<BodyId, Orientation>,
 }
 
-/// A drawn pose of which more is known than the drawing tells: how often its bodies have turned.
+/// A drawn pose with known whole turns of its bodies.
 #[derive(Clone, Copy)]
 pub(in crate::mechanism) struct Drawn<'a> {
     pub(in crate::mechanism) input: f64,
     pub(in crate::mechanism) orientations: &'a List<BodyId, Orientation>,
 }
 
-/// What has been placed by the steps so far.
+/// The bodies placed by the steps so far.
 pub(in crate::mechanism) struct Placed<'a> {
     pub(in crate::mechanism) bodies: &'a Bodies,
     pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,
@@ -54,7 +54,7 @@ pub(in crate::mechanism) struct Placed<'a> {
     crank: Option<BodyId>,
 }
 
-/// The steps in the order of the structure, and the drawn input. Bodies that stay parallel are equations of
+/// The steps in the order of the structure, and the drawn input. Bodies that stay parallel give further equations of
 /// groups with redundant constraints.
 ///
 /// # Errors
@@ -110,7 +110,7 @@ pub(in crate::mechanism) fn plan(
                 if let (true, Driver::Slide { range, .. }) = (first, driver) {
                     plan.range = Some(*range);
                 }
-                // What it drives is solved with the group.
+                // The bodies that it drives are solved with the group.
                 if of_group(links) {
                     within.push(DrivenPair::new(&placed, spec, driver, course));
                     continue;
@@ -161,22 +161,22 @@ pub(in crate::mechanism) fn plan(
     Ok(plan)
 }
 
-/// How a link of a dyad is joined to what is solved.
+/// Outer pair of a dyad.
 enum Outer<'a> {
     Hinge { at: BodyPoint, hinge: Vector },
     Slide(&'a Slide),
 }
 
-/// How the two links of a dyad are joined.
+/// Inner pair of a dyad.
 enum Inner<'a> {
-    /// By a hinge, on each of them.
+    /// The hinge, on each of the two links.
     Hinge([Vector; 2]),
     Slide(&'a Slide),
 }
 
 impl Placed<'_> {
-    /// The dyad that a group of bodies is, all others to which it is joined being solved; none where no closed form
-    /// is known.
+    /// The step of a group that is a dyad, with all other bodies it is joined to solved; None if no closed form is
+    /// known.
     fn closed_form(&self, group: &[BodyId]) -> Option<Step> {
         match *group {
             [i, j] if self.couplings(group).is_empty() => self.dyad([i, j]),
@@ -216,7 +216,7 @@ impl Placed<'_> {
     fn dyad(&self, [i, j]: [BodyId; 2]) -> Option<Step> {
         let guided = |body: BodyId, slide: &Slide, point: Vector| slide.track(body).moved(point);
         let step = match (self.outer(i)?, self.outer(j)?, self.inner([i, j])?) {
-            // The hinge first: the dyad is the same.
+            // Swapped, so that the hinge is the first.
             (Outer::Slide(_), Outer::Hinge { .. }, _) => return self.dyad([j, i]),
             (
                 Outer::Hinge { at: b, hinge: from },
@@ -262,8 +262,8 @@ impl Placed<'_> {
         Some(step)
     }
 
-    /// The closed form of a four-bar where the dyad joins the driven crank and the
-    /// frame: exact next to change points, and it tells arcs and dead points as well.
+    /// The closed form of a four-bar, if the dyad joins the driven crank and the frame: exact next to change points, it
+    /// gives arcs and dead points as well.
     fn four_bar(&self, arms: &[Arm; 2]) -> Option<FourBarStep> {
         let crank = self.crank?;
         let [first, second] = arms.each_ref().map(|arm| arm.outer.body);

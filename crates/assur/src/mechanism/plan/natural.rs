@@ -1,5 +1,5 @@
-//! Natural coordinates of an Assur group: which few places are unknowns, how all
-//! others follow from them, and which equations are left.
+//! Natural coordinates of an Assur group: the unknowns, the places that follow from them, and the equations that are
+//! left.
 
 mod condition;
 
@@ -17,8 +17,7 @@ use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::driver::DrivenPair;
 use condition::Condition;
 
-/// The plan of a group and the drawn values of its unknowns; none where the equations
-/// are fewer than the unknowns.
+/// The plan of a group and the drawn values of its unknowns; None if there are fewer equations than unknowns.
 pub(in crate::mechanism) fn group(
     placed: &Placed<'_>,
     members: &[BodyId],
@@ -43,7 +42,7 @@ pub(in crate::mechanism) fn group(
         drawn_input: Vec::new(),
         units: Vec::new(),
         close: BTreeMap::new(),
-        // A group drawn in one place is as large as anything.
+        // Any size will do for a group drawn in one place.
         size: Some(extent(drawn_points))
             .filter(|size| size.is_finite() && *size > 0.0)
             .unwrap_or(1.0),
@@ -86,11 +85,11 @@ pub(in crate::mechanism) fn group(
     plan.finished(offset)
 }
 
-/// How a body follows from what is known.
+/// Known data from which the place of a body follows.
 enum Follows {
-    /// Two of its points are known, where they are on it.
+    /// Two known points, with their places on it.
     Points([(PointId, Vector); 2]),
-    /// A point, and the direction by a slide along another body.
+    /// A known point, and the direction of a slide along another body.
     Slide {
         point: (PointId, Vector),
         slide: SlideId,
@@ -103,19 +102,19 @@ struct Plan<'a> {
     solved: &'a List<BodyId, bool>,
     orientations: &'a List<BodyId, Orientation>,
     inputs: Vec<KnownTerm>,
-    /// Where points are.
+    /// Places of the known points.
     points: BTreeMap<PointId, Form>,
     /// Origin and turn of the bodies placed so far.
     placed: BTreeMap<BodyId, [Form; 2]>,
-    /// Slides that have given a direction.
+    /// Slides used for a direction.
     by_slide: Vec<SlideId>,
     /// The conditions, each with the body that it constrains.
     conditions: Vec<(BodyId, Condition)>,
     angle_constraints: Vec<AngleConstraint>,
-    /// The drawn values of the unknowns, and what each is measured by.
+    /// The drawn values of the unknowns, and their units.
     drawn_input: Vec<Vector>,
     units: Vec<f64>,
-    /// The bodies turned by two points close together, with the place of the first on them.
+    /// The bodies turned by two points close together, with the place of the first one on them.
     close: BTreeMap<BodyId, Vector>,
     /// The size of the group.
     size: f64,
@@ -155,7 +154,7 @@ impl Plan<'_> {
         self.solved[body] || self.placed.contains_key(&body)
     }
 
-    /// A slide whose other body is placed.
+    /// A slide of a body on another one that is placed.
     fn guided(&self, body: BodyId) -> Option<(SlideId, BodyId)> {
         let mut slides = self.bodies.slides.enumerate();
         slides.find_map(|(slide, joint)| {
@@ -175,7 +174,7 @@ impl Plan<'_> {
                 slide,
                 other,
             }),
-            // Of equals the first.
+            // The first of equals.
             None => {
                 let pairs = known.iter().enumerate();
                 let pairs = pairs.flat_map(|(k, a)| known[k + 1..].iter().map(move |b| [*a, *b]));
@@ -187,7 +186,7 @@ impl Plan<'_> {
                         best
                     }
                 });
-                // Two close together do not tell where one far off is: that is known first.
+                // Two points close together do not determine a distant one, which must be known first.
                 let longest =
                     longest.filter(|pair| length(pair) >= CLOSE * self.reach(body, first.1));
                 longest.map(Follows::Points)
@@ -195,7 +194,7 @@ impl Plan<'_> {
         }
     }
 
-    /// How far any hinge or guide of a body is from a place on it: by these other bodies follow from it.
+    /// Maximum distance of the hinges and guides of a body from a place on it: other bodies follow from these.
     fn reach(&self, body: BodyId, from: Vector) -> f64 {
         let bodies = self.bodies;
         let others = move |point| {
@@ -216,7 +215,8 @@ impl Plan<'_> {
         places.fold(0.0, |most, at| most.max((at - from).norm()))
     }
 
-    /// Whether a place on a body is so far from its known points that it tells with them where all of it is.
+    /// True if a place on a body is far enough from its known points to determine the whole body together with any of
+    /// them.
     fn is_far(&self, body: BodyId, at: Vector) -> bool {
         let mut known = self.bodies.of(body).iter();
         known.all(|(point, other)| {
@@ -225,8 +225,8 @@ impl Plan<'_> {
         })
     }
 
-    /// How little is lacking to place a body: a guide or a point known, then the
-    /// more points it has, the more will follow from it.
+    /// Readiness of a body to be placed: the number of its known points and guides, then the number of its points, all
+    /// of which will follow.
     fn readiness(&self, body: BodyId) -> (usize, usize) {
         let known = self
             .bodies
@@ -237,7 +237,7 @@ impl Plan<'_> {
         (known.count() + guided, self.bodies.of(body).len())
     }
 
-    /// Makes an unknown of what a body lacks next.
+    /// Makes the next missing point or direction of a body an unknown.
     fn assume(&mut self, body: BodyId, members: &[BodyId], drawn: &impl Fn(PointId) -> Vector) {
         let joints = |point: PointId| {
             members
@@ -247,7 +247,7 @@ impl Plan<'_> {
         };
         let free = self.bodies.of(body).iter();
         let free = free.filter(|(point, _)| !self.points.contains_key(point));
-        // Of equals the first: `max_by_key` takes the last.
+        // The first of equals: `max_by_key` takes the last.
         let best = free
             .rev()
             .max_by_key(|(point, at)| (self.is_far(body, *at), joints(*point)));
@@ -256,7 +256,7 @@ impl Plan<'_> {
             self.points.insert(point, form);
             return;
         }
-        // A block with one point, or with known points that are too close to each other: its direction is the unknown.
+        // A block with one point, or with known points too close together: its direction is the unknown.
         let turn = self.unknown(self.orientations[body].turn, 1.0);
         self.conditions
             .push((body, Condition::Unit(turn.clone(), 0.0)));
@@ -275,7 +275,7 @@ impl Plan<'_> {
                 if (b - a).norm() < CLOSE * self.size {
                     self.close.insert(body, a);
                 }
-                // Of two points on solved bodies, or on the frame, the distance is redundant.
+                // The distance of two points on solved bodies, or on the frame, is redundant.
                 let unit = Condition::Unit(turn.clone(), (b - a).norm());
                 self.conditions.push((body, unit));
                 let origin = p.minus(&turn.by(a));
@@ -297,7 +297,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Sets the forms of a body; a point that had one already must agree.
+    /// Sets the forms of a body and of its points; a point with a form already gives a condition.
     fn settle(&mut self, body: BodyId, [origin, turn]: [Form; 2], used: &[PointId]) {
         for (point, local) in self.bodies.of(body) {
             let at = origin.plus(&turn.by(*local));
@@ -317,7 +317,7 @@ impl Plan<'_> {
         self.placed.insert(body, [origin, turn]);
     }
 
-    /// A direction of a body that is placed.
+    /// A direction of a placed body.
     fn direction(&mut self, body: BodyId, heading: Vector) -> Form {
         match self.placed.get(&body) {
             Some([_, turn]) => turn.by(heading),
@@ -328,7 +328,7 @@ impl Plan<'_> {
         }
     }
 
-    /// A place on a body that is placed.
+    /// A place on a placed body.
     fn place_on(&mut self, body: BodyId, local: Vector) -> Form {
         match self.placed.get(&body) {
             Some([origin, turn]) => origin.plus(&turn.by(local)),

@@ -1,4 +1,4 @@
-//! A draft with names replaced by numbers: every thing that is named is there.
+//! A specification with names replaced by indices: everything named exists.
 
 use crate::gears::Mesh;
 use crate::index::{BodyId, Id, LinkId, List, PointId, SlideId};
@@ -8,15 +8,14 @@ use crate::mechanism::plan::doubled::DoubledLink;
 use crate::mechanism::readout::constraint::LinkOrFrame;
 use crate::{Point, Vector};
 
-/// A draft without its names.
+/// A specification without its names.
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) spec: &'a LinkageSpec,
-    /// Origin of the coordinates used while solving: far from the origin of the drawing
-    /// coordinates would lose digits. Places are moved there without rounding (Sterbenz's lemma): two of them close together
-    /// may tell a direction.
+    /// Origin of the coordinates used while solving: far from the origin of the drawing, coordinates would lose digits.
+    /// Places are moved without rounding (Sterbenz's lemma), since two of them close together may give a direction.
     pub(in crate::mechanism) origin: Vector,
-    /// Where points are drawn.
+    /// Drawn places of the points.
     pub(in crate::mechanism) places: List<PointId, Vector>,
     pub(in crate::mechanism) frame: Vec<PointId>,
     pub(in crate::mechanism) links: List<LinkId, Link>,
@@ -25,11 +24,11 @@ pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) drivers: Vec<Driver>,
     /// The tracers with the links that carry them.
     pub(in crate::mechanism) tracers: Vec<(LinkOrFrame, &'a TracerSpec)>,
-    /// Of each body the link that it is made for; none for the frame.
+    /// The link of each body; None for the frame.
     pub(in crate::mechanism) bodies: List<BodyId, LinkOrFrame>,
-    /// Of each body the points that doubled links bring along, with their places on it.
+    /// The points that doubled links bring to each body, with their places on it.
     pub(in crate::mechanism) brought: List<BodyId, Vec<(PointId, Vector)>>,
-    /// The doubled links, in the order of the draft.
+    /// The doubled links, in the order of the specification.
     pub(in crate::mechanism) doubled: Vec<DoubledLink>,
 }
 
@@ -82,7 +81,7 @@ impl Driver {
 
 impl<'a> Resolved<'a> {
     /// # Errors
-    /// The first name that nothing has, and the like.
+    /// The first unknown name, and similar defects.
     pub(in crate::mechanism) fn new(spec: &'a LinkageSpec) -> Result<Self, Defect> {
         let names = Names(spec);
         let mut bodies: List<BodyId, LinkOrFrame> = vec![None].into();
@@ -180,7 +179,7 @@ impl<'a> Resolved<'a> {
         self.link_name(self.bodies[body])
     }
 
-    /// That two points of a link are at one place.
+    /// The defect that two points of a link coincide.
     pub(in crate::mechanism) fn coincident(
         &self,
         link: LinkOrFrame,
@@ -198,7 +197,7 @@ impl<'a> Resolved<'a> {
     }
 }
 
-/// The body of a link: its own, or that of what it is one body with in the end. None if that is the link itself.
+/// The body of a link: its own, or that of the link to which it is ultimately fixed. None if that is the link itself.
 fn body(
     link: LinkId,
     bases: &List<LinkId, Option<LinkOrFrame>>,
@@ -215,7 +214,7 @@ fn body(
     None
 }
 
-/// What the names of a draft stand for.
+/// Look-up of the names of a specification.
 struct Names<'a>(&'a LinkageSpec);
 
 impl Names<'_> {

@@ -16,14 +16,13 @@ pub(in crate::mechanism) struct Slide {
     /// The line on the first: a point and the direction, of length 1.
     start: Vector,
     heading: Vector,
-    /// How far apart the two points are that give the line.
+    /// Distance of the two points that give the line.
     length: f64,
-    /// The point on the second, the direction of the line there, and how far the
-    /// point stays to the left of the line.
+    /// On the second: the point, the direction of the line, and the distance of the point to the left of the line.
     point: Vector,
     direction: Vector,
     off: f64,
-    /// How far along the line the point is drawn.
+    /// Drawn coordinate of the point along the line.
     way: f64,
 }
 
@@ -51,7 +50,7 @@ impl Bodies {
         let heading = (to - start).normalize();
         let bodies = [slide.on, slide.link].map(|link| spec.body(link));
         let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
-        // A line of the frame may be elsewhere than it is drawn: the link slides on it as drawn.
+        // A line of the frame may differ from the drawing: the link slides on it as drawn.
         let along = match slide.on {
             None => (spec.places[end] - spec.places[from]).normalize(),
             Some(_) => product(heading, on_turn),
@@ -91,27 +90,27 @@ impl Slide {
         self.point
     }
 
-    /// The way of the point along the line in the drawing.
+    /// Drawn coordinate of the point along the line.
     pub(in crate::mechanism) fn drawn_way(&self) -> f64 {
         self.way
     }
 
-    /// How far the point of the body that slides stays to the left of the line.
+    /// Distance of the sliding point to the left of the line.
     pub(in crate::mechanism) fn offset(&self) -> f64 {
         self.off
     }
 
-    /// Sets that distance, whatever is drawn.
+    /// Sets that distance, whatever the drawing.
     pub(in crate::mechanism) fn set_offset(&mut self, off: f64) {
         self.off = off;
     }
 
-    /// How far apart the two points are that give the line.
+    /// Distance of the two points that give the line.
     pub(in crate::mechanism) fn line_length(&self) -> f64 {
         self.length
     }
 
-    /// The line as it lies on one of the two bodies: a point and the direction.
+    /// The line on one of the two bodies: a point and the direction.
     pub(in crate::mechanism) fn line_on(&self, body: BodyId) -> (Vector, Vector) {
         if body == self.bodies[0] {
             (self.start, self.heading)
@@ -121,7 +120,7 @@ impl Slide {
         }
     }
 
-    /// How one of the two bodies slides along the line of the other, solved one.
+    /// Track of one of the two bodies along the line of the other, which is solved.
     pub(in crate::mechanism) fn track(&self, body: BodyId) -> Track {
         let other = usize::from(body == self.bodies[0]);
         let (start, heading) = self.line_on(self.bodies[other]);
@@ -147,7 +146,7 @@ impl Slide {
 }
 
 impl Track {
-    /// The same track, kept by another point of the sliding link.
+    /// The same track, given by another point of the sliding link.
     pub(in crate::mechanism) fn moved(self, point: Vector) -> Self {
         let off = self.off + product(point - self.point, conjugate(self.direction)).y;
         Self { point, off, ..self }

@@ -1,4 +1,4 @@
-//! The structure of a draft's bodies, and what is wrong with it by their names.
+//! The structure of the bodies of a specification, and its defects by name.
 
 use crate::index::{BodyId, Id};
 use crate::linkage::spec::Defect;
@@ -7,7 +7,7 @@ use crate::mechanism::plan::body::{Bodies, Gear};
 use crate::mechanism::plan::resolved::Resolved;
 use crate::structure::{self, Fault, Graph, Pair, Structure, decompose, decompose_redundant};
 
-/// A structure with surplus constraints: whether they are redundant the geometry decides.
+/// A structure with surplus constraints; geometry decides if they are redundant.
 pub(in crate::mechanism) struct Redundancy {
     pub(in crate::mechanism) graph: Graph,
     pub(in crate::mechanism) drivers: Vec<structure::Driver>,
@@ -18,7 +18,7 @@ pub(in crate::mechanism) struct Redundancy {
 /// Driver and Assur groups of the bodies.
 ///
 /// # Errors
-/// All that is wrong with the count of pairs.
+/// All defects of the count of pairs.
 pub(in crate::mechanism) fn structured(
     spec: &Resolved<'_>,
     bodies: &Bodies,
@@ -65,7 +65,7 @@ pub(in crate::mechanism) fn structured(
             Fault::SelfJoined { link, .. } => Defect::WithItself(name(&link)),
             _ => Defect::NoDriver,
         };
-        // Without a driver everything is free: only that is said.
+        // Without a driver everything is free: only the missing driver is reported.
         let told = |fault: &Fault| !drivers.is_empty() || !matches!(fault, Fault::Undriven { .. });
         faults.into_iter().filter(told).map(defect).collect()
     };
@@ -81,8 +81,8 @@ pub(in crate::mechanism) fn structured(
     Ok((structure, Some(redundancy)))
 }
 
-/// Which of the gear couplings that are not passive is the last that closes a ring of wheels, and without which nothing
-/// would be wrong.
+/// Index, among the gear couplings that are not passive, of the last one that closes a ring of wheels and without which
+/// there is no fault.
 fn contradicting(bodies: &Bodies, graph: &Graph, drivers: &[structure::Driver]) -> Option<usize> {
     bodies.gears.iter().rposition(|gear| {
         let joined = Pair::Gear(gear.bodies.map(BodyId::index));
@@ -93,7 +93,7 @@ fn contradicting(bodies: &Bodies, graph: &Graph, drivers: &[structure::Driver]) 
     })
 }
 
-/// Whether the wheels of a gear coupling are joined by others as well.
+/// True if the wheels of a gear coupling are joined by others as well.
 fn closes_ring(gears: &[Gear], closing: &Gear) -> bool {
     let mut reached = vec![closing.bodies[0]];
     let mut next = 0;

@@ -1,5 +1,4 @@
-//! Which wheels in mesh belong to a group, how its wheels are mounted, and the plan of a group that is nothing but an
-//! epicyclic train.
+//! The meshes of a group, the mounting of its wheels, and the plan of a group that is just an epicyclic train.
 
 use crate::Vector;
 use crate::index::BodyId;
@@ -9,11 +8,12 @@ use crate::mechanism::plan::driver::DrivenPair;
 use crate::mechanism::plan::willis::{Adds, Equation, Solved};
 use crate::position::{EpicyclicStep, Member, Orientation};
 
-/// The meshes of a group do not determine how its bodies turn: where its mates turn alike, any angle will do.
+/// The meshes of a group do not determine the angles of its bodies: if its mates turn alike, any angle will do.
 pub(in crate::mechanism) struct Singular;
 
 impl Placed<'_> {
-    /// The gear couplings whose equations count for a group: all their bodies are of it or solved before.
+    /// The gear couplings of a group: at least one of their bodies is in the group, the others are in it or solved
+    /// before.
     pub(in crate::mechanism) fn couplings(&self, group: &[BodyId]) -> Vec<&Gear> {
         let inside = |body: &BodyId| group.contains(body);
         let of_it = |gear: &&Gear| {
@@ -23,8 +23,9 @@ impl Placed<'_> {
         self.bodies.gears.iter().filter(of_it).collect()
     }
 
-    /// Turns the wheels of a group whose angle no point and no guide shows: each from where a mate is at zero, seen
-    /// from their carrier, that of the first coupling that gives it. The coordinate of a driven one gives its angle.
+    /// Mounts the wheels of a group whose orientation no point and no guide shows: relative to their carrier, the angle
+    /// is zero when that of a mate is, by the first coupling that gives it. The angle of a driven one is given by its
+    /// coordinate.
     pub(in crate::mechanism) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
         let round = group.iter().copied();
         let round = round.filter(|body| {
@@ -40,7 +41,7 @@ impl Placed<'_> {
         }
     }
 
-    /// A wheel that waits while neither its mate nor their carrier does, and its angle.
+    /// A waiting wheel with known mate and carrier, and its angle.
     fn mounted(&self, group: &[BodyId], waiting: &[BodyId]) -> Option<(BodyId, f64)> {
         self.couplings(group).into_iter().find_map(|gear| {
             let mut unknown = gear.all().into_iter().filter(|body| waiting.contains(body));
@@ -55,7 +56,7 @@ impl Placed<'_> {
         })
     }
 
-    /// What other bodies make of an angle in the drawing.
+    /// The angle in the drawing that follows from those of other bodies.
     fn turned(&self, ratios: &[(BodyId, f64)]) -> f64 {
         ratios
             .iter()
@@ -63,10 +64,11 @@ impl Placed<'_> {
             .fold(0.0, |sum, term| sum + term)
     }
 
-    /// The train that a group is; none where anything but a hinge each and as many meshes holds its bodies.
+    /// The step of a group that is a train: each body has just a hinge, and there are as many meshes as bodies. None
+    /// for any other group.
     ///
     /// # Errors
-    /// That the numbers of teeth do not determine its angles.
+    /// The numbers of teeth do not determine its angles.
     pub(in crate::mechanism) fn train(
         &self,
         group: &[BodyId],

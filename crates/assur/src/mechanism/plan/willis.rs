@@ -1,12 +1,12 @@
-//! Willis's equations of wheels in mesh, in whole numbers: which of them follow from others, and how fast the
-//! bodies of a train turn (R. Willis, *Principles of Mechanism*, 1841).
+//! Willis's equations of wheels in mesh, in integers: their dependence, and the ratios of the angles of a train (R.
+//! Willis, *Principles of Mechanism*, 1841).
 
 use crate::gears::Mesh;
 use crate::index::BodyId;
 use crate::mechanism::plan::body::Gear;
 
-/// By what the angle of each body is multiplied in an equation whose other side is constant. The frame is in none:
-/// its angle is zero. By ascending bodies.
+/// The coefficients of the angles of bodies in an equation with a constant right side, by ascending bodies. The frame
+/// is left out: its angle is zero.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::mechanism) struct Equation(Vec<(BodyId, i128)>);
 
@@ -23,7 +23,7 @@ impl Equation {
         let mut equation = Self::default();
         for (body, by) in [(a, first), (b, second), (gear.carrier, -first - second)] {
             if body != BodyId::FRAME {
-                // Three numbers of teeth are not too large.
+                // The sum of three numbers of teeth does not overflow.
                 equation.add(body, by);
             }
         }
@@ -31,18 +31,18 @@ impl Equation {
         equation
     }
 
-    /// The bodies that stand in it, with what their angles are multiplied by.
+    /// The bodies of the equation, with the coefficients of their angles.
     pub(in crate::mechanism) fn terms(&self) -> impl Iterator<Item = (BodyId, i128)> {
         self.0.iter().copied()
     }
 
-    /// What the angle of a body is multiplied by.
+    /// The coefficient of a body's angle.
     fn factor(&self, body: BodyId) -> Option<i128> {
         let found = self.0.binary_search_by_key(&body, |(body, _)| *body);
         found.ok().map(|at| self.0[at].1)
     }
 
-    /// Adds to what the angle of a body is multiplied by; none where that becomes too large.
+    /// Adds to the coefficient of a body's angle; None on overflow.
     fn add(&mut self, body: BodyId, by: i128) -> Option<()> {
         match self.0.binary_search_by_key(&body, |(body, _)| *body) {
             Ok(at) => self.0[at].1 = self.0[at].1.checked_add(by)?,
@@ -51,8 +51,7 @@ impl Equation {
         Some(())
     }
 
-    /// What it says when a body is eliminated by another equation, in the smallest whole numbers; none where they
-    /// are too large.
+    /// The equation with a body eliminated by another equation, in the smallest integers; None on overflow.
     fn without(&self, body: BodyId, other: &Self) -> Option<Self> {
         let (Some(own), Some(its)) = (self.factor(body), other.factor(body)) else {
             return Some(self.clone());
@@ -81,7 +80,7 @@ fn greatest(a: i128, b: i128) -> i128 {
 #[derive(Clone, Debug, Default)]
 pub(in crate::mechanism) struct Solved(Vec<(BodyId, Equation)>);
 
-/// What an equation adds to those before it.
+/// Contribution of an equation to those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::mechanism) enum Adds {
     /// It determines one more angle.
@@ -93,7 +92,7 @@ pub(in crate::mechanism) enum Adds {
 }
 
 impl Solved {
-    /// Adds an equation, to be solved for one of the bodies that are sought; none where its numbers become too large.
+    /// Adds an equation, to be solved for one of the sought bodies; None on overflow.
     pub(in crate::mechanism) fn add(
         &mut self,
         equation: &Equation,
@@ -122,11 +121,11 @@ impl Solved {
         Some(Adds::Angle)
     }
 
-    /// The bodies solved for, and by what each angle grows with those that it is left to depend on.
+    /// The bodies solved for, with the ratios of their angles to those they depend on.
     pub(in crate::mechanism) fn ratios(
         &self,
     ) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {
-        // Every equation holds the body that it is solved for.
+        // Every equation contains the body that it is solved for.
         self.0.iter().filter_map(|(body, equation)| {
             let own = equation.factor(*body)? as f64;
             let others = equation.terms().filter(|(other, _)| other != body);
@@ -136,8 +135,8 @@ impl Solved {
     }
 }
 
-/// Which gear couplings are passive: their equations follow from those of the couplings before them. So is what a
-/// second satellite between the same wheels adds to the first.
+/// For each gear coupling, true if it is passive: its equation follows from those before it, as does one of a second
+/// satellite between the same wheels.
 pub(in crate::mechanism) fn passive(gears: &[Gear]) -> Vec<bool> {
     let mut solved = Solved::default();
     let passive = gears.iter().map(|gear| {

@@ -1,7 +1,5 @@
-//! The constraint equations of a mechanism: what its links and pairs demand of the
-//! places of its points. The engine solves them group by group and in other
-//! unknowns; here they stand as a paper writes them, so that a reader can check
-//! every pose against them.
+//! The constraint equations of a mechanism: the conditions of its links and pairs on its points. The engine solves them
+//! group by group and in other unknowns; here they have the form of papers, so that a reader can check every pose.
 
 use std::f64::consts::TAU;
 
@@ -14,23 +12,22 @@ use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::{Mechanism, Pose};
 use crate::position::{Orientation, conjugate, product};
 
-/// A link, or the frame: none.
+/// A link; None for the frame.
 pub type LinkOrFrame = Option<LinkId>;
 
-/// One constraint equation: what stays constant, and the constant on its right.
+/// A constraint equation: an expression that stays constant, and the constant on its right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
-    /// What stays constant.
+    /// The expression that stays constant.
     pub kind: ConstraintKind,
     /// The constant: in the square of the unit of lengths, or radians.
     pub constant: f64,
 }
 
-/// What stays constant while a mechanism moves. A subscript PQ is a difference,
-/// `x_PQ = x_P − x_Q`.
+/// An expression that stays constant while a mechanism moves. A subscript PQ is a difference, `x_PQ = x_P − x_Q`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ConstraintKind {
-    /// `x_PQ² + y_PQ² = l²`: a link keeps two of its points apart.
+    /// `x_PQ² + y_PQ² = l²`: a link keeps the distance of two of its points.
     Distance {
         /// The link.
         link: LinkId,
@@ -47,11 +44,11 @@ pub enum ConstraintKind {
         /// P and Q.
         line: [PointId; 2],
     },
-    /// `θ − θ₀ = α`: a link that slides keeps its angle against what has the line.
+    /// `θ − θ₀ = α`: a link that slides keeps its angle to the link with the line.
     Direction {
         /// The link that slides.
         link: LinkOrFrame,
-        /// The link that has the line.
+        /// The link with the line.
         on: LinkOrFrame,
     },
     /// `z₁(θ₁ − θ₀) + z₂(θ₂ − θ₀) = α`: wheels in mesh, seen from their carrier.
@@ -60,7 +57,7 @@ pub enum ConstraintKind {
         links: [LinkOrFrame; 2],
         /// The link both are hinged on.
         carrier: LinkOrFrame,
-        /// Numbers of teeth; z₂ below zero where the sense is kept.
+        /// Numbers of teeth; z₂ < 0 if the sense is kept.
         teeth: [f64; 2],
     },
 }
@@ -68,25 +65,25 @@ pub enum ConstraintKind {
 /// Both sides of a constraint equation, or of a derivative of it, in a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sides {
-    /// From the places of the points, each taken once.
+    /// The left side, evaluated at one position for each point.
     pub left: f64,
-    /// What it must be.
+    /// The required value.
     pub right: f64,
 }
 
 impl Sides {
-    /// By how much the left side misses the right one.
+    /// Left side less right side.
     pub fn residual(&self) -> f64 {
         self.left - self.right
     }
 }
 
-/// What a mechanism's equations are read from.
+/// The source of a mechanism's equations.
 pub(in crate::mechanism) struct Parts<'a> {
     pub(in crate::mechanism) spec: &'a Resolved<'a>,
     pub(in crate::mechanism) bodies: &'a Bodies,
     pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,
-    /// How the bodies are turned in the drawn pose: wheels are mounted there.
+    /// Orientations of the bodies in the drawn pose, with wheels mounted.
     pub(in crate::mechanism) orientations: &'a List<BodyId, Orientation>,
 }
 
@@ -102,8 +99,8 @@ impl Parts<'_> {
         links.chain(slides).chain(gears).collect()
     }
 
-    /// Distances between the joints of a link with a body of its own: two for each
-    /// point more than the first two make it rigid, and none is too many.
+    /// Distances between the joints of a link with a body of its own: one of the first two, and two for each further
+    /// joint, make it rigid without redundancy.
     fn distances(&self, link: LinkId) -> Vec<Constraint> {
         let body = self.spec.links[link].body;
         let points = self.bodies.of(body).iter();
@@ -124,7 +121,7 @@ impl Parts<'_> {
         found
     }
 
-    /// Whether a point of a body is hinged on another one, slides, or gives a line.
+    /// True if a point of a body is hinged on another one, slides, or gives a line.
     fn is_joint(&self, body: BodyId, point: PointId) -> bool {
         let Self { spec, bodies, .. } = self;
         let having = bodies.ids().map(|other| bodies.of(other).iter());
@@ -141,7 +138,7 @@ impl Parts<'_> {
         link.map_or(0.0, |link| self.placements[link].angle_offset)
     }
 
-    /// A slide keeps its point's distance from the line, and its direction.
+    /// The equations of a slide: the distance of its point from the line, and its direction.
     fn guided(&self, drawn: &resolved::Slide, slide: &Slide) -> [Constraint; 2] {
         let [on, moving] = slide.bodies;
         let (link, point) = (drawn.link, drawn.point);
@@ -191,17 +188,14 @@ impl Parts<'_> {
 }
 
 impl Mechanism {
-    /// Its constraint equations: of each link as many distances as keep it rigid,
-    /// two equations of each slide, one of each pair of wheels. Where all pairs are
-    /// hinges there are as many of them as there are coordinates of moving points,
-    /// less the mobility.
+    /// Its constraint equations: the distances that keep each link rigid, two equations of each slide, one of each pair
+    /// of wheels. If all pairs are hinges, their number is that of the coordinates of moving points less the mobility.
     pub fn constraints(&self) -> &[Constraint] {
         &self.constraints
     }
 
-    /// Both sides of an equation in a pose, or of its derivative of an order below
-    /// `N` by the input; the derivatives of half the square of a distance as
-    /// papers write them: `x x′ + y y′ = 0`, `x x″ + y y″ = −(x′² + y′²)`.
+    /// Both sides of an equation in a pose, or of its derivative by the input, of an order below `N`. Squares of
+    /// distances are halved when differentiated, as in papers: `x x′ + y y′ = 0`, `x x″ + y y″ = −(x′² + y′²)`.
     pub fn sides<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -248,8 +242,8 @@ impl Mechanism {
     }
 }
 
-/// Leibniz's rule for half the square of a way: what has the highest derivatives
-/// on the left, the rest on the right.
+/// Leibniz's rule for half the square of a vector: terms with the highest derivatives on the left, the rest on the
+/// right.
 fn differentiated<const N: usize>(way: [Jet<N>; 2], order: usize) -> Sides {
     let term = |k: usize| -> f64 {
         let terms = way.iter();

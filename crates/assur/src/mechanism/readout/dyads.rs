@@ -1,5 +1,4 @@
-//! RRR dyads as the plan has them, how well they transmit, and the four-bars that
-//! they close.
+//! RRR dyads of the plan, their transmission angles, and the four-bars that they close.
 
 use crate::index::{BodyId, LinkId, PointId};
 use crate::mechanism::closed::DrivenFourBar;
@@ -14,16 +13,16 @@ pub struct RrrDyad {
     pub links: [LinkId; 2],
     /// The point at which they are hinged on each other.
     pub inner: PointId,
-    /// Where each of them is hinged on what is solved before, in the same order.
+    /// Their hinges on links solved before, in the same order.
     pub outer: [OuterJoint; 2],
 }
 
-/// A hinge of a dyad on a link that is solved before.
+/// A hinge of a dyad on a link solved before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OuterJoint {
     /// The point.
     pub point: PointId,
-    /// The link that has it.
+    /// The link solved before.
     pub on: LinkOrFrame,
 }
 
@@ -31,8 +30,7 @@ pub struct OuterJoint {
 /// other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FourBarLoop {
-    /// The link that the four-bar stands on: the frame, or else the one of the two
-    /// outer links that is solved first.
+    /// The base: the frame, or else the outer link that is solved first.
     pub base: LinkOrFrame,
     /// The other outer link.
     pub crank: LinkId,
@@ -67,8 +65,8 @@ impl Mechanism {
         solved.chain(&self.within)
     }
 
-    /// The transmission angle of a dyad in a pose: between the lines of its two links,
-    /// acute, radians; 0 where they are in line.
+    /// The transmission angle of a dyad in a pose: between the lines of its two links, acute, radians; 0 if they are in
+    /// line.
     pub fn transmission_angle<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> f64 {
         let at = |point: PointId| self.place(pose, point).place();
         let inner = at(dyad.inner);
@@ -76,16 +74,15 @@ impl Mechanism {
         u.perp(&v).abs().atan2(u.dot(&v).abs())
     }
 
-    /// The squared distance of the outer joints of a dyad. By the law of cosines it
-    /// falls with the cosine of the angle between its links, and both have their
-    /// extrema together.
+    /// The squared distance of the outer joints of a dyad. By the law of cosines it is a decreasing function of the
+    /// cosine of the angle between its links, and both have their extrema together.
     pub(crate) fn diagonal<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> Jet<N> {
         let [b, d] = dyad.outer.map(|outer| self.place(pose, outer.point));
         let (x, y) = (d.x - b.x, d.y - b.y);
         x.square() + y.square()
     }
 
-    /// How far the outer joints of a dyad can be apart: the sum of the lengths of its links.
+    /// Maximum distance of the outer joints of a dyad: the sum of the lengths of its links.
     pub(crate) fn reach_of(&self, dyad: &RrrDyad) -> f64 {
         let links = dyad.links.iter().zip(&dyad.outer);
         let lengths =
@@ -93,7 +90,7 @@ impl Mechanism {
         lengths.sum()
     }
 
-    /// How far two points of a link are apart.
+    /// The distance of two points of a link.
     pub(in crate::mechanism) fn length_between(&self, link: LinkId, points: [PointId; 2]) -> f64 {
         let body = self.body_of(Some(link));
         let [from, to] = points.map(|point| self.local(body, point));
@@ -101,7 +98,7 @@ impl Mechanism {
         from.zip(to).map_or(0.0, |(from, to)| (to - from).norm())
     }
 
-    /// The place of a point on a body that has it.
+    /// The place of a point on a body; None if the body does not have it.
     pub(in crate::mechanism) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
         let mut points = self.bodies[body].iter();
         let found = points.find(|(own, _)| *own == point);
@@ -114,7 +111,7 @@ impl Mechanism {
         arms.filter_map(|arms| self.four_bar_of(arms)).collect()
     }
 
-    /// The closed form of a dyad, where it has one.
+    /// The closed form of a dyad, if it has one.
     pub(crate) fn closed_form_of(&self, dyad: &RrrDyad) -> Option<DrivenFourBar<'_>> {
         let mut closed = self.closed_steps();
         closed.find(|closed| {
@@ -147,7 +144,7 @@ impl Mechanism {
 
     fn four_bar_of(&self, arms: &[Arm; 2]) -> Option<FourBarLoop> {
         let dyad = self.dyad_of(arms)?;
-        // What is solved first is the base; the frame before all.
+        // The body solved first is the base; the frame comes before all.
         let first = self.placed_by[arms[0].outer.body] < self.placed_by[arms[1].outer.body];
         let [on_base, on_crank] = if first { [0, 1] } else { [1, 0] };
         let [base, crank] = [on_base, on_crank].map(|k| arms[k].outer);

@@ -1,4 +1,4 @@
-//! The pairs of a mechanism as they join its rigid bodies, and how these move in a pose.
+//! The pairs between the rigid bodies of a mechanism, and the motion of the bodies in a pose.
 
 use crate::index::{BodyId, PointId};
 use crate::mechanism::{ConstraintKind, LinkOrFrame, Mechanism, Pose};
@@ -10,16 +10,16 @@ use crate::{Jet, JetPoint, Point, Vector};
 pub enum Joint {
     /// A hinge of two bodies or more.
     Hinge {
-        /// Where it is.
+        /// Its point.
         point: PointId,
-        /// What is hinged there, ascending.
+        /// The bodies hinged there, ascending.
         bodies: Vec<BodyId>,
     },
     /// A slide.
     Slide {
-        /// The body that has the line, and the one that slides.
+        /// The body with the line, and the one that slides.
         bodies: [BodyId; 2],
-        /// The point of the second that stays at its distance from the line.
+        /// The point of the second that keeps its distance from the line.
         point: PointId,
         /// Two points of the first that give the line.
         line: [PointId; 2],
@@ -28,9 +28,9 @@ pub enum Joint {
     Mesh {
         /// The wheels.
         bodies: [BodyId; 2],
-        /// What both are hinged on.
+        /// The body both are hinged on.
         carrier: BodyId,
-        /// z₁ and z₂, this one below zero where the sense is kept.
+        /// z₁ and z₂; z₂ < 0 if the sense is kept.
         teeth: [f64; 2],
     },
 }
@@ -46,7 +46,7 @@ impl Joint {
 }
 
 impl Mechanism {
-    /// The body that a link is, or is fixed to.
+    /// The body of a link, its own or the one it is fixed to.
     pub fn body_of(&self, link: LinkOrFrame) -> BodyId {
         link.map_or(BodyId::FRAME, |link| self.links[link].body)
     }
@@ -97,8 +97,8 @@ impl Mechanism {
         pose.state.angle(body)
     }
 
-    /// How the point of a body moves that is at a place in a pose, whether anything is drawn there or not: the place
-    /// itself is kept, and the derivatives are those of the body.
+    /// Motion of the point of a body at a place in a pose, whether drawn or not: the value is the place, and the
+    /// derivatives are those of the body.
     pub fn fixed_to<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -113,8 +113,7 @@ impl Mechanism {
         (place + Complex::constant(self.origin)).into()
     }
 
-    /// The direction from one point of a body towards another in a pose, of length 1: of two that are close together
-    /// it has all its digits.
+    /// Unit vector from one point of a body to another in a pose; exact to all digits even for two close together.
     pub(crate) fn heading<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -131,7 +130,7 @@ impl Mechanism {
         Some(heading).filter(|heading| heading.norm_squared().is_finite())
     }
 
-    /// A direction of a body, seen from the frame in a pose.
+    /// A direction of a body in a pose, in the coordinates of the frame.
     pub(crate) fn turned<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -165,13 +164,13 @@ impl Mechanism {
         (place.coords - self.origin) / self.scale_of_places()
     }
 
-    /// The place of the drawing that [`Self::scaled`] takes to this one.
+    /// Inverse of [`Self::scaled`].
     pub(crate) fn unscaled(&self, place: Vector) -> Point {
         (place * self.scale_of_places() + self.origin).into()
     }
 
-    /// The velocity, by the input, of what is fixed to a body and at the origin of [`Self::scaled`], in the same unit,
-    /// and the angular velocity of the body.
+    /// Twist of a body: the velocity, by the input, of its point at the origin of [`Self::scaled`], in the same unit,
+    /// and its angular velocity.
     pub(crate) fn twist<const N: usize>(&self, pose: &Pose<N>, body: BodyId) -> (Vector, f64) {
         let origin: JetPoint<N> = pose.state.bodies[body].origin.into();
         let spin = pose.state.angle(body).derivative(1);

@@ -1,16 +1,14 @@
-//! What is measured on a drawing: how far two points are apart, the angle at a point between two others, that of two links.
+//! Measurements on a drawing: the distance of two points, the angle at a point between two others, the angle of two
+//! links.
 
 use crate::Jet;
 use crate::index::{LinkId, PointId};
 use crate::mechanism::{Mechanism, Pose};
-
-/// Points closer than this share of the drawing coincide, and so slow a rate is none.
-const COINCIDE: f64 = 1e-12;
-const RATE: f64 = 1e-9;
+use crate::tolerance;
 
 impl Mechanism {
-    /// How far two points are apart. Where they coincide the derivatives are those just after it; of points that stay
-    /// there, none.
+    /// The distance of two points. If they coincide, the derivatives are those just after; zero if the points stay
+    /// together.
     pub(in crate::mechanism) fn between_points<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -18,10 +16,10 @@ impl Mechanism {
     ) -> Jet<N> {
         let [p, q] = [from, to].map(|point| self.place(pose, point));
         let ways = [q.x - p.x, q.y - p.y];
-        if span(ways) > COINCIDE * self.size() {
+        if span(ways) > tolerance::NEGLIGIBLE * self.size() {
             return norm(ways);
         }
-        // They part as t u, with u through their relative velocity: the distance is t |u|.
+        // They part as t u, with u the relative velocity at first: the distance is t |u|.
         let parting: [Jet<N>; 2] = ways.map(|way| {
             Jet::of_derivatives(std::array::from_fn(|order| {
                 let next = order + 1;
@@ -32,7 +30,7 @@ impl Mechanism {
                 }
             }))
         });
-        if span(parting) <= RATE * self.size() {
+        if span(parting) <= tolerance::COINCIDENT * self.size() {
             return Jet::constant(0.0);
         }
         let rate = norm(parting);
@@ -42,8 +40,8 @@ impl Mechanism {
         }))
     }
 
-    /// The angle at the second of three points from the first to the third, counter-clockwise, within half a turn either
-    /// way; 0 while one of these is at the second.
+    /// The angle at the second of three points from the first to the third, counter-clockwise, within half a turn
+    /// either way; 0 if one of these coincides with the second.
     pub(in crate::mechanism) fn corner<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -51,23 +49,23 @@ impl Mechanism {
     ) -> Jet<N> {
         let [a, b, c] = points.map(|point| self.place(pose, point));
         let [u, v] = [a, c].map(|end| [end.x - b.x, end.y - b.y]);
-        if span(u).min(span(v)) <= COINCIDE * self.size() {
+        if span(u).min(span(v)) <= tolerance::NEGLIGIBLE * self.size() {
             return Jet::constant(0.0);
         }
         (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
     }
 
-    /// Two points by their names with a hyphen between them.
+    /// Two points by their names, with a hyphen between them.
     pub(in crate::mechanism) fn two_points(&self, names: &str) -> Option<[PointId; 2]> {
         two(names, |name| self.point(name))
     }
 
-    /// Two links so.
+    /// Two links by their names, with a hyphen between them.
     pub(in crate::mechanism) fn two_links(&self, names: &str) -> Option<[LinkId; 2]> {
         two(names, |name| self.link(name))
     }
 
-    /// Three points so, of which no two are the same.
+    /// Three different points by their names, with hyphens between them.
     pub(in crate::mechanism) fn three_points(&self, names: &str) -> Option<[PointId; 3]> {
         let mut parts = names.match_indices('-');
         parts.find_map(|(at, _)| {
@@ -78,7 +76,7 @@ impl Mechanism {
     }
 }
 
-/// Two that are not the same by their names with a hyphen between them; names may have hyphens of their own.
+/// Two different objects by their names, with a hyphen between them; names may have hyphens of their own.
 fn two<T: PartialEq>(names: &str, named: impl Fn(&str) -> Option<T>) -> Option<[T; 2]> {
     let mut parts = names.match_indices('-');
     parts.find_map(|(at, _)| {
@@ -87,12 +85,12 @@ fn two<T: PartialEq>(names: &str, named: impl Fn(&str) -> Option<T>) -> Option<[
     })
 }
 
-/// How long a vector is.
+/// The length of a vector.
 fn span<const N: usize>([x, y]: [Jet<N>; 2]) -> f64 {
     x.value().hypot(y.value())
 }
 
-/// The same with its derivatives, where it is not zero.
+/// The same with its derivatives, if it is not zero.
 fn norm<const N: usize>([x, y]: [Jet<N>; 2]) -> Jet<N> {
     (x.square() + y.square()).sqrt()
 }

@@ -1,4 +1,4 @@
-//! What is read of a pose: quantities, measures, joints, constraint equations, dyads.
+//! Readout of a pose: quantities, measurements, joints, constraint equations, dyads.
 
 pub(in crate::mechanism) mod constraint;
 mod dyads;

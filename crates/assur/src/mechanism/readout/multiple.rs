@@ -5,7 +5,7 @@ use crate::index::LinkId;
 use crate::mechanism::Mechanism;
 use crate::position::Step;
 
-/// What an angle is a multiple of.
+/// An angle as a linear function of a link's angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Multiple {
     /// The link.
@@ -17,9 +17,8 @@ pub struct Multiple {
 }
 
 impl Mechanism {
-    /// The link whose angle this one's is a constant multiple of, at all inputs: a
-    /// wheel's, or a carrier's, is that of what alone turns it in a train. Of itself
-    /// where there is none.
+    /// The angle of a link as a constant multiple of another link's, at all inputs: for a wheel or a carrier, of the
+    /// only body that turns it in a train. Of its own if there is none.
     pub fn multiple_of(&self, link: LinkId) -> Multiple {
         let own = Multiple {
             of: link,
@@ -28,7 +27,7 @@ impl Mechanism {
         };
         let part = &self.links[link];
         let (mut body, mut factor, mut offset) = (part.body, 1.0, part.angle_offset);
-        // A train of wheels ends after as many as there are steps.
+        // A chain of wheels is not longer than the number of steps.
         for _ in 0..self.steps.len() {
             let trains = self.steps.iter().filter_map(|step| match step {
                 Step::Epicyclic(train) => Some(&train.members),

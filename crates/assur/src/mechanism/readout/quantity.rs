@@ -1,4 +1,5 @@
-//! What can be read off a mechanism: angles of links, coordinates of points, how well dyads transmit, what is measured.
+//! Quantities of a mechanism: angles of links, coordinates of points, transmission and pressure angles of dyads, and
+//! measurements.
 
 use std::borrow::Cow;
 
@@ -14,13 +15,13 @@ pub enum Quantity {
     Angle(LinkId),
     /// The abscissa of a point, in the unit of the lengths.
     X(PointId),
-    /// Its ordinate.
+    /// The ordinate of a point.
     Y(PointId),
     /// The transmission angle of a dyad: between the lines of its two links, acute, radians.
     Transmission(RrrDyad),
-    /// The pressure angle of a dyad: between its rod and its way, acute, radians; 90° less it is the transmission angle.
+    /// The pressure angle of a dyad: between its rod and its line, acute, radians; 90° less the transmission angle.
     Pressure(RrpDyad),
-    /// How far two points are apart, in the unit of the lengths.
+    /// The distance of two points, in the unit of the lengths.
     Distance([PointId; 2]),
     /// The angle at the second of three points between the others, up to half a turn, radians.
     Corner([PointId; 3]),
@@ -29,8 +30,8 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// All of a mechanism that say where it is: the angles of the links, then x and y of each point. How well dyads
-    /// transmit is said by [`Mechanism::transmitting`].
+    /// All quantities of the position of a mechanism: the angles of the links, then x and y of each point. Those of
+    /// transmission are given by [`Mechanism::transmitting`].
     pub fn all(mechanism: &Mechanism) -> Vec<Self> {
         let points = mechanism.point_ids();
         let points = points.flat_map(|point| [Self::X(point), Self::Y(point)]);
@@ -38,8 +39,8 @@ impl Quantity {
         angles.chain(points).collect()
     }
 
-    /// The quantity of a name, such as `rocker.angle`, `C.x`, of the joint within a dyad `C.transmission`, of points with
-    /// hyphens between them `A-C.distance` and `A-B-C.corner`, of links `crank-rocker.between`.
+    /// The quantity of a name: `rocker.angle`, `C.x`; of a dyad, by its inner joint, `C.transmission`; of points, with
+    /// hyphens, `A-C.distance` and `A-B-C.corner`; of links `crank-rocker.between`.
     pub fn named(mechanism: &Mechanism, name: &str) -> Option<Self> {
         let (of, what) = name.rsplit_once('.')?;
         match what {
@@ -56,14 +57,14 @@ impl Quantity {
         }
     }
 
-    /// Its name, with `order` times a d before what it is: `C.ddx`.
+    /// Its name, with the letter d `order` times before the kind: `C.ddx`.
     pub fn name(self, mechanism: &Mechanism, order: usize) -> String {
         let (of, what) = (self.subject(mechanism), self.kind_name());
         let prefix = "d".repeat(order);
         format!("{of}.{prefix}{what}")
     }
 
-    /// What it is: `angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
+    /// The name of its kind: `angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
     pub fn kind_name(self) -> &'static str {
         match self {
             Self::Angle(_) => "angle",
@@ -77,7 +78,7 @@ impl Quantity {
         }
     }
 
-    /// The name of the link or point that it is of; of a dyad that of its inner joint; of several those, with hyphens.
+    /// The name of its link or point; for a dyad, of the inner joint; several names have hyphens between them.
     pub fn subject(self, mechanism: &Mechanism) -> Cow<'_, str> {
         let points = |points: &[PointId]| {
             let names = points.iter().map(|point| mechanism.point_name(*point));
@@ -102,13 +103,13 @@ impl Quantity {
         !matches!(self, Self::X(_) | Self::Y(_) | Self::Distance(_))
     }
 
-    /// True for what is measured between points or links.
+    /// True for a measurement between points or links.
     pub fn is_measured(self) -> bool {
         matches!(self, Self::Distance(_) | Self::Corner(_) | Self::Between(_))
     }
 
-    /// True for an angle that has no sense: an acute one between two lines, or one at a corner. Where what it is between
-    /// is in line or, of lines, at right angles it is folded: its rate jumps there, which is none of its extrema.
+    /// True for an angle without sense: an acute one between two lines, or one at a corner. It is folded if its sides
+    /// are in line or, for lines, at right angles: its rate jumps there, which does not count as an extremum.
     pub fn is_folded(self) -> bool {
         matches!(
             self,
@@ -126,8 +127,8 @@ impl Quantity {
         }
     }
 
-    /// How many times the acute angle of that part of it it is: an angle at a corner is folded at every half turn, one
-    /// between lines at every quarter.
+    /// Factor of the acute angle that is folded: 2 at a corner, folded at every half turn; 1 between lines, folded at
+    /// every quarter.
     fn folds(self) -> f64 {
         if matches!(self, Self::Corner(_)) {
             2.0
@@ -136,17 +137,17 @@ impl Quantity {
         }
     }
 
-    /// An angle before it is folded, folded.
+    /// Folds an angle.
     pub(crate) fn folded(self, angle: f64) -> f64 {
         acute(angle / self.folds()) * self.folds()
     }
 
-    /// 1 where it grows with the angle before it is folded, else −1.
+    /// 1 if it grows with the angle before folding, else −1.
     pub(crate) fn sense<const N: usize>(self, angle: &Jet<N>) -> f64 {
         sense(&(*angle * self.folds().recip()))
     }
 
-    /// The same of what is smooth: an angle before it is folded.
+    /// The same before folding: a smooth quantity.
     pub(crate) fn unfolded<const N: usize>(self, mechanism: &Mechanism, pose: &Pose<N>) -> Jet<N> {
         match self {
             Self::Angle(link) => mechanism.angle(pose, link),

@@ -1,6 +1,7 @@
-//! How well dyads transmit force, in a pose: the transmission angle of a dyad RRR, the pressure angle of a dyad RRP. Both
-//! are acute angles between two lines, which are folded at 0 and at 90°: there their rates jump.
+//! Force transmission of dyads in a pose: the transmission angle of a dyad RRR, the pressure angle of a dyad RRP. Both
+//! are acute angles between two lines, folded at 0 and at 90°, where their rates jump.
 
+use crate::tolerance;
 use std::f64::consts::PI;
 
 use crate::index::{LinkId, PointId, StepId};
@@ -9,11 +10,7 @@ use crate::mechanism::{LinkOrFrame, Mechanism, OuterJoint, Pose, Quantity, RrrDy
 use crate::position::{Rrp, Step};
 use crate::{Jet, Vector};
 
-/// Two lines are in line or at right angles, and an angle stands, within rounding.
-const FOLD: f64 = 1e-12;
-const RATE: f64 = 1e-9;
-
-/// An Assur group of two links, two hinges and a slide: a rod and what it pushes along a way.
+/// An Assur group of two links, two hinges and a slide: a rod, and a slider on a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RrpDyad {
     /// The link with the two hinges.
@@ -22,9 +19,9 @@ pub struct RrpDyad {
     pub slider: LinkId,
     /// The point at which they are hinged on each other.
     pub inner: PointId,
-    /// Where the rod is hinged on what is solved before.
+    /// The hinge of the rod on a link solved before.
     pub outer: OuterJoint,
-    /// The link that has the way.
+    /// The link with the line.
     pub on: LinkOrFrame,
     step: StepId,
 }
@@ -58,7 +55,7 @@ impl Mechanism {
         })
     }
 
-    /// The angle from one link of a dyad to the other as it turns, not folded.
+    /// The angle from one link of a dyad to the other, not folded.
     pub(in crate::mechanism) fn between_links<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -71,7 +68,7 @@ impl Mechanism {
         turned(lines, angles)
     }
 
-    /// The angle from the way of a dyad to its rod as it turns, not folded.
+    /// The angle from the line of a dyad to its rod, not folded.
     pub(in crate::mechanism) fn off_the_way<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -96,7 +93,7 @@ impl Mechanism {
         self.length_between(dyad.rod, [dyad.inner, dyad.outer.point])
     }
 
-    /// By how much the rod of a dyad rises above its way.
+    /// Rise of the rod of a dyad above its line.
     pub(crate) fn rise<const N: usize>(&self, pose: &Pose<N>, dyad: &RrpDyad) -> Jet<N> {
         let Step::Rrp(Rrp { arm, track }) = &self.steps[dyad.step] else {
             debug_assert!(false, "a dyad of this mechanism");
@@ -109,7 +106,7 @@ impl Mechanism {
     }
 }
 
-/// The angle between two lines, that turn with links of these angles.
+/// The angle between two lines that turn with links of these angles.
 fn turned<const N: usize>([u, v]: [Vector; 2], [a, b]: [Jet<N>; 2]) -> Jet<N> {
     let grown = b - a;
     grown + (u.perp(&v).atan2(u.dot(&v)) - grown.value())
@@ -121,14 +118,16 @@ pub(in crate::mechanism) fn acute(angle: f64) -> f64 {
     turned.min(PI - turned)
 }
 
-/// 1 where the acute angle grows with the angle between two lines, else −1; where it is folded, as just after that.
+/// 1 if the acute angle grows with the angle between two lines, else −1; at a fold, the value just after it.
 pub(in crate::mechanism) fn sense<const N: usize>(angle: &Jet<N>) -> f64 {
     let (sin, cos) = angle.value().sin_cos();
-    if (sin * cos).abs() > FOLD {
+    if (sin * cos).abs() > tolerance::NEGLIGIBLE {
         return (sin * cos).signum();
     }
     let rates = [1, 2].map(|order| angle.derivative(order));
-    let grows = rates.into_iter().find(|rate| rate.abs() > RATE);
+    let grows = rates
+        .into_iter()
+        .find(|rate| rate.abs() > tolerance::COINCIDENT);
     let grows = grows.unwrap_or(1.0).signum();
     if sin.abs() < cos.abs() { grows } else { -grows }
 }

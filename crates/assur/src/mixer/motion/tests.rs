@@ -40,7 +40,7 @@ where
         .collect()
 }
 
-/// The table of a mixer with these lengths, so many rows to a turn.
+/// The table of a mixer with these lengths, with `steps` rows per turn.
 fn rows(lengths: [f64; 4], steps: u32) -> (Vec<String>, Vec<Row>) {
     let mut dimensions = Case::A.dimensions();
     dimensions.lengths = lengths;
@@ -189,7 +189,7 @@ fn a_full_turn_has_every_value() {
             assert_eq!(row.reason, None);
             assert_eq!(row.values[0], Some(row.input));
         }
-        // The end is the beginning, whole turns of the angles aside.
+        // The last row is the first, up to whole turns of the angles.
         let [first, .., last] = &rows[..] else {
             panic!("rows")
         };
@@ -207,7 +207,7 @@ fn a_full_turn_has_every_value() {
     }
 }
 
-/// l₂ + l₃ just spans BD where φ₁ is a right angle.
+/// l₂ + l₃ just spans BD at a right angle φ₁.
 #[test]
 fn a_dead_point_has_places_without_derivatives() {
     let (names, rows) = rows([3.0, 2.0, 3.0, 4.0], 360);

@@ -10,6 +10,7 @@
 //! real, a cubic in t.
 
 use crate::sorting::sort_by;
+use crate::tolerance;
 use nalgebra::Complex;
 
 use super::closure::dot;
@@ -132,8 +133,6 @@ fn orthonormal(x: Unknowns, y: Unknowns) -> [Unknowns; 2] {
 
 /// Steps after which Newton's method is as good as it gets.
 const STEPS: usize = 20;
-/// What remains open of a solution, relative to its size.
-const OPEN: f64 = 1e-12;
 
 /// w₂, w₃ and z₁ by Newton's method on the closures themselves; none where they do not close.
 fn polished(turns: &[[Complex<f64>; 2]; 5], start: [Complex<f64>; 2]) -> Option<Started> {
@@ -164,7 +163,7 @@ fn polished(turns: &[[Complex<f64>; 2]; 5], start: [Complex<f64>; 2]) -> Option<
         }
         ((w2, w3, z), left) = (next, then);
     }
-    let closes = worst(&left) <= OPEN * (1.0 + w2.norm() + w3.norm());
+    let closes = worst(&left) <= tolerance::NEGLIGIBLE * (1.0 + w2.norm() + w3.norm());
     let proportions = Proportions {
         coupler: z,
         output: w2.norm(),

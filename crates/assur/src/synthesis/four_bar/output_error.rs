@@ -1,13 +1,12 @@
 //! By how much a linkage's output is off the given angles, and output angles that are given in the opposite sense.
 
+use crate::tolerance;
 use std::cmp::Ordering;
 
 use super::closure::{Direction, dot};
 use super::linear::least_squares;
 use super::{Minimum, Proportions, Solution, Task};
 
-/// A side of a triangle that is too long by this part of the others closes it in line: rounding.
-const ROUNDING: f64 = 1e-12;
 /// The least number of positions of which least squares say anything.
 const OVERDETERMINED: usize = 4;
 
@@ -27,7 +26,7 @@ impl Direction {
             (coupler - (length - output)) * (coupler + (length - output)),
             (length + output - coupler) * (length + output + coupler),
         ];
-        let rounding = ROUNDING * (length + output + coupler).powi(2);
+        let rounding = tolerance::NEGLIGIBLE * (length + output + coupler).powi(2);
         if !sides.iter().all(|side| *side >= -rounding) {
             return None;
         }

@@ -1,9 +1,7 @@
 //! Real roots of polynomials of low degree, none of them lost.
 
 use crate::motion::root::root;
-
-/// A value this small relative to the coefficients is a root that is only touched.
-const TOUCHING: f64 = 1e-14;
+use crate::tolerance;
 
 /// The value of a polynomial, its coefficients ascending.
 fn value(coefficients: &[f64], x: f64) -> f64 {
@@ -32,7 +30,7 @@ fn roots_within(coefficients: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
     };
     for (k, pair) in ends.windows(2).enumerate() {
         let [low, high] = [pair[0], pair[1]].map(|x| [x, value(coefficients, x)]);
-        if k > 0 && low[1].abs() <= TOUCHING * size || low[1] == 0.0 {
+        if k > 0 && low[1].abs() <= tolerance::CONVERGED * size || low[1] == 0.0 {
             add(low[0]);
         } else if low[1] * high[1] < 0.0
             && let Some(x) = root([low, high], |x| Some(value(coefficients, x)))

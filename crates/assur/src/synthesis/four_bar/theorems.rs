@@ -4,6 +4,7 @@
 //! Conditions and theorems are evaluated as they are printed, lengths by the formulas that hold: [`relations`] has both
 //! versions of each formula (docs/errata.md).
 
+use crate::tolerance;
 mod conditions;
 mod relations;
 mod system;
@@ -58,9 +59,6 @@ pub struct Subsystem {
     pub slope: [f64; 2],
 }
 
-/// Sines smaller than this are none: links are parallel.
-const PARALLEL: f64 = 1e-12;
-
 impl Angles {
     fn of(&self, unknown: Unknown) -> f64 {
         match unknown {
@@ -88,7 +86,7 @@ impl Angles {
         };
         let [i, j] = of.map(|unknown| self.of(unknown));
         let across = (j - i).sin();
-        if across.abs() < PARALLEL || !self.is_finite() {
+        if across.abs() < tolerance::NEGLIGIBLE || !self.is_finite() {
             return None;
         }
         let k = self.of(third);

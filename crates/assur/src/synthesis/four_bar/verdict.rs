@@ -1,6 +1,7 @@
 //! What a linkage is worth as a solution: whether it goes through its positions, in which order,
 //! and how well it moves.
 
+use crate::tolerance;
 use std::f64::consts::{PI, TAU};
 
 use super::Proportions;
@@ -60,9 +61,6 @@ pub enum Order {
 
 /// Sides smaller than this, relative to their terms, are none: coupler and output in line.
 const IN_LINE: f64 = 1e-11;
-/// An input this near an end of its arc is at the end: what is exact to rounding there is known
-/// to half the digits.
-const AT_END: f64 = 1e-7;
 
 /// The verdict, with the directions of output and input relative to the frame's.
 ///
@@ -156,7 +154,9 @@ fn arc_of(cycle: &Cycle, input: f64) -> Option<(usize, f64)> {
     let arcs = cycle.arcs();
     for turn in [0.0, TAU, -TAU] {
         let input = input + turn;
-        let holds = |[from, to]: &[f64; 2]| (from - AT_END..=to + AT_END).contains(&input);
+        let holds = |[from, to]: &[f64; 2]| {
+            (from - tolerance::DISTINCT..=to + tolerance::DISTINCT).contains(&input)
+        };
         if let Some(arc) = arcs.iter().position(holds) {
             return Some((arc, input.clamp(arcs[arc][0], arcs[arc][1])));
         }

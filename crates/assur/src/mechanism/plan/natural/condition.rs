@@ -1,4 +1,4 @@
-//! The conditions between the bodies of a group, and the equations that they are.
+//! The conditions between the bodies of a group, and their equations.
 
 use super::Plan;
 use crate::Vector;
@@ -9,21 +9,21 @@ use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::plan::willis;
 use crate::position::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, conjugate};
 
-/// One equation, or two, in forms of its own.
+/// A condition in forms: one equation or two.
 pub(in crate::mechanism) enum Condition {
-    /// A direction of length 1, and the length of the link along it.
+    /// The unit length of a direction; and the length of the link along it.
     Unit(Form, f64),
     Zero(Form),
-    /// The way along a direction of length 1; and which of the angle_constraints says how far.
+    /// The displacement along a direction of length 1; and the index of the angle constraint that gives its length.
     Along {
         direction: Form,
         way: Form,
         mesh: usize,
     },
-    /// The turns of bodies, with what their angles are multiplied by; and which of the
-    /// angle_constraints says what they add up to.
+    /// The turns of bodies with the coefficients of their angles; and the index of the angle constraint that gives the
+    /// sum.
     AngleConstraint(Vec<(Form, f64)>, usize),
-    /// The length of the direction, if the way has one too; none where both are
+    /// A vector parallel to a direction. `length` is the factor that makes the residual a length: 1, or 0 if both are
     /// directions.
     Line {
         direction: Form,
@@ -33,7 +33,7 @@ pub(in crate::mechanism) enum Condition {
 }
 
 impl Plan<'_> {
-    /// The conditions of the prismatic pairs.
+    /// Adds the conditions of the prismatic pairs.
     pub(in crate::mechanism) fn slides(&mut self) {
         let bodies = self.bodies;
         let own = |slide: &Slide| {
@@ -73,7 +73,7 @@ impl Plan<'_> {
         }
     }
 
-    /// The condition that a body stays parallel to another one, as it is drawn.
+    /// Adds the condition that a body stays parallel to another one, as drawn.
     pub(in crate::mechanism) fn keep_parallel(&mut self, [base, body]: [BodyId; 2]) {
         let turns = [base, body].map(|body| conjugate(self.orientations[body].turn));
         let condition = Condition::Line {
@@ -84,10 +84,10 @@ impl Plan<'_> {
         self.conditions.push((body, condition));
     }
 
-    /// The condition of wheels in mesh.
+    /// Adds the condition of wheels in mesh.
     pub(in crate::mechanism) fn mesh(&mut self, gear: &Gear) {
         let equation = willis::Equation::of(gear);
-        // In parts of a turn of the larger wheel.
+        // In units of a turn of the larger wheel.
         let scale = gear.teeth[0].max(gear.teeth[1]).recip();
         let terms = equation.terms();
         let terms: Vec<_> = terms.map(|(body, by)| (body, by as f64 * scale)).collect();
@@ -111,7 +111,7 @@ impl Plan<'_> {
         });
     }
 
-    /// The condition of a driven pair.
+    /// Adds the condition of a driven pair.
     pub(in crate::mechanism) fn drive(&mut self, pair: &DrivenPair) -> Option<()> {
         let mesh = self.angle_constraints.len();
         let course = pair.course;
@@ -158,7 +158,7 @@ impl Plan<'_> {
         Some(())
     }
 
-    /// The group; none where the equations are fewer than the unknowns.
+    /// The group; None if there are fewer equations than unknowns.
     pub(in crate::mechanism) fn finished(self, offset: usize) -> Option<(Group, Vec<Vector>)> {
         let mut forms: Vec<Form> = Vec::new();
         let mut index = |form: Form| {

@@ -86,7 +86,7 @@ fn laws_of_cosines() {
     }
 }
 
-/// At the place where points meet, and where a corner opens to half a turn, values are finite and those just after it.
+/// If points meet, or a corner opens to half a turn, values are finite and those just after it.
 #[test]
 fn where_points_meet() {
     let l1 = LENGTHS[0];
@@ -115,7 +115,7 @@ fn where_points_meet() {
     }
 }
 
-/// What stands out of them: the diagonal's extrema are where the crank lies along the frame, l₄ ∓ l₁.
+/// Features of the diagonal: its extrema are l₄ ∓ l₁, with the crank along the frame.
 #[test]
 fn features_of_the_diagonal() {
     let [l1, _, _, l4] = LENGTHS;
@@ -140,8 +140,8 @@ fn features_of_the_diagonal() {
     assert!(value.zeros.is_empty());
 }
 
-/// The angle of two links: that of coupler and rocker is what they close with the diagonal by the law of cosines, but for
-/// whole turns, with its derivatives those of the angles; of crank and rocker, either way round, that of both angles.
+/// The angle of two links. That of coupler and rocker follows from the diagonal by the law of cosines, up to whole
+/// turns; that of crank and rocker, in either order, is the difference of their angles, with its derivatives.
 #[test]
 fn links_between() {
     let [l1, l2, l3, l4] = LENGTHS;
@@ -171,7 +171,7 @@ fn links_between() {
     }
 }
 
-/// Names are read as they are written; what is no measure has none.
+/// Names are read as they are written; anything else is no quantity.
 #[test]
 fn names() {
     let motion = motion();

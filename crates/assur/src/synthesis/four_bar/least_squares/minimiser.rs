@@ -3,6 +3,7 @@
 
 use super::objective::{Objective, Point, Value};
 use crate::synthesis::four_bar::linear;
+use crate::tolerance;
 
 /// One way down.
 #[derive(Clone, Debug)]
@@ -20,8 +21,6 @@ const LEAST: f64 = 1e-14;
 const MOST: f64 = 1e14;
 /// No way takes more steps.
 const STEPS: usize = 200;
-/// A slope this small relative to a ΣJ of size 1 is none.
-const FLAT: f64 = 1e-15;
 /// No step changes a logarithm or an angle by more.
 const REACH: f64 = 0.5;
 
@@ -54,7 +53,10 @@ impl<const N: usize> Descent<N> {
         let slope = |k: usize| if held[k] { 0.0 } else { self.here.gradient[k] };
         let steepest = (0..N).map(|k| slope(k).abs()).fold(0.0, f64::max);
         self.tried += 1;
-        if steepest <= FLAT || self.here.value <= f64::MIN_POSITIVE || self.tried > STEPS {
+        if steepest <= tolerance::EXACT
+            || self.here.value <= f64::MIN_POSITIVE
+            || self.tried > STEPS
+        {
             self.over = true;
             return;
         }

@@ -2,7 +2,8 @@
 //! with what is true beside it.
 
 use super::truth::non_negative;
-use super::{Angles, PARALLEL, Subsystem, Truth, Unknown, truth};
+use super::{Angles, Subsystem, Truth, Unknown, truth};
+use crate::tolerance;
 
 /// How z = P + Q z₁ is positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -157,7 +158,7 @@ pub struct ThirdPair {
 /// See [`ThirdPair`].
 pub fn third_pair(angles: &Angles) -> Option<ThirdPair> {
     let across = (angles.output - angles.coupler).sin();
-    if across.abs() < PARALLEL || !angles.is_finite() {
+    if across.abs() < tolerance::NEGLIGIBLE || !angles.is_finite() {
         return None;
     }
     let values = [angles.coupler - angles.frame, angles.input - angles.coupler];
@@ -202,7 +203,7 @@ impl Angles {
         let [a, b, c] = across;
         let spread = [b - a, c - a]
             .iter()
-            .any(|turn| turn.sin().abs() >= PARALLEL);
-        spread || a.sin().abs() < PARALLEL
+            .any(|turn| turn.sin().abs() >= tolerance::NEGLIGIBLE);
+        spread || a.sin().abs() < tolerance::NEGLIGIBLE
     }
 }

@@ -2,6 +2,7 @@
 
 use super::super::linear;
 use super::Angles;
+use crate::tolerance;
 
 /// J = |z₁e₁ + z₂e₂ + z₃e₃ − e₀|² of one position, z in the order z₁, z₂, z₃.
 pub fn functional(angles: &Angles, z: [f64; 3]) -> f64 {
@@ -36,9 +37,6 @@ pub struct PositiveMinimum {
     /// ΣJ there.
     pub value: f64,
 }
-
-/// Of what is left of a matrix so much is nothing, relative to its size.
-const NOTHING: f64 = 1e-12;
 
 impl System {
     /// The system of these positions; none where there is no position or an angle is not finite.
@@ -137,7 +135,7 @@ fn rank(mut matrix: [[f64; 3]; 3]) -> usize {
         let pivot = (0..3).max_by(|a, b| matrix[*a][*a].total_cmp(&matrix[*b][*b]));
         let pivot = pivot.unwrap_or(0);
         let (row, value) = (matrix[pivot], matrix[pivot][pivot]);
-        if value <= NOTHING * size {
+        if value <= tolerance::NEGLIGIBLE * size {
             return rank;
         }
         for i in 0..3 {

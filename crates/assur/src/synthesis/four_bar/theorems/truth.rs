@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use super::super::closure::near;
-use super::{Angles, PARALLEL, Unknown};
+use super::{Angles, Unknown};
+use crate::tolerance;
 
 /// For which z₁ > 0 there are z₂ > 0 and z₃ > 0 that close the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,8 +62,8 @@ pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
     let along = angles
         .off_frame()
         .into_iter()
-        .any(|turn| turn.abs() < PARALLEL);
-    Some(along || opening(angles).is_some_and(|opening| opening <= PI + PARALLEL))
+        .any(|turn| turn.abs() < tolerance::NEGLIGIBLE);
+    Some(along || opening(angles).is_some_and(|opening| opening <= PI + tolerance::NEGLIGIBLE))
 }
 
 impl Angles {
@@ -108,9 +109,9 @@ fn parallel(angles: &Angles) -> Truth {
         [sin, cos]
     });
     let opposite = (angles.input - angles.output).cos() < 0.0;
-    if coupler[0].abs() < PARALLEL {
+    if coupler[0].abs() < tolerance::NEGLIGIBLE {
         // The coupler is parallel as well; then so is the frame, or nothing closes.
-        let in_line = frame[0].abs() < PARALLEL;
+        let in_line = frame[0].abs() < tolerance::NEGLIGIBLE;
         let along = opposite || frame[1] > 0.0 || coupler[1] < 0.0;
         return Truth::InLine {
             closes: in_line && along,
