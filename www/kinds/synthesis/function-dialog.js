@@ -110,7 +110,7 @@ function makeForm(document, words) {
   });
   const counts = Array.from({ length: MOST - 1 }, (_, k) => String(k + 2)).map((n) => /** @type {[string, string]} */ ([n, n]));
   const count = select("function-count", counts, String(document.function ? Math.min(document.positions.length, MOST) : COUNT));
-  const spacing = select("function-spacing", [["chebyshev", words.text("function.chebyshev")], ["even", words.text("function.even")]], "chebyshev");
+  const spacing = select("function-spacing", [["roots", words.text("function.roots")], ["even", words.text("function.even")]], "roots");
   const pasted = [named("function-rows-name", "function.rows"), make("div", {}, [rows])];
   const fit = () => {
     powered.hidden = chosen.value !== "power";
