@@ -102,7 +102,7 @@ impl GearPair {
         }
     }
 
-    /// How the wheels engage.
+    /// The kind of mesh.
     pub fn mesh(&self) -> Mesh {
         self.mesh
     }

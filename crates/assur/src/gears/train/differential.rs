@@ -43,11 +43,11 @@ impl Shaft {
 /// A number for each shaft: angle turned since assembly, speed, torque or power.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shafts {
-    /// Of the sun.
+    /// The sun's value.
     pub sun: f64,
-    /// Of the carrier.
+    /// The carrier's value.
     pub carrier: f64,
-    /// Of the ring.
+    /// The ring's value.
     pub ring: f64,
 }
 
@@ -89,9 +89,9 @@ impl Shafts {
 
 /// The equation of the shafts: a ω₁ + b ω₄ − (a + b) ω₃ = 0.
 ///
-/// It is Willis's equation (ω₁ − ω₃)/(ω₄ − ω₃) = −b/a. With single-wheel satellites, planar or bevel, a = z₁ and b =
-/// z₄: the source paper's (7). With stepped ones −b/a = −z₂z₄/(z₁z₂′), and a and b are divided by the common divisor of
-/// z₂ and z₂′. Ratios, torques and powers all follow from the three weights of this equation.
+/// It is Willis's equation (ω₁ − ω₃)/(ω₄ − ω₃) = −b/a. With single-wheel satellites, planar or bevel, a = z₁ and
+/// b = z₄: the source paper's (7). With stepped ones −b/a = −z₂z₄/(z₁z₂′), and a and b are divided by the common divisor
+/// of z₂ and z₂′. Ratios, torques and powers all follow from the three weights of this equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Differential {
     sun: u32,
@@ -128,8 +128,8 @@ impl Differential {
         self.sun + self.ring
     }
 
-    /// External torques on the shafts in steady motion without losses, from one of them: T₁ : T₄ : T₃ = a : b : −(a +
-    /// b).
+    /// External torques on the shafts in steady motion without losses, from one of them:
+    /// T₁ : T₄ : T₃ = a : b : −(a + b).
     ///
     /// The torques balance, and so do their powers at all speeds that the train allows. By the principle of virtual
     /// work the torques are proportional to the weights.

@@ -18,9 +18,9 @@ pub struct Place {
 /// centred, with those of sun and carrier 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mounting {
-    /// Of the ring.
+    /// The ring.
     pub ring: f64,
-    /// Of each satellite.
+    /// Each satellite.
     pub satellites: Vec<f64>,
 }
 

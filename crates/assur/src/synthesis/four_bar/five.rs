@@ -16,7 +16,7 @@ use nalgebra::Complex;
 use super::closure::dot;
 use super::{Proportions, Solution, Task, linear, polynomial};
 
-/// Why positions with free starts have no finite number of exact linkages.
+/// Reasons why positions with free starts have no finite number of exact linkages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StartsError {
     /// Fewer than five positions: a family of solutions with this many degrees of freedom.

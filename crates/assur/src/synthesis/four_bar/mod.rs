@@ -7,7 +7,7 @@
 //!
 //! J = (|r| − z₁)²,  φ₁ = arg r.
 //!
-//! A linkage takes up the positions where ΣJ = 0. With u = 1/z₂ and v = 1/z₃ the difference of
+//! A linkage takes up the positions if ΣJ = 0. With u = 1/z₂ and v = 1/z₃ the difference of
 //! |r|² in two positions is linear, Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃) (angles from e₀):
 //!
 //! - two positions leave a curve of linkages ([`TwoPositions`]),

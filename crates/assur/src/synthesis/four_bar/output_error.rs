@@ -12,8 +12,8 @@ const OVERDETERMINED: usize = 4;
 
 impl Direction {
     /// |Δφ₂|: error of the output's angle at the given input, in the nearer assembly. With d = e₀ − z₃e₃ from B to D,
-    /// the output makes an angle ψ with d, on either side; by the law of cosines tan² ψ/2 = (z₁² − (d − z₂)²) / ((d +
-    /// z₂)² − z₁²). None if the linkage cannot be assembled at this input.
+    /// the output makes an angle ψ with d, on either side; by the law of cosines
+    /// tan² ψ/2 = (z₁² − (d − z₂)²) / ((d + z₂)² − z₁²). None if the linkage cannot be assembled at this input.
     fn output_error(&self, proportions: Proportions) -> Option<f64> {
         let Proportions {
             coupler,

@@ -31,8 +31,8 @@ pub(super) fn lengths(shape: &Shape) -> [Range; 2] {
     }
 }
 
-/// Coefficients of the gap along a family, as powers −1, 0, 1 of the parameter x. With x = τ = z₂/z₃, r = (e₀ − a e₂ −
-/// b e₃) − b e₂ τ − a e₃/τ; with x the size, r is linear.
+/// Coefficients of the gap r along a family, for the powers −1, 0, 1 of the parameter x. With x = τ = z₂/z₃,
+/// r = (e₀ − a e₂ − b e₃) − b e₂ τ − a e₃/τ; with x the size, r is linear.
 fn gap(shape: &Shape, at: &Direction) -> [Complex<f64>; 3] {
     let one = Complex::new(1.0, 0.0);
     match *shape {
