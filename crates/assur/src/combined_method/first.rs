@@ -1,4 +1,5 @@
-//! The chain of substitutions for the velocity analogues: coefficients c and b, Cramer's rule for G, then the other points.
+//! The chain of substitutions for the velocity analogues: coefficients c and b, Cramer's rule for G, then the other
+//! points.
 
 use super::places::{Places, product};
 use crate::tolerance;

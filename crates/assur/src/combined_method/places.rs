@@ -113,7 +113,7 @@ fn between(to: Way, from: Way) -> Way {
     [0, 1, 2].map(|order| to[order] - from[order])
 }
 
-/// The quotient of two vectors as complex numbers: the ratio of their lengths, and the angle from the second to the first.
+/// Quotient of two vectors as complex numbers: the ratio of their lengths, and the angle from the second to the first.
 fn ratio(one: Vector, other: Vector) -> Vector {
     Vector::new(one.dot(&other), other.perp(&one)) / other.norm_squared()
 }

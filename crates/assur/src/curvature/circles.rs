@@ -11,8 +11,8 @@ use crate::{Point, Vector};
 ///
 /// With r from the pole to a point of the body, θ its angle and p the position of the pole, the velocity is θ′ i r and
 /// the acceleration (θ″ i − θ′²) r − θ′ i p′. They are parallel, so that the path has no curvature, if r² = r·D with
-/// D = −i p′/θ′: on a circle through the pole that is tangent to p′ there. For any other point the centre of curvature is
-/// on its ray from the pole, by Euler (1765) and Savary (1845).
+/// D = −i p′/θ′: on a circle through the pole that is tangent to p′ there. For any other point the centre of curvature
+/// is on its ray from the pole, by Euler (1765) and Savary (1845).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circles {
     /// The instant centre of the body and the frame.

@@ -90,8 +90,8 @@ impl Shafts {
 /// The equation of the shafts: a ω₁ + b ω₄ − (a + b) ω₃ = 0.
 ///
 /// It is Willis's equation (ω₁ − ω₃)/(ω₄ − ω₃) = −b/a. With single-wheel satellites, planar or bevel, a = z₁ and
-/// b = z₄: the source paper's (7). With stepped ones −b/a = −z₂z₄/(z₁z₂′), and a and b are divided by the common divisor
-/// of z₂ and z₂′. Ratios, torques and powers all follow from the three weights of this equation.
+/// b = z₄: the source paper's (7). With stepped ones −b/a = −z₂z₄/(z₁z₂′), and a and b are divided by the common
+/// divisor of z₂ and z₂′. Ratios, torques and powers all follow from the three weights of this equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Differential {
     sun: u32,

@@ -75,8 +75,8 @@ impl Objective {
 
     /// ΣJ with its derivatives.
     ///
-    /// ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. At the best z₁, ∂ΣJ/∂z₁ = 0; its change subtracts Σw
-    /// ∂|r| ∂|r|/Σw from the second derivatives. At a bound it does not change.
+    /// ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. At the best z₁, ∂ΣJ/∂z₁ = 0; its change subtracts
+    /// Σw ∂|r| ∂|r|/Σw from the second derivatives. At a bound it does not change.
     pub(super) fn at<const N: usize>(&self, x: &Point<N>) -> Value<N> {
         let links = self.links(x);
         let gap = |at: &Direction| one() - at.output * links[0] - at.input * links[1];

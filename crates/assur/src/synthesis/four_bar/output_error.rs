@@ -50,8 +50,8 @@ impl Solution {
 }
 
 impl Minimum {
-    /// Display order of minima: those at a bound last, otherwise by increasing output error, then by ΣJ. The error counts as
-    /// infinite if a position cannot be reached.
+    /// Display order of minima: those at a bound last, otherwise by increasing output error, then by ΣJ. The error
+    /// counts as infinite if a position cannot be reached.
     pub(super) fn order(&self, other: &Self) -> Ordering {
         let key = |one: &Self| {
             (
@@ -67,9 +67,9 @@ impl Minimum {
 }
 
 impl Task {
-    /// True if the output's angles are probably those of the opposite sense, from D to C: Freudenstein's equation cos
-    /// φ₃/z₂ + cos φ₂/z₃ + c = cos(φ₂ − φ₃), by least squares over at least four positions, has a negative z₂, and with
-    /// every φ₂ turned by 180° z₁, z₂ and z₃ would be within the ratios of the task.
+    /// True if the output's angles are probably those of the opposite sense, from D to C. Freudenstein's equation
+    /// cos φ₃/z₂ + cos φ₂/z₃ + c = cos(φ₂ − φ₃), by least squares over at least four positions, then has a negative z₂,
+    /// and with every φ₂ turned by 180° z₁, z₂ and z₃ are within the ratios of the task.
     pub fn output_is_turned(&self) -> bool {
         if self.positions().len() < OVERDETERMINED {
             return false;

@@ -1,10 +1,10 @@
 //! Levitsky's quadratic approximation: least squares of Freudenstein's equations.
 //!
-//! Its weighted difference is q = |r|² − z₁² = (|r| − z₁)(|r| + z₁), and the residual of Freudenstein's equation cos(φ₂
-//! − φ₃) = Z + cos φ₂/z₃ + cos φ₃/z₂, Z = (z₁² − z₂² − z₃² − 1)/(2z₂z₃), is q/(2z₂z₃). So the sum of its squares is ΣwJ
-//! with the weights w = ((|r| + z₁)/(2z₂z₃))². For three positions both minima are zero, at the same linkage. For more
-//! positions the weights differ little from position to position if J is small, and the two minima differ by the order
-//! of J.
+//! Its weighted difference is q = |r|² − z₁² = (|r| − z₁)(|r| + z₁). The residual of Freudenstein's equation
+//! cos(φ₂ − φ₃) = Z + cos φ₂/z₃ + cos φ₃/z₂, Z = (z₁² − z₂² − z₃² − 1)/(2z₂z₃),
+//! is q/(2z₂z₃). So the sum of its squares is ΣwJ with the weights w = ((|r| + z₁)/(2z₂z₃))². For three positions both
+//! minima are zero, at the same linkage. For more positions the weights differ little from position to position if J is
+//! small, and the two minima differ by the order of J.
 
 use super::{Proportions, Task, linear};
 

@@ -63,8 +63,8 @@ pub struct Condition {
     pub values: [f64; 2],
     /// True if it holds as printed.
     pub holds: bool,
-    /// True if its purpose is met. (13): z₁ determines z₂ and z₃. (29), (30): the length is positive for some z₁ > 0.
-    /// Others: it is not negative for some z₁ ≥ 0.
+    /// True if its intended conclusion holds. (13): z₁ determines z₂ and z₃. (29), (30): the length is positive for
+    /// some z₁ > 0. Others: it is not negative for some z₁ ≥ 0.
     pub truth: bool,
 }
 
@@ -170,8 +170,8 @@ pub fn third_pair(angles: &Angles) -> Option<ThirdPair> {
     })
 }
 
-/// Theorems 1 to 5 at given angles, as printed; none if an angle is not finite. Their conditions: 1 – (13) and (14); 2
-/// – (24) and (25); 3 – both; 4 – both with strict signs; 5 – one of (33) to (35) and one of (36) to (38).
+/// Theorems 1 to 5 at given angles, as printed; none if an angle is not finite. Their conditions are (13) and (14) for
+/// 1, (24) and (25) for 2, both for 3, both with strict signs for 4, one of (33) to (35) and one of (36) to (38) for 5.
 pub fn theorems(angles: &Angles) -> Option<[Theorem; 5]> {
     let positive = truth(angles).as_ref().map(Truth::holds)?;
     let not_negative = non_negative(angles)?;
