@@ -102,7 +102,7 @@ impl Task {
             pair.kind == PairKind::Revolute && pair.links.contains(&host)
         });
         let hinges: Vec<usize> = hinges.map(|(at, _)| at).collect();
-        // Sometimes in an existing hinge of its host; not one on the other host, which would be a pair of both hosts.
+        // Sometimes in an existing hinge of its host, but not one shared with the other host.
         let other_host = hosts[1].to_string();
         let hinge = (self.random.below(4) == 0)
             .then(|| {

@@ -6,8 +6,8 @@
 //! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃,
 //!
 //! linear and homogeneous in the seven real numbers s, w₂, w₃, m. Five positions leave a plane
-//! λX + μY of them, and m = w₂ w̄₃ there is λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ + tY₃)̄, t = μ/λ: as λ is
-//! real, a cubic in t.
+//! λX + μY of solutions. In it m = w₂ w̄₃ becomes λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ + tY₃)̄, t = μ/λ. As λ is
+//! real, this is a cubic in t.
 
 use crate::sorting::sort_by;
 use crate::tolerance;

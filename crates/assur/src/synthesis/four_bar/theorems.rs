@@ -1,8 +1,8 @@
 //! The paper's own method, for given angles of all links: the functional (3), the system (5) of its minimum, and the
 //! conditions and theorems on positive lengths, each with the exact result.
 //!
-//! Conditions and theorems are evaluated as they are printed, lengths by the formulas that hold: [`relations`] has both
-//! versions of each formula (docs/errata.md).
+//! Conditions and theorems are evaluated as printed, lengths by the corrected formulas: [`relations`] has both versions of
+//! each formula (docs/errata.md).
 
 use crate::tolerance;
 mod conditions;
