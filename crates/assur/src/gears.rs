@@ -1,5 +1,5 @@
-//! Meshing wheels: a pair, the first (driver) turning with a given angle, a
-//! [`GearSet`] of several wheels around one driver, and epicyclic [trains](train).
+//! Meshing wheels: a pair whose driver turns by a given angle, a [`GearSet`] of several wheels around one driver, and
+//! epicyclic [trains](train).
 
 mod set;
 pub mod train;
@@ -9,15 +9,13 @@ use std::f64::consts::PI;
 use crate::{Dimension, Fault, Invalid, Jet, Vector};
 pub use set::{GearSet, Mate};
 
-/// Fewest and most teeth a wheel may have: below 3 there is no wheel, above
-/// 1000 no screen shows the teeth.
+/// Minimum and maximum number of teeth: with fewer than 3 there is no wheel, above 1000 no screen shows the teeth.
 pub const TEETH: (f64, f64) = (3.0, 1000.0);
 
-/// Height of a tooth above the pitch circle, in modules: what a wheel needs
-/// beyond it.
+/// Height of a tooth above the pitch circle, in modules.
 const ADDENDUM: f64 = 1.0;
 
-/// Least and greatest module, in the unit of the lengths.
+/// Minimum and maximum module, in the unit of the lengths.
 const MODULE: (f64, f64) = (1e-9, 1e9);
 
 /// How two wheels engage.
@@ -27,13 +25,12 @@ pub enum Mesh {
     External,
     /// The larger wheel is a ring with inner teeth: the sense is kept.
     Internal,
-    /// The mixer paper's (26), ψ₅ = +u φ₃, with outer teeth on both. A pair of
-    /// such wheels would reverse the sense; the sign is that of a train with an
-    /// idler between them, and so it is drawn.
+    /// The mixer paper's (26), ψ₅ = +u φ₃, with outer teeth on both. A real pair of such wheels reverses the sense; the
+    /// sign is that of a train with an idler between them, and so it is drawn.
     AsPrinted,
 }
 
-/// A gear pair: u = z₄/z₅ from whole teeth.
+/// A gear pair: u = z₄/z₅ from whole numbers of teeth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GearPair {
     driver: u32,
@@ -43,8 +40,7 @@ pub struct GearPair {
     centre_line: f64,
 }
 
-/// A wheel in its place: teeth, centre seen from the driver's centre, and what
-/// turns it.
+/// A mounted wheel: teeth, centre relative to the driver's centre, and angle as a function of the driver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wheel {
     /// Number of teeth.
@@ -53,24 +49,22 @@ pub struct Wheel {
     pub ring: bool,
     /// Centre, from the centre of the driving wheel.
     pub centre: Vector,
-    /// Its angle is `ratio` times the driver's plus `mounting`.
+    /// Transmission ratio: the angle is `ratio` times the driver's plus `mounting`.
     pub ratio: f64,
-    /// The angle at which it is mounted so that teeth meet gaps. A tooth (of a
-    /// ring: an inward tooth) of every wheel is centred on its zero direction.
+    /// Angle of the wheel at which teeth meet gaps. A tooth (of a ring: an inward tooth) of every wheel is centred on
+    /// its zero direction.
     pub mounting: f64,
 }
 
 impl GearPair {
-    /// A pair from numbers as a person gives them.
+    /// A pair from numbers entered by a person.
     ///
-    /// `teeth`: driver's (z₄), driven wheel's (z₅). `module` in the unit of the
-    /// lengths. `centre_line`: direction from the driver's centre to the driven
-    /// one's, radians.
+    /// `teeth`: driver's (z₄), driven wheel's (z₅). `module` in the unit of the lengths. `centre_line`: direction from
+    /// the driver's centre to the driven one's, radians.
     ///
     /// # Errors
-    /// Every reason at once, the driven wheel being wheel 0: teeth that are not whole, positive and within
-    /// [`TEETH`]; a module not positive; anything not finite; equal teeth in
-    /// internal mesh.
+    /// Every reason at once, the driven wheel being wheel 0: numbers of teeth that are not whole, positive and within
+    /// [`TEETH`]; a module that is not positive; values that are not finite; equal numbers of teeth in internal mesh.
     pub fn new(
         teeth: [f64; 2],
         mesh: Mesh,
@@ -108,7 +102,7 @@ impl GearPair {
         }
     }
 
-    /// How the wheels engage.
+    /// The kind of mesh.
     pub fn mesh(&self) -> Mesh {
         self.mesh
     }
@@ -133,8 +127,7 @@ impl GearPair {
         }
     }
 
-    /// The driven wheel's angle and derivatives from the driver's (mixer (26)
-    /// with the sign of the mesh).
+    /// The driven wheel's angle and derivatives from the driver's (mixer paper, (26), with the sign of the mesh).
     pub fn driven<const N: usize>(&self, driver: Jet<N>) -> Jet<N> {
         driver * self.ratio()
     }
@@ -155,7 +148,7 @@ impl GearPair {
         }
     }
 
-    /// The driven wheel (z₅), mounted in mesh.
+    /// The driven wheel (z₅), mounted in mesh with the driver.
     pub fn driven_wheel(&self) -> Wheel {
         match self.idler() {
             Some(idler) => self.outer(&idler, self.driven),
@@ -164,7 +157,7 @@ impl GearPair {
         }
     }
 
-    /// The idler that makes the sign as printed true; none in a real pair.
+    /// The idler that makes the printed sign true; none in a real pair.
     pub fn idler(&self) -> Option<Wheel> {
         // Any number of teeth keeps the ratio; a small wheel keeps the drawing compact.
         let teeth = (self.driver.min(self.driven) / 2).max(12);
@@ -184,7 +177,7 @@ impl GearPair {
     fn outer(&self, previous: &Wheel, teeth: u32) -> Wheel {
         let step = f64::from(previous.teeth) / f64::from(teeth);
         let distance = self.pitch_radius(previous.teeth) + self.pitch_radius(teeth);
-        // A tooth of the one meets a gap of the other where they touch.
+        // A tooth of one wheel meets a gap of the other at the pitch point.
         let mounting =
             self.centre_line * (1.0 + step) + PI - PI / f64::from(teeth) - step * previous.mounting;
         Wheel {
@@ -217,7 +210,7 @@ impl GearPair {
     }
 }
 
-/// A number of teeth, or why it is none.
+/// A valid number of teeth.
 fn count(dimension: Dimension, value: f64) -> Result<u32, Invalid> {
     Fault::check_count(value, TEETH).map_err(|fault| Invalid { dimension, fault })
 }
@@ -230,9 +223,8 @@ mod tests {
         GearPair::new([z4, z5], mesh, 0.02, line).unwrap()
     }
 
-    /// Where two wheels touch, a tooth's middle stands against a gap's: their
-    /// phases in pitches add up (outer) or differ (inner) by a half, at every
-    /// driver angle.
+    /// At the pitch point the middle of a tooth meets the middle of a gap: the phases of two wheels, in pitches, add up
+    /// (outer) or differ (inner) by a half, at every driver angle.
     #[test]
     fn teeth_meet_gaps() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {

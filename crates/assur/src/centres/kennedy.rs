@@ -1,4 +1,4 @@
-//! Kennedy's theorem: from the centres that pairs tell to the others, line by line.
+//! Kennedy's theorem: from the centres given by pairs to all others, line by line.
 
 use super::projective::{Place, at, towards};
 use super::{InstantCentre, Source};
@@ -9,13 +9,13 @@ use crate::tolerance;
 
 /// Relative error of a centre given by a pair.
 const EXACT: f64 = tolerance::EXACT;
-/// Two lines that place their crossing better than this are taken at once, in the order of the links; worse ones only
-/// when there are no others, the best first.
+/// Maximum error of an intersection that is accepted at once, in the order of the links; others are taken only if there
+/// are none of these, the best first.
 const CLEAR: f64 = tolerance::NEGLIGIBLE;
-/// Lines that place it worse than this hardly cross and are not used.
+/// Maximum error of an intersection; beyond, the lines are nearly parallel and are not used.
 const VAGUE: f64 = tolerance::DOUBLE_ROOT;
 
-/// A centre that is known, of length 1, and how far off it may be.
+/// A known centre, of length 1, with a bound on its error.
 #[derive(Clone, Copy)]
 struct Known {
     place: Place,
@@ -23,8 +23,7 @@ struct Known {
 }
 
 impl Known {
-    /// What two triples have in common: the line through two places, the place where two lines cross. None where they
-    /// are one, so far as can be told.
+    /// The line through two points, or the intersection of two lines; none if they coincide, to their errors.
     fn joined(self, other: Self) -> Option<Self> {
         let product = self.place.cross(&other.place);
         let sine = product.norm();
@@ -36,7 +35,7 @@ impl Known {
     }
 }
 
-/// Which centres are known, of all pairs of bodies.
+/// Known centres of all pairs of bodies.
 struct Table<'a> {
     mechanism: &'a Mechanism,
     known: Vec<Option<Known>>,
@@ -105,7 +104,7 @@ impl Table<'_> {
         });
     }
 
-    /// Adds what a pair tells.
+    /// Adds the centres given by a pair.
     fn join<const N: usize>(&mut self, pose: &Pose<N>, joint: &Joint) {
         let mechanism = self.mechanism;
         let hinge = |point: PointId| {
@@ -114,7 +113,7 @@ impl Table<'_> {
         };
         let mut tell = |bodies: [BodyId; 2], place: Place| {
             let place = place.normalize();
-            // Bodies that are joined twice over have what tells them first.
+            // For bodies with two joints the first one counts.
             if place.norm_squared().is_finite() && self.of(bodies).is_none() {
                 self.add(bodies, Known { place, off: EXACT }, Source::Joint);
             }
@@ -140,7 +139,7 @@ impl Table<'_> {
             } => {
                 let axes = bodies.map(|wheel| mechanism.shared_by([wheel, *carrier], None));
                 if let [Some(first), Some(second)] = axes {
-                    // Seen from the carrier their angular velocities are as z₂ to −z₁.
+                    // Relative to the carrier their angular velocities are as z₂ to −z₁.
                     let pitch = hinge(first) * teeth[1] + hinge(second) * teeth[0];
                     tell(*bodies, pitch);
                 }
@@ -148,8 +147,8 @@ impl Table<'_> {
         }
     }
 
-    /// Where two of Kennedy's lines cross for two bodies: by the first two links that give a clear crossing, or by
-    /// those that give the clearest.
+    /// Intersection of two of Kennedy's lines for two bodies: by the first two links with an accurate intersection, or
+    /// by those with the most accurate one.
     fn crossing(&self, [first, second]: [BodyId; 2]) -> Option<([BodyId; 2], Known)> {
         let lines = self.mechanism.bodies().filter_map(|by| {
             let line = self.of([first, by])?.joined(self.of([by, second])?)?;

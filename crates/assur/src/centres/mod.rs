@@ -1,14 +1,14 @@
-//! Instant centres: of any two links the place at which both have the same velocity, so that one turns about it against
-//! the other at this instant.
+//! Instant centres: the point of any two links at which both have the same velocity, so that one turns about it
+//! relative to the other at this instant.
 //!
-//! Of links that are joined the pair tells it, of all others the theorem of Aronhold (*Grundzüge der kinematischen
+//! For joined links the pair determines it, for all others the theorem of Aronhold (*Grundzüge der kinematischen
 //! Geometrie*, 1872) and Kennedy (*The Mechanics of Machinery*, 1886): the three centres of any three links are on one
-//! line. Two such lines cross in the centre that is looked for, and nothing but places is needed. Where no two known
-//! lines lead to a centre, as in many linkages with groups of Class III and higher, only velocities tell it. See Hall,
+//! line. Two such lines intersect in the wanted centre, and only positions are needed. If no two known lines lead to a
+//! centre, as in many linkages with groups of Class III and higher, it follows only from velocities. See Hall,
 //! *Kinematics and Linkage Design*, ch. 4.
 //!
-//! A centre is at (X/w, Y/w), with w = 0 for one at infinity: the differences of two links' velocities are such a triple
-//! (−y′, x′, θ′) at the origin, and that the three of three links add up to nothing is the theorem.
+//! A centre is at (X/w, Y/w), with w = 0 for one at infinity. The difference of two links' velocities is such a triple
+//! (−y′, x′, θ′) at the origin; the theorem says that the three triples of three links sum up to zero.
 
 mod kennedy;
 mod projective;
@@ -19,27 +19,28 @@ use crate::tolerance;
 use crate::{Point, Vector};
 use projective::Place;
 
-/// Where an instant centre is.
+/// Position of an instant centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Centre {
-    /// At a place of the drawing.
+    /// At a point of the drawing.
     At(Point),
-    /// At infinity, in this direction or the opposite one, of length 1: the links have one angular velocity, and slide
-    /// against each other across it.
+    /// At infinity, in this direction or the opposite one, of length 1: the links have the same angular velocity, and
+    /// slide relative to each other perpendicular to it.
     Infinity(Vector),
-    /// Anywhere: the links do not move against each other at this instant.
+    /// Anywhere: the links do not move relative to each other at this instant.
     Anywhere,
 }
 
-/// How an instant centre is found.
+/// Derivation of an instant centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// The links are joined: at their hinge, at infinity across their slide, at the pitch point of wheels in mesh.
+    /// The links are joined: at their hinge, at infinity perpendicular to their slide, at the pitch point of wheels in
+    /// mesh.
     Joint,
-    /// Where two of Kennedy's lines cross: of the links i and j, by the links k and l, the lines `P_ik P_kj` and
+    /// Intersection of two of Kennedy's lines: for the links i and j, by the links k and l, the lines `P_ik P_kj` and
     /// `P_il P_lj`.
     Kennedy([BodyId; 2]),
-    /// By the velocities of the links: no two lines lead to it, or only such that hardly cross.
+    /// By the velocities of the links: no two lines lead to it, or they are nearly parallel.
     Velocities,
 }
 
@@ -48,15 +49,15 @@ pub enum Source {
 pub struct InstantCentre {
     /// The bodies, ascending.
     pub bodies: [BodyId; 2],
-    /// Where it is.
+    /// Its position.
     pub centre: Centre,
-    /// How it is found.
+    /// Its derivation.
     pub source: Source,
 }
 
 impl Mechanism {
-    /// The instant centres of all pairs of bodies in a pose with at least one derivative, in the order in which they
-    /// are found: of those that are joined, then by Kennedy's lines, each by ones before it, then the rest.
+    /// The instant centres of all pairs of bodies in a pose with at least one derivative, in the order of derivation:
+    /// those of joined bodies, then by Kennedy's lines, each from earlier ones, then the rest.
     pub fn instant_centres<const N: usize>(&self, pose: &Pose<N>) -> Vec<InstantCentre> {
         let mut centres = self.kennedy(pose);
         let by_velocities = self.centres_by_velocities(pose).into_iter();
@@ -72,8 +73,8 @@ impl Mechanism {
         centres
     }
 
-    /// Those of them that pairs and Kennedy's theorem tell, in the order in which they are found. Only places count:
-    /// at a dead point, where there are no derivatives, it answers as well.
+    /// The instant centres given by pairs and Kennedy's theorem, in the order of derivation. Only positions are used,
+    /// so it works at a dead point, where there are no derivatives.
     pub fn kennedy<const N: usize>(&self, pose: &Pose<N>) -> Vec<InstantCentre> {
         kennedy::centres(self, pose)
     }
@@ -107,7 +108,7 @@ impl Mechanism {
         centres
     }
 
-    /// The centre at a place in the coordinates of [`Self::scaled`].
+    /// The centre at a point in the coordinates of [`Self::scaled`].
     fn centre_at(&self, place: Place) -> Centre {
         match projective::affine(place) {
             Ok(at) => Centre::At(self.unscaled(at)),

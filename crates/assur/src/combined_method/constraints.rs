@@ -128,8 +128,8 @@ fn first_order(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// (2): the terms with second derivatives on the left, the squares of the first ones taken to the right. Those of GH and CD
-/// are printed with a prime too many.
+/// (2): the terms with second derivatives on the left, the squares of the first ones on the right. GH and CD are
+/// printed with a superfluous prime.
 fn second_order(places: &Places) -> Vec<Relation> {
     let Places {
         b,
@@ -230,7 +230,7 @@ fn second_order(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// x_EB = x_E − x_B and the others, with those of LH, which the paper uses and does not list.
+/// x_EB = x_E − x_B and the other differences, with those of LH, which the paper uses but does not list.
 fn differences(places: &Places) -> Vec<Relation> {
     let all: [([&str; 2], Way); 12] = [
         (["x_EB", "y_EB"], places.eb()),
@@ -272,7 +272,7 @@ fn letters(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// (3) to (5), and the velocities of L, F and K by them.
+/// (3) to (5), and the resulting velocities of L, F and K.
 fn ratios(places: &Places) -> Vec<Relation> {
     let [f_l, f_f, f_k] = [places.f_l(), places.f_f(), places.f_k()];
     let polar = |ratio: Vector, [long, short]: [Vector; 2]| {

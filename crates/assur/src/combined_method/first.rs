@@ -1,10 +1,11 @@
-//! The chain of substitutions for the velocity analogues: coefficients c and b, Cramer's rule for G, then the other points.
+//! The chain of substitutions for the velocity analogues: coefficients c and b, Cramer's rule for G, then the other
+//! points.
 
 use super::places::{Places, product};
 use crate::tolerance;
 use crate::{Relation, Vector};
 
-/// The coefficients in a pose, by their numbers in the paper. c₁₃ does not occur, nor does a number zero.
+/// The coefficients in a pose, by their numbers in the paper. c₁₃ and the index zero are unused.
 #[derive(Clone, Debug)]
 pub(super) struct First {
     pub(super) c: [f64; 22],
@@ -13,12 +14,12 @@ pub(super) struct First {
     pub(super) delta: f64,
     /// Λ = y_LC − y_CD x_LC/x_CD.
     pub(super) lambda: f64,
-    /// Whether the determinants say anything: not where HL is as long as HG.
+    /// True if the determinants are significant: not if HL is as long as HG.
     pub(super) tells: bool,
 }
 
 impl First {
-    /// The coefficients with the misprints mended.
+    /// The coefficients with misprints corrected.
     pub(super) fn new(places: &Places) -> Self {
         let [eb, eg, gh, fk] =
             [places.eb(), places.eg(), places.gh(), places.fk()].map(|way| way[0]);
@@ -72,14 +73,14 @@ impl First {
         [b1 * b2 - b3 * b4, b5 * b2, -b3 * b5]
     }
 
-    /// The derivative of G by Cramer's rule; not a number where the determinants say nothing.
+    /// The derivative of G by Cramer's rule; NaN if the determinants are not significant.
     pub(super) fn solved(&self) -> Vector {
         let [det, x, y] = self.determinants();
         let det = if self.tells { det } else { f64::NAN };
         Vector::new(x / det, y / det)
     }
 
-    /// The derivatives of E, F, C and K that belong to one of G.
+    /// The derivatives of E, F, C and K from that of G.
     pub(super) fn others(&self, g: Vector) -> [Vector; 4] {
         let c = &self.c;
         let y_e = c[14] * g.x + c[15] * g.y - c[16];
@@ -95,7 +96,7 @@ impl First {
         ]
     }
 
-    /// (6), the coefficients c and b, Cramer's rule and what follows from it, with ψ′.
+    /// (6), the coefficients c and b, Cramer's rule and its consequences, with ψ′.
     pub(super) fn relations(&self, places: &Places) -> Vec<Relation> {
         let c = &self.c;
         let [_, b1, b2, b3, b4, b5] = self.b;
@@ -149,7 +150,7 @@ impl First {
         ]
     }
 
-    /// Each coefficient as it is printed, from the mended others.
+    /// Each coefficient as printed, from the corrected others.
     fn printed_c(&self, places: &Places) -> Vec<Relation> {
         let c = &self.c;
         let [eb, eg, lc, cd] =

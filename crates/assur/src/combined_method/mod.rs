@@ -1,9 +1,9 @@
 //! The combined method for the Class IV linkage with dwell (Sakhabutdinova): positions by iteration, analogues from the
 //! constraint equations. Its equations (1) to (6), coefficients and chain of substitutions, in numbers.
 //!
-//! The crank AB turns about A and drives, through BE, the triangles E-G-F, H-G-L about the fixed H, and C-L-K with the link
-//! FK; the output CD turns about the fixed D. The numbers of [`CombinedMethod::relations`] come from the pose; nothing is
-//! solved by the paper's chain, which divides by x_EB, x_CD, Δ, Λ and 1 − |f_L|².
+//! The crank AB turns about A and drives, through BE, the triangles E-G-F, H-G-L about the fixed H, and C-L-K with the
+//! link FK; the output CD turns about the fixed D. The values of [`CombinedMethod::relations`] come from the pose;
+//! nothing is solved by the paper's chain, which divides by x_EB, x_CD, Δ, Λ and 1 − |f_L|².
 
 mod constraints;
 mod first;
@@ -19,17 +19,17 @@ use second::Second;
 
 /// The points of the paper.
 const POINTS: [&str; 10] = ["A", "B", "C", "D", "E", "F", "G", "H", "K", "L"];
-/// The links by their points in the order of letters, in alphabetical order.
+/// The links, each named by its points in alphabetical order; sorted.
 const LINKS: [&str; 7] = ["AB", "BE", "CD", "CKL", "EFG", "FK", "GHL"];
 
-/// The linkage of the paper, whatever its lengths.
+/// The linkage of the paper, with any lengths.
 #[derive(Clone, Debug)]
 pub struct CombinedMethod {
     points: [PointId; 10],
 }
 
 impl CombinedMethod {
-    /// The paper's linkage in a mechanism; none where it has other links or another driver than the crank AB.
+    /// The paper's linkage in a mechanism; none if it has other links or a driver other than the crank AB.
     pub fn of(mechanism: &Mechanism) -> Option<Self> {
         let spec = mechanism.spec();
         let sorted = |names: &[String]| {
@@ -54,8 +54,8 @@ impl CombinedMethod {
         Some(Self { points })
     }
 
-    /// The paper's relations in a pose of that mechanism, in the order of the paper. Lengths are in the unit of the drawing,
-    /// derivatives by the crank angle. What has no value there, because it divides by zero, is left out.
+    /// The paper's relations in a pose of that mechanism, in the order of the paper. Lengths are in the unit of the
+    /// drawing, derivatives are with respect to the crank angle. Values with a zero denominator are left out.
     pub fn relations(&self, mechanism: &Mechanism, pose: &Pose<3>) -> Vec<Relation> {
         let places = Places::new(self.points.map(|point| mechanism.place(pose, point)));
         let first = First::new(&places);

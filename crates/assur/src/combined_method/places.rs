@@ -2,10 +2,10 @@
 
 use crate::{JetPoint, Vector};
 
-/// A vector with two derivatives by the crank angle.
+/// A vector with two derivatives with respect to the crank angle.
 pub(super) type Way = [Vector; 3];
 
-/// The points in a pose with both derivatives, each from A.
+/// The points in a pose with both derivatives, relative to A.
 #[derive(Clone, Debug)]
 pub(super) struct Places {
     pub(super) b: Way,
@@ -20,7 +20,7 @@ pub(super) struct Places {
 }
 
 impl Places {
-    /// Of the points A, B, C, D, E, F, G, H, K, L.
+    /// The positions from those of the points A, B, C, D, E, F, G, H, K, L.
     pub(super) fn new(points: [JetPoint<3>; 10]) -> Self {
         let of = |point: &JetPoint<3>| [0, 1, 2].map(|order| point.derivative(order));
         let [a, rest @ ..] = points;
@@ -87,22 +87,22 @@ impl Places {
         between(self.l, self.h)
     }
 
-    /// f_L of (3): HG turned and stretched into HL.
+    /// f_L of (3): the ratio HL/HG as a complex number.
     pub(super) fn f_l(&self) -> Vector {
         ratio(self.lh()[0], self.gh()[0])
     }
 
-    /// f_F of (4): GE turned and stretched into GF.
+    /// f_F of (4): the ratio GF/GE as a complex number.
     pub(super) fn f_f(&self) -> Vector {
         ratio(-self.gf()[0], self.eg()[0])
     }
 
-    /// f_K of (5): CL turned and stretched into CK.
+    /// f_K of (5): the ratio CK/CL as a complex number.
     pub(super) fn f_k(&self) -> Vector {
         ratio(self.kc()[0], self.lc()[0])
     }
 
-    /// ψ′ or ψ″, from the derivative of C of that order: the rest of the second derivative of C lies along CD.
+    /// ψ′ or ψ″, from the derivative of C of that order; the rest of the second derivative is along CD.
     pub(super) fn turned(&self, c: Vector) -> f64 {
         let cd = self.cd()[0];
         cd.perp(&c) / cd.norm_squared()
@@ -113,7 +113,7 @@ fn between(to: Way, from: Way) -> Way {
     [0, 1, 2].map(|order| to[order] - from[order])
 }
 
-/// The quotient of two vectors as complex numbers: the ratio of their lengths, and the angle from the second to the first.
+/// Quotient of two vectors as complex numbers: the ratio of their lengths, and the angle from the second to the first.
 fn ratio(one: Vector, other: Vector) -> Vector {
     Vector::new(one.dot(&other), other.perp(&one)) / other.norm_squared()
 }

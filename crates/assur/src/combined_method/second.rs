@@ -4,14 +4,14 @@ use super::first::First;
 use super::places::{Places, product};
 use crate::{Relation, Vector};
 
-/// The coefficients in a pose, by their numbers in the paper. d₁₃ does not occur, nor does a number zero.
+/// The coefficients in a pose, by their numbers in the paper. d₁₃ and the index zero are unused.
 #[derive(Clone, Debug)]
 pub(super) struct Second {
     pub(super) d: [f64; 19],
 }
 
 impl Second {
-    /// The coefficients with the misprints mended, from the first derivatives in `places`.
+    /// The coefficients with misprints corrected, from the first derivatives in `places`.
     pub(super) fn new(places: &Places, first: &First) -> Self {
         let square = |rate: Vector| rate.norm_squared();
         let [eb, eg, fk] = [places.eb(), places.eg(), places.fk()];
@@ -58,7 +58,7 @@ impl Second {
         Vector::new(x / det, y / det)
     }
 
-    /// The second derivatives of E, F, C and K that belong to one of G.
+    /// The second derivatives of E, F, C and K from that of G.
     fn others(&self, first: &First, g: Vector) -> [Vector; 4] {
         let (c, d) = (&first.c, &self.d);
         let y_e = c[14] * g.x + c[15] * g.y - d[11];
@@ -77,7 +77,7 @@ impl Second {
         ]
     }
 
-    /// The coefficients d, Cramer's rule and what follows from it, with ψ″.
+    /// The coefficients d, Cramer's rule and its consequences, with ψ″.
     pub(super) fn relations(&self, places: &Places, first: &First) -> Vec<Relation> {
         let mut all = self.printed(places, first);
         let [_, b1, b2, b3, b4, _] = first.b;
@@ -108,7 +108,7 @@ impl Second {
         all
     }
 
-    /// Each coefficient as it is printed, from the mended others. The f_Ke of d₁₄ is defined nowhere: f_Ky stands for it.
+    /// Each coefficient as printed, from the corrected others. f_Ke in d₁₄ is not defined in the paper; f_Ky is used.
     fn printed(&self, places: &Places, first: &First) -> Vec<Relation> {
         let d = &self.d;
         let c = &first.c;
@@ -191,8 +191,8 @@ impl Second {
     }
 }
 
-/// ψ′ and ψ″ by the mended chain alone, with what it divides by. Beside the value from the constraint equations stands the
-/// one by the chain; there is none where it divides by zero.
+/// ψ′ and ψ″ by the corrected chain alone, with its denominators, next to the values from the constraint equations;
+/// none if a denominator is zero.
 pub(super) fn chain(places: &Places, first: &First) -> Vec<Relation> {
     let mut chained = places.clone();
     let g = first.solved();

@@ -1,14 +1,15 @@
-//! The constraint equations with (3) to (5) put in: six linear equations for the analogues of E, G and C.
+//! The constraint equations with (3) to (5) substituted: six linear equations for the analogues of E, G and C.
 
 use super::first::First;
 use super::places::Places;
 use super::second::Second;
 use crate::{Relation, Vector};
 
-/// An equation of the system: its link, the coefficients of x_E, y_E, x_G, y_G, x_C, y_C, the right sides of both orders.
+/// An equation of the system: its link, the coefficients of x_E, y_E, x_G, y_G, x_C, y_C, the right-hand sides of both
+/// orders.
 type Row = (&'static str, [f64; 6], [f64; 2]);
 
-/// The names of a row: its coefficients, then its right sides.
+/// The names in a row: coefficients, then right-hand sides.
 const NAMES: [&str; 8] = ["x_E", "y_E", "x_G", "y_G", "x_C", "y_C", "′", "″"];
 
 /// The rows as relations, each by the id of its link.
@@ -49,7 +50,7 @@ pub(super) fn rows(places: &Places, first: &First, second: &Second) -> Vec<Relat
     named.collect()
 }
 
-/// The coefficients of x and y in the scalar product of a way with a point's analogue turned and stretched by a ratio.
+/// Coefficients of x and y in the scalar product of a vector with a point's analogue multiplied by a complex ratio.
 fn against(ratio: Vector, way: Vector) -> Vector {
     Vector::new(
         ratio.x * way.x + ratio.y * way.y,

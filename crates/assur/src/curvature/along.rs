@@ -1,9 +1,9 @@
-//! Curves that are known place by place over a motion.
+//! Curves sampled point by point over a motion.
 
 use crate::mechanism::Pose;
 use crate::motion::{Motion, PoseOrder, Sampling, Shown, Spacing};
 
-/// Where places are looked for. Over very many turns the first ones stand for all.
+/// Sampling of the input. For very many turns only the first ones are sampled.
 const PLACES: Sampling = Sampling {
     turn: 720,
     coarsest: 60,
@@ -12,9 +12,9 @@ const PLACES: Sampling = Sampling {
     shown: Shown::First,
 };
 
-/// What there is in each pose, in ascending inputs and in pieces without a break. With it comes a number whose sign is the
-/// side on which the curve is: a new piece begins where there was nothing before, and where the side is another one, as
-/// the curve has been at infinity in between.
+/// Samples of a curve in ascending inputs and in continuous pieces. `at` returns with each value a number whose sign is
+/// the side of the curve: a new piece begins after a pose without a value, and at a change of sides, because the curve
+/// has been at infinity in between.
 pub(super) fn along<const N: usize, T>(
     motion: &Motion,
     mut at: impl FnMut(f64, &Pose<N>) -> Option<(T, f64)>,
@@ -25,7 +25,7 @@ where
     let mut pieces: Vec<Vec<T>> = Vec::new();
     let mut pose = motion.mechanism().blank::<N>();
     for inputs in motion.samples(PLACES) {
-        // The side of the place before, if there was one.
+        // Side of the previous sample, if any.
         let mut side = 0.0;
         for input in inputs {
             let solved = motion.place(input, &mut pose).ok();

@@ -1,4 +1,4 @@
-//! The curves on which poles go: in the frame the fixed centrode, on the link the moving one, which rolls on it.
+//! Centrodes: the paths of the pole in the frame (fixed) and on the link (moving), which rolls on it.
 
 use super::along::along;
 use crate::index::LinkId;
@@ -6,22 +6,22 @@ use crate::mechanism::Pose;
 use crate::motion::Motion;
 use crate::{Point, Vector};
 
-/// Farther away than so many sizes of the mechanism a curve has gone to infinity.
+/// Distance beyond which a curve is at infinity, in sizes of the mechanism.
 const FARTHEST: f64 = 100.0;
 
-/// A place at which one centrode touches the other.
+/// A point of contact of the centrodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rolling {
     /// The input.
     pub input: f64,
     /// The pole, in the drawing.
     pub fixed: Point,
-    /// The same on the link, in its own coordinates, those of [`crate::mechanism::TracerSpec::at`].
+    /// The pole on the link, in its own coordinates, those of [`crate::mechanism::TracerSpec::at`].
     pub moving: Vector,
 }
 
-/// The centrodes of a link over a motion, pole by pole, in pieces without a break: between two of them the pole is at
-/// infinity, or there is no pose with a derivative. In each the link turns in one sense.
+/// The centrodes of a link over a motion, pole by pole, in continuous pieces: between two of them the pole is at
+/// infinity, or there is no pose with a derivative. In each piece the link turns in one sense.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Centrodes {
     /// The pieces, in ascending inputs.
@@ -29,8 +29,8 @@ pub struct Centrodes {
 }
 
 impl Centrodes {
-    /// Of a link that moves against the frame; of what is only shifted there are none, and of what turns about a hinge of
-    /// the frame they are that one point.
+    /// The centrodes of a link that moves relative to the frame; empty for pure translation, a single point for
+    /// rotation about a hinge of the frame.
     pub fn of(motion: &Motion, link: LinkId) -> Self {
         let at = |input, pose: &Pose<2>| rolling_at(motion, pose, link, input);
         Self {
@@ -39,12 +39,12 @@ impl Centrodes {
     }
 }
 
-/// The pole of a link in a pose, and the sense in which it turns.
+/// The pole of a link in a pose, and the sign of its angular velocity.
 fn rolling_at(motion: &Motion, pose: &Pose<2>, link: LinkId, input: f64) -> Option<(Rolling, f64)> {
     let mechanism = motion.mechanism();
     let (velocity, spin) = mechanism.twist(pose, mechanism.body_of(Some(link)));
     let pole = Vector::new(-velocity.y, velocity.x) / spin;
-    // Where it does not turn at all the quotient is none, and not near either.
+    // Without rotation the quotient is NaN or infinite, and not near either.
     let is_near = pole.norm() < FARTHEST;
     if !is_near {
         return None;

@@ -1,4 +1,4 @@
-//! The circle of curvature of a path in numbers: its radius as a value of the motion, and where its centre is.
+//! The circle of curvature of a path: its centre, and its radius as a value of the motion.
 
 use super::Curvature;
 use crate::{Jet, JetPoint, Point};
@@ -6,26 +6,26 @@ use crate::{Jet, JetPoint, Point};
 /// The circle of curvature at a point of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CircleOfCurvature {
-    /// Where the centre of curvature is.
+    /// The centre of curvature.
     pub centre: Point,
-    /// R = 1/|κ| with two derivatives by the input.
+    /// R = 1/|κ| with two derivatives with respect to the input.
     pub radius: Jet<3>,
 }
 
-/// Why there is none.
+/// Reasons why there is none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoCircle {
-    /// The point stands still, at a cusp of its path or for good.
+    /// The point is at rest, at a cusp of its path or permanently.
     Still,
     /// The path is straight, at an inflection or along a line: the centre is at infinity.
     Straight,
 }
 
 impl CircleOfCurvature {
-    /// Of the path of a point whose place has four derivatives, among places of a size.
+    /// The circle for a point with four derivatives, in a drawing of this size.
     ///
     /// # Errors
-    /// Why there is no such circle.
+    /// The reason why there is none.
     pub fn of(point: &JetPoint<5>, size: f64) -> Result<Self, NoCircle> {
         let bend = Curvature::of(point, size).ok_or(NoCircle::Still)?;
         let centre = bend.centre.ok_or(NoCircle::Straight)?;
@@ -36,13 +36,13 @@ impl CircleOfCurvature {
         let turning = (vx * ay - vy * ax) * bend.curvature.signum();
         let radius = speed * speed.square() * turning.recip();
         let circle = Self { centre, radius };
-        // Next to a straight line its derivatives may be beyond all numbers, though it is not.
+        // Next to a straight line its derivatives may overflow although it does not.
         let finite = radius.is_finite();
         finite.then_some(circle).ok_or(NoCircle::Straight)
     }
 }
 
-/// The derivative of an order of what has four, with two derivatives of its own.
+/// A derivative of a jet with four, with two derivatives of its own.
 fn derived(jet: &Jet<5>, order: usize) -> Jet<3> {
     Jet::of_derivatives(std::array::from_fn(|further| {
         jet.derivative(order + further)

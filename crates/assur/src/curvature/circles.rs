@@ -1,5 +1,5 @@
-//! What the whole plane of a link shows of curvature at an instant: pole, pole tangent, inflection circle, return circle,
-//! Ball's point.
+//! Curvature in the whole plane of a link at an instant: pole, pole tangent, inflection circle, return circle, Ball's
+//! point.
 
 use super::left;
 use crate::index::BodyId;
@@ -7,32 +7,34 @@ use crate::mechanism::{Mechanism, Pose};
 use crate::tolerance;
 use crate::{Point, Vector};
 
-/// The circles of a body that moves against the frame, at an instant at which it turns.
+/// The circles of a body that moves relative to the frame, at an instant at which it turns.
 ///
-/// With r from the pole to a point of the body, θ its angle and p the place of the pole, the velocity is θ′ i r and the
-/// acceleration (θ″ i − θ′²) r − θ′ i p′. They are in line, so that the path has no curvature, where r² = r·D with D =
-/// −i p′/θ′: on a circle through the pole that touches p′ there. Of any other point the centre of curvature is on its
-/// ray from the pole, by Euler (1765) and Savary (1845).
+/// With r from the pole to a point of the body, θ its angle and p the position of the pole, the velocity is θ′ i r and
+/// the acceleration (θ″ i − θ′²) r − θ′ i p′. They are parallel, so that the path has no curvature, if r² = r·D with
+/// D = −i p′/θ′: on a circle through the pole that is tangent to p′ there. For any other point the centre of curvature
+/// is on its ray from the pole, by Euler (1765) and Savary (1845).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circles {
     /// The instant centre of the body and the frame.
     pub pole: Point,
-    /// How the pole goes by the input along both centrodes: the pole tangent, and of no length where it stands still, as
-    /// a hinge does.
+    /// Derivative of the pole's position along both centrodes with respect to the input: the pole tangent; zero if the
+    /// pole is at rest, such as a hinge.
     pub pole_velocity: Vector,
     /// θ′.
     pub spin: f64,
-    /// From the pole to the inflection pole: the diameter of the inflection circle, on which points are whose paths have
-    /// no curvature. That of the return circle, on which centres of curvature are of points at infinity, is the opposite.
+    /// From the pole to the inflection pole: the diameter of the inflection circle, the locus of points whose paths
+    /// have no curvature. That of the return circle, the locus of centres of curvature for points at infinity, is the
+    /// opposite.
     pub diameter: Vector,
-    /// The point of the body whose path is straight to the third order, where the inflection circle meets the curve of
-    /// stationary curvature (Ball, 1871). None where the pole stands still, and where every point of the circle, or none,
-    /// is such a point.
+    /// Ball's point: the point of the body whose path is straight to the third order, the intersection of the
+    /// inflection circle and the curve of stationary curvature (Ball, 1871). None if the pole is at rest, or if every
+    /// point of the circle, or none, is such a point.
     pub ball: Option<Point>,
 }
 
 impl Circles {
-    /// Of a body in a pose with three derivatives or more. None where it does not turn: of what is shifted all points have paths of one shape.
+    /// The circles of a body in a pose with at least three derivatives. None without rotation: in a translation all
+    /// points have congruent paths.
     pub fn of<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>, body: BodyId) -> Option<Self> {
         let angle = mechanism.body_angle(pose, body);
         let [w, e, f] = [1, 2, 3].map(|order| angle.derivative(order));
@@ -74,8 +76,8 @@ impl Circles {
         (self.pole - self.diameter / 2.0, self.diameter.norm() / 2.0)
     }
 
-    /// The centre of curvature of the path of the body's point at a place, by Euler and Savary: on the ray from the pole
-    /// through it, PA²/AW beyond it, with W where the ray meets the inflection circle. None at the pole and on that
+    /// Centre of curvature for the body's point at a position, by Euler and Savary: on the ray from the pole through
+    /// it, PA²/AW beyond it, with W the intersection of the ray and the inflection circle. None at the pole and on that
     /// circle.
     pub fn centre_of_curvature(&self, of: Point) -> Option<Point> {
         let r = of - self.pole;
@@ -87,7 +89,7 @@ impl Circles {
     }
 }
 
-/// The ray from the pole on which Ball's point is, as far as the inflection circle.
+/// Ball's point: the intersection of its ray from the pole with the inflection circle.
 fn ball(pole: Point, diameter: Vector, along: Vector) -> Option<Point> {
     let share = diameter.dot(&along) / along.norm_squared();
     let ball = pole + along * share;

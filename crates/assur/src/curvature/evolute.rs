@@ -1,4 +1,4 @@
-//! The curve on which the centre of curvature of a path goes.
+//! The evolute: the path of the centre of curvature.
 
 use super::Curvature;
 use super::along::along;
@@ -7,10 +7,9 @@ use crate::index::PointId;
 use crate::mechanism::Pose;
 use crate::motion::Motion;
 
-/// The centres of curvature of a point's path over a motion, in ascending inputs and in pieces without a break: where the
-/// path has an inflection the centre is at infinity, on one side before and on the other after it, and at a cusp of the
-/// path, as where there is no pose with derivatives, there is none. A cusp of this curve is where the curvature is
-/// stationary.
+/// Centres of curvature of a point's path over a motion, in ascending inputs and in continuous pieces. At an inflection
+/// of the path the centre is at infinity and changes sides; at a cusp of the path, and without a pose with derivatives,
+/// there is none. A cusp of the evolute is a point of stationary curvature.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Evolute {
     /// The pieces.
@@ -18,7 +17,7 @@ pub struct Evolute {
 }
 
 impl Evolute {
-    /// Of a point; of one that stands still there is nothing.
+    /// The evolute for a point; empty if it is at rest.
     pub fn of(motion: &Motion, point: PointId) -> Self {
         let mechanism = motion.mechanism();
         let size = mechanism.size();

@@ -1,6 +1,6 @@
-//! How paths of points bend: the centre of curvature with its own motion, the circles of a link that tell it of all its
-//! points at once, and the curves along which poles go. All from derivatives by the input, the curvature from two of
-//! them, how it changes from three; nothing depends on how fast the input goes.
+//! Curvature of paths: the centre of curvature with its own motion, the circles of a link that give it for all its
+//! points at once, and the centrodes. All follow from derivatives with respect to the input, the curvature from two of
+//! them, its rate from three; nothing depends on the speed of the input.
 //!
 //! See Dijksman, *Motion Geometry of Mechanisms*, and Hall, *Kinematics and Linkage Design*, ch. 5.
 
@@ -18,27 +18,27 @@ pub use evolute::Evolute;
 use crate::tolerance;
 use crate::{JetPoint, Point, Vector};
 
-/// A radius above this, relative to the size that places have, is that of a straight line.
+/// Radius above which a path is straight, relative to the size of the drawing.
 const STRAIGHT: f64 = 1e9;
 
-/// How a path bends at a point of it.
+/// Curvature of a path at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curvature {
-    /// Where the point is.
+    /// Position of the point.
     pub at: Point,
-    /// The direction in which it goes, of length 1.
+    /// Direction of its motion, of length 1.
     pub tangent: Vector,
-    /// κ = 1/R, above zero where the path bends to the left; by the unit of lengths.
+    /// κ = 1/R, positive if the path bends to the left; inverse unit of the lengths.
     pub curvature: f64,
-    /// dκ/ds along the way: zero where the curvature is stationary and the circle meets the path in four points.
+    /// dκ/ds along the path: zero if the curvature is stationary and the circle meets the path in four points.
     pub rate: f64,
-    /// Where the centre of curvature is; none where the path is straight.
+    /// The centre of curvature; none if the path is straight.
     pub centre: Option<Point>,
 }
 
 impl Curvature {
-    /// The curvature of the path of a point whose place has three derivatives or more, among places of a size. None where it
-    /// stands still, at a cusp of its path or for good.
+    /// The curvature at a point with at least three derivatives, in a drawing of this size. None if it is at rest, at a
+    /// cusp of its path or permanently.
     pub fn of<const N: usize>(point: &JetPoint<N>, size: f64) -> Option<Self> {
         let [v, a, j] = [1, 2, 3].map(|order| point.derivative(order));
         let speed = v.norm();
@@ -66,18 +66,18 @@ impl Curvature {
         })
     }
 
-    /// R, above zero where the path bends to the left; none where it is straight.
+    /// R, positive if the path bends to the left; none if it is straight.
     pub fn radius(&self) -> Option<f64> {
         self.centre.map(|_| self.curvature.recip())
     }
 
-    /// dR/ds along the way; none where it is straight.
+    /// dR/ds along the path; none if it is straight.
     pub fn radius_rate(&self) -> Option<f64> {
         self.centre.map(|_| -self.rate / self.curvature.powi(2))
     }
 
-    /// How the centre goes along its own curve, the evolute, while the point goes on by one unit of length: along the
-    /// normal of the path, and not at all where the curvature is stationary. None where the path is straight.
+    /// Derivative of the centre's position along the evolute with respect to the length of the path: along the normal
+    /// of the path, zero if the curvature is stationary. None if the path is straight.
     pub fn evolute(&self) -> Option<Vector> {
         self.radius_rate().map(|rate| left(self.tangent) * rate)
     }

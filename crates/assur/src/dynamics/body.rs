@@ -1,4 +1,4 @@
-//! What turns, and what couples it.
+//! Bodies of the differential and the meshes between them.
 
 use crate::gears::train::Shaft;
 
@@ -19,15 +19,15 @@ impl Body {
     /// All of them, in the order of their numbers.
     pub const ALL: [Self; 4] = [Self::Sun, Self::Satellite, Self::Carrier, Self::Ring];
 
-    /// Where it stands in arrays of all bodies.
+    /// Its index in arrays of all bodies.
     pub fn index(self) -> usize {
         self as usize
     }
 }
 
-/// A shaft can be driven from the ground.
+/// Shafts can be driven from the ground.
 impl Shaft {
-    /// The body.
+    /// The body of the shaft.
     pub fn body(self) -> Body {
         match self {
             Self::Sun => Body::Sun,
@@ -40,9 +40,9 @@ impl Shaft {
 /// A magnetic mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mesh {
-    /// Sun and satellites, outside one another.
+    /// Sun and satellites, in external mesh.
     Sun,
-    /// Satellites and ring, which is around them.
+    /// Satellites and ring, in internal mesh.
     Ring,
 }
 

@@ -1,46 +1,47 @@
-//! Why parameters make no differential, or a start is none.
+//! Defects of parameters and starts.
 
 use super::{Body, Mesh, Parameters, Shaft};
 use super::{Drive, Load, Poles};
 use crate::Fault;
 
-/// One reason.
+/// A defect.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Defect {
-    /// A number cannot be taken.
+    /// An invalid number.
     Value {
-        /// Which.
+        /// The parameter.
         quantity: Quantity,
-        /// Why.
+        /// The fault.
         fault: Fault,
     },
-    /// Poles cannot alternate round a wheel with an odd number of plates.
+    /// Poles cannot alternate around a wheel with an odd number of plates.
     OddPlates(Body),
-    /// The satellites cannot be in the same phase when they are evenly spaced: their number does not divide the sum
-    /// of the periods of sun and ring.
+    /// Evenly spaced satellites cannot have the same phase: their number does not divide the sum of the periods of sun
+    /// and ring.
     Assembly {
         /// k.
         satellites: u32,
         /// p₁ + p₄.
         periods: u32,
     },
-    /// The shaft is tied to itself or to one that is tied.
+    /// The shaft is tied to itself or to a tied one.
     Tie {
         /// The shaft.
         shaft: Shaft,
-        /// To which it is tied.
+        /// The shaft it is tied to.
         to: Shaft,
     },
-    /// The inertia of this body is too small for the torques on it: it would swing or stop more quickly than can be followed.
+    /// The inertia of this body is too small for the torques on it: it would oscillate or stop too fast to be
+    /// integrated.
     TooStiff(Body),
 }
 
-/// A number among the parameters.
+/// A numeric parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
-    /// How many plates a wheel has.
+    /// Number of plates of a wheel.
     Plates(Body),
-    /// How many satellites there are.
+    /// Number of satellites.
     Satellites,
     /// Moment of inertia.
     Inertia(Body),
@@ -54,19 +55,19 @@ pub enum Quantity {
     Constant(Body),
     /// The friction of a load.
     Friction(Body),
-    /// The speed about which friction changes its sense.
+    /// Speed at which the friction changes its sign.
     Creep(Body),
-    /// The part of a load that goes with the square of the speed.
+    /// The part of a load that is proportional to the square of the speed.
     Fan(Body),
-    /// The greatest torque of a mesh.
+    /// Maximum torque of a mesh.
     Peak(Mesh),
     /// Damping of a mesh.
     MeshDamping(Mesh),
-    /// The torque of a drive, at some time.
+    /// Torque of a drive, at any time.
     DriveTorque(Shaft),
-    /// The speed that a drive gives, at some time.
+    /// Speed given by a drive, at any time.
     DriveSpeed(Shaft),
-    /// How many times the speed of another shaft.
+    /// Ratio to the speed of another shaft.
     Ratio(Shaft),
     /// Angle at the start.
     StartAngle(Body),
@@ -74,27 +75,27 @@ pub enum Quantity {
     StartSpeed(Body),
 }
 
-/// Numbers of plates.
+/// Range of numbers of plates.
 const PLATES: (f64, f64) = (1.0, 1000.0);
-/// Numbers of satellites.
+/// Range of numbers of satellites.
 const SATELLITES: (f64, f64) = (1.0, 12.0);
-/// What must be positive, in its unit.
+/// Range of positive quantities, in their units.
 const POSITIVE: (f64, f64) = (1e-12, 1e9);
-/// Sizes of what may be zero, in their units.
+/// Maximum absolute value of quantities that may be zero, in their units.
 const MOST: f64 = 1e9;
-/// The greatest speed, rad/s.
+/// Maximum speed, rad/s.
 pub(super) const SPEED: f64 = 1e5;
-/// Ratios of tied shafts.
+/// Maximum ratio of tied shafts.
 const RATIO: f64 = 1e3;
-/// Angles at the start, radians.
+/// Maximum angle at the start, radians.
 const ANGLE: f64 = 1e6;
 
-/// Everything that is wrong.
+/// All defects.
 #[derive(Debug, Default)]
 pub(super) struct Defects(pub(super) Vec<Defect>);
 
 impl Defects {
-    /// Everything that is wrong with single parameters, and with plates and ties among each other.
+    /// All defects of single parameters, and of combinations of plates and ties.
     pub(super) fn of(parameters: &Parameters) -> Self {
         let mut defects = Self::default();
         defects.plates(parameters);
@@ -173,7 +174,7 @@ impl Defects {
         }
     }
 
-    /// A start's angle and speed of a body.
+    /// Checks angle and speed of a body at the start.
     pub(super) fn start(&mut self, body: Body, angle: f64, speed: f64) {
         self.size(Quantity::StartAngle(body), angle, ANGLE);
         self.size(Quantity::StartSpeed(body), speed, SPEED);

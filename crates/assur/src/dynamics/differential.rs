@@ -1,4 +1,4 @@
-//! A differential that is sound: parameters as its equations of motion need them.
+//! A valid differential, with the coefficients of its equations of motion.
 
 use super::defect::Defects;
 use super::equations::{Equations, Following};
@@ -12,10 +12,10 @@ pub struct Differential {
 }
 
 impl Differential {
-    /// A differential of its parameters.
+    /// The differential with these parameters.
     ///
     /// # Errors
-    /// Every reason at once.
+    /// Every defect.
     pub fn new(parameters: &Parameters) -> Result<Self, Vec<Defect>> {
         let defects = Defects::of(parameters).0;
         if !defects.is_empty() {
@@ -31,12 +31,12 @@ impl Differential {
         })
     }
 
-    /// What it was made of.
+    /// Its parameters.
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }
 
-    /// p: periods of the field per turn of a wheel; none of the carrier, which has no plates.
+    /// p: periods of the field per turn of a wheel; none for the carrier, which has no plates.
     pub fn periods(&self, wheel: Body) -> Option<u32> {
         let plates = &self.parameters.plates;
         let count = match wheel {
@@ -48,18 +48,18 @@ impl Differential {
         Some(plates.periods(count))
     }
 
-    /// The greatest torque of the field on the central wheel of a mesh, N·m: of all satellites together.
+    /// Maximum torque of the field on the central wheel of a mesh, N·m: of all satellites together.
     pub fn peak(&self, mesh: Mesh) -> f64 {
         let field = self.equations.mesh(mesh);
         field.energy * field.wheel_periods
     }
 
-    /// The greatest torque that can be put on a body slowly, N·m, when the other two of sun, carrier and ring are
-    /// held and nothing else is loaded: what pull-out by the equations of motion can be compared with. On the
-    /// satellites: all together, with sun, carrier and ring held.
+    /// Maximum torque that can be slowly applied to a body, N·m, with the other two of sun, carrier and ring held and
+    /// no other load; pull-out by the equations of motion can be compared with it. For the satellites: all together,
+    /// with sun, carrier and ring held.
     ///
-    /// Where the satellites bear no load, both meshes have the same torque relative to the periods of a wheel, E sin δ, and the
-    /// weaker mesh sets the limit; the torques on sun, ring and carrier are as p₁ : p₄ : −(p₁ + p₄).
+    /// If the satellites bear no load, both meshes have the same torque relative to the periods of a wheel, E sin δ,
+    /// and the weaker mesh sets the limit; the torques on sun, ring and carrier are in the ratio p₁ : p₄ : −(p₁ + p₄).
     pub fn static_limit(&self, body: Body) -> f64 {
         let [sun, ring] = Mesh::ALL.map(|mesh| self.equations.mesh(mesh));
         let [p1, p4] = [sun.wheel_periods, ring.wheel_periods];
@@ -75,14 +75,14 @@ impl Differential {
         }
     }
 
-    /// Rate of small swings of a mesh's phase by itself, rad/s: the root of E Σ nᵢ²/Jᵢ over the bodies that are
-    /// free to move.
+    /// Natural frequency of a mesh's phase by itself, rad/s: the root of E Σ nᵢ²/Jᵢ over the bodies that are free to
+    /// move.
     pub fn swing_rate(&self, mesh: Mesh) -> f64 {
         self.equations.stiffness(mesh).sqrt()
     }
 
-    /// The speeds of all bodies, in the order of [`Body::ALL`], at which no mesh slips, when sun and ring have
-    /// these speeds (Willis), rad/s.
+    /// Speeds of all bodies, in the order of [`Body::ALL`], at which no mesh slips, for these speeds of sun and ring
+    /// (Willis), rad/s.
     pub fn synchronous(&self, sun: f64, ring: f64) -> [f64; 4] {
         let equations = &self.equations;
         let [p1, p4] = Mesh::ALL.map(|mesh| equations.mesh(mesh).wheel_periods);
@@ -93,7 +93,7 @@ impl Differential {
     }
 }
 
-/// What each body follows, in the order of [`Body::ALL`].
+/// Motion law of each body, in the order of [`Body::ALL`].
 pub(super) fn following(parameters: &Parameters) -> [Following; 4] {
     let of = |shaft: Shaft| match &parameters.shaft(shaft).drive {
         Drive::Torque(profile) => Following::Torques(Some(profile.clone())),

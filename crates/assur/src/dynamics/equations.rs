@@ -1,39 +1,39 @@
-//! The equations of motion: torques, accelerations, powers, and how quick they are.
+//! The equations of motion: torques, accelerations and powers.
 //!
-//! All arrays of bodies are in the order of [`Body::ALL`]; what is said of the satellites is of all k together.
+//! All arrays of bodies are in the order of [`Body::ALL`]; values for the satellites are for all k together.
 
 use super::differential::following;
 use super::gauss::{Moment, N};
 use super::{Load, Mesh, Parameters, Profile};
 use crate::angle::{Angle, combination};
 
-/// Numbers of the equations.
+/// Coefficients of the equations.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Equations {
     pub(super) meshes: [Field; 2],
     inertia: [f64; N],
-    /// With the inertia of what is tied to the body.
+    /// Inertia including that of tied bodies.
     pub(super) carried: [f64; N],
-    /// Damping of the bearings; of the satellites relative to the carrier.
+    /// Damping of the bearings; for the satellites relative to the carrier.
     pub(super) damping: [f64; N],
     pub(super) load: [Load; N],
-    /// How many bodies of the kind there are: each bears its load.
+    /// Number of bodies of the kind, each with its load.
     pub(super) count: [f64; N],
     pub(super) following: [Following; N],
 }
 
-/// What the motion of a body follows.
+/// Motion law of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Following {
-    /// The torques on it, among them that of a drive.
+    /// Torques on it, including that of a drive, if any.
     Torques(Option<Profile>),
     /// A given speed.
     Speed(Profile),
     /// Another body.
     Body {
-        /// Which.
+        /// The other body.
         to: usize,
-        /// Its speed relative to that one's.
+        /// Its speed relative to that of the other body.
         ratio: f64,
     },
 }
@@ -41,22 +41,22 @@ pub(super) enum Following {
 /// The field in a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Field {
-    /// δ = Σ nᵢφᵢ.
+    /// nᵢ of the phase δ = Σ nᵢφᵢ.
     turns: [i64; N],
-    /// The same as numbers.
+    /// nᵢ as floating-point numbers.
     pub(super) factors: [f64; N],
     /// Periods of the central wheel.
     pub(super) wheel_periods: f64,
-    /// kE: half of what it takes to lift it over a period, J.
+    /// kE: half the potential barrier between periods, J.
     pub(super) energy: f64,
-    /// Torque by δ per rate of δ.
+    /// Generalized torque along δ per rate of δ.
     pub(super) damping: f64,
 }
 
-/// What does not depend on the state during a step: drives.
+/// Values of the drives during a step, independent of the state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Driving {
-    /// Torques at the start of the step and how fast they grow.
+    /// Torques at the start of the step and their rates.
     torque: [(f64, f64); N],
     /// Accelerations of given speeds.
     slope: [f64; N],
@@ -82,17 +82,17 @@ impl Field {
         n[0] * of[0] + n[1] * of[1] + n[2] * of[2] + n[3] * of[3]
     }
 
-    /// The phase by all angles: whole periods, and the rest.
+    /// Phase from all angles: whole periods, and the remainder.
     pub(super) fn folded(&self, angles: &[Angle; N]) -> (i64, f64) {
         combination(self.turns, angles)
     }
 
-    /// −∂U/∂δ, which times nᵢ is the torque on a body, and what damping adds.
+    /// −∂U/∂δ, which times nᵢ is the torque on a body, and the contribution of damping.
     pub(super) fn forces(&self, phase: f64, rate: f64) -> (f64, f64) {
         (-self.energy * phase.sin(), -self.damping * rate)
     }
 
-    /// U: zero where there is no load.
+    /// U: zero without a load.
     pub(super) fn potential(&self, phase: f64) -> f64 {
         let half = (0.5 * phase).sin();
         2.0 * self.energy * half * half
@@ -100,7 +100,7 @@ impl Field {
 }
 
 impl Equations {
-    /// The equations of sound parameters.
+    /// The equations for valid parameters.
     pub(super) fn new(parameters: &Parameters) -> Self {
         let (plates, satellites) = (&parameters.plates, &parameters.satellites);
         let [p1, p2, p4] = [plates.sun, plates.satellite, plates.ring]
@@ -154,13 +154,13 @@ impl Equations {
         &self.meshes[mesh as usize]
     }
 
-    /// Whether a drive acts on the body.
+    /// True if a drive acts on the body.
     pub(super) fn has_drive(&self, body: usize) -> bool {
         use Following::{Speed, Torques};
         matches!(self.following[body], Torques(Some(_)) | Speed(_))
     }
 
-    /// The first knot of any drive within a span of time.
+    /// The first knot of any drive inside an interval of time.
     pub(super) fn knot_within(&self, start: f64, end: f64) -> Option<f64> {
         let knots = self.following.iter().filter_map(|follows| match follows {
             Following::Torques(Some(profile)) | Following::Speed(profile) => {
@@ -192,7 +192,7 @@ impl Equations {
         driving
     }
 
-    /// Torques on the bodies, those of given speeds and ties left out.
+    /// Torques on the bodies, without those of given speeds and ties.
     fn torques(&self, driving: &Driving, moment: &Moment) -> [f64; N] {
         let v = &moment.rates;
         let mut torques: [f64; N] = std::array::from_fn(|body| {
@@ -240,7 +240,7 @@ impl Equations {
         found
     }
 
-    /// Gives bodies that are tied to others what follows from these.
+    /// Sets the values of tied bodies from those they are tied to.
     pub(super) fn tie(&self, values: &mut [f64; N]) {
         for (body, follows) in self.following.iter().enumerate() {
             if let Following::Body { to, ratio } = follows {
@@ -249,7 +249,7 @@ impl Equations {
         }
     }
 
-    /// The torques of the drives: what is left of the equation of a body that follows a speed.
+    /// Torques of the drives: the residual of the equation for a body with a given speed.
     pub(super) fn drive_torques(
         &self,
         driving: &Driving,
@@ -286,7 +286,7 @@ impl Equations {
         let v = &moment.rates;
         let torques = self.drive_torques(driving, moment, accelerations);
         let loads = v.iter().enumerate();
-        // A torque that is given by time is a load.
+        // A torque given over time counts as a load.
         let (mut driven, mut pulled) = (0.0, 0.0);
         for (body, (torque, speed)) in torques.iter().zip(v).enumerate() {
             match self.following[body] {

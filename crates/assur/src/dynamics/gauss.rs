@@ -1,24 +1,24 @@
-//! Gauss's collocation with three stages, for φ̈ = f(t, φ, φ̇).
+//! Gauss collocation with three stages, for φ̈ = f(t, φ, φ̇).
 //!
-//! It is of order 6 and symplectic: without damping the energy swings within bounds and does not drift (Hairer,
+//! It is of order 6 and symplectic: without damping the energy oscillates within bounds and does not drift (Hairer,
 //! Lubich, Wanner: *Geometric Numerical Integration*, theorems II.1.5 and IV.2.2 for the order and for quadratic
-//! invariants, VI.4.2 for the map). It is A-stable, and every stage lies ahead: compositions of explicit maps of an
-//! order above 2 step backwards on their way, which damping does not forgive. Its stages are found by fixed-point
-//! iteration, which contracts by about (hΩ)²/12 where Ω is the rate of the quickest swing.
+//! invariants, VI.4.2 for the map). It is A-stable, and all its stages are inside the step: compositions of explicit
+//! maps of an order above 2 also step backwards, which is unstable with damping. Its stages are found by fixed-point
+//! iteration, which contracts by about (hΩ)²/12, where Ω is the greatest natural frequency.
 
-/// Coordinates: one for each body.
+/// Number of coordinates, one for each body.
 pub(super) const N: usize = 4;
 
 /// √15.
 const ROOT: f64 = 3.872_983_346_207_417;
 
-/// Where the stages lie in the step.
+/// Nodes of the stages in the step.
 const C: [f64; 3] = [0.5 - ROOT / 10.0, 0.5, 0.5 + ROOT / 10.0];
 
 /// The weights of the stages.
 const B: [f64; 3] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
 
-/// The weights of the stages in a stage.
+/// Coefficients of the stages.
 const A: [[f64; 3]; 3] = [
     [
         5.0 / 36.0,
@@ -37,7 +37,7 @@ const A: [[f64; 3]; 3] = [
     ],
 ];
 
-/// A², by which accelerations act on the coordinates.
+/// A², which takes accelerations to coordinates.
 const A2: [[f64; 3]; 3] = squared();
 
 const fn squared() -> [[f64; 3]; 3] {
@@ -51,13 +51,13 @@ const fn squared() -> [[f64; 3]; 3] {
     product
 }
 
-/// Iterations after which it is said not to converge: it takes about 5.
+/// Maximum number of iterations; about 5 are usual.
 const ITERATIONS: usize = 40;
 
-/// A change of the accelerations that is their rounding, relative to them.
+/// Relative rounding of the accelerations.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// A change that may be rounding where it does not get smaller any more.
+/// Change below which the iteration may end without further decrease.
 const FLOOR: f64 = 1e-11;
 
 /// A moment within a step.
@@ -65,24 +65,24 @@ const FLOOR: f64 = 1e-11;
 pub(super) struct Moment {
     /// Time since the start of the step.
     pub(super) time: f64,
-    /// By how much the coordinates have changed since the start of the step.
+    /// Change of the coordinates since the start of the step.
     pub(super) moved: [f64; N],
     /// Their rates.
     pub(super) rates: [f64; N],
 }
 
-/// What a step came to.
+/// Result of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
-    /// By how much the coordinates change.
+    /// Change of the coordinates.
     pub(super) moved: [f64; N],
-    /// By how much the rates change.
+    /// Change of the rates.
     pub(super) gained: [f64; N],
-    /// The stages with their accelerations and weights: what else is to be integrated is summed over them.
+    /// The stages with their accelerations and weights, for quadrature of other quantities.
     pub(super) stages: [(Moment, [f64; N], f64); 3],
 }
 
-/// Accelerations at the stages of the step before, from which those of the next are guessed.
+/// Accelerations at the stages of the previous step, from which those of the next are extrapolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Past {
     length: f64,
@@ -90,15 +90,15 @@ pub(super) struct Past {
 }
 
 impl Past {
-    /// Nothing is known: no acceleration.
+    /// No previous step: zero accelerations.
     pub(super) const NONE: Self = Self {
         length: 1.0,
         accelerations: [[0.0; N]; 3],
     };
 
-    /// The parabola through the stages, continued.
+    /// Extrapolation of the parabola through the stages.
     fn guess(&self, length: f64) -> [[f64; N]; 3] {
-        // After a much shorter step the parabola does not reach as far.
+        // A parabola from a much shorter step is extrapolated less far.
         let reach = (length / self.length).min(2.0);
         C.map(|c| {
             let at = 1.0 + c * reach;
@@ -117,7 +117,7 @@ impl Past {
     }
 }
 
-/// One step; none where the iteration does not converge, and the step is too long.
+/// One step; none if the iteration does not converge, because the step is too long.
 pub(super) fn step(
     past: &mut Past,
     length: f64,
@@ -184,7 +184,7 @@ fn whole(length: f64, rates: &[f64; N], moments: [Moment; 3], known: &[[f64; N];
 mod tests {
     use super::*;
 
-    /// Four equations at once: a pendulum, a damped swing, a fan running down, a force that grows with time.
+    /// Four equations at once: a pendulum, a damped oscillator, a fan running down, a force that grows with time.
     fn accelerations(start: f64, q: &[f64; N], moment: &Moment) -> [f64; N] {
         let at = |n: usize| q[n] + moment.moved[n];
         let v = moment.rates;
@@ -258,7 +258,7 @@ mod tests {
             let half = usize::from(at >= 100_000);
             worst[half] = worst[half].max((energy(&q, &v) - start).abs());
         }
-        // It swings within the same bounds in the second half.
+        // The energy oscillates within the same bounds in the second half.
         assert!(worst[0] < 1e-7 && worst[1] < 1.05 * worst[0], "{worst:?}");
     }
 

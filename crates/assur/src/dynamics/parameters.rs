@@ -1,8 +1,8 @@
-//! What a differential is given by. Units: kg, m, N·m, radians, seconds.
+//! Parameters of a differential. Units: kg, m, N·m, radians, seconds.
 
 use super::{Profile, Shaft};
 
-/// Everything that its motion depends on, as a person gives it; anything may be wrong with it.
+/// All parameters of its motion, as entered by a person and not yet checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
     /// Magnet plates of the wheels.
@@ -24,22 +24,22 @@ pub struct Parameters {
 /// Numbers of magnet plates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Plates {
-    /// Of the sun, z₁.
+    /// z₁, the sun.
     pub sun: u32,
-    /// Of a satellite, z₂.
+    /// z₂, a satellite.
     pub satellite: u32,
-    /// Of the ring, z₄.
+    /// z₄, the ring.
     pub ring: u32,
-    /// How they are magnetised.
+    /// Their magnetization.
     pub poles: Poles,
 }
 
-/// Which poles of its plates a wheel shows.
+/// Outward poles of the plates of a wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Poles {
-    /// The same of all plates, as in the paper: a period of the field for each plate.
+    /// All alike, as in the paper: one period of the field per plate.
     Alike,
-    /// North and south in turn: a period for two plates.
+    /// North and south in turn: one period per two plates.
     Alternating,
 }
 
@@ -50,70 +50,70 @@ pub struct Satellites {
     pub count: u32,
     /// Moment of inertia of one about its own axis, kg·m².
     pub inertia: f64,
-    /// Mass of one, kg: it goes round with the carrier.
+    /// Mass of one, kg; it moves with the carrier.
     pub mass: f64,
     /// Radius of the circle of their centres, m.
     pub orbit: f64,
     /// Viscous damping of one in its bearing on the carrier, N·m·s.
     pub damping: f64,
-    /// What one drives.
+    /// Load on one.
     pub load: Load,
 }
 
-/// A shaft with what is on it.
+/// A shaft with its inertia, load and drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Driven {
     /// Moment of inertia, kg·m².
     pub inertia: f64,
     /// Viscous damping in its bearing, N·m·s.
     pub damping: f64,
-    /// What it drives.
+    /// Its load.
     pub load: Load,
-    /// What drives it.
+    /// Its drive.
     pub drive: Drive,
 }
 
-/// What drives a shaft from the ground.
+/// Drive of a shaft from the ground.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drive {
-    /// A torque over time, N·m, a load in the account of energies; zero leaves it free.
+    /// A torque over time, N·m, which counts as a load in the energy balance; zero leaves the shaft free.
     Torque(Profile),
-    /// A speed over time, rad/s; zero holds it.
+    /// A speed over time, rad/s; zero holds the shaft.
     Speed(Profile),
-    /// It turns at so many times the speed of another shaft, which is not tied itself.
+    /// A fixed ratio to the speed of another shaft, which is not tied itself.
     Tied {
-        /// The other one.
+        /// The other shaft.
         to: Shaft,
-        /// Its speed relative to that of the other one.
+        /// Its speed relative to that of the other shaft.
         ratio: f64,
     },
 }
 
-/// The torque of a working member against its body: a sum of parts, each zero where there is no such part.
+/// Torque of a working member against its body: a sum of parts, zero by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Load {
-    /// Always in the negative sense, as of a weight on a rope, N·m; either sign.
+    /// Constant, in the negative sense, as from a weight on a rope, N·m; either sign.
     pub constant: f64,
-    /// Against the motion at any speed, as of a brush or a scraper, N·m.
+    /// Against the motion at any speed, as from a brush or a scraper, N·m.
     pub friction: f64,
-    /// The speed about which friction changes its sense, as tanh(ω/creep), rad/s: what is at rest under friction
-    /// creeps. Of use where there is friction.
+    /// Speed at which friction changes its sign, as tanh(ω/creep), rad/s: a body held by friction creeps. Used only
+    /// with friction.
     pub creep: f64,
-    /// Against the motion, with the square of its speed, as of a fan or a stirrer, N·m·s².
+    /// Against the motion, proportional to the square of the speed, as from a fan or a stirrer, N·m·s².
     pub fan: f64,
 }
 
 /// A magnetic mesh of one satellite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coupling {
-    /// T: the greatest torque on the central wheel, N·m.
+    /// T: maximum torque on the central wheel, N·m.
     pub peak: f64,
-    /// Damping by eddy currents: torque on the central wheel relative to its slip speed, N·m·s.
+    /// Damping by eddy currents: torque on the central wheel per slip speed, N·m·s.
     pub damping: f64,
 }
 
 impl Parameters {
-    /// A shaft with what is on it.
+    /// A shaft with its inertia, load and drive.
     pub fn shaft(&self, shaft: Shaft) -> &Driven {
         match shaft {
             Shaft::Sun => &self.sun,
@@ -122,7 +122,7 @@ impl Parameters {
         }
     }
 
-    /// The same, to be changed.
+    /// The same for changes.
     pub fn shaft_mut(&mut self, shaft: Shaft) -> &mut Driven {
         match shaft {
             Shaft::Sun => &mut self.sun,
@@ -133,19 +133,19 @@ impl Parameters {
 }
 
 impl Drive {
-    /// Nothing drives it.
+    /// No drive.
     pub fn free() -> Self {
         Self::Torque(Profile::zero())
     }
 
-    /// It is held.
+    /// Held at rest.
     pub fn held() -> Self {
         Self::Speed(Profile::zero())
     }
 }
 
 impl Load {
-    /// The torque on the body at a speed, N·m.
+    /// Torque on the body at a speed, N·m.
     pub fn torque(&self, speed: f64) -> f64 {
         let friction = if self.friction > 0.0 {
             self.friction * (speed / self.creep).tanh()
@@ -155,7 +155,7 @@ impl Load {
         -(self.constant + friction + self.fan * speed * speed.abs())
     }
 
-    /// How fast the torque against the body grows with its speed at most, about this speed, N·m·s.
+    /// Maximum derivative of the torque against the body with respect to its speed, near this speed, N·m·s.
     pub(super) fn growth(&self, speed: f64) -> f64 {
         let friction = if self.friction > 0.0 {
             self.friction / self.creep
@@ -167,7 +167,7 @@ impl Load {
 }
 
 impl Plates {
-    /// Periods of the field per turn of a wheel of so many plates.
+    /// Periods of the field per turn of a wheel with this number of plates.
     pub(super) fn periods(&self, plates: u32) -> u32 {
         match self.poles {
             Poles::Alike => plates,

@@ -2,47 +2,47 @@
 
 use crate::Fault;
 
-/// Times beyond this are out of any range, seconds.
+/// Maximum time, seconds.
 const TIME: f64 = 1e9;
 
 /// A piecewise linear function of time, constant before its first knot and after its last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
-    /// Time and value, at least one, times strictly increasing.
+    /// Times and values; at least one knot, times strictly increasing.
     knots: Vec<(f64, f64)>,
 }
 
-/// Why knots make no profile.
+/// Reasons why knots make no profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ProfileFault {
     /// There is no knot.
     Empty,
-    /// The time of this knot, from 0, cannot be taken.
+    /// The time of this knot, from 0, is invalid.
     Time(usize, Fault),
-    /// The value at this knot, from 0, is no finite number.
+    /// The value at this knot, from 0, is not finite.
     Value(usize),
     /// This knot, from 0, is no later than the one before it.
     Order(usize),
 }
 
 impl Profile {
-    /// A value that stays.
+    /// A constant.
     ///
     /// # Errors
-    /// Where it is no finite number.
+    /// It is not finite.
     pub fn constant(value: f64) -> Result<Self, Vec<ProfileFault>> {
         Self::new(vec![(0.0, value)])
     }
 
-    /// From one value to another, evenly from the first time to the second; seconds.
+    /// A linear change from one value to another between two times; seconds.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// Those of [`Self::new`].
     pub fn ramp(from: f64, to: f64, start: f64, end: f64) -> Result<Self, Vec<ProfileFault>> {
         Self::new(vec![(start, from), (end, to)])
     }
 
-    /// Of times (seconds) and values.
+    /// The profile with knots at these times (seconds) and values.
     ///
     /// # Errors
     /// Every reason at once.
@@ -82,7 +82,7 @@ impl Profile {
         }
     }
 
-    /// Times and values.
+    /// Times and values of the knots.
     pub fn knots(&self) -> &[(f64, f64)] {
         &self.knots
     }
@@ -101,13 +101,13 @@ impl Profile {
         }
     }
 
-    /// The first knot within a span of time, its ends left out.
+    /// The first knot inside an open interval of time.
     pub(super) fn knot_within(&self, start: f64, end: f64) -> Option<f64> {
         let mut times = self.knots.iter().map(|(time, _)| *time);
         times.find(|time| *time > start).filter(|time| *time < end)
     }
 
-    /// The greatest size of its values.
+    /// The greatest absolute value.
     pub(super) fn greatest(&self) -> f64 {
         let sizes = self.knots.iter().map(|(_, value)| value.abs());
         sizes.fold(0.0, f64::max)

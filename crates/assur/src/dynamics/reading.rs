@@ -1,4 +1,4 @@
-//! What is read of a run at its time.
+//! Readings of a run at its current time.
 
 use std::f64::consts::TAU;
 
@@ -9,10 +9,10 @@ use crate::Angle;
 use crate::gears::train::Turned;
 use crate::relation::Relation;
 
-/// Number of its own swings without a slip after which a mesh counts as synchronous.
+/// Number of natural periods without a slip after which a mesh counts as synchronous.
 const SWINGS: f64 = 3.0;
 
-/// Everything at one time.
+/// All readings at one time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     /// Seconds since the start.
@@ -21,11 +21,11 @@ pub struct Reading {
     pub bodies: [BodyReading; 4],
     /// The meshes, in the order of [`Mesh::ALL`].
     pub meshes: [MeshReading; 2],
-    /// The account of energies.
+    /// The energy balance.
     pub energy: Energy,
 }
 
-/// A body. What is said of the satellites' torques and powers is of all together.
+/// Readings of a body. Torques and powers of the satellites are of all together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyReading {
     /// Angle in the ground's frame.
@@ -34,60 +34,61 @@ pub struct BodyReading {
     pub speed: f64,
     /// Acceleration, rad/s².
     pub acceleration: f64,
-    /// Torque of its drive on it, N·m; none where it has no drive of its own: it is tied, or it is the satellites.
+    /// Torque of its drive on it, N·m; none if it has no drive of its own: for a tied body and the satellites.
     pub drive_torque: Option<f64>,
     /// Torque of its load on it, N·m.
     pub load_torque: f64,
 }
 
-/// A mesh, of all satellites together. Senses are those of the central wheel, the sun or the ring.
+/// Readings of a mesh, for all satellites together. Positive senses are those of the central wheel, the sun or the
+/// ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshReading {
-    /// Δ: by what angle the wheel is ahead of where it is without a load, within half a period, radians.
+    /// Δ: angle of the wheel ahead of its unloaded position, within half a period, radians.
     pub load_angle: f64,
-    /// The same within a period of the field: pΔ, from −π to π.
+    /// The load angle relative to a period of the field: pΔ, from −π to π.
     pub phase: f64,
     /// Torque of the field on the wheel, N·m: −T sin(pΔ) of each satellite.
     pub torque: f64,
-    /// Speed at which the wheel slips, rad/s: swings are in it.
+    /// Slip speed of the wheel, rad/s, including oscillations.
     pub slip_speed: f64,
-    /// How fast that grows, rad/s².
+    /// Derivative of the slip speed, rad/s².
     pub slip_acceleration: f64,
-    /// By how many periods of the field the wheel has slipped forward, less those backward.
+    /// Net number of periods of the field by which the wheel has slipped forward.
     pub slipped: i64,
-    /// By what angle the wheel is ahead with all by which it has slipped, radians.
+    /// Angle of the wheel ahead, including slipped periods, radians.
     pub advance: f64,
-    /// Whether it runs synchronously: it has not slipped for three of its own swings. For reading only.
+    /// True if it has not slipped for three of its natural periods. For display only.
     pub synchronous: bool,
 }
 
-/// Energies and works, J; works since the account was opened, at the start or at a change of the differential.
+/// Energies and works, J; works since the balance was opened, at the start or at a change of the differential.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy {
-    /// Of motion.
+    /// Kinetic energy.
     pub kinetic: f64,
-    /// Of the fields: zero without a load.
+    /// Potential energy of the fields: zero without a load.
     pub potential: f64,
-    /// Work of the drives that give a speed.
+    /// Work of the drives with given speeds.
     pub driven: f64,
-    /// Lost in bearings and to eddy currents.
+    /// Losses in bearings and by eddy currents.
     pub dissipated: f64,
-    /// Work taken by loads: working members, and torques that are given by time.
+    /// Work taken by loads: working members, and torques given over time.
     pub delivered: f64,
-    /// Kinetic and potential energy when the account was opened.
+    /// Kinetic and potential energy when the balance was opened.
     pub opening: f64,
 }
 
 impl Energy {
-    /// What the account lacks: zero but for errors of the integration.
+    /// Error of the balance: zero except for errors of the integration.
     pub fn imbalance(&self) -> f64 {
         let stored = self.kinetic + self.potential - self.opening;
         stored + self.dissipated + self.delivered - self.driven
     }
 
-    /// What the source paper claims of energies, in numbers, J: the works A_d of the drives, A_u taken by loads, A_h turned
-    /// into heat, A_f that the fields gave since they were unloaded, and ΔE that the motion took up; the efficiency η = A_u/A_d,
-    /// where drives have done work.
+    /// The paper's energy relations in numbers, J: work A_d of the drives, A_u taken by loads, A_h dissipated, A_f
+    /// released by the fields since they were unloaded, and the increase ΔE of the kinetic energy; efficiency
+    /// η = A_u/A_d, if drives have done work.
     pub fn relations(&self) -> Vec<Relation> {
         let given = -self.potential;
         let gained = self.kinetic - self.opening;
@@ -108,12 +109,12 @@ impl Energy {
 }
 
 impl BodyReading {
-    /// Power of its drive, W; none where it has none of its own.
+    /// Power of its drive, W; none if it has none of its own.
     pub fn drive_power(&self) -> Option<f64> {
         self.drive_torque.map(|torque| torque * self.speed)
     }
 
-    /// Power that its load takes, W.
+    /// Power taken by its load, W.
     pub fn load_power(&self) -> f64 {
         -self.load_torque * self.speed
     }
@@ -142,7 +143,7 @@ impl Reading {
 }
 
 impl Run {
-    /// What is read now.
+    /// Readings at the current time.
     pub fn reading(&self) -> Reading {
         let bodies = self.bodies();
         let accelerations = bodies.map(|body| body.acceleration);
@@ -177,7 +178,7 @@ impl Run {
         let (state, equations) = (&self.state, &self.differential().equations);
         let field = equations.mesh(mesh);
         let periods = field.factors[mesh.wheel().index()];
-        // Phases are counted as the equations have them; here as the wheel turns.
+        // The equations count phases in their own sense, readings in that of the wheel.
         let sense = periods.signum();
         let (_, phase) = field.folded(&state.angles);
         let rate = field.phase(&state.speeds);

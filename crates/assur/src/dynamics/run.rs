@@ -6,34 +6,34 @@ use super::gauss::{self, N, Past};
 use super::{Body, Defect, Differential, Mesh};
 use crate::angle::{Angle, sum};
 
-/// Ticks of a second: a power of two, so that times are exact.
+/// Ticks per second: a power of two, so that times are exact.
 pub const TICKS_PER_SECOND: u32 = 1024;
 
-/// Seconds of a tick.
+/// Duration of a tick, seconds.
 pub(super) const TICK: f64 = 1.0 / TICKS_PER_SECOND as f64;
 
-/// A step times the quickest rate: what the order of the method makes errors small with.
+/// Step times the fastest rate, small enough for the order of the method to make errors small.
 const STEP: f64 = 0.25;
 
-/// A tick is halved so many times at most.
+/// Maximum number of halvings of a tick.
 const MOST_HALVINGS: u32 = 12;
 
-/// A tick times the quickest rate at most.
+/// Maximum product of a tick and the fastest rate.
 pub(super) const QUICKEST: f64 = STEP * (1 << MOST_HALVINGS) as f64;
 
-/// The motion of a differential from its start on.
+/// Motion of a differential from its start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     differential: Differential,
     pub(super) state: State,
-    /// What periods of the meshes are counted from.
+    /// Reference of the count of periods of the meshes.
     origin: [i64; 2],
-    /// Energy when the account of energies was opened.
+    /// Energy when the balance was opened.
     pub(super) opening: f64,
 }
 
-/// Where the bodies are at the start, and how fast they turn; in the order of [`Body::ALL`]. Of bodies that are given a
-/// speed or tied to others, the speeds here do not count.
+/// Angles and speeds of the bodies at the start, in the order of [`Body::ALL`]. Speeds of bodies with a given speed or
+/// a tie are ignored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// Angles, radians.
@@ -42,30 +42,30 @@ pub struct Start {
     pub speeds: [f64; N],
 }
 
-/// Why a run does not go on. It stays where it was at the time.
+/// Reasons why a run halts; it stays in its last state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Halt {
-    /// The bodies turn faster than can be followed, this one the fastest.
+    /// The bodies turn too fast to be integrated; this one is the fastest.
     TooFast {
-        /// Which.
+        /// The body.
         body: Body,
-        /// When, seconds.
+        /// The time, seconds.
         time: f64,
     },
 }
 
-/// What changes.
+/// The state of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct State {
     pub(super) ticks: u64,
     pub(super) angles: [Angle; N],
     pub(super) speeds: [f64; N],
-    /// What rounding left out of the speeds.
+    /// Rounding errors of the speeds.
     lost: [f64; N],
     past: Past,
-    /// How often a tick is halved.
+    /// Current number of halvings of a tick.
     halvings: u32,
-    /// Works of drives, dampings and loads since the account was opened, each with what rounding left out, J.
+    /// Works of drives, dampings and loads since the balance was opened, each with its rounding error, J.
     pub(super) works: [(f64, f64); 3],
     pub(super) slips: [Slip; 2],
 }
@@ -79,7 +79,7 @@ pub(super) struct Slip {
 }
 
 impl Start {
-    /// All at rest, no mesh loaded.
+    /// All bodies at rest, no mesh loaded.
     pub fn rest() -> Self {
         Self {
             angles: [0.0; N],
@@ -100,7 +100,7 @@ impl Run {
     /// A run from its start, at time zero.
     ///
     /// # Errors
-    /// Every number of the start that cannot be taken.
+    /// Every invalid number of the start.
     pub fn new(differential: Differential, start: &Start) -> Result<Self, Vec<Defect>> {
         let mut defects = Defects::default();
         for body in Body::ALL {
@@ -138,14 +138,14 @@ impl Run {
         &self.differential
     }
 
-    /// Goes on with another differential from where it is, as when a load or a drive is changed. Speeds that are
-    /// given, jump to what they are given as; the account of energies is opened anew.
+    /// Continues with another differential from the current state, for example after a change of a load or a drive.
+    /// Given speeds jump to their new values; a new energy balance is opened.
     pub fn change(&mut self, differential: Differential) {
         self.differential = differential;
         self.open(self.state.slips.map(|slip| slip.periods));
     }
 
-    /// Speeds as they are given, a new account of energies, and so many periods slipped until now.
+    /// Sets given speeds, opens a new energy balance, and sets the numbers of slipped periods.
     fn open(&mut self, slipped: [i64; 2]) {
         let equations = &self.differential.equations;
         self.state.follow(equations, self.state.time());
@@ -162,10 +162,10 @@ impl Run {
         self.state.time()
     }
 
-    /// Goes on for so many ticks.
+    /// Advances by a number of ticks.
     ///
     /// # Errors
-    /// Where it cannot be followed; it then has gone as far as it could.
+    /// The run halts at the last tick that could be integrated.
     pub fn advance(&mut self, ticks: u32) -> Result<(), Halt> {
         let equations = &self.differential.equations;
         for _ in 0..ticks {
@@ -210,7 +210,7 @@ impl State {
         }
     }
 
-    /// One tick, in parts between which drives have their knots.
+    /// Advances by one tick, divided at knots of the drives.
     fn tick(&mut self, equations: &Equations) -> Option<()> {
         let mut from = self.time();
         let end = (self.ticks + 1) as f64 * TICK;
@@ -223,14 +223,14 @@ impl State {
         Some(())
     }
 
-    /// A span of time in equal steps: as many as the state asks for at its start.
+    /// Advances over an interval of time in equal steps, whose number depends on the state at its start.
     fn span(&mut self, equations: &Equations, from: f64, to: f64) -> Option<()> {
         let tick = TICK * equations.rate(&self.angles, &self.speeds);
         if tick.is_nan() || tick > QUICKEST {
             return None;
         }
         let needed = (tick / STEP).max(1.0).log2().ceil() as u32;
-        // Longer steps are taken up late: a step that changes to and fro would not keep the energy.
+        // Steps are made longer with hysteresis: alternating step lengths would not conserve the energy.
         if needed > self.halvings {
             self.halvings = needed;
         } else if needed + 1 < self.halvings {
@@ -275,7 +275,7 @@ impl State {
         let mut moved = step.moved;
         for (body, follows) in equations.following.iter().enumerate() {
             if let Following::Speed(profile) = follows {
-                // Exactly: the speed is linear in time.
+                // Exact, because the speed is linear in time.
                 let speeds = profile.value(start) + profile.value(start + length);
                 moved[body] = 0.5 * length * speeds;
             }
@@ -290,7 +290,7 @@ impl State {
         Some(())
     }
 
-    /// Gives bodies with given speeds, and what is tied to others, the speeds of a time.
+    /// Sets the speeds of bodies with given speeds at a time, and of tied ones.
     fn follow(&mut self, equations: &Equations, time: f64) {
         for (body, follows) in equations.following.iter().enumerate() {
             if let Following::Speed(profile) = follows {

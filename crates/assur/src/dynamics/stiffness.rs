@@ -6,12 +6,12 @@ use super::run::{QUICKEST, TICK};
 use super::{Body, Mesh};
 use crate::Angle;
 
-/// How quickly a body can swing, and be stopped.
+/// Rates of oscillation and damping of a body.
 #[derive(Clone, Copy, Debug)]
 struct Stiffness {
-    /// The square of the rate of swings, (rad/s)².
+    /// Square of the natural frequency, (rad/s)².
     swings: f64,
-    /// The rate of damping, 1/s.
+    /// Rate of damping, 1/s.
     damping: f64,
 }
 
@@ -29,8 +29,7 @@ impl Stiffness {
 }
 
 impl Equations {
-    /// (Σ nᵢ)²/J of each body that follows torques, what is tied to it included: how much a torque of this form
-    /// turns it.
+    /// Compliance to a torque of this form: (Σ nᵢ)²/J of each body that follows torques, including bodies tied to it.
     fn yielding(&self, factors: &[f64; N]) -> [f64; N] {
         let mut sums = *factors;
         for (body, follows) in self.following.iter().enumerate() {
@@ -50,8 +49,8 @@ impl Equations {
         field.energy * self.yielding(&field.factors).iter().sum::<f64>()
     }
 
-    /// How quick each body can be at these speeds: by the traces of all stiffnesses and dampings, which are bounds of
-    /// what they are together.
+    /// Rates of each body at these speeds. They are the traces of the sums of all stiffnesses and dampings, which bound
+    /// the combined rates.
     fn stiffness_terms(&self, speeds: &[f64; N]) -> [Stiffness; N] {
         let mut squares = [0.0; N];
         let mut rates = [0.0; N];
@@ -81,20 +80,20 @@ impl Equations {
         })
     }
 
-    /// The quickest rate in a state, rad/s: of swings, of damping, of phases running through.
+    /// The fastest rate in a state, rad/s: of oscillations, of damping, of the phases while slipping.
     pub(super) fn rate(&self, angles: &[Angle; N], speeds: &[f64; N]) -> f64 {
         let own = Stiffness::sum(&self.stiffness_terms(speeds)).rate();
         let passing = Mesh::ALL.map(|mesh| {
             let field = self.mesh(mesh);
             let rate = field.phase(speeds);
-            // Its rate where the field is lowest, which stays as it is while it slips.
+            // Rate at the lowest potential of the field, which is constant during slip.
             let height = field.potential(field.folded(angles).1) / field.energy;
             (rate * rate + 2.0 * self.stiffness(mesh) * height).sqrt()
         });
         passing.into_iter().fold(own, f64::max)
     }
 
-    /// The body that is too quick to be followed, if any.
+    /// The body that is too stiff to be integrated, if any.
     pub(super) fn too_stiff(&self) -> Option<Body> {
         let each = self.stiffness_terms(&[0.0; N]);
         let bodies = Body::ALL.into_iter().zip(&each);

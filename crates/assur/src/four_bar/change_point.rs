@@ -1,23 +1,23 @@
-//! Where the two motions of a change point linkage cross.
+//! Change points: crossings of the two motions.
 
 use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};
 
 use super::{Assembly, FourBar, Pose};
 
-/// A crank angle at which all links lie in one line and two smooth motions
-/// cross: the pose is common to both, the derivatives are not.
+/// A crank angle at which all links are in line and two smooth motions cross: they have a common pose with different
+/// derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChangePoint {
     /// φ₁.
     pub crank: f64,
-    /// How each branch goes on, in the order of [`Assembly::ALL`].
+    /// The pose of each branch, in the order of [`Assembly::ALL`].
     pub continuations: [Pose<3>; 2],
 }
 
 impl FourBar {
-    /// The change points within the [cycle](FourBar::cycle)'s axis. A deltoid's
-    /// φ₁ = 0, where the pose is undetermined, is not among them.
+    /// The change points within the [cycle](FourBar::cycle)'s axis, without a deltoid's φ₁ = 0, where the pose is
+    /// undetermined.
     pub fn change_points(&self) -> Vec<ChangePoint> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();

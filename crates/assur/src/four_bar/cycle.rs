@@ -1,26 +1,24 @@
-//! Over which crank angles a four-bar moves.
+//! Range of crank angles of a four-bar.
 
 use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};
 
 use super::FourBar;
 
-/// The crank angles of a motion: one period of it where the crank turns fully,
-/// else the arcs on which the loop can be closed.
+/// The crank angles of a motion: one period if the crank turns fully, otherwise the arcs on which the loop closes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
-    /// What the input grows by until the motion repeats, or looks the same:
-    /// turns of a crank (two, say, at a change point that carries one assembly
-    /// over into the other); none for a driven slide.
+    /// Period of the input after which the motion repeats: turns of a crank (two, for example, at a change point that
+    /// connects both assemblies); none for a driven slide.
     period: Option<f64>,
-    /// Whether the input is the angle of a crank.
+    /// True if the input is the angle of a crank.
     turns: bool,
     full: bool,
     arcs: Vec<[f64; 2]>,
 }
 
 impl Cycle {
-    /// A crank that turns fully; the motion repeats after so many turns.
+    /// The cycle of a crank that turns fully; the motion repeats after this number of turns.
     pub(crate) fn turning(turns: usize) -> Self {
         let period = TAU * turns as f64;
         Self {
@@ -31,8 +29,7 @@ impl Cycle {
         }
     }
 
-    /// A driver that goes to and fro between two inputs; `period`: a turn, if it
-    /// is a crank.
+    /// The cycle of a driver that oscillates between two inputs; `period` is a turn for a crank.
     pub(crate) fn swinging(arc: [f64; 2], period: Option<f64>) -> Self {
         Self {
             period,
@@ -42,7 +39,7 @@ impl Cycle {
         }
     }
 
-    /// A crank that goes to and fro between two inputs, each of which is meant with the whole turns it is given by.
+    /// The cycle of a crank that oscillates between two inputs and whose whole turns are significant.
     pub(crate) fn swinging_by_turns(arc: [f64; 2]) -> Self {
         Self {
             turns: true,
@@ -50,9 +47,8 @@ impl Cycle {
         }
     }
 
-    /// Both cycles in one, the arcs of the other shifted by whole turns so that they
-    /// come after these, and that shift; none where a driver turns
-    /// fully or arcs overlap.
+    /// The union of both cycles, with the arcs of the other shifted by whole turns so that they come after these, and
+    /// that shift; none if a driver turns fully or arcs overlap.
     pub(crate) fn joined(&self, other: &Self) -> Option<(Self, f64)> {
         let ends = |cycle: &Self| Some([cycle.arcs.first()?[0], cycle.arcs.last()?[1]]);
         let ([from, to], [first, last]) = (ends(self)?, ends(other)?);
@@ -75,34 +71,34 @@ impl Cycle {
         (after || before).then_some((joined, shift))
     }
 
-    /// Other ends for an arc.
+    /// Sets the ends of an arc.
     pub(crate) fn set_arc(&mut self, arc: usize, ends: [f64; 2]) {
         self.arcs[arc] = ends;
     }
 
-    /// True where the crank turns fully.
+    /// True if the crank turns fully.
     pub fn is_full(&self) -> bool {
         self.full
     }
 
-    /// Whether the input is the angle of a crank; else it is the coordinate of a driven slide.
+    /// True if the input is the angle of a crank, false if it is the coordinate of a driven slide.
     pub fn turns(&self) -> bool {
         self.turns
     }
 
-    /// Growth of the input after which the motion repeats, or an input outside the arcs stands for one inside: whole
-    /// turns of a crank. None for a driven slide, and for a crank whose whole turns count.
+    /// Period after which the motion repeats, and by which an input outside the arcs is shifted into them: whole turns
+    /// of a crank. None for a driven slide, and for a crank whose whole turns are significant.
     pub fn period(&self) -> Option<f64> {
         self.period
     }
 
-    /// The arcs of crank angle, ascending, ends included.
+    /// The arcs of crank angle, ascending, including their ends.
     pub fn arcs(&self) -> &[[f64; 2]] {
         &self.arcs
     }
 
-    /// The stretch of the input to show: the period, or the turn that holds every
-    /// arc in one piece, from 0 or from −π if it can; a slide's range.
+    /// The interval of the input to show: the period, or the turn that contains every arc in one piece, if possible
+    /// from 0 or from −π; a slide's range.
     pub fn axis(&self) -> [f64; 2] {
         let [from, to] = [self.arcs[0][0], self.arcs[self.arcs.len() - 1][1]];
         match self.period {
@@ -117,13 +113,12 @@ impl Cycle {
         }
     }
 
-    /// A crank angle far from the ends: the middle of the first arc.
+    /// The middle of the first arc, far from its ends.
     pub fn drawn_input(&self) -> f64 {
         0.5 * (self.arcs[0][0] + self.arcs[0][1])
     }
 
-    /// `crank` brought into the axis by whole periods; where that is longer, into
-    /// the first period of it.
+    /// `crank` shifted by whole periods into the axis, or into its first period if the axis is longer.
     pub fn wrap(&self, crank: f64) -> f64 {
         let [start, end] = self.axis();
         match self.period {
@@ -134,7 +129,7 @@ impl Cycle {
         }
     }
 
-    /// True where the loop can be closed at `crank` (wrapped).
+    /// True if the loop closes at `crank` (wrapped).
     pub fn contains(&self, crank: f64) -> bool {
         let crank = self.wrap(crank);
         self.arcs
@@ -142,11 +137,10 @@ impl Cycle {
             .any(|[from, to]| (*from..=*to).contains(&crank))
     }
 
-    /// The crank moved by `step`: over the end of a full cycle to its start; at
-    /// the end of an arc it turns back. Returns the angle, and −1 where an odd
-    /// number of turnings has reversed the sense, else 1.
+    /// The crank moved by `step`: past the end of a full cycle to its start; at the end of an arc it turns back.
+    /// Returns the angle, and −1 after an odd number of reversals, otherwise 1.
     ///
-    /// From an angle outside every arc it starts at the nearest end of one.
+    /// From an angle outside all arcs it starts at the nearest end of one.
     pub fn advance(&self, crank: f64, step: f64) -> (f64, f64) {
         if !(crank + step).is_finite() {
             return (self.arcs[0][0], 1.0);
@@ -157,8 +151,7 @@ impl Cycle {
         let crank = self.wrap(crank);
         let [from, to] = self.nearest_arc(crank);
         let width = to - from;
-        // Unfold the to and fro into a straight line of period 2 width: there on
-        // its first half, back on its second.
+        // Oscillation unfolded into a line of period 2 width: there in its first half, back in its second.
         let travelled = (crank.max(from).min(to) - from + step).rem_euclid(2.0 * width);
         if travelled <= width {
             ((from + travelled).min(to), 1.0)
@@ -184,13 +177,13 @@ impl Cycle {
 }
 
 impl FourBar {
-    /// The crank angles over which the linkage moves.
+    /// The crank angles of the motion.
     ///
-    /// It can be closed where P ≥ 0 and Q ≥ 0, so where cos²(φ₁/2) and
-    /// sin²(φ₁/2) each exceed a bound: the ends are dead points.
+    /// The loop closes if P ≥ 0 and Q ≥ 0, that is, if cos²(φ₁/2) and sin²(φ₁/2) each exceed a bound; the ends are dead
+    /// points.
     pub fn cycle(&self) -> Cycle {
-        // At the ends of an arc tan²(φ₁/2) is the ratio of a factor's values at 0
-        // and π, with the sign turned: no acos that loses digits near 0 and π.
+        // At the ends of an arc tan²(φ₁/2) is minus the ratio of a factor's values at 0 and π: no acos, which loses
+        // digits near 0 and π.
         let ([p_pi, p_zero], [q_zero, q_pi]) = (self.p_ends(), self.q_ends());
         let high = 2.0 * p_zero.sqrt().atan2((-p_pi).max(0.0).sqrt());
         let low = 2.0 * (-q_zero).max(0.0).sqrt().atan2(q_pi.sqrt());
@@ -210,8 +203,8 @@ impl FourBar {
         }
     }
 
-    /// The dead points: crank angles at the ends of the arcs, where coupler and
-    /// rocker are in line and the crank must turn back. None where it turns fully.
+    /// The dead points: crank angles at the ends of the arcs, where coupler and rocker are in line and the crank must
+    /// turn back. Empty if it turns fully.
     pub fn dead_points(&self) -> Vec<f64> {
         let cycle = self.cycle();
         if cycle.is_full() {
@@ -228,8 +221,7 @@ mod tests {
 
     use super::Cycle;
 
-    /// A crank may go to and fro over more than a turn: angles are brought in by whole turns all
-    /// the same.
+    /// A crank may oscillate over more than a turn; angles are still shifted by whole turns.
     #[test]
     fn an_arc_longer_than_a_turn() {
         let cycle = Cycle::swinging([2.7, 10.2], Some(TAU));

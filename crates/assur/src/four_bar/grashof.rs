@@ -1,20 +1,18 @@
-//! Grashof's classes.
+//! Grashof types.
 
 use super::{FourBar, tolerance};
 use crate::sorting::sort_by;
 
-/// The kind of a four-bar by Grashof: which link can turn fully against which
-/// (s shortest, l longest, p and q the others).
+/// Grashof type of a four-bar: which links turn fully (s shortest, l longest, p and q the others).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grashof {
-    /// s + l < p + q, the crank is shortest: it turns, the rocker swings.
+    /// s + l < p + q, the crank is shortest: it turns, the rocker oscillates.
     CrankRocker,
-    /// s + l < p + q, the rocker is shortest: the input swings, the output can
-    /// turn.
+    /// s + l < p + q, the rocker is shortest: the input oscillates, the output can turn.
     RockerCrank,
     /// s + l < p + q, the frame is shortest: crank and rocker turn (drag link).
     DoubleCrank,
-    /// s + l < p + q, the coupler is shortest: it turns, crank and rocker swing.
+    /// s + l < p + q, the coupler is shortest: it turns, crank and rocker oscillate.
     DoubleRocker,
     /// s + l > p + q: no link turns fully.
     TripleRocker,
@@ -23,7 +21,7 @@ pub enum Grashof {
 }
 
 impl Grashof {
-    /// Its name in what programs read.
+    /// Its name in files and program output.
     pub fn code(self) -> &'static str {
         match self {
             Self::CrankRocker => "crank_rocker",
@@ -37,8 +35,7 @@ impl Grashof {
 }
 
 impl FourBar {
-    /// Grashof's class; a change point is recognised within
-    /// |s + l − p − q| ≤ 8 ε (s + l).
+    /// The Grashof type; tolerance of a change point: |s + l − p − q| ≤ 8 ε (s + l).
     pub fn grashof(&self) -> Grashof {
         let mut sorted = self.lengths;
         sort_by(&mut sorted, f64::total_cmp);

@@ -5,8 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::{Assembly, FourBar};
 
-/// A limit position: the rocker stands still (φ₃′ = 0) with crank and coupler in
-/// line.
+/// A limit position: the rocker is at rest (φ₃′ = 0) with crank and coupler in line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
     /// φ₁ within the cycle's axis.
@@ -15,22 +14,22 @@ pub struct Limit {
     pub rocker: f64,
 }
 
-/// What the rocker does over an arc of the crank.
+/// Motion of the rocker over an arc of the crank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Swing {
     /// It turns fully.
     Turns,
-    /// It swings between two angles.
+    /// It oscillates between two angles.
     Between {
-        /// Least φ₃.
+        /// Minimum of φ₃.
         min: f64,
-        /// Greatest φ₃.
+        /// Maximum of φ₃.
         max: f64,
     },
 }
 
 impl Swing {
-    /// The stroke max − min; none where the rocker turns.
+    /// The stroke max − min; none if the rocker turns.
     pub fn stroke(self) -> Option<f64> {
         match self {
             Self::Turns => None,
@@ -38,7 +37,7 @@ impl Swing {
         }
     }
 
-    /// The swing of what turns `ratio` times as far.
+    /// The swing multiplied by a ratio.
     pub fn scaled(self, ratio: f64) -> Self {
         match self {
             Self::Turns => Self::Turns,
@@ -51,14 +50,14 @@ impl Swing {
 }
 
 impl FourBar {
-    /// The limit positions of this assembly in ascending crank angle, in closed
-    /// form from the triangles with sides l₄, l₃ and l₂ ± l₁.
+    /// The limit positions of this assembly in order of ascending crank angle, in closed form from the triangles with
+    /// sides l₄, l₃ and l₂ ± l₁.
     pub fn limits(&self, assembly: Assembly) -> Vec<Limit> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();
         let mut cranks = Vec::new();
         for (crank, side) in self.in_line() {
-            // Where a cycle takes two turns the position belongs to one of them.
+            // If a cycle takes two turns the position belongs to one of them.
             let mut turned = start + (crank - start).rem_euclid(TAU);
             while turned < end {
                 let here = cycle.contains(turned) && self.side(assembly, turned) == side;
@@ -76,15 +75,14 @@ impl FourBar {
         cranks.into_iter().filter_map(limit).collect()
     }
 
-    /// Crank angles with crank and coupler in line, each with the side of BD on
-    /// which C then lies. Where all four links are in line the rocker does not
-    /// rest (a change point), and no limit is listed.
+    /// Crank angles with crank and coupler in line, each with the side of BD on which C lies. If all four links are in
+    /// line (a change point) the rocker is not at rest, and no limit is listed.
     fn in_line(&self) -> Vec<(f64, f64)> {
         let [l1, l2, l3, l4] = self.lengths;
         let ([k1, k2, k3], [s1, s2, s3, s4]) = (self.k, self.slack);
         let perimeter = self.perimeter();
-        // Triangle A, C, D with sides l₁ ± l₂, l₃ and l₄, outstretched and folded:
-        // squared length of AC, 16 times its squared area.
+        // Triangle A, C, D with sides l₁ ± l₂, l₃ and l₄, extended and folded: squared length of AC, 16 times its
+        // squared area.
         let apart = (l4 - l3) * (l4 + l3);
         let outstretched = k2 * perimeter * s3 * s4;
         let folded = k1 * k3 * s1 * s2;
@@ -104,13 +102,13 @@ impl FourBar {
         found
     }
 
-    /// The rocker's swing on each arc of the cycle in this assembly: between limit
-    /// positions, or the ends of the arc where the crank cannot turn.
+    /// The rocker's swing on each arc of the cycle in this assembly: between limit positions, or the ends of the arc if
+    /// the crank does not turn fully.
     pub fn swings(&self, assembly: Assembly) -> Vec<Swing> {
         let cycle = self.cycle();
         let rocker = |crank| Some(self.pose::<1>(assembly, crank).ok()?.rocker.value());
         if let (true, [start, end]) = (cycle.is_full(), cycle.axis()) {
-            // Any angle will do that is not a deltoid's undetermined one.
+            // Any angle except a deltoid's undetermined one.
             let (before, after) = (rocker(start + 1.0), rocker(end + 1.0));
             if before.zip(after).is_some_and(|(a, b)| (b - a).abs() > PI) {
                 return vec![Swing::Turns];
@@ -131,14 +129,14 @@ impl FourBar {
         cycle.arcs().iter().map(between).collect()
     }
 
-    /// How far the rocker goes on each arc of the cycle in this assembly, there
-    /// and back added up: over the whole cycle, or over the arc and back again.
+    /// The rocker's total travel on each arc of the cycle in this assembly: over the whole cycle, or over the arc and
+    /// back.
     pub fn travels(&self, assembly: Assembly) -> Vec<f64> {
         let cycle = self.cycle();
         let rocker = |crank: f64| Some(self.pose::<1>(assembly, crank).ok()?.rocker.value());
         let turnings = self.turnings(assembly);
         let travel = |[from, to]: &[f64; 2]| {
-            // A full cycle may begin anywhere but at a deltoid's undetermined angle.
+            // A full cycle may begin anywhere except at a deltoid's undetermined angle.
             let (shift, ways) = if cycle.is_full() {
                 (1.0, 1.0)
             } else {
@@ -149,7 +147,7 @@ impl FourBar {
                 let before = cycle.is_full() && *crank < start;
                 if before { crank + (to - from) } else { *crank }
             };
-            // Between one turning and the next the rocker goes one way.
+            // Between successive reversals the rocker moves in one direction.
             let (mut at, mut last, mut sum) = (start, rocker(start), 0.0);
             while at < end {
                 let ahead = turnings.iter().map(inside).filter(|crank| *crank > at);
@@ -165,17 +163,15 @@ impl FourBar {
         cycle.arcs().iter().map(travel).collect()
     }
 
-    /// The crank angles at which the rocker may turn back: limit positions, angles
-    /// with all links in line, dead points.
+    /// Candidates for the rocker's reversals: limit positions, angles with all links in line, dead points.
     fn turnings(&self, assembly: Assembly) -> Vec<f64> {
         let limits = self.limits(assembly).into_iter().map(|limit| limit.crank);
         let in_line = self.change_points().into_iter().map(|point| point.crank);
         limits.chain(in_line).chain(self.dead_points()).collect()
     }
 
-    /// The time ratio K ≥ 1 of slow to quick stroke at constant crank speed;
-    /// none where the crank does not turn fully or the rocker does not swing
-    /// once per turn.
+    /// The time ratio K ≥ 1 of slow to quick stroke at constant crank speed; none if the crank does not turn fully or
+    /// the rocker does not oscillate once per turn.
     pub fn time_ratio(&self, assembly: Assembly) -> Option<f64> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();

@@ -15,10 +15,9 @@
 //!
 //! P = s₁ s₄ − 4 l₁ l₄ sin²(φ₁/2),  Q = s₂ s₃ − 4 l₁ l₄ cos²(φ₁/2),
 //!
-//! and the one with the smaller of sine and cosine is free of cancellation.
-//! Where a k vanishes (a change point of Grashof), √P or √Q
-//! is a plain cosine or sine that changes its sign at the change point: taking
-//! it with that sign is what keeps a motion on its smooth branch.
+//! and the one with the smaller of sine and cosine is free of cancellation. If a k vanishes (a change point of
+//! Grashof), √P or √Q is a plain cosine or sine that changes its sign at the change point; taken with that sign it
+//! keeps a motion on its smooth branch.
 
 mod change_point;
 mod cycle;
@@ -48,9 +47,8 @@ pub enum Link {
     Frame,
 }
 
-/// Which of the two ways of closing the loop: σ = +1 or −1, C to the left or to
-/// the right of the diagonal from B to D. (At a change point linkage the letter
-/// names the branch by where it is just after φ₁ = 0.)
+/// The two ways of closing the loop: σ = +1 or −1, C to the left or to the right of the diagonal from B to D. (In a
+/// change point linkage it is the side just after φ₁ = 0.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Assembly {
     /// The paper's assembly 1, σ = +1.
@@ -72,8 +70,7 @@ impl Assembly {
     }
 }
 
-/// A four-bar linkage that can move. Only [`FourBar::new`] makes one, so its
-/// lengths are always sound.
+/// A four-bar linkage that can move; its lengths are always valid, as made by [`FourBar::new`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FourBar {
     lengths: [f64; 4],
@@ -81,7 +78,7 @@ pub struct FourBar {
     k: [f64; 3],
     /// s₁ … s₄: the sum of the other links minus each link.
     slack: [f64; 4],
-    /// l₄ − l₁ and l₂ − l₃, both zero where the diagonal can vanish (deltoid).
+    /// l₄ − l₁ and l₂ − l₃, both zero if the diagonal can vanish (deltoid).
     frame_less_crank: f64,
     coupler_less_rocker: f64,
 }
@@ -89,7 +86,7 @@ pub struct FourBar {
 impl FourBar {
     /// Shortest and longest link, in any unit.
     const LENGTH: (f64, f64) = (1e-9, 1e9);
-    /// The shortest link may be this small relative to the longest.
+    /// Minimum ratio of the shortest to the longest link.
     const RATIO: f64 = 1e-9;
 
     /// The linkage with lengths l₁ … l₄ (crank, coupler, rocker, frame), all in
@@ -128,7 +125,7 @@ impl FourBar {
 
     fn of_sound(lengths: [f64; 4]) -> Self {
         let [l1, l2, l3, l4] = lengths;
-        // A difference of lengths within rounding of zero is meant to be zero.
+        // A difference of lengths within rounding is taken as zero.
         let tolerance = tolerance(&lengths);
         let snap = |k: f64| if k.abs() <= tolerance { 0.0 } else { k };
         let k = [[l2, l3, -l1, -l4], [l3, l4, -l1, -l2], [l2, l4, -l1, -l3]];
@@ -160,12 +157,12 @@ impl FourBar {
         self.lengths.into_iter().sum()
     }
 
-    /// P less its cosine, and P at φ₁ = 0.
+    /// P without its cosine, and P at φ₁ = 0.
     fn p_ends(&self) -> [f64; 2] {
         [self.k[0] * self.perimeter(), self.slack[0] * self.slack[3]]
     }
 
-    /// Q less its sine, and Q at φ₁ = π.
+    /// Q without its sine, and Q at φ₁ = π.
     fn q_ends(&self) -> [f64; 2] {
         [self.k[1] * self.k[2], self.slack[1] * self.slack[2]]
     }
@@ -175,36 +172,33 @@ impl FourBar {
         4.0 * self.lengths[0] * self.lengths[3]
     }
 
-    /// True where coupler and rocker fold over the frame at φ₁ = π: a change
-    /// point there, P = 0.
+    /// True if coupler and rocker fold over the frame at φ₁ = π: a change point there, P = 0.
     fn changes_at_pi(&self) -> bool {
         self.k[0] == 0.0
     }
 
-    /// True where they stretch or fold along the frame at φ₁ = 0: a change
-    /// point there, Q = 0.
+    /// True if they stretch or fold along the frame at φ₁ = 0: a change point there, Q = 0.
     fn changes_at_zero(&self) -> bool {
         self.k[1] == 0.0 || self.k[2] == 0.0
     }
 
-    /// True where it has a change point.
+    /// True if it has a change point.
     pub(crate) fn changes(&self) -> bool {
         self.changes_at_pi() || self.changes_at_zero()
     }
 
-    /// True for a deltoid or rhombus on the frame, l₁ = l₄ and l₂ = l₃: B comes
-    /// to D at φ₁ = 0.
+    /// True for a deltoid or rhombus on the frame, l₁ = l₄ and l₂ = l₃: B coincides with D at φ₁ = 0.
     fn is_deltoid(&self) -> bool {
         self.frame_less_crank == 0.0 && self.coupler_less_rocker == 0.0
     }
 }
 
 impl Dimension {
-    /// The lengths, in the order of l₁ … l₄.
+    /// The lengths l₁ … l₄.
     const LENGTHS: [Self; 4] = [Self::Crank, Self::Coupler, Self::Rocker, Self::Frame];
 }
 
-/// 8 ε (s + l): sums of lengths closer than this are taken as equal.
+/// 8 ε (s + l): sums of lengths closer than this are equal.
 fn tolerance(lengths: &[f64; 4]) -> f64 {
     let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
     let longest = lengths.iter().copied().fold(0.0, f64::max);
@@ -220,9 +214,8 @@ fn slacks(lengths: [f64; 4]) -> [f64; 4] {
     })
 }
 
-/// A sum as if in twice the precision (Ogita, Rump and Oishi, *Accurate sum and
-/// dot product*, 2005): what is left of lengths that nearly cancel decides how a
-/// linkage moves.
+/// A sum with doubled precision (Ogita, Rump and Oishi, *Accurate sum and dot product*, 2005): the motion depends on
+/// small differences of lengths that nearly cancel.
 fn sum(terms: [f64; 4]) -> f64 {
     let (mut high, mut low) = (0.0, 0.0);
     for term in terms {

@@ -6,8 +6,8 @@ use std::fmt;
 use super::{Assembly, FourBar, Link, tolerance};
 use crate::{Jet, JetPoint, Point};
 
-/// The angles of all moving links at one crank angle, with `N − 1` derivatives
-/// by it. Continuous along a motion. Only [`FourBar::pose`] makes one.
+/// The angles of all moving links at one crank angle, with `N − 1` derivatives with respect to it; continuous along a
+/// motion. Made by [`FourBar::pose`] only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Pose<const N: usize> {
@@ -19,8 +19,8 @@ pub struct Pose<const N: usize> {
     pub rocker: Jet<N>,
 }
 
-/// A place on a link, in lengths of that link: `along` from its first joint (A,
-/// B or D) towards its second, `across` to the left of that direction.
+/// A point on a link, in lengths of that link: `along` from its first joint (A, B or D) towards its second, `across` to
+/// the left of that direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Offset {
     /// 0 at the first joint, 1 at the second.
@@ -30,23 +30,23 @@ pub struct Offset {
 }
 
 impl Offset {
-    /// Half-way between the joints: a uniform bar's centre of mass.
+    /// Half-way between the joints, the centre of mass of a uniform bar.
     pub const MIDDLE: Self = Self {
         along: 0.5,
         across: 0.0,
     };
 }
 
-/// Why there is no pose at a crank angle.
+/// Reasons why there is no pose at a crank angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unsolved {
     /// The crank angle is NaN or infinite.
     NotAnAngle,
-    /// B and D are farther apart than coupler and rocker reach together.
+    /// B and D are farther apart than coupler and rocker can reach together.
     Apart {
         /// Crank angle.
         crank: f64,
-        /// By this length.
+        /// The missing length.
         by: f64,
     },
     /// B and D are too close: the longer of coupler and rocker exceeds the other
@@ -54,18 +54,18 @@ pub enum Unsolved {
     Inside {
         /// Crank angle.
         crank: f64,
-        /// By this length.
+        /// The missing length.
         by: f64,
         /// Coupler or rocker.
         longer: Link,
     },
-    /// B lies on D: coupler and rocker may point anywhere, together.
+    /// B coincides with D: coupler and rocker may point in any direction, together.
     Undetermined {
         /// Crank angle.
         crank: f64,
     },
-    /// Coupler and rocker are in line: the pose exists, its derivatives by the
-    /// crank angle are unbounded. Only asked-for derivatives meet this.
+    /// Coupler and rocker are in line: the pose exists, its derivatives with respect to the crank angle are unbounded.
+    /// Returned only if derivatives are requested.
     DeadPoint {
         /// Crank angle.
         crank: f64,
@@ -73,7 +73,7 @@ pub enum Unsolved {
 }
 
 impl fmt::Display for Unsolved {
-    /// For the programmer's log; the words for people live in string tables.
+    /// For logs; texts for people are in string tables.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self:?}")
     }
@@ -82,12 +82,11 @@ impl fmt::Display for Unsolved {
 impl std::error::Error for Unsolved {}
 
 impl FourBar {
-    /// The pose at crank angle `crank` (φ₁, radians, any number of turns) with
-    /// `N − 1` derivatives: `pose::<1>` for positions, `pose::<3>` for φ′ and φ″.
+    /// The pose at crank angle `crank` (φ₁, radians, any number of turns) with `N − 1` derivatives: `pose::<1>` for
+    /// positions, `pose::<3>` for φ′ and φ″.
     ///
-    /// φ = φ₅ + σ atan2(4S, dot product), mixer (3)–(7) with the quadrant kept,
-    /// differentiated as it stands: unlike (10)–(13), which divide by
-    /// sin(φ₃ − φ₂), that stays exact through a change point.
+    /// φ = φ₅ + σ atan2(4S, dot product), mixer paper (3)–(7) with the quadrant kept, differentiated directly: unlike
+    /// (10)–(13), which divide by sin(φ₃ − φ₂), that remains exact through a change point.
     ///
     /// # Errors
     /// [`Unsolved`] with the angle and the reason.
@@ -107,8 +106,8 @@ impl FourBar {
         self.pose_along(assembly, crank)
     }
 
-    /// The same along the motion of an assembly: where B lies on D its limit from both sides, which is one as the motion
-    /// is smooth there.
+    /// The pose along the motion of an assembly: if B coincides with D, its limit, which is the same from both sides as
+    /// the motion is smooth there.
     ///
     /// # Errors
     /// [`Unsolved`] with the angle and the reason.
@@ -147,8 +146,7 @@ impl FourBar {
         [a, b, c, d]
     }
 
-    /// A point carried by a link, as its centre of mass: mixer (14)–(25) for any
-    /// place on the link.
+    /// A point carried by a link, such as its centre of mass: mixer paper (14)–(25) for any point of the link.
     pub fn carried<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -176,8 +174,8 @@ impl FourBar {
     ) -> [Jet<N>; 3] {
         let [l1, l2, l3, l4] = self.lengths;
         let apart = self.frame_less_crank;
-        // φ₅ without a jump: by the frame's side where the crank is the shorter,
-        // else carried around with the crank.
+        // φ₅ without a jump: relative to the frame's direction if the crank is shorter than the frame, otherwise to the
+        // crank's.
         let y = sin * cos * 2.0;
         let diagonal = if apart >= 0.0 {
             (y * -l1).atan2(sin.square() * (2.0 * l1) + apart)
@@ -194,8 +192,8 @@ impl FourBar {
         [diagonal, at_b, at_d]
     }
 
-    /// The same for a deltoid, where l₅ = √Q divides out: signed like the root,
-    /// it lets the motion pass smoothly through the crank angle at which B is on D.
+    /// These angles for a deltoid, where l₅ = √Q cancels: with the sign of the root the motion passes smoothly through
+    /// the crank angle at which B is on D.
     fn deltoid_angles<const N: usize>(
         &self,
         assembly: Assembly,
@@ -213,8 +211,8 @@ impl FourBar {
         [half + -FRAC_PI_2, interior, interior]
     }
 
-    /// √P and √Q with the signs that keep a motion smooth; their product is 4S.
-    /// `sin` and `cos` are of half the crank angle.
+    /// √P and √Q with the signs that keep a motion smooth; their product is 4S. `sin` and `cos` are those of half the
+    /// crank angle.
     pub(super) fn area_roots<const N: usize>(
         &self,
         crank: f64,
@@ -244,10 +242,9 @@ impl FourBar {
         Ok([root_p, root_q])
     }
 
-    /// The smooth square root of P or Q: of `ends[0] + weight half²`, which is
-    /// `ends[1] − weight other²`. `reach` is the sum of the two lengths whose
-    /// difference the factor also holds: a gap in length times `reach` is a gap
-    /// in the factor.
+    /// The smooth square root of P or Q: of `ends[0] + weight half²`, which is `ends[1] − weight other²`. `reach` is
+    /// the sum of the two lengths whose difference is the other part of the factor: a gap in length times `reach` is a
+    /// gap in the factor.
     fn root<const N: usize>(
         &self,
         [half, other]: [Jet<N>; 2],
@@ -268,24 +265,23 @@ impl FourBar {
         } else if factor.value() > rounding {
             Ok(factor.sqrt())
         } else if N == 1 {
-            // In line within rounding is in line: a root would halve the digits.
+            // In line within rounding counts as in line: a root would halve the digits.
             Ok(Jet::constant(0.0))
         } else {
             Err(Fold::At)
         }
     }
 
-    /// Whole turns that the principal values of the interior angles at B and D
-    /// lose. Only where the area changes its sign at φ₁ = 0 can one of them pass
-    /// π: that at the end of the shorter of coupler and rocker. The number of
-    /// passes follows from the crank's turns, so no history is needed.
+    /// Whole turns missing in the principal values of the interior angles at B and D. Only if the area changes its sign
+    /// at φ₁ = 0 can one of them pass π, that at the end of the shorter of coupler and rocker. The number of passes
+    /// follows from the crank's turns, so no history is needed.
     fn turns(&self, assembly: Assembly, crank: f64) -> [f64; 2] {
         if !self.changes_at_zero() {
             return [0.0; 2];
         }
         let turns = crank / TAU;
         let mut whole = turns.floor();
-        // Next to a whole turn, rounding must not part the count from the sine.
+        // Near a whole turn, rounding must not separate the count from the sign of the sine.
         if (whole.rem_euclid(2.0) == 0.0) != ((0.5 * crank).sin() >= 0.0) {
             whole += if turns - whole < 0.5 { -1.0 } else { 1.0 };
         }
@@ -302,8 +298,8 @@ impl FourBar {
         }
     }
 
-    /// The sign of the area of BCD on this branch at this crank angle: +1 with C
-    /// to the left of BD, −1 to the right, 0 in line.
+    /// Sign of the area of BCD on this branch at this crank angle: +1 with C to the left of BD, −1 to the right, 0 in
+    /// line.
     pub(crate) fn side(&self, assembly: Assembly, crank: f64) -> f64 {
         let (sin, cos) = (0.5 * crank).sin_cos();
         let sign = |half: f64, changes: bool| if changes { half.signum() } else { 1.0 };
@@ -311,7 +307,7 @@ impl FourBar {
     }
 }
 
-/// Sine and cosine of half the crank angle, from which all else follows.
+/// Sine and cosine of half the crank angle.
 pub(super) fn half_angle<const N: usize>(crank: f64) -> Result<(Jet<N>, Jet<N>), Unsolved> {
     if crank.is_finite() {
         Ok(Jet::linear(0.5 * crank, 0.5).sin_cos())
@@ -320,7 +316,7 @@ pub(super) fn half_angle<const N: usize>(crank: f64) -> Result<(Jet<N>, Jet<N>),
     }
 }
 
-/// How a factor of the area fails to have a smooth root.
+/// Reasons why a factor of the area has no smooth root.
 enum Fold {
     /// It is zero within rounding.
     At,

@@ -7,12 +7,11 @@ use super::pose::half_angle;
 use crate::Unsolved;
 
 impl FourBar {
-    /// The transmission angle μ between the lines of coupler and rocker, 0 … π/2
-    /// (both assemblies alike): how well the coupler drives the rocker. Zero at a
-    /// dead point.
+    /// The transmission angle μ between the lines of coupler and rocker, 0 … π/2 (equal in both assemblies): a measure
+    /// of how well the coupler drives the rocker. Zero at a dead point.
     ///
     /// # Errors
-    /// [`Unsolved`] where the loop cannot be closed.
+    /// [`Unsolved`] if the loop cannot be closed.
     pub fn transmission_angle(&self, crank: f64) -> Result<f64, Unsolved> {
         // The interior angle at C is twice atan2(√Q, √P).
         let (sin, cos) = half_angle::<1>(crank)?;
@@ -21,10 +20,10 @@ impl FourBar {
         Ok(interior.min(PI - interior))
     }
 
-    /// The least transmission angle of the motion and where it occurs.
+    /// The minimum transmission angle of the motion and its crank angle.
     pub fn worst_transmission(&self) -> (f64, f64) {
-        // μ falls away on either side of 90°, and the diagonal is monotonic from
-        // 0 to π: the worst is at one of these or at the end of an arc.
+        // μ decreases on either side of 90°, and the diagonal is monotonic from 0 to π: the minimum is at one of these
+        // or at the end of an arc.
         let cycle = self.cycle();
         let ends = cycle.arcs().iter().flatten().copied();
         ends.chain([0.0, PI])

@@ -5,17 +5,17 @@ use std::f64::consts::TAU;
 use super::{ADDENDUM, GearPair, Mesh};
 use crate::{Dimension, Fault, Invalid, Vector};
 
-/// A wheel around the driver, sound or not.
+/// A wheel around the driver, not yet checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mate {
     /// Number of teeth.
     pub teeth: f64,
-    /// Direction from the driver's centre to its own, radians.
+    /// Direction from the driver's centre to the wheel's, radians.
     pub centre_line: f64,
 }
 
-/// A driver and 1 to [`GearSet::MOST`] wheels that it drives, all of one module
-/// and in one kind of mesh: a pair for each of them, all with the same driver.
+/// A driver and 1 to [`GearSet::MOST`] driven wheels, all of one module and in one kind of mesh: a pair for each of
+/// them with the same driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSet {
     pairs: Vec<GearPair>,
@@ -23,18 +23,17 @@ pub struct GearSet {
 }
 
 impl GearSet {
-    /// The most wheels that are driven.
+    /// Maximum number of driven wheels.
     pub const MOST: usize = 6;
 
-    /// A set from numbers as a person gives them: the driver's teeth (z₄), the
-    /// wheels around it, their mesh, their module in the unit of the lengths.
+    /// A set from numbers entered by a person: the driver's teeth (z₄), the wheels around it, their mesh, their module
+    /// in the unit of the lengths.
     ///
     /// Wheels may overlap: see [`GearSet::overlaps`].
     ///
     /// # Errors
-    /// Every reason at once: those of [`GearPair::new`] by wheel; a number of
-    /// wheels out of range; internal mesh with wheels smaller and larger than the
-    /// driver.
+    /// Every reason at once: those of [`GearPair::new`] by wheel; a number of wheels out of range; internal mesh with
+    /// wheels smaller and larger than the driver.
     pub fn new(driver: f64, mates: &[Mate], mesh: Mesh, module: f64) -> Result<Self, Vec<Invalid>> {
         let mut reasons = Vec::new();
         if !(1..=Self::MOST).contains(&mates.len()) {
@@ -62,7 +61,7 @@ impl GearSet {
                 }
                 Err(found) => {
                     for reason in found.into_iter().map(|reason| of_wheel(reason, wheel)) {
-                        // What is wrong with the driver is wrong in every pair.
+                        // A fault of the driver is found in every pair.
                         if !reasons.contains(&reason) {
                             reasons.push(reason);
                         }
@@ -87,9 +86,8 @@ impl GearSet {
         self.module
     }
 
-    /// The wheels (counted from 0, the smaller first) whose discs to the tips of
-    /// the teeth overlap, or those of their idlers: in one plane they foul each
-    /// other. Two rings around one driver always do.
+    /// Pairs of wheels (counted from 0, the smaller first) whose tip circles, or those of their idlers, overlap: in one
+    /// plane they would collide. Two rings around one driver always do.
     pub fn overlaps(&self) -> Vec<[usize; 2]> {
         let discs: Vec<Vec<Disc>> = self.pairs.iter().map(GearPair::discs).collect();
         let mut found = Vec::new();
@@ -104,11 +102,11 @@ impl GearSet {
         found
     }
 
-    /// The middle of the widest gap between the discs around the driver, as seen
-    /// from its centre: where another wheel has most room. Radians, in [−π, π].
+    /// Direction of the middle of the widest free angle around the driver, where another wheel has most room. Radians,
+    /// in [−π, π].
     pub fn free_direction(&self) -> f64 {
         let taken: Vec<[f64; 2]> = self.pairs.iter().map(GearPair::shadow).collect();
-        // From the end of each shadow to where the next one begins.
+        // From the end of each shadow to the start of the next.
         let gap = |(wheel, [from, to]): (usize, &[f64; 2])| {
             let others = taken
                 .iter()
@@ -129,7 +127,7 @@ impl GearSet {
     }
 }
 
-/// A reason of a pair as one of the set's wheel.
+/// A reason of a pair as a reason of a wheel of the set.
 fn of_wheel(reason: Invalid, wheel: usize) -> Invalid {
     let dimension = match reason.dimension {
         Dimension::DrivenTeeth(_) => Dimension::DrivenTeeth(wheel),
@@ -142,7 +140,7 @@ fn of_wheel(reason: Invalid, wheel: usize) -> Invalid {
     }
 }
 
-/// The room a wheel takes, to the tips of its teeth.
+/// Tip circle of a wheel.
 struct Disc {
     centre: Vector,
     radius: f64,
@@ -155,12 +153,12 @@ impl Disc {
 }
 
 impl GearPair {
-    /// Whether the driver is a ring around the driven wheel.
+    /// True if the driver is a ring around the driven wheel.
     fn is_within(&self) -> bool {
         self.driver_wheel().ring
     }
 
-    /// What the pair has besides its driver.
+    /// The discs of the pair except the driver's.
     fn discs(&self) -> Vec<Disc> {
         let mates = self.train().into_iter().skip(1);
         mates
@@ -171,10 +169,9 @@ impl GearPair {
             .collect()
     }
 
-    /// The directions from the driver's centre that the driven wheel takes: first
-    /// and last.
+    /// First and last direction from the driver's centre that the discs cover.
     fn shadow(&self) -> [f64; 2] {
-        // A quarter turn where the disc reaches over the driver's centre.
+        // A quarter turn if the disc covers the driver's centre.
         let disc = |Disc { centre, radius }: Disc| {
             let tangent = centre.norm_squared() - radius * radius;
             radius.atan2(tangent.max(0.0).sqrt())
@@ -203,7 +200,7 @@ mod tests {
 
     const SIXTY: [f64; 6] = [-40.0, 20.0, 80.0, 140.0, 200.0, 260.0];
 
-    /// Every wheel of a set meets the one driver's gaps.
+    /// Every wheel of a set meets the gaps of the common driver.
     #[test]
     fn teeth_of_every_wheel_meet_gaps() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {
@@ -255,8 +252,8 @@ mod tests {
 
     #[test]
     fn overlaps_are_where_tips_pass() {
-        // Six of 36 : 18 stand free of each other; their centres are 27 modules
-        // away, so at an angle β they are 54 sin(β/2) apart and need 20.
+        // Six of 36 : 18 are apart: their centres are at 27 modules, so at an angle β they are 54 sin(β/2) apart and
+        // need 20.
         let even = set(36.0, &[18.0; 6], &SIXTY, Mesh::External);
         assert_eq!(even.overlaps(), [] as [[usize; 2]; 0]);
         let clear = 2.0 * (20.0 / 54.0_f64).asin().to_degrees();
@@ -268,8 +265,7 @@ mod tests {
         assert_eq!(three.overlaps(), [[1, 2]]);
         let rings = set(36.0, &[60.0, 72.0], &[0.0, 180.0], Mesh::Internal);
         assert_eq!(rings.overlaps(), [[0, 1]]);
-        // The driven wheels stand free; idlers of 12 teeth, at 35° and not at 37°,
-        // do not.
+        // The driven wheels are apart; idlers of 12 teeth are at 37°, but not at 35°.
         for (degrees, fouls) in [(37.0, false), (35.0, true)] {
             let idlers = set(34.0, &[3.0; 2], &[0.0, degrees], Mesh::AsPrinted);
             assert_eq!(idlers.overlaps() == [[0, 1]], fouls, "{degrees}");
@@ -284,7 +280,7 @@ mod tests {
         };
         assert!((free(&[18.0], &[-40.0]) - 140.0).abs() < 1e-9);
         assert!((free(&[18.0; 2], &[-40.0, 50.0]) + 175.0).abs() < 1e-9);
-        // A large wheel takes more of the gap: the middle is off the bisector.
+        // A large wheel covers more of the gap: the middle is off the bisector.
         let inner = free(&[12.0, 60.0], &[0.0, 180.0]).abs();
         assert!(inner < 80.0 && inner > 40.0, "{inner}");
         let last = free(&[18.0; 5], &SIXTY[..5]);

@@ -1,10 +1,8 @@
 //! Epicyclic trains of two freedoms: sun 1, satellite 2, carrier 3, ring 4.
 //!
-//! What their three coaxial shafts have in common is one linear equation, the
-//! [`Differential`]; the [`Train`] is the wheels that bring it about, and the
-//! [`Layout`] their places. Speeds are in radians by any unit of time, positive
-//! counter-clockwise. Wheels need not have teeth: where magnets take their place
-//! the numbers are those of the poles.
+//! One linear equation relates the three coaxial shafts, the [`Differential`]. The [`Train`] is the wheels that realize
+//! it, and the [`Layout`] their dimensions. Speeds are in radians per any unit of time, positive counter-clockwise.
+//! Wheels need not have teeth: for magnetic couplings the numbers are those of the poles.
 //!
 //! The numbering and the formulas are those of Mukhametzyanov et al.,
 //! "Differential mechanism with magnetic couplings of the links"; the equation is
@@ -56,30 +54,30 @@ pub enum Member {
     Sun,
     /// The satellite where it meets the sun, z₂.
     Satellite,
-    /// The satellite where it meets the ring, z₂′: of a stepped one another wheel.
+    /// The satellite where it meets the ring, z₂′; in a stepped satellite another wheel.
     Step,
     /// The ring, z₄.
     Ring,
 }
 
-/// Why numbers make no train.
+/// Reasons why numbers make no train.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TrainError {
-    /// A number of teeth (poles) that is none.
+    /// An invalid number of teeth (poles).
     Teeth {
-        /// Whose.
+        /// The wheel.
         member: Member,
-        /// What is wrong with it.
+        /// The fault.
         fault: Fault,
     },
-    /// In a plane the ring is larger than the sun.
+    /// In a planar train the ring must be larger than the sun.
     RingNotLarger {
         /// z₁.
         sun: u32,
         /// z₄.
         ring: u32,
     },
-    /// In a plane the satellite is smaller than the ring in which it runs.
+    /// In a planar train the satellite must be smaller than the ring.
     SatelliteNotInside {
         /// z₂, or of a stepped satellite z₂′.
         satellite: u32,
@@ -96,37 +94,35 @@ pub enum TrainError {
         /// z₄.
         ring: u32,
     },
-    /// A number of satellites that is none, or too many.
+    /// An invalid number of satellites.
     Satellites {
-        /// What is wrong with it.
+        /// The fault.
         fault: Fault,
     },
-    /// A module that is none.
+    /// An invalid module.
     Module {
-        /// What is wrong with it.
+        /// The fault.
         fault: Fault,
     },
-    /// A distance of the axes that is none.
+    /// An invalid distance of the axes.
     AxisDistance {
-        /// What is wrong with it.
+        /// The fault.
         fault: Fault,
     },
 }
 
-/// How the wheels of a train stand.
+/// Arrangement of the axes of a train.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Parallel axes, each satellite one wheel.
+    /// Parallel axes, each satellite a single wheel.
     Planar,
-    /// Parallel axes, each satellite two wheels on one shaft: z₂ meets the sun,
-    /// z₂′ the ring.
+    /// Parallel axes, each satellite two wheels on one shaft: z₂ meets the sun, z₂′ the ring.
     Stepped,
-    /// Axes that meet in a point: the "ring" is the second side wheel, as large as
-    /// the sun or not.
+    /// Intersecting axes: the "ring" is the second side wheel, which need not be larger than the sun.
     Bevel,
 }
 
-/// The wheels of an epicyclic train; always sound.
+/// The wheels of an epicyclic train; always valid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Train {
     kind: Kind,
@@ -137,13 +133,13 @@ pub struct Train {
 }
 
 impl Train {
-    /// A planar train of z₁, z₂, z₄, as a person gives them.
+    /// A planar train of z₁, z₂, z₄, from numbers entered by a person.
     ///
-    /// Whether the wheels meet, and where, is asked of the [`Layout`].
+    /// The [`Layout`] checks whether the wheels meet, and computes their positions.
     ///
     /// # Errors
-    /// Every reason at once: numbers that are not whole, positive and within
-    /// [`TEETH`]; a ring not larger than the sun or than the satellite.
+    /// Every reason at once: numbers that are not whole, positive and within [`TEETH`]; a ring not larger than the sun
+    /// or than the satellite.
     pub fn planar(teeth: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         Self::whole(Kind::Planar, teeth)
     }
@@ -170,16 +166,15 @@ impl Train {
         .checked()
     }
 
-    /// A bevel train of z₁, z₂, z₄; that of a car's axle has z₄ = z₁.
+    /// A bevel train of z₁, z₂, z₄; the differential of a car's axle has z₄ = z₁.
     ///
     /// # Errors
-    /// Every reason at once: numbers as for [`Train::planar`]; wheels without
-    /// common cones.
+    /// Every reason at once: invalid numbers as in [`Train::planar`]; wheels without common cones.
     pub fn bevel(teeth: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         Self::whole(Kind::Bevel, teeth)
     }
 
-    /// A train of z₁, z₂, z₄ whose satellites are one wheel each.
+    /// A train of z₁, z₂, z₄ with single-wheel satellites.
     fn whole(kind: Kind, [sun, satellite, ring]: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         let members = [
             (Member::Sun, sun),
@@ -197,11 +192,10 @@ impl Train {
         .checked()
     }
 
-    /// The planar train of z₁ and z₄ whose gears are in contact, z₂ = (z₄ − z₁)/2;
-    /// none where that is not whole or too few.
+    /// The planar train of z₁ and z₄ with gears in contact, z₂ = (z₄ − z₁)/2; none if z₂ is not whole or too small.
     ///
     /// # Errors
-    /// Those of [`Train::planar`], of the two numbers.
+    /// Those of [`Train::planar`] for the two numbers.
     pub fn in_contact(sun_and_ring: [f64; 2]) -> Result<Option<Self>, Vec<TrainError>> {
         let [sun, ring] = planar_shafts(sun_and_ring)?;
         let twice = ring - sun;
@@ -215,13 +209,12 @@ impl Train {
         }))
     }
 
-    /// How the wheels stand.
+    /// Arrangement of the axes.
     pub fn kind(&self) -> Kind {
         self.kind
     }
 
-    /// Number of teeth (poles) of a wheel; of z₂′ that of z₂ where the satellite
-    /// is not stepped.
+    /// Number of teeth (poles) of a wheel; z₂′ is z₂ if the satellite is not stepped.
     pub fn teeth(&self, member: Member) -> u32 {
         match member {
             Member::Sun => self.sun,
@@ -231,9 +224,9 @@ impl Train {
         }
     }
 
-    /// What the train makes of its three shafts.
+    /// The equation of the three shafts.
     pub fn differential(&self) -> Differential {
-        // Of one wheel z₂ = z₂′ this leaves z₁ and z₄.
+        // With a single wheel, z₂ = z₂′, this leaves z₁ and z₄.
         let common = greatest_common_divisor(self.satellite, self.step);
         Differential::of(
             self.sun * (self.step / common),
@@ -241,9 +234,8 @@ impl Train {
         )
     }
 
-    /// The angle Σ between the satellite's axis and the main one, radians: 0 in a
-    /// plane. Of bevel wheels with one module cos Σ = (z₄ − z₁)/(2 z₂), as the
-    /// pitch cones of sun and ring touch the satellite's on opposite sides.
+    /// The angle Σ between the satellite's axis and the main one, radians: 0 in a planar train. In bevel wheels with
+    /// one module cos Σ = (z₄ − z₁)/(2 z₂), as the pitch cones of sun and ring touch the satellite's on opposite sides.
     pub fn inclination(&self) -> f64 {
         match self.kind {
             Kind::Planar | Kind::Stepped => 0.0,
@@ -305,7 +297,7 @@ fn planar_shafts([sun, ring]: [f64; 2]) -> Result<[u32; 2], Vec<TrainError>> {
     Ok([sun, ring])
 }
 
-/// Numbers of teeth, or why they are none.
+/// Valid numbers of teeth.
 fn teeth<const N: usize>(members: [(Member, f64); N]) -> Result<[u32; N], Vec<TrainError>> {
     let mut reasons = Vec::new();
     let teeth = members.map(|(member, value)| {

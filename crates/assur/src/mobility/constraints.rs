@@ -7,13 +7,12 @@ use super::elimination::System;
 use super::screw::{Form, IN_PLANE, Screw, basis};
 use super::{Pair, Scheme, Space};
 
-/// Of each pair the wrenches that it bears between its first link and each other one, in the space where motions
-/// are looked for.
+/// Wrenches of each pair between its first link and any other, in the space of the motions.
 pub(super) struct Constraints {
     wrenches: Vec<Vec<Screw>>,
-    /// The components of a screw that matter.
+    /// Components of a screw in this space.
     components: &'static [usize],
-    /// The columns of each pair's unknowns.
+    /// First column of each pair's unknowns, and the end.
     starts: Vec<usize>,
 }
 
@@ -38,8 +37,8 @@ impl Constraints {
         }
     }
 
-    /// The equilibrium of every moving link under stresses of the pairs alone: the transposed constraints, whose
-    /// solutions are the self-stresses. Its rank is that of the constraints.
+    /// Equilibrium of every moving link under stresses of the pairs alone: the transposed constraints, whose solutions
+    /// are the self-stresses. Its rank is that of the constraints.
     pub(super) fn equilibrium(&self, scheme: &Scheme) -> System {
         let sizes = self
             .starts
@@ -61,7 +60,7 @@ impl Constraints {
         system
     }
 
-    /// The constraints themselves, whose solutions are the motions: the unknowns are the twists of the moving links.
+    /// The constraints, whose solutions are the motions; the unknowns are the twists of the moving links.
     pub(super) fn motions(&self, scheme: &Scheme) -> System {
         let moving = scheme.links().len() - 1;
         let mut system = System::new((0..moving).map(|_| self.components.len()));
@@ -83,7 +82,7 @@ impl Constraints {
         system
     }
 
-    /// The pairs that are stressed.
+    /// The pairs with a nonzero stress.
     pub(super) fn stressed(&self, stress: &[f64]) -> Vec<usize> {
         let greatest = stress
             .iter()
@@ -96,7 +95,7 @@ impl Constraints {
         (0..self.wrenches.len()).filter(bears).collect()
     }
 
-    /// The wrenches that a stressed pair bears, between its first link and each other one.
+    /// The wrenches of a stressed pair, between its first link and each other one.
     pub(super) fn wrenches_of(&self, stress: &[f64], pair: usize) -> Vec<Screw> {
         let wrenches = &self.wrenches[pair];
         let own = &stress[self.starts[pair]..self.starts[pair + 1]];
@@ -113,12 +112,12 @@ impl Constraints {
         self.starts.partition_point(|start| *start <= column) - 1
     }
 
-    /// How many constraints these pairs have on a link that all of them join to what stands still.
+    /// Number of independent constraints of these pairs on a link, if all other links are at rest.
     pub(super) fn rank(&self, pairs: impl Iterator<Item = usize>) -> usize {
         basis(pairs.flat_map(|pair| &self.wrenches[pair]).copied()).len()
     }
 
-    /// How many freedoms two links have while all others stand still; `pairs` are all that they have.
+    /// Number of freedoms of two links with all others at rest; `pairs` are all their pairs.
     pub(super) fn together(
         &self,
         scheme: &Scheme,
@@ -144,7 +143,7 @@ impl Constraints {
 }
 
 impl Space {
-    /// The components of a screw that matter.
+    /// Components of a screw in this space.
     pub(super) fn components(self) -> &'static [usize] {
         match self {
             Self::Plane => &IN_PLANE,
@@ -154,7 +153,8 @@ impl Space {
 }
 
 impl Pair {
-    /// How a link takes part in the constraints between the first link and another one, counted from 0.
+    /// Sign of a link in the constraints between the first link and another one, counted from 0; zero for any other
+    /// link.
     pub(super) fn sign(&self, link: usize, other: usize) -> f64 {
         if self.links.first() == Some(&link) {
             -1.0
@@ -165,7 +165,7 @@ impl Pair {
         }
     }
 
-    /// The same for each of the other links.
+    /// These signs for each of the other links.
     pub(super) fn signs(&self, link: usize) -> impl Iterator<Item = f64> + '_ {
         (0..self.count()).map(move |other| self.sign(link, other))
     }

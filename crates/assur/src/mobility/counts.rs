@@ -1,26 +1,26 @@
-//! What the formulas count.
+//! Mobility by counting.
 
 use std::collections::BTreeMap;
 
 use super::Scheme;
 
-/// Numbers of links and pairs, and what the formulas make of them.
+/// Numbers of links and pairs, and the resulting mobility.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Counts {
     /// n: moving links.
     pub links: usize,
-    /// P_i: how many pairs leave i freedoms in the scheme's own space, a hinge of k links as k − 1.
+    /// P_i: number of pairs with i freedoms in the scheme's own space; a hinge of k links counts as k − 1.
     pub pairs: BTreeMap<u8, usize>,
-    /// The same by their freedoms in space.
+    /// The same by freedoms in space.
     pub spatial_pairs: BTreeMap<u8, usize>,
-    /// W by Chebyshev and Grübler, W = 3n − 2P₁ − P₂, of a planar scheme (mobility paper, (1)).
+    /// W by Chebyshev and Grübler for a planar scheme, W = 3n − 2P₁ − P₂ (mobility paper, (1)).
     pub planar: Option<isize>,
     /// W by Somov and Malyshev, W = 6n − Σ(6 − i)P_i (mobility paper, (2)).
     pub spatial: isize,
 }
 
 impl Scheme {
-    /// What the formulas count.
+    /// Numbers of links and pairs, with W by the formulas.
     pub fn counts(&self) -> Counts {
         let links = self.links().len() - 1;
         let (mut pairs, mut spatial_pairs) = (BTreeMap::new(), BTreeMap::new());
@@ -54,14 +54,14 @@ impl Counts {
         self.planar.unwrap_or(self.spatial)
     }
 
-    /// q, the redundant constraints in space where the mobility is known: q = Σ(6 − i)P_i − 6n + W
-    /// (mobility paper, (3), which prints − W).
+    /// q, the redundant constraints in space for a known mobility: q = Σ(6 − i)P_i − 6n + W (mobility paper, (3), which
+    /// prints − W).
     pub fn redundant(&self, mobility: isize) -> isize {
         mobility - self.spatial
     }
 
-    /// q of a planar scheme whose pairs have one freedom each, in space too: q = ΣS + 2(n − P₁), of which
-    /// each of P₁ − n cut pairs has S = 5 (mobility paper, (6)): 3 for each independent loop. None of others.
+    /// q of a planar scheme whose pairs have one freedom each, also in space: q = ΣS + 2(n − P₁), where each of P₁ − n
+    /// cut pairs has S = 5 (mobility paper, (6)): 3 for each independent loop. None for other schemes.
     pub fn redundant_by_plane(&self) -> Option<isize> {
         let one = |pairs: &BTreeMap<u8, usize>| pairs.keys().eq([&1]);
         let applies = self.planar.is_some() && one(&self.pairs) && one(&self.spatial_pairs);

@@ -1,19 +1,19 @@
-//! Cutting pairs: by name, which to choose, and what is wrong with a choice.
+//! Cuts of pairs: names, an automatic choice, and errors.
 
 use super::Scheme;
 use crate::sorting::sort;
 
-/// A link taken off a pair. Of a pair of two links it does not matter which of them: the pair is gone. A
-/// compound hinge loses one link at a time.
+/// A link detached from a pair. A pair of two links is removed by either of them; a compound hinge loses one link at a
+/// time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Cut {
     /// The pair.
     pub pair: usize,
-    /// The link that leaves it.
+    /// The detached link.
     pub link: usize,
 }
 
-/// Why cuts do not open a scheme into a chain joined to the ground.
+/// Reasons why cuts do not open a scheme into a chain joined to the ground.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CutError {
     /// There is no pair of this name.
@@ -25,16 +25,16 @@ pub enum CutError {
         /// The link.
         link: String,
     },
-    /// More than two links meet in this pair: it must be told which leaves it.
+    /// More than two links meet in this pair: the detached link must be named.
     WhichLink(String),
-    /// This is cut already, there is nothing left of it.
+    /// This was cut before, and nothing is left to cut.
     Twice(String),
-    /// A contour that is still closed, the shortest, by its pairs in their order along it.
+    /// The shortest contour that is still closed, by its pairs in their order along it.
     Closed {
         /// The pairs.
         pairs: Vec<String>,
     },
-    /// Links that are joined to nothing any more.
+    /// Links that are disconnected.
     Apart {
         /// The links.
         links: Vec<String>,
@@ -42,10 +42,10 @@ pub enum CutError {
 }
 
 impl Scheme {
-    /// The cut of a name: that of a pair, or of a compound hinge the pair and the link, `Q:3`.
+    /// The cut with a name: that of a pair, or for a compound hinge pair and link, `Q:3`.
     ///
     /// # Errors
-    /// There is no such pair, no such link in it, or the link of a compound hinge is not told.
+    /// There is no such pair, no such link in it, or the link of a compound hinge is missing.
     pub fn cut_named(&self, name: &str) -> Result<Cut, CutError> {
         if let Some(pair) = self.pair(name) {
             let joined = &self.pairs()[pair];
@@ -66,7 +66,7 @@ impl Scheme {
         Ok(Cut { pair, link })
     }
 
-    /// The name of a cut, as [`Scheme::cut_named`] reads it.
+    /// The name of a cut, as read by [`Scheme::cut_named`].
     pub fn cut_name(&self, cut: Cut) -> String {
         let pair = &self.pairs()[cut.pair];
         if pair.is_compound() {
@@ -76,14 +76,14 @@ impl Scheme {
         }
     }
 
-    /// Cuts that open every contour: the way goes from the ground as deep as it can, over the pairs in their
-    /// order; a pair that leads to a link where it has been is cut.
+    /// Cuts that open every contour. A depth-first search from the ground takes the pairs in their order; a pair that
+    /// leads to a visited link is cut.
     pub fn automatic(&self) -> Vec<Cut> {
         let pairs_of = self.pairs_of();
         let mut been = vec![false; self.links().len()];
         let mut passed = vec![false; self.pairs().len()];
         let mut cuts = vec![];
-        // Where the way is, link by link and pair by pair, with what is left to try there.
+        // The current path of links and pairs, each with the next one to try.
         let mut way = vec![Stop::Link(0, 0)];
         been[0] = true;
         while let Some(stop) = way.last_mut() {
@@ -129,11 +129,11 @@ impl Scheme {
     }
 }
 
-/// A place on the way of [`Scheme::automatic`].
+/// An element of the path in [`Scheme::automatic`].
 enum Stop {
-    /// A link, and the number of the pair to try next.
+    /// A link, and the index of its next pair.
     Link(usize, usize),
-    /// A pair, the link from which it was entered, and the number of the link to try next.
+    /// A pair, the link from which it was entered, and the index of its next link.
     Pair {
         pair: usize,
         from: usize,

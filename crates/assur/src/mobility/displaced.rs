@@ -7,7 +7,7 @@ use nalgebra::Rotation3;
 use super::screw::{Form, Screw};
 use super::{PairKind, Vector3};
 
-/// Where a link is, relative to the drawn pose. Lengths are relative to the size of the scheme.
+/// Placement of a link relative to the drawn pose. Lengths are relative to the size of the scheme.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placement {
     rotation: Rotation3<f64>,
@@ -15,7 +15,7 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    /// As drawn.
+    /// The drawn placement.
     pub(super) fn drawn() -> Self {
         Self {
             rotation: Rotation3::identity(),
@@ -23,7 +23,7 @@ impl Placement {
         }
     }
 
-    /// Moved on along a twist.
+    /// Displaced further by a twist.
     pub(super) fn moved(&self, twist: &Screw) -> Self {
         let turn = Rotation3::from_scaled_axis(Vector3::new(twist[0], twist[1], twist[2]));
         let along = Vector3::new(twist[3], twist[4], twist[5]);
@@ -33,7 +33,7 @@ impl Placement {
         }
     }
 
-    /// How far from the drawn pose: the angle turned, or the way of the middle, whichever is more.
+    /// Distance from the drawn pose: the greater of the angle turned and the displacement of the centre.
     pub(super) fn distance(&self) -> f64 {
         self.rotation.angle().max(self.shift.norm())
     }
@@ -49,21 +49,21 @@ impl Placement {
 
 /// A pair between two links away from the drawn pose.
 pub(super) struct Displaced {
-    /// Its half on the first link: that with the cylinder in which a ball is, and with the plane of a contact. A
-    /// universal pair has its second axis on the second link.
+    /// Its half on the first link, which has the cylinder around a ball, and the plane of a contact. A universal pair
+    /// has its second axis on the second link.
     pub(super) form: Form,
-    /// By how much each of [`Form::constraints`] is broken, in their order.
+    /// Violation of each of [`Form::constraints`], in their order.
     pub(super) gaps: Vec<f64>,
 }
 
 impl Displaced {
-    /// A pair of the drawn pose with its links at these places. Surfaces that touch are known to the first order
-    /// only: the second link has the line or the point in which they touch, the first the plane.
+    /// A pair of the drawn pose with its links displaced. Surfaces in contact are known to first order only: the second
+    /// link has the line or the point of contact, the first the plane.
     pub(super) fn new(drawn: &Form, [first, second]: [&Placement; 2]) -> Self {
         let [a, b] = [first.carries(drawn), second.carries(drawn)];
         let across = b.place - a.place;
         let opening = |direction: usize| a.frame[direction].dot(&across);
-        // How far the second axis is turned from the first about each direction of the frame.
+        // Angle from the first axis to the second about each direction of the frame.
         let axes = a.frame[0].cross(&b.frame[0]);
         let leaning = |direction: usize| a.frame[direction].dot(&axes);
         let twisted = a.frame[0].dot(&a.frame[1].cross(&b.frame[1]));

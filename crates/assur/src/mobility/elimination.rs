@@ -1,17 +1,17 @@
 //! Rank and null space of a matrix of small dense blocks, most of which are zero.
 //!
-//! Gauss's elimination by *fronts* (Duff, Reid, *The multifrontal solution of indefinite sparse symmetric linear
-//! equations*, 1983): a front is dense rows over a few blocks of columns. To eliminate a block, the fronts that
-//! have it are put together, the greatest entry in its columns is the pivot, and what is left of the rows is one
-//! front without the block. The block with the smallest front is next. No multiplier is greater than 1; columns in
-//! which nothing is left have no pivot, they are *free*.
+//! Gaussian elimination by *fronts* (Duff, Reid, *The multifrontal solution of indefinite sparse symmetric linear
+//! equations*, 1983): a front is dense rows over a few blocks of columns. To eliminate a block, the fronts that contain
+//! it are merged, the greatest entry in its columns is the pivot, and the remaining rows form one front without the
+//! block. The block with the smallest front is next. No multiplier is greater than 1. Columns left with zeros only have
+//! no pivot and are *free*.
 
 use super::screw::ZERO;
 
-/// Rows of a homogeneous system, whose entries are about 1 or less.
+/// Rows of a homogeneous system, with entries of about 1 or less.
 #[derive(Clone, Debug)]
 pub(super) struct System {
-    /// Of each block its columns: the first, and one past the last.
+    /// Columns of each block: the first, and one past the last.
     blocks: Vec<[usize; 2]>,
     fronts: Vec<Front>,
 }
@@ -21,7 +21,7 @@ pub(super) struct System {
 struct Front {
     blocks: Vec<usize>,
     width: usize,
-    /// Row by row.
+    /// Row-major entries.
     entries: Vec<f64>,
 }
 
@@ -36,15 +36,15 @@ impl Front {
 pub(super) struct Eliminated {
     columns: usize,
     pivots: Vec<Pivot>,
-    /// The columns without a pivot, in the order in which they were found.
+    /// The columns without a pivot, in the order of detection.
     free: Vec<Free>,
 }
 
-/// A row with a pivot: the unknown of its column from others that were eliminated later, or are free.
+/// A pivot row: its unknown as a combination of free unknowns and of those eliminated later.
 #[derive(Clone, Debug)]
 struct Pivot {
     column: usize,
-    /// What the unknown is per unit of others.
+    /// Coefficients of the other unknowns.
     others: Vec<(usize, f64)>,
 }
 
@@ -52,12 +52,12 @@ struct Pivot {
 #[derive(Clone, Copy, Debug)]
 struct Free {
     column: usize,
-    /// How many pivots there were before it was found to be free: no later one depends on it.
+    /// Number of pivots before it was found to be free: no later one depends on it.
     before: usize,
 }
 
 impl System {
-    /// A system without rows whose blocks have so many columns.
+    /// A system without rows, with blocks of these numbers of columns.
     pub(super) fn new(sizes: impl Iterator<Item = usize>) -> Self {
         let blocks = sizes.scan(0, |end, size| {
             *end += size;
@@ -69,7 +69,7 @@ impl System {
         }
     }
 
-    /// Adds rows over these blocks, entry by entry and row by row.
+    /// Adds rows over these blocks, with row-major entries.
     pub(super) fn push(&mut self, blocks: Vec<usize>, entries: Vec<f64>) {
         let width = blocks.iter().map(|block| self.size(*block)).sum();
         self.fronts.push(Front {
@@ -129,7 +129,7 @@ impl System {
         done
     }
 
-    /// How large the front of a block would be. `marks` are room to work.
+    /// Size of the front of a block. `marks` is scratch space.
     fn cost(&self, block: usize, fronts: &[usize], marks: &mut [usize]) -> usize {
         let (mut rows, mut width) = (0, 0);
         for &at in fronts {
@@ -149,7 +149,7 @@ impl System {
         rows * width
     }
 
-    /// The fronts put together, the columns of the block first. What they were is empty after that.
+    /// Merges fronts, with the columns of the block first, and leaves them empty.
     fn merged(&mut self, block: usize, fronts: &[usize], starts: &mut [usize]) -> Front {
         let mut blocks = vec![block];
         starts[block] = 0;
@@ -190,7 +190,7 @@ impl System {
         }
     }
 
-    /// Eliminates the first block of a front, which then no longer has it.
+    /// Eliminates the first block of a front and removes it.
     fn reduce(&self, front: &mut Front, done: &mut Eliminated) {
         let (width, rows) = (front.width, front.rows());
         let block = front.blocks.remove(0);
@@ -250,7 +250,7 @@ impl System {
     }
 }
 
-/// Where the greatest entry is among columns from `from` to `to` of the rows from `from` on, and its size.
+/// Index and absolute value of the greatest entry in columns `from` to `to` of the rows from `from` on.
 fn greatest(entries: &[f64], width: usize, from: usize, to: usize) -> (usize, f64) {
     let mut greatest = (from * width + from, 0.0);
     for (row, line) in entries.chunks_exact(width).enumerate().skip(from) {
@@ -271,7 +271,7 @@ fn swap_rows(entries: &mut [f64], width: usize, upper: usize, lower: usize) {
 }
 
 impl Eliminated {
-    /// How many rows are independent.
+    /// Number of independent rows.
     pub(super) fn rank(&self) -> usize {
         self.pivots.len()
     }
@@ -287,8 +287,7 @@ impl Eliminated {
             .extend(columns.map(|column| Free { column, before }));
     }
 
-    /// The solutions in which one free unknown is 1 and the other free ones are 0, one by one; that of a block
-    /// which was kept free is the last.
+    /// Basis of solutions, with one free unknown 1 and the others 0; that of a block kept free is the last.
     pub(super) fn solutions(&self) -> impl DoubleEndedIterator<Item = Vec<f64>> + '_ {
         self.free.iter().map(|free| {
             let mut values = vec![0.0; self.columns];
@@ -298,18 +297,18 @@ impl Eliminated {
         })
     }
 
-    /// A solution with something of all those whose free unknown is wanted: no two of these are in a simple ratio.
+    /// A generic combination of the solutions of the wanted free unknowns: no two of these are in a simple ratio.
     pub(super) fn mixture(&self, wanted: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut values = vec![0.0; self.columns];
         for column in self.free().filter(|column| wanted(*column)) {
-            // A multiple of the golden section without its whole part.
+            // Fractional part of a multiple of the golden ratio.
             values[column] = 0.5 + ((column + 1) as f64 * 0.618_033_988_749_895).fract();
         }
         self.substitute(&mut values, self.pivots.len());
         values
     }
 
-    /// Finds the unknowns of the first pivots from the others.
+    /// Computes the unknowns of the first pivots from the others.
     fn substitute(&self, values: &mut [f64], pivots: usize) {
         for pivot in self.pivots[..pivots].iter().rev() {
             let others = pivot.others.iter();

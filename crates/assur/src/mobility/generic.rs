@@ -1,4 +1,4 @@
-//! The mobility at a pose near the drawn one, where nothing is in line by chance.
+//! Mobility in a pose near the drawn one, with nothing in line by chance.
 
 use super::constraints::Constraints;
 use super::displaced::{Displaced, Placement};
@@ -8,24 +8,24 @@ use super::{NoRank, Scheme, Space};
 use crate::sorting::sort_by_key;
 use crate::tolerance;
 
-/// Steps away from the drawn pose, angles and ways relative to the size.
+/// Steps from the drawn pose, angles and displacements relative to the size.
 const STEPS: [f64; 3] = [0.05, 0.02, 0.005];
 
-/// How often gaps are closed further.
+/// Maximum number of corrections that close the gaps.
 const CORRECTIONS: usize = 40;
 
-/// What the rank says where the scheme has moved away from the drawn pose.
+/// Mobility by rank away from the drawn pose.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Generic {
-    /// W at a pose nearby.
+    /// W in a pose nearby.
     At {
         /// W.
         mobility: usize,
     },
-    /// No other pose was reached: the freedoms at the drawn pose are of an instant.
+    /// No other pose was reached: the freedoms in the drawn pose are instantaneous.
     Instantaneous,
-    /// Redundant constraints are borne by surfaces that touch; whether they stay redundant depends on how these are
-    /// curved, which no scheme tells.
+    /// Redundant constraints involve surfaces in contact; whether they remain redundant depends on the curvature of the
+    /// surfaces, which a scheme does not contain.
     Contact {
         /// The pairs with these surfaces, in the order of names.
         pairs: Vec<usize>,
@@ -33,11 +33,11 @@ pub enum Generic {
 }
 
 impl Scheme {
-    /// What the rank says at a pose nearby: a small step along a motion of the drawn pose, after which the pairs
-    /// are closed again.
+    /// Mobility by rank in a pose nearby: after a small step along a motion of the drawn pose the pairs are closed
+    /// again.
     ///
     /// # Errors
-    /// What is missing for it.
+    /// The data missing for the rank.
     pub fn generic(&self, space: Space) -> Result<Generic, NoRank> {
         let verdict = self.rank_report(space)?;
         let mut contacts: Vec<usize> = verdict
@@ -72,7 +72,7 @@ impl Scheme {
         Ok(Generic::Instantaneous)
     }
 
-    /// One motion of the drawn pose in which all others have a part: of each link the twist, the greatest 1.
+    /// A combination of all motions of the drawn pose: twists of the links, with greatest component 1.
     fn way(&self, forms: &[Form], space: Space) -> Vec<Screw> {
         let motions = Constraints::new(self, forms, space)
             .motions(self)
@@ -86,8 +86,8 @@ impl Scheme {
         [Screw::zeros()].into_iter().chain(twists).collect()
     }
 
-    /// Closes the pairs again with the least motion of the links (Gauss and Newton, damped as Levenberg and
-    /// Marquardt have it); the placements and the pairs then. None where that does not come to an end.
+    /// Closes the pairs with the least motion of the links (Gauss-Newton with Levenberg-Marquardt damping). Returns the
+    /// placements and the pairs in them; none if it does not converge.
     fn closed(
         &self,
         drawn: &[Form],
@@ -104,7 +104,7 @@ impl Scheme {
                     .filter_map(|halves| halves.into_iter().next());
                 return Some((placements, forms.map(|half| half.form).collect()));
             }
-            // After a gap of this size links are no longer near the drawn pose.
+            // Beyond gaps of this size the links are no longer near the drawn pose.
             if worst.is_nan() || worst > 1.0 {
                 return None;
             }
@@ -117,7 +117,7 @@ impl Scheme {
         None
     }
 
-    /// Of each pair what it is between its first link and each other one.
+    /// Each pair between its first link and each other one.
     fn halves(&self, drawn: &[Form], placements: &[Placement]) -> Vec<Vec<Displaced>> {
         let pairs = self.pairs().iter().zip(drawn);
         let between = pairs.map(|(pair, form)| {
@@ -178,14 +178,14 @@ impl Scheme {
             let forces = pairs.iter().map(|pair| moving + pair);
             system.push([link - 1].into_iter().chain(forces).collect(), entries);
         }
-        // The constant is the last of the free unknowns.
+        // The constant was kept free, so its solution is the last one.
         let mut solution = system.eliminated(Some(constant)).solutions().next_back()?;
         solution.truncate(moving * width);
         Some(solution)
     }
 }
 
-/// The greatest size of a value, 1 where there is none but zero.
+/// The greatest absolute value; 1 if all are zero.
 fn greatest(values: &[f64]) -> f64 {
     let greatest = values
         .iter()
@@ -193,7 +193,7 @@ fn greatest(values: &[f64]) -> f64 {
     if greatest > 0.0 { greatest } else { 1.0 }
 }
 
-/// A twist of its components that matter.
+/// A twist from its components in a space.
 fn twist(values: &[f64], space: Space) -> Screw {
     let mut twist = Screw::zeros();
     for (component, value) in space.components().iter().zip(values) {

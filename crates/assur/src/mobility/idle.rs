@@ -1,4 +1,4 @@
-//! Idle links: such as move while all others stand still.
+//! Idle links: they can move while all others are at rest.
 
 use crate::sorting::sort_by_key;
 use std::collections::BTreeSet;
@@ -7,11 +7,11 @@ use super::constraints::Constraints;
 use super::{Pair, Scheme, Space};
 
 impl Scheme {
-    /// Idle links, each alone or with another one that is joined to it, in the order of names.
+    /// Idle links, single or in joined twos, in the order of names.
     ///
-    /// Not idle is what is at the end of an open chain; nor a link joined to the ground by a pair of one freedom that is
-    /// all that moves at this instant, a cam in its dwell; nor two links one of which is joined so, a crank in its dead
-    /// point with its coupler.
+    /// Excluded are the ends of open chains. Also excluded is a link joined to the ground by a pair of one freedom if
+    /// it is the only one moving at this instant (a cam in its dwell), and two links one of which is joined so (a crank
+    /// in its dead point with its coupler).
     pub(super) fn idle(
         &self,
         constraints: &Constraints,
@@ -34,7 +34,7 @@ impl Scheme {
         });
         let mut idle: Vec<Vec<usize>> = lone.map(|link| vec![link]).collect();
         for two in self.joined() {
-            // Where others alone hold one of them, the two have no motion in which both move.
+            // If one of the links is held by others alone, there is no motion in which both move.
             let by_others = |link: usize| {
                 let pairs = pairs_of[link].iter().copied();
                 let is_theirs = |pair: &usize| {
@@ -65,7 +65,7 @@ impl Scheme {
         idle
     }
 
-    /// Moving links that are joined to each other, two by two.
+    /// Pairs of moving links that are joined to each other.
     fn joined(&self) -> BTreeSet<[usize; 2]> {
         let pairs = self.pairs().iter();
         let joined = pairs.flat_map(|pair| {
@@ -78,8 +78,8 @@ impl Scheme {
         joined.collect()
     }
 
-    /// For each link true if it is in a contour or between two: a link with one pair, at the end of an open chain,
-    /// is taken away until nothing more does.
+    /// For each link true if it is in a contour or between two: links with a single pair, the ends of open chains, are
+    /// removed until none is left.
     fn between_others(&self) -> Vec<bool> {
         let mut between = vec![true; self.links().len()];
         loop {

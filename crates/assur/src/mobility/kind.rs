@@ -1,40 +1,40 @@
-//! What pairs there are, by the freedoms that they leave.
+//! Kinds of pairs, by their freedoms.
 
-/// A kinematic pair by its form. Each has an *axis* (of the turn, the way, the cylinder) or a
-/// *normal* (of the plane), and some a second direction at right angles to it.
+/// A kinematic pair by its form. Each has an *axis* (of rotation, sliding, or a cylinder) or a *normal* (of a plane),
+/// and some a second direction perpendicular to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PairKind {
     /// A hinge: turns about its axis.
     Revolute,
     /// A slide along its axis.
     Prismatic,
-    /// A screw: turns about its axis and goes the pitch along it with every turn.
+    /// A screw: turns about its axis and moves along it by the pitch with every turn.
     Screw {
-        /// The way of a whole turn, in the unit of the lengths; not zero.
+        /// Displacement per turn, in the unit of the lengths; not zero.
         pitch: f64,
     },
     /// Turns about its axis and slides along it.
     Cylindrical,
-    /// Turns about two axes that cross at right angles (also a sphere with a pin in a slot).
+    /// Turns about two axes that intersect at right angles (also a sphere with a pin in a slot).
     Universal,
     /// A ball in its socket.
     Spherical,
     /// A plane on a plane: turns about the normal, slides in both directions of the plane.
     Planar,
-    /// A ball in a cylinder: turns in every way, slides along the axis of the cylinder.
+    /// A ball in a cylinder: turns about all axes, slides along the axis of the cylinder.
     SphereInCylinder,
-    /// A cylinder on a plane, or any two surfaces that touch along a line: the second direction is that of the
-    /// line. Higher pairs of planar mechanisms, cams and wheels in mesh, are of this kind; the line is then normal
-    /// to the plane of motion.
+    /// A cylinder on a plane, or any two surfaces in line contact: the second direction is that of the line. Higher
+    /// pairs of planar mechanisms, cams and wheels in mesh, are of this kind; their line is normal to the plane of
+    /// motion.
     CylinderOnPlane,
-    /// A ball on a plane, or any two surfaces that touch in a point.
+    /// A ball on a plane, or any two surfaces in point contact.
     SphereOnPlane,
-    /// A pair given only by its number of freedoms: it can be counted, and has no rank.
+    /// A pair given only by its number of freedoms: it can be counted, but has no rank.
     Class(u8),
 }
 
 impl PairKind {
-    /// The pairs that have a form, with a pitch for the screw.
+    /// All kinds with a form; the screw has this pitch.
     pub fn forms(pitch: f64) -> [Self; 10] {
         [
             Self::Revolute,
@@ -50,7 +50,7 @@ impl PairKind {
         ]
     }
 
-    /// i: how many freedoms it leaves in space, 1 to 5 (of [`PairKind::Class`] as told).
+    /// i: freedoms in space, 1 to 5 (for [`PairKind::Class`] as given).
     pub fn freedoms(self) -> u8 {
         match self {
             Self::Revolute | Self::Prismatic | Self::Screw { .. } => 1,
@@ -62,17 +62,17 @@ impl PairKind {
         }
     }
 
-    /// Whether it has a second direction, which tells it from the same pair turned about its axis.
+    /// True if it has a second direction: turning the pair about its axis makes a different one.
     pub fn has_second(self) -> bool {
         matches!(self, Self::Universal | Self::CylinderOnPlane)
     }
 
-    /// Whether its directions matter: a ball in its socket has none.
+    /// True if its directions matter; a ball in its socket has none.
     pub fn has_axis(self) -> bool {
         !matches!(self, Self::Spherical | Self::Class(_))
     }
 
-    /// Whether more than two links can meet in one: what any two of them may do, any two others may.
+    /// True if more than two links can meet in it: the relative motion is of the same kind for any two of them.
     pub fn joins_many(self) -> bool {
         matches!(
             self,
@@ -80,12 +80,12 @@ impl PairKind {
         )
     }
 
-    /// Whether it is of surfaces that touch along a line or in a point: a higher pair.
+    /// True for a higher pair, of surfaces in line or point contact.
     pub fn touches(self) -> bool {
         matches!(self, Self::CylinderOnPlane | Self::SphereOnPlane)
     }
 
-    /// Whether it lets its links turn in the plane to which its axis is normal.
+    /// True if it allows rotation in the plane normal to its axis.
     pub(super) fn turns_in_plane(self) -> bool {
         matches!(
             self,

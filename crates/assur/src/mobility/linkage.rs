@@ -1,4 +1,4 @@
-//! Any linkage of the simulator as a scheme.
+//! The scheme of a linkage.
 
 use std::collections::BTreeSet;
 
@@ -9,28 +9,28 @@ use crate::mechanism::{
 };
 use crate::{Point, Vector};
 
-/// The name of a contact of wheels in mesh: P, as textbooks have the pitch point.
+/// Name of a contact of wheels in mesh: P, as the pitch point in textbooks.
 const PITCH_POINT: &str = "P";
 
-/// The name of a wheel between two others that a draft does not have, but its mesh as printed implies.
+/// Name of the idler that a mesh as printed implies.
 const IDLER: &str = "idler";
 
-/// α of involute gears (ISO 53): the angle between the line of action and the common tangent of the pitch circles.
+/// Pressure angle α of involute gears (ISO 53), between the line of action and the common tangent of the pitch circles.
 const PRESSURE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
 impl SchemeSpec {
-    /// A linkage at a pose. A hinge has the name of its point, a slide that of the point or the link that slides,
-    /// wheels in mesh touch in P. Links that are fixed to each other are one; between wheels that mesh "as
-    /// printed" there is an idler, as [`Mechanism::counts`] has it. Meshes of wheels about one centre have no place.
+    /// The scheme of a linkage in a pose. A hinge is named after its point, a slide after its point or the link that
+    /// slides; wheels in mesh touch in P. Links fixed to each other are one; between wheels that mesh "as printed"
+    /// there is an idler, as in [`Mechanism::counts`]. Meshes of wheels with a common centre have no place.
     pub fn of(mechanism: &Mechanism, pose: &Pose<1>) -> Self {
         Self::of_sound(&mechanism.drawn_in(pose))
     }
 
-    /// The same of a linkage that need not move, with its pairs where they are drawn: one that is locked, has too few
-    /// drivers, or does not close.
+    /// The scheme of a linkage that need not move, with its pairs as drawn: it may be locked, have too few drivers, or
+    /// not close.
     ///
     /// # Errors
-    /// What is named and is not there, and whatever else leaves no pairs to count.
+    /// Missing names, and all other defects that leave no pairs to count.
     pub fn of_drawing(spec: &LinkageSpec) -> Result<Self, Vec<Defect>> {
         let defects = spec.defects();
         if defects.is_empty() {
@@ -40,7 +40,7 @@ impl SchemeSpec {
         }
     }
 
-    /// The scheme of a draft of which all names are there.
+    /// The scheme of a specification without missing names.
     fn of_sound(spec: &LinkageSpec) -> Self {
         let own = spec.links.iter().filter(|link| link.fixed_to.is_none());
         let own = own.map(|link| link.name.as_str());
@@ -67,13 +67,13 @@ impl SchemeSpec {
     }
 }
 
-/// A scheme that is being made.
+/// A scheme under construction.
 struct Parts<'a> {
     spec: &'a LinkageSpec,
     pairs: Vec<PairSpec>,
-    /// Names of pairs that are given.
+    /// Names of pairs in use.
     names: BTreeSet<String>,
-    /// Names of links that are given.
+    /// Names of links in use.
     links: BTreeSet<String>,
 }
 
@@ -91,7 +91,7 @@ impl Parts<'_> {
         }
     }
 
-    /// The names of the bodies that have a point, in the order of the draft.
+    /// The names of the bodies with a point, in the order of the specification.
     fn joined(&self, point: &String) -> Vec<String> {
         let spec = self.spec;
         let on_frame = spec.frame.contains(point).then_some(FRAME);
@@ -134,14 +134,14 @@ impl Parts<'_> {
             _ => None,
         };
         let line = centres.map_or(0.0, |[from, to]| (to - from).y.atan2((to - from).x));
-        // Of a sound draft the numbers of teeth are.
+        // A valid specification has valid numbers of teeth.
         let Ok(pair) = GearPair::new(gear.teeth, gear.mesh, 1.0, line) else {
             debug_assert!(false, "numbers of teeth of a mechanism");
             return;
         };
         let train = pair.train();
         let length = train.last().map_or(1.0, |last| last.centre.norm());
-        // The wheels as large as the distance of the centres wants them.
+        // The wheels scaled to the distance of the centres.
         let at = |wheel: &Wheel| {
             centres.map(|[from, to]| from + wheel.centre * ((to - from).norm() / length))
         };
@@ -171,7 +171,7 @@ impl Parts<'_> {
         }
     }
 
-    /// Adds a pair; its name gets primes where there is another one of this name.
+    /// Adds a pair; if its name is in use, it gets primes.
     fn pair(
         &mut self,
         name: String,
@@ -190,12 +190,12 @@ impl Parts<'_> {
         });
     }
 
-    /// The name of the body of a link.
+    /// The name of a link's body.
     fn body(&self, link: &str) -> String {
         self.spec.root_of(link).to_owned()
     }
 
-    /// Where two bodies are hinged on each other.
+    /// Position of a hinge between two bodies.
     fn hinged(&self, one: &String, other: &String) -> Option<Point> {
         let mut points = self.spec.points.iter();
         let joint = points.find(|point| {
@@ -206,8 +206,8 @@ impl Parts<'_> {
     }
 }
 
-/// The pitch point of two wheels about these centres, of which the second turns in this ratio to the first, and
-/// the direction of the line of action.
+/// Pitch point of two wheels with these centres, where the second turns in this ratio to the first, and direction of
+/// the line of action.
 fn contact([one, other]: [Point; 2], ratio: f64) -> (Point, Vector) {
     let line = other - one;
     let along = line.normalize();
@@ -223,7 +223,7 @@ fn spatial(direction: Vector) -> Vector3 {
     Vector3::new(direction.x, direction.y, 0.0)
 }
 
-/// The name, with as many primes as it needs to be new.
+/// The name with as many primes as needed to be unique.
 fn unused(mut name: String, given: &mut BTreeSet<String>) -> String {
     while !given.insert(name.clone()) {
         name.push('′');

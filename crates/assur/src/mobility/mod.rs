@@ -1,12 +1,10 @@
-//! Mobility and redundant constraints: what counting says of a mechanism, in the plane and in
-//! space, and what its geometry says.
+//! Mobility and redundant constraints, by counting, in the plane and in space, and by geometry.
 //!
-//! A [`Scheme`] is links and the pairs that join them, each with the freedoms that it leaves.
-//! No motion is followed and no length is needed: W is counted by the formulas of Chebyshev and
-//! Grübler, of Somov and Malyshev, loop by loop, and by the *method of sections* (Ambartsumyants,
-//! Arabadzhi): pairs are cut until every contour is open, the freedoms of what is left are summed,
-//! and the constraints of the cut pairs are taken away again. Where places and axes of the pairs
-//! are known, the rank of the constraints is the rank: counting can lie.
+//! A [`Scheme`] is links and the pairs that join them, each with its freedoms. No motion is followed and no length is
+//! needed: W is counted by the formulas of Chebyshev and Grübler, of Somov and Malyshev, loop by loop, and by the
+//! *method of sections* (Ambartsumyants, Arabadzhi): pairs are cut until every contour is open, the freedoms of the
+//! remaining pairs are summed, and the constraints of the cut pairs are subtracted. If places and axes of the pairs are
+//! known, the rank of the constraints decides: counting can be wrong.
 
 mod constraints;
 mod counts;
@@ -37,7 +35,7 @@ pub use scheme::{Pair, Scheme};
 pub use sections::{Loop, Sections};
 pub use spec::{PairSpec, SchemeDefect, SchemeSpec};
 
-/// A place in space, in the unit of the lengths.
+/// A point in space, in the unit of the lengths.
 pub type Point3 = nalgebra::Point3<f64>;
 
 /// A direction or a displacement in space.

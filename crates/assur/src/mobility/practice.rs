@@ -1,18 +1,18 @@
-//! Schemes to practise on: of 2 to 6 moving links, with places at which they can be drawn, and W ≥ 1 by the count.
+//! Schemes for practice: 2 to 6 moving links, with places for a drawing, and W ≥ 1 by the count.
 
 use super::{PairKind, PairSpec, Point3, SchemeSpec, Vector3};
 
-/// Where joints may be: cells of a grid, those of the lowest row for the ground.
+/// Grid of cells for the joints; the lowest row is for the ground.
 const CELLS: [usize; 2] = [4, 3];
 
-/// How far from the middle of its cell a joint may be. Joints are at least 1 − 2 · JITTER apart.
+/// Maximum distance of a joint from the middle of its cell along each axis. Joints are at least 1 − 2 · JITTER apart.
 const JITTER: f64 = 0.15;
 
-/// The ground, by its name.
+/// Number of the ground, which is its name.
 const GROUND: usize = 0;
 
-/// A scheme to count, the same for the same seed. Most are planar: cranks, sliders, dyads of which one may meet
-/// others in a compound hinge, cams; some are contours or arms in space.
+/// A scheme to count, determined by the seed. Most are planar: cranks, sliders, dyads of which one may share a compound
+/// hinge, cams; some are contours or arms in space.
 pub fn generated(seed: u32) -> SchemeSpec {
     let mut random = Random(u64::from(seed));
     let planar = random.below(4) > 0;
@@ -29,14 +29,14 @@ pub fn generated(seed: u32) -> SchemeSpec {
     }
 }
 
-/// A scheme that is being made.
+/// A scheme under construction.
 struct Task {
     random: Random,
     planar: bool,
     pairs: Vec<PairSpec>,
-    /// How many links there are, the ground among them.
+    /// Number of links, including the ground.
     links: usize,
-    /// Cells without a joint: of the lowest row, and of those above.
+    /// Free cells: in the lowest row, and above.
     ground: Vec<[usize; 2]>,
     above: Vec<[usize; 2]>,
 }
@@ -79,7 +79,7 @@ impl Task {
         }
     }
 
-    /// A link on the ground that a cam moves.
+    /// Adds a link on the ground, moved by a cam.
     fn follower(&mut self, cam: usize) {
         let follower = self.link();
         let kind = [PairKind::Revolute, PairKind::Prismatic][self.random.below(2)];
@@ -87,7 +87,7 @@ impl Task {
         self.pair(PairKind::CylinderOnPlane, &[cam, follower]);
     }
 
-    /// Two links, hinged on each other and joined to two that are there.
+    /// Adds two links, hinged on each other and joined to two existing ones.
     fn dyad(&mut self) {
         let first = self.random.below(self.links);
         let mut second = self.random.below(self.links - 1);
@@ -102,7 +102,7 @@ impl Task {
             pair.kind == PairKind::Revolute && pair.links.contains(&host)
         });
         let hinges: Vec<usize> = hinges.map(|(at, _)| at).collect();
-        // Now and then where its host is hinged already; not on the other host, which would be a link with both.
+        // Sometimes in an existing hinge of its host, but not one shared with the other host.
         let other_host = hosts[1].to_string();
         let hinge = (self.random.below(4) == 0)
             .then(|| {
@@ -140,13 +140,13 @@ impl Task {
         let pairs = 4 + self.random.below(2);
         self.chain([GROUND, GROUND], pairs, freedoms);
         if pairs == 4 && self.random.below(2) == 0 {
-            // As figure 3 of the mobility paper: the second contour adds nothing to W.
+            // As in figure 3 of the mobility paper: the second contour adds nothing to W.
             self.chain([2, GROUND], 3, 6);
         }
     }
 
-    /// Links from one to another that is there, by so many pairs with so many freedoms in all, of which one slides
-    /// at most.
+    /// Adds links between two existing ones, with this number of pairs and total number of freedoms, at most one of
+    /// them sliding.
     fn chain(&mut self, [start, end]: [usize; 2], pairs: usize, freedoms: usize) {
         let kinds = loop {
             let kinds: Vec<PairKind> = (0..pairs).map(|_| self.kind()).collect();
@@ -165,7 +165,7 @@ impl Task {
         }
     }
 
-    /// A form in space, mostly a hinge or a ball.
+    /// A random kind in space, mostly a hinge or a ball.
     fn kind(&mut self) -> PairKind {
         let forms = [
             PairKind::Revolute,
@@ -185,7 +185,7 @@ impl Task {
         self.links - 1
     }
 
-    /// A pair of these links at a cell of its own.
+    /// Adds a pair of these links in a free cell.
     fn pair(&mut self, kind: PairKind, links: &[usize]) {
         let cells = if links.contains(&GROUND) {
             self.ground.pop().or_else(|| self.above.pop())
@@ -220,7 +220,7 @@ impl Task {
         });
     }
 
-    /// Any direction; of a planar scheme one in the plane.
+    /// A random direction, in the plane for a planar scheme.
     fn direction(&mut self) -> Vector3 {
         let planar = self.planar;
         let mut component = |in_plane: bool| match in_plane || !planar {
@@ -228,7 +228,7 @@ impl Task {
             false => 0.0,
         };
         let direction = Vector3::new(component(true), component(true), component(false));
-        // Of a length that is no accident of rounding, whatever was drawn.
+        // A minimum length, to avoid rounding errors.
         if direction.norm() > 0.1 {
             direction
         } else {
@@ -249,7 +249,7 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// A number from 0 to one less.
+    /// A random number less than `end`.
     fn below(&mut self, end: usize) -> usize {
         (self.next() % end.max(1) as u64) as usize
     }

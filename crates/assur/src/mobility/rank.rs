@@ -1,4 +1,4 @@
-//! What the geometry says of a scheme: the rank of its constraints.
+//! Mobility by rank of the constraints.
 
 use super::constraints::Constraints;
 use super::elimination::Eliminated;
@@ -6,17 +6,17 @@ use super::screw::Form;
 use super::{PairKind, Scheme};
 use crate::sorting::sort_by_key;
 
-/// Where motions are looked for.
+/// Space of the motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Space {
-    /// In the plane: of planar schemes only.
+    /// The plane; for planar schemes only.
     Plane,
-    /// In space.
+    /// Space.
     Whole,
 }
 
 impl Space {
-    /// Of a link that nothing holds.
+    /// Freedoms of an unconstrained link.
     pub(super) fn freedoms(self) -> usize {
         match self {
             Self::Plane => 3,
@@ -25,7 +25,7 @@ impl Space {
     }
 }
 
-/// Why a scheme has no rank.
+/// Reasons why a scheme has no rank.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoRank {
     /// The first pair without a place.
@@ -34,38 +34,38 @@ pub enum NoRank {
     NoAxis(String),
     /// The first pair given only by its number of freedoms.
     NoForm(String),
-    /// The scheme is not planar, and is asked for its motions in the plane.
+    /// Motions in the plane were requested, and the scheme is not planar.
     NotPlanar,
 }
 
-/// What the rank says of the drawn pose. Pairs and links are in the order of their names, whatever their order in
-/// the scheme.
+/// Mobility by rank in the drawn pose. Pairs and links are in the order of their names, whatever their order in the
+/// scheme.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RankReport {
-    /// W: how many motions are independent at once.
+    /// W: number of independent motions.
     pub mobility: usize,
-    /// How many constraints are independent.
+    /// Number of independent constraints.
     pub rank: usize,
-    /// Constraints that hold what is held already, in parts that have nothing to do with each other.
+    /// Redundant constraints, in independent parts.
     pub redundancies: Vec<Redundancy>,
-    /// Links that move alone while all others stand still, two together where they are joined.
+    /// Links that can move while all others are at rest, single or in joined twos.
     pub idle: Vec<Vec<usize>>,
 }
 
 /// Redundant constraints in one part of a scheme.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Redundancy {
-    /// How many.
+    /// Number of redundant constraints.
     pub count: usize,
-    /// The pairs that bear it: which can be stressed though nothing loads the scheme.
+    /// The pairs involved: those that can be stressed without a load.
     pub pairs: Vec<usize>,
 }
 
 impl Scheme {
-    /// What the rank says of the drawn pose.
+    /// Mobility by rank in the drawn pose.
     ///
     /// # Errors
-    /// What is missing for it.
+    /// The data missing for the rank.
     pub fn rank_report(&self, space: Space) -> Result<RankReport, NoRank> {
         let forms = self.forms(space)?;
         let constraints = Constraints::new(self, &forms, space);
@@ -80,7 +80,7 @@ impl Scheme {
         })
     }
 
-    /// The rank of the constraints in a pose, of which `forms` are the pairs.
+    /// Rank of the constraints in a pose given by `forms` of the pairs.
     pub(super) fn rank_of(&self, forms: &[Form], space: Space) -> usize {
         let constraints = Constraints::new(self, forms, space);
         constraints.equilibrium(self).eliminated(None).rank()
@@ -106,11 +106,11 @@ impl Scheme {
         forms.collect()
     }
 
-    /// Self-stresses, apart from each other: two are together where they stress the same pair.
+    /// Self-stresses in independent parts; two belong to one part if they stress a common pair.
     fn redundancies(&self, constraints: &Constraints, equilibrium: &Eliminated) -> Vec<Redundancy> {
         let count = self.pairs().len();
         let mut parts = Parts::new(count);
-        // A stress with something of all those of a part stresses no pair of another one, else the two are one.
+        // A generic combination of the stresses of a part stresses a pair of another part only if the two are one.
         let mut apart = false;
         while !apart {
             apart = true;
@@ -149,7 +149,7 @@ impl Scheme {
     }
 }
 
-/// Which pairs are in one part: each names another one of it, the first itself.
+/// Partition of the pairs: each refers to another one of its part, a representative to itself.
 struct Parts(Vec<usize>);
 
 impl Parts {
@@ -164,7 +164,7 @@ impl Parts {
         pair
     }
 
-    /// Puts pairs into one part; whether they were not in one yet.
+    /// Merges the parts of these pairs; true if they were different.
     fn join(&mut self, pairs: &[usize]) -> bool {
         let mut joined = false;
         for two in pairs.windows(2) {

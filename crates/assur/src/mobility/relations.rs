@@ -1,4 +1,4 @@
-//! The relations of the paper on mobility in numbers (Ambartsumyants and Arabadzhi, (1) to (6) and those of its figures).
+//! The relations of the mobility paper in numbers (Ambartsumyants and Arabadzhi, (1) to (6) and those of its figures).
 
 use std::collections::BTreeMap;
 
@@ -6,9 +6,9 @@ use super::{Scheme, Sections, Space};
 use crate::relation::Relation;
 
 impl Scheme {
-    /// The paper's relations for the scheme, in the order of the paper: numbers of links, freedoms and constraints. Those
-    /// of an open chain need `sections`. q is that of the W by rank where places and axes of all pairs are known, else
-    /// of the counted one.
+    /// The paper's relations for the scheme, in the order of the paper: numbers of links, freedoms and constraints.
+    /// Those of an open chain need `sections`. q is based on the W by rank if places and axes of all pairs are known,
+    /// otherwise on the counted one.
     pub fn relations(&self, sections: Option<&Sections>) -> Vec<Relation> {
         let counts = self.counts();
         let links = counts.links as isize;
@@ -30,7 +30,7 @@ impl Scheme {
         relation("001.(3)", "q", counts.redundant(whole), -spatial - whole);
         if let Some(open) = sections {
             let left = |weight: fn(isize) -> isize| sum(&open.left, weight);
-            // Pᵢ is in each term twice.
+            // Each term contains Pᵢ twice.
             let squared = |(i, count): (&u8, &usize)| isize::from(*i) * (count * count) as isize;
             let twice = open.left.iter().map(squared).sum();
             let [freedoms, removed, in_space] =
@@ -46,7 +46,7 @@ impl Scheme {
                 let printed = of_space - in_space;
                 relation("001.fig4.Wspace", "W_пр", counts.spatial, printed);
             } else {
-                // As a mechanism that has W = 1 for all that.
+                // The same for a mechanism with W = 1.
                 relation("001.fig2a.q.meaning", "W", open.mobility, 1);
                 let printed = in_space + 1 - of_space;
                 relation("001.fig2a.q.meaning", "q", open.redundant, printed);
@@ -67,7 +67,7 @@ impl Scheme {
     }
 }
 
-/// The sum of Pᵢ, each with a weight by its i.
+/// The sum of Pᵢ, weighted by a function of i.
 fn sum(pairs: &BTreeMap<u8, usize>, weight: fn(isize) -> isize) -> isize {
     let terms = pairs
         .iter()

@@ -1,8 +1,8 @@
-//! Which pairs to replace so that no constraint in space is redundant.
+//! Replacements of pairs after which no constraint in space is redundant.
 //!
-//! A pair with more freedoms gives up constraints. None is redundant any more, and no motion is won, where exactly
-//! as many are given up as are redundant and no self-stress does without them: each freedom that is added is a
-//! linear form on the self-stresses (the power of their wrench on its twist), and these forms must be independent.
+//! A pair with more freedoms has fewer constraints. No constraint is redundant any more, and the mobility is unchanged,
+//! if exactly as many constraints are removed as are redundant and every self-stress loses some. Each added freedom is
+//! a linear form on the self-stresses (the power of their wrench on its twist), and these forms must be independent.
 
 use crate::sorting::sort_by_key;
 use crate::tolerance;
@@ -12,44 +12,44 @@ use super::constraints::Constraints;
 use super::screw::{Form, across};
 use super::{NoRank, Pair, PairKind, Scheme, SchemeSpec, Space, Vector3};
 
-/// How long is searched: so many products of forms.
+/// Maximum number of products of forms in a search.
 const WORK: usize = 20_000_000;
 
-/// Pairs replaced by others with more freedoms.
+/// A set of pairs replaced by others with more freedoms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Replacement {
-    /// The changes, by the names of the pairs.
+    /// The changes, by name of the pair.
     pub changes: Vec<Change>,
 }
 
-/// A pair replaced by another form at its place, which leaves the freedoms that it has and more.
+/// A pair replaced by another form at the same place, which has all its freedoms and more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
     /// The pair.
     pub pair: usize,
-    /// What it becomes.
+    /// Its new kind.
     pub kind: PairKind,
-    /// Its axis then.
+    /// Its new axis.
     pub axis: Option<Vector3>,
-    /// Its second direction then.
+    /// Its new second direction.
     pub second: Option<Vector3>,
 }
 
-/// Replacements that do it.
+/// Possible replacements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Replacements {
-    /// Those with the fewest changed pairs first, then by names. Empty where nothing is redundant.
+    /// By increasing number of changed pairs, then by name. Empty if no constraint is redundant.
     pub list: Vec<Replacement>,
-    /// Whether these are all.
+    /// True if the list is complete.
     pub complete: bool,
 }
 
 impl Scheme {
-    /// Replacements of pairs after which no constraint in space is redundant and W is what it was, `most` at most.
-    /// None is contained in another: all add as many freedoms as constraints are redundant.
+    /// At most `most` replacements of pairs after which no constraint in space is redundant and W is unchanged. None
+    /// contains another: all add as many freedoms as there are redundant constraints.
     ///
     /// # Errors
-    /// What is missing for the rank.
+    /// The data missing for the rank.
     pub fn replacements(&self, most: usize) -> Result<Replacements, NoRank> {
         let forms = self.forms(Space::Whole)?;
         let constraints = Constraints::new(self, &forms, Space::Whole);
@@ -72,7 +72,8 @@ impl Scheme {
                         powers.collect::<Vec<f64>>()
                     })
                 });
-                // Freedoms that the pair has already are no form, and what bears on no self-stress is of no help.
+                // Forms must be independent: existing freedoms give none, and a change that relieves no self-stress
+                // does not help.
                 let added = change.kind.freedoms() - self.pairs()[pair].kind.freedoms();
                 let forms = independent(&[], powers);
                 let helps = forms.len() == usize::from(added) * self.pairs()[pair].count();
@@ -103,7 +104,7 @@ impl Scheme {
         })
     }
 
-    /// The scheme with pairs replaced.
+    /// Specification of the scheme with these replacements.
     pub fn replaced(&self, replacement: &Replacement) -> SchemeSpec {
         let mut spec = self.spec();
         for change in &replacement.changes {
@@ -113,8 +114,8 @@ impl Scheme {
         spec
     }
 
-    /// The forms that leave the freedoms of a pair and more. Directions that are free to choose are at no special
-    /// angle: `place` is that of the pair in the order of names.
+    /// The forms that have the freedoms of a pair and more. Arbitrary directions are in general position, depending on
+    /// `place`, the index of the pair in the order of names.
     fn others(&self, pair: usize, place: usize) -> Vec<Change> {
         let Pair { kind, links, .. } = &self.pairs()[pair];
         let (axis, second) = (self.pairs()[pair].axis, self.pairs()[pair].second);
@@ -126,7 +127,7 @@ impl Scheme {
         };
         let beside = axis.map(|axis| self.beside(&axis, place));
         let on_axis = |kind| change(kind, axis, None);
-        // A cylinder or its line lies along the axis, on a plane whose normal is across.
+        // A cylinder whose line of contact is along the axis, on a plane with a normal perpendicular to it.
         let lying = || change(PairKind::CylinderOnPlane, beside, axis);
         let any = if self.is_planar() {
             Vector3::z()
@@ -159,7 +160,7 @@ impl Scheme {
         others.into_iter().filter(fits).collect()
     }
 
-    /// A direction across an axis; of a planar scheme one in the plane.
+    /// A direction perpendicular to an axis, in the plane for a planar scheme.
     fn beside(&self, axis: &Vector3, place: usize) -> Vector3 {
         let in_plane = Vector3::z().cross(axis);
         if self.is_planar() && in_plane.norm() > tolerance::TRIPLE_ROOT {
@@ -173,36 +174,36 @@ impl Scheme {
 }
 
 impl Change {
-    /// The pair after the change; before it, it was this.
+    /// The pair after the change, at the place of `before`.
     fn form(&self, before: &Form) -> Form {
         let axis = self.axis.unwrap_or(before.frame[0]);
         Form::new(self.kind, before.place, axis, self.second)
     }
 }
 
-/// A change with the linear forms on the self-stresses that it adds, at right angles to each other.
+/// A change with the linear forms on the self-stresses that it adds, orthonormal.
 struct Raise {
     change: Change,
     forms: Vec<Vec<f64>>,
 }
 
-/// The search for choices of raises.
+/// Search for sets of raises.
 struct Search {
-    /// Of each pair in the order of names.
+    /// For each pair, in the order of names.
     raises: Vec<Vec<Raise>>,
-    /// The most forms that one adds.
+    /// Maximum number of forms in a raise.
     greatest: usize,
-    /// How many results are wanted.
+    /// Maximum number of results.
     most: usize,
-    /// How many products may still be taken.
+    /// Number of products left.
     work: usize,
     chosen: Vec<Change>,
     found: Vec<Replacement>,
 }
 
 impl Search {
-    /// Raises as many `pairs` from this one on so that so many more forms are independent of those taken. False
-    /// where there are more results than wanted, or it takes too long.
+    /// Raises the given number of `pairs`, from index `from` on, so that `missing` forms are added, independent of
+    /// those taken. False if there are more results than wanted, or the work is exhausted.
     fn choose(&mut self, from: usize, pairs: usize, missing: usize, taken: &[Vec<f64>]) -> bool {
         if pairs == 0 {
             if missing > 0 {
@@ -219,7 +220,7 @@ impl Search {
             for raise in 0..self.raises[pair].len() {
                 let raise = &self.raises[pair][raise];
                 let (added, forms) = (raise.forms.len(), &raise.forms);
-                // Each pair still to be raised adds one at least.
+                // Each remaining pair adds at least one form.
                 let most = self.greatest * (pairs - 1);
                 let rest = missing.checked_sub(added);
                 let Some(rest) = rest.filter(|rest| (pairs - 1..=most).contains(rest)) else {
@@ -248,12 +249,12 @@ impl Search {
     }
 }
 
-/// What is independent of forms that are taken, at right angles to them and to each other, in length 1.
+/// Orthonormal basis of the forms relative to those taken.
 fn independent(taken: &[Vec<f64>], forms: impl Iterator<Item = Vec<f64>>) -> Vec<Vec<f64>> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut new: Vec<Vec<f64>> = vec![];
     for mut form in forms {
-        // Twice, so that rounding leaves nothing of what is taken out.
+        // Twice, to remove the rounding errors of the first pass.
         for _ in 0..2 {
             for unit in taken.iter().chain(&new) {
                 let part = dot(unit, &form);
@@ -271,7 +272,7 @@ fn independent(taken: &[Vec<f64>], forms: impl Iterator<Item = Vec<f64>>) -> Vec
     new
 }
 
-/// The values relative to the greatest.
+/// The values relative to the greatest absolute value.
 fn scaled(mut values: Vec<f64>) -> Vec<f64> {
     let greatest = values
         .iter()

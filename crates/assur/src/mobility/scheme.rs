@@ -1,58 +1,58 @@
-//! A scheme that is sound.
+//! A valid scheme.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::screw::{Form, across};
 use super::{PairKind, PairSpec, Point3, SchemeDefect, SchemeSpec, Vector3};
 
-/// Lengths beyond this are out of any range: their squares and products still are numbers.
+/// Maximum coordinate: squares and products remain finite.
 const RANGE: f64 = 1e60;
 
-/// Links and pairs that make one whole with the ground. Links are numbered in the order in which the pairs name
-/// them, the ground is number 0.
+/// Links and pairs, connected to the ground. Links are numbered in the order in which the pairs name them, the ground
+/// is number 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scheme {
     planar: bool,
     links: Vec<String>,
     pairs: Vec<Pair>,
-    /// Of each pair its freedoms in the scheme's own space.
+    /// Freedoms of each pair in the scheme's own space.
     freedoms: Vec<u8>,
 }
 
 /// A pair of a scheme.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pair {
-    /// Its name, which no other has.
+    /// Its name, unique in the scheme.
     pub name: String,
     /// Its form.
     pub kind: PairKind,
-    /// The links it joins, by their numbers: two, or of a compound hinge k, which counts as k − 1 pairs.
+    /// The links it joins, by number: two, or k in a compound hinge, which counts as k − 1 pairs.
     pub links: Vec<usize>,
-    /// Where it is.
+    /// Its position.
     pub place: Option<Point3>,
     /// Its axis or normal, of length 1.
     pub axis: Option<Vector3>,
-    /// The second direction of what has one, of length 1 and at right angles to the axis.
+    /// The second direction, if any, of length 1 and perpendicular to the axis.
     pub second: Option<Vector3>,
 }
 
 impl Pair {
-    /// How many pairs of two links it counts as.
+    /// Number of pairs of two links it counts as.
     pub fn count(&self) -> usize {
         self.links.len() - 1
     }
 
-    /// Whether more than two links meet in it.
+    /// True if more than two links meet in it.
     pub fn is_compound(&self) -> bool {
         self.links.len() > 2
     }
 }
 
 impl Scheme {
-    /// The scheme of a draft.
+    /// The scheme of a specification.
     ///
     /// # Errors
-    /// Everything that is wrong with it.
+    /// Every defect.
     pub fn new(spec: &SchemeSpec) -> Result<Self, Vec<SchemeDefect>> {
         let mut defects = vec![];
         if spec.pairs.is_empty() {
@@ -115,7 +115,7 @@ impl Scheme {
         })
     }
 
-    /// Whether all motion is in the plane.
+    /// True if all motion is in the plane.
     pub fn is_planar(&self) -> bool {
         self.planar
     }
@@ -125,7 +125,7 @@ impl Scheme {
         &self.links
     }
 
-    /// The pairs, in the order of the draft.
+    /// The pairs, in the order of the specification.
     pub fn pairs(&self) -> &[Pair] {
         &self.pairs
     }
@@ -135,27 +135,27 @@ impl Scheme {
         &self.links[link]
     }
 
-    /// The link of a name.
+    /// The link with a name.
     pub fn link(&self, name: &str) -> Option<usize> {
         self.links.iter().position(|link| link == name)
     }
 
-    /// The pair of a name.
+    /// The pair with a name.
     pub fn pair(&self, name: &str) -> Option<usize> {
         self.pairs.iter().position(|pair| pair.name == name)
     }
 
-    /// i: how many freedoms a pair leaves in the scheme's own space, which is the plane or the whole.
+    /// i: freedoms of a pair in the scheme's own space, the plane or space.
     pub fn freedoms(&self, pair: usize) -> u8 {
         self.freedoms[pair]
     }
 
-    /// S: how many constraints a pair has in the scheme's own space.
+    /// S: constraints of a pair in the scheme's own space.
     pub fn constraints(&self, pair: usize) -> u8 {
         (if self.planar { 3 } else { 6 }) - self.freedoms[pair]
     }
 
-    /// Of each link its pairs.
+    /// Pairs of each link.
     pub(super) fn pairs_of(&self) -> Vec<Vec<usize>> {
         let mut pairs_of = vec![vec![]; self.links.len()];
         for (at, pair) in self.pairs.iter().enumerate() {
@@ -166,12 +166,12 @@ impl Scheme {
         pairs_of
     }
 
-    /// Where the places are and how large the scheme is.
+    /// Centre and size of the scheme.
     pub(super) fn scale(&self) -> Scale {
         Scale::of(&self.pairs)
     }
 
-    /// A pair with its screws; none where its place or a direction is not told.
+    /// A pair with its screws; none if its place or a direction is missing.
     pub(super) fn form(&self, pair: usize, scale: &Scale) -> Option<Form> {
         let pair = &self.pairs[pair];
         let kind = match pair.kind {
@@ -193,7 +193,7 @@ impl Scheme {
         Some(Form::new(kind, place, axis, second))
     }
 
-    /// The scheme as a draft. Directions are given that the first draft left to be understood.
+    /// The scheme as a specification, with directions that were implied in the first one.
     pub fn spec(&self) -> SchemeSpec {
         let pairs = self.pairs.iter().map(|pair| PairSpec {
             name: pair.name.clone(),
@@ -215,7 +215,7 @@ impl Scheme {
     }
 }
 
-/// The middle of the places, and the length to which others are relative: rounding then matters the least.
+/// Centre of the places, and unit of length, chosen to minimize rounding.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {
     pub(super) centre: Vector3,
@@ -233,7 +233,7 @@ impl Scale {
             _ => 0.0,
         });
         let size = distances.chain(pitches).fold(0.0, f64::max);
-        // Where all is at one place there is no length.
+        // 1 if all pairs are at one place.
         let size = if size > 0.0 { size } else { 1.0 };
         Self { centre, size }
     }
@@ -249,7 +249,7 @@ fn links(spec: &SchemeSpec) -> Vec<&str> {
     [ground].into_iter().chain(others).collect()
 }
 
-/// What is wrong with the links of a pair.
+/// Adds defects in the links of a pair.
 fn joins(pair: &PairSpec, defects: &mut Vec<SchemeDefect>) {
     let mut seen = BTreeSet::new();
     let again = pair.links.iter().find(|link| !seen.insert(link.as_str()));
@@ -262,7 +262,7 @@ fn joins(pair: &PairSpec, defects: &mut Vec<SchemeDefect>) {
     }
 }
 
-/// A pair with its directions of length 1, and those that are understood.
+/// A pair with its directions, given or implied, of length 1.
 struct Directed<'a> {
     pair: &'a PairSpec,
     axis: Option<Vector3>,
@@ -308,20 +308,20 @@ fn directed(pair: &PairSpec, planar: bool) -> Result<Directed<'_>, SchemeDefect>
     Ok(Directed { pair, axis, second })
 }
 
-/// The direction in length 1.
+/// The direction with length 1.
 fn unit(direction: Vector3) -> Option<Vector3> {
-    // First to a length about 1, whose square is no zero.
+    // Scaled to a length of about 1 first, so that squares do not underflow.
     let longest = direction.amax();
     (longest > 0.0).then(|| (direction / longest).normalize())
 }
 
-/// The part of a direction at right angles to an axis, in length 1.
+/// Unit vector along the component of a direction perpendicular to an axis.
 fn unit_across(axis: &Vector3, direction: &Vector3) -> Option<Vector3> {
     let across = direction - axis * axis.dot(direction);
     (across.norm() > super::screw::ZERO).then(|| across.normalize())
 }
 
-/// How many freedoms the pair has in the plane, or in space.
+/// Freedoms of the pair in the plane, or in space.
 fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefect> {
     let pair = directed.pair;
     let freedoms = pair.kind.freedoms();
@@ -337,7 +337,7 @@ fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefec
     if !planar {
         return Ok(freedoms);
     }
-    // A direction that is not told fits the plane: a way, and the normal of a contact, is in it.
+    // A missing direction is chosen to fit the plane: directions of slides and normals of contacts are in it.
     let axis = directed.axis.unwrap_or_else(Vector3::x);
     let second = directed
         .second
@@ -352,7 +352,7 @@ fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefec
     }
 }
 
-/// Links that no chain of pairs joins to the ground.
+/// Links that are not connected to the ground.
 fn apart(spec: &SchemeSpec, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
     let mut leader: Vec<usize> = (0..numbers.len()).collect();
     fn angle_offset(leader: &mut [usize], mut link: usize) -> usize {
@@ -367,7 +367,7 @@ fn apart(spec: &SchemeSpec, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
         let Some(first) = links.next() else { continue };
         for other in links {
             let ends = [first, other].map(|link| angle_offset(&mut leader, link));
-            // The ground, number 0, leads what it is joined to.
+            // The smaller number is the representative, so the ground, number 0, is that of its part.
             leader[ends[0].max(ends[1])] = ends[0].min(ends[1]);
         }
     }

@@ -1,34 +1,34 @@
-//! The freedoms and the constraints of a pair as screws.
+//! Freedoms and constraints of a pair as screws.
 //!
-//! A twist is (ω, v): the angular velocity and the velocity of what is carried through the origin.
-//! A wrench is (m, f): it forbids the twists with m·ω + f·v ≠ 0. Those of a pair are each other's
-//! reciprocals (Hunt, *Kinematic Geometry of Mechanisms*, 1978, chapter 12).
+//! A twist is (ω, v): angular velocity, and velocity of the point of the body at the origin. A wrench is (m, f): it
+//! forbids the twists with m·ω + f·v ≠ 0. The twists and the wrenches of a pair are reciprocal (Hunt, *Kinematic
+//! Geometry of Mechanisms*, 1978, chapter 12).
 
 use std::f64::consts::TAU;
 
 use super::{PairKind, Vector3};
 
-/// A twist or a wrench: the part of turning, then the part along lines.
+/// A twist or a wrench: the angular components, then the linear ones.
 pub(super) type Screw = nalgebra::Vector6<f64>;
 
-/// Of screws of length about 1: what is less is zero.
+/// Tolerance for screws of length about 1.
 pub(super) const ZERO: f64 = 1e-9;
 
-/// The components of a screw that matter in the plane: ω_z, v_x, v_y.
+/// Components of a screw in the plane: ω_z, v_x, v_y.
 pub(super) const IN_PLANE: [usize; 3] = [2, 3, 4];
 
-/// A pair with all that its screws need. Lengths are relative to the size of the scheme.
+/// A pair with its place and frame. Lengths are relative to the size of the scheme.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Form {
     pub(super) kind: PairKind,
     pub(super) place: Vector3,
-    /// The axis or normal, the second direction, and what is at right angles to both.
+    /// The axis or normal, the second direction, and their vector product.
     pub(super) frame: [Vector3; 3],
 }
 
 impl Form {
-    /// The pair of this kind with an axis and, at right angles to it, a second direction, both of
-    /// length 1. Without a second direction it has any: one that the kind does not tell from others.
+    /// A pair of this kind with an axis and a second direction perpendicular to it, both of length 1. By default the
+    /// second direction is arbitrary, for kinds that do not depend on it.
     pub(super) fn new(
         kind: PairKind,
         place: Vector3,
@@ -40,7 +40,7 @@ impl Form {
         Self { kind, place, frame }
     }
 
-    /// Twists that the pair allows, as many as it has freedoms. None of a [`PairKind::Class`].
+    /// Basis of the twists that the pair allows, one for each freedom; empty for a [`PairKind::Class`].
     pub(super) fn freedoms(&self) -> Vec<Screw> {
         let [axis, second, third] = self.frame;
         let turn = |about: Vector3| screw(about, self.place.cross(&about));
@@ -67,7 +67,7 @@ impl Form {
         }
     }
 
-    /// Wrenches that the pair bears, 6 less its freedoms. None of a [`PairKind::Class`].
+    /// Basis of the wrenches of the pair, 6 less its freedoms; empty for a [`PairKind::Class`].
     pub(super) fn constraints(&self) -> Vec<Screw> {
         let [axis, second, third] = self.frame;
         let force = |along: Vector3| screw(self.place.cross(&along), along);
@@ -106,7 +106,7 @@ impl Form {
         }
     }
 
-    /// Wrenches that the pair bears against motions in the plane, 3 less its freedoms there.
+    /// Basis of the wrenches of the pair in the plane, 3 less its freedoms there.
     pub(super) fn constraints_in_plane(&self) -> Vec<Screw> {
         let in_plane = |wrench: &Screw| {
             Screw::from_fn(|row, _| {
@@ -125,17 +125,16 @@ fn screw(turning: Vector3, along: Vector3) -> Screw {
     Screw::new(turning.x, turning.y, turning.z, along.x, along.y, along.z)
 }
 
-/// A direction at right angles to one of length 1.
+/// A direction perpendicular to a unit vector.
 pub(super) fn across(axis: &Vector3) -> Vector3 {
     let unit = Vector3::ith(axis.iamin(), 1.0);
     (unit - axis * axis.dot(&unit)).normalize()
 }
 
-/// Screws of length 1 at right angles to each other with the same span. Those given are of length
-/// about 1 or less; what is left of one, after the others are taken out, counts as nothing below
-/// [`ZERO`].
+/// Orthonormal basis of the span of screws of length about 1 or less; remainders up to [`ZERO`] after orthogonalization
+/// count as zero.
 pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
-    /// What is as long as this when the others are taken out is clearly independent of them.
+    /// Minimum remainder of a clearly independent screw.
     const CLEAR: f64 = 0.1;
     let mut basis = Vec::with_capacity(6);
     let mut doubtful = vec![];
@@ -151,7 +150,7 @@ pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
             doubtful.push(rest);
         }
     }
-    // Of what is doubtful the longest first, so that rounding is not taken for a direction.
+    // Doubtful remainders are taken by decreasing length, so that rounding is not taken for a direction.
     loop {
         doubtful
             .iter_mut()
@@ -164,9 +163,9 @@ pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
     }
 }
 
-/// What is left of a screw without its parts along others, which have length 1 and are at right angles.
+/// A screw without its components along orthonormal ones.
 fn without(others: &[Screw], mut screw: Screw) -> Screw {
-    // Twice, so that rounding leaves nothing of the length of what was taken out.
+    // Twice, to remove the rounding errors of the first pass.
     for _ in 0..2 {
         for unit in others {
             screw -= unit * unit.dot(&screw);

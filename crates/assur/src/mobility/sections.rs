@@ -1,20 +1,20 @@
-//! The method of sections: an open chain is counted, and what was cut is taken away again.
+//! The method of sections: the open chain is counted, and the constraints of the cut pairs are subtracted.
 
 use std::collections::{BTreeMap, VecDeque};
 
 use super::screw::{Screw, basis};
 use super::{Cut, CutError, Scheme};
 
-/// A scheme opened by cuts, and W from it.
+/// A scheme opened by cuts, and its W.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sections {
     /// The cuts, in the order in which they were given.
     pub cuts: Vec<Cut>,
-    /// P_i of what is left, in the scheme's own space.
+    /// P_i of the open chain, in the scheme's own space.
     pub left: BTreeMap<u8, usize>,
-    /// W_open = Σ i·P_i of what is left, in the scheme's own space (mobility paper, (4)).
+    /// W_open = Σ i·P_i of the open chain, in the scheme's own space (mobility paper, (4)).
     pub open: usize,
-    /// ΣS: the constraints of what was cut, in the scheme's own space.
+    /// ΣS: constraints of the cut pairs, in the scheme's own space.
     pub removed: usize,
     /// W_open in space.
     pub open_spatial: usize,
@@ -22,10 +22,9 @@ pub struct Sections {
     pub removed_spatial: usize,
     /// W = W_open − ΣS (mobility paper, (5)).
     pub mobility: isize,
-    /// q in space where W is that of the own space: q = ΣS + W − W_open. Of a spatial scheme it is zero by
-    /// construction.
+    /// q in space with W of the own space: q = ΣS + W − W_open. For a spatial scheme it is zero by construction.
     pub redundant: isize,
-    /// The contours that the cuts opened, one for each.
+    /// The contours opened by the cuts, one for each.
     pub loops: Vec<Loop>,
 }
 
@@ -40,15 +39,15 @@ pub struct Loop {
     pub constraints: u8,
     /// S of the cut pair in space.
     pub spatial_constraints: u8,
-    /// λ: the dimension of the space in which the links of the contour can move, 2 to 6. Where places and axes
-    /// are known it is that of the span of the pairs' screws; else 3 in the plane and 6 in space.
+    /// λ: dimension of the space of relative motions in the contour, 2 to 6. If places and axes are known it is the
+    /// rank of the pairs' screws; otherwise 3 in the plane and 6 in space.
     pub motion_space: u8,
-    /// 6 − λ: how many constraints in space closing the contour has for nothing.
+    /// 6 − λ: number of redundant constraints in space from closing the contour.
     pub redundant: u8,
 }
 
 impl Sections {
-    /// W by the formula of loops, W = ΣiP_i − Σλ (as Moroshkin and Voinea and Atanasiu have it), in space.
+    /// W in space by the formula of loops, W = ΣiP_i − Σλ (Moroshkin; Voinea and Atanasiu).
     pub fn by_loops(&self) -> isize {
         let closed = self.loops.iter().map(|closed| {
             isize::from(6 - closed.spatial_constraints) - isize::from(closed.motion_space)
@@ -58,10 +57,10 @@ impl Sections {
 }
 
 impl Scheme {
-    /// The scheme opened by cuts.
+    /// Opens the scheme by cuts.
     ///
     /// # Errors
-    /// A pair cut twice; a contour that is still closed; links that are joined to nothing any more.
+    /// A pair is cut twice; a contour is still closed; links are disconnected.
     pub fn sections(&self, cuts: &[Cut]) -> Result<Sections, CutError> {
         let open = Open::new(self, cuts)?;
         if let Some(contour) = open.closed() {
@@ -111,8 +110,8 @@ impl Scheme {
 }
 
 impl Scheme {
-    /// The contour that a cut opened: what joins the pair and the link without it. `freedoms` are those of each
-    /// pair, where they are known.
+    /// The contour opened by a cut: the path in the open chain from the pair to the link. `freedoms` are those of each
+    /// pair, if known.
     fn contour(
         &self,
         cut: Cut,
@@ -142,7 +141,7 @@ impl Scheme {
             let screws = pairs
                 .iter()
                 .flat_map(|pair| freedoms[*pair].iter().flatten());
-            // At most 6, the number of a screw's components.
+            // The length is at most 6, the number of components of a screw.
             basis(screws.copied()).len() as u8
         } else if self.is_planar() {
             3
@@ -152,12 +151,12 @@ impl Scheme {
     }
 }
 
-/// A scheme with links taken off its pairs. Its nodes are the links, then the pairs.
+/// A scheme after cuts. Its nodes are the links, then the pairs.
 struct Open {
     links: usize,
-    /// Of each pair the links it still has, at least one.
+    /// Remaining links of each pair, at least one.
     left: Vec<Vec<usize>>,
-    /// Of each node its neighbours.
+    /// Neighbours of each node.
     near: Vec<Vec<usize>>,
 }
 
@@ -168,7 +167,7 @@ impl Open {
         let mut left: Vec<_> = pairs.iter().map(|pair| pair.links.clone()).collect();
         for cut in cuts {
             let pair = pairs.get(cut.pair);
-            // People count from 1.
+            // In messages numbers start at 1.
             let pair = pair.ok_or_else(|| CutError::NoPair((cut.pair + 1).to_string()))?;
             if !pair.links.contains(&cut.link) {
                 let known = (cut.link < links).then(|| scheme.link_name(cut.link).to_owned());
@@ -191,7 +190,7 @@ impl Open {
         Ok(Self { links, left, near })
     }
 
-    /// The pairs of a contour that is still closed: of the shortest one, in their order along it.
+    /// The pairs of the shortest contour that is still closed, in their order along it.
     fn closed(&self) -> Option<Vec<usize>> {
         let ends: usize = self.left.iter().map(Vec::len).sum();
         let mut been = vec![None; self.near.len()];
@@ -211,7 +210,7 @@ impl Open {
         let mut pairs: Vec<usize> = pairs
             .filter_map(|node| node.checked_sub(self.links))
             .collect();
-        // From the first pair on, towards the earlier of its neighbours.
+        // Starts at the first pair and continues to its neighbour with the lower index.
         let first = (0..pairs.len()).min_by_key(|at| pairs[*at])?;
         pairs.rotate_left(first);
         if pairs.last() < pairs.get(1) {
@@ -220,7 +219,7 @@ impl Open {
         Some(pairs)
     }
 
-    /// The nodes of a contour that comes into sight first from a link; the shortest of all is, from a link of it.
+    /// The nodes of the first contour found from a link; the shortest of all is found from one of its links.
     fn contour_at(&self, link: usize) -> Option<Vec<usize>> {
         let mut from = vec![None; self.near.len()];
         let mut queue = VecDeque::from([link]);
@@ -238,7 +237,7 @@ impl Open {
         None
     }
 
-    /// Walks from a node to all it is joined to, and notes of each where it was reached from.
+    /// Breadth-first search from a node; records the predecessor of each node reached.
     fn spread(&self, start: usize, from: &mut [Option<usize>]) {
         let mut queue = VecDeque::from([start]);
         from[start] = Some(start);
@@ -252,7 +251,7 @@ impl Open {
         }
     }
 
-    /// From where each node is reached from the ground, and the links that are not.
+    /// Predecessors in a search from the ground, and links that are not reached.
     fn hung(&self) -> (Vec<Option<usize>>, Vec<usize>) {
         let mut from = vec![None; self.near.len()];
         self.spread(0, &mut from);
@@ -261,7 +260,7 @@ impl Open {
         (from, apart)
     }
 
-    /// The way between two nodes that are reached from one place, both included.
+    /// The path between two nodes of one search tree, both included.
     fn between(&self, [start, end]: [usize; 2], from: &[Option<usize>]) -> Vec<usize> {
         let up = |node: &usize| from[*node].filter(|up| up != node);
         let mut first: Vec<usize> = std::iter::successors(Some(start), up).collect();

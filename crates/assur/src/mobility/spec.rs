@@ -1,44 +1,43 @@
-//! A scheme as a person gives it, and every reason why it is none.
+//! A scheme as entered by a person, and its defects.
 
 use super::{PairKind, Point3, Vector3};
 
-/// Links and pairs as they are given; anything may be wrong with them. Links are named by the
-/// pairs that they have.
+/// Links and pairs as entered, not yet checked. Links are given by the pairs that name them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SchemeSpec {
     /// The link that does not move.
     pub ground: String,
-    /// Whether all motion is in the plane z = 0 or parallel to it.
+    /// True if all motion is parallel to the plane z = 0.
     pub planar: bool,
     /// The pairs.
     pub pairs: Vec<PairSpec>,
 }
 
-/// A pair as it is given.
+/// A pair as entered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairSpec {
     /// Its name.
     pub name: String,
     /// Its form.
     pub kind: PairKind,
-    /// The links it joins: two, or of a compound hinge more.
+    /// The links it joins: two, or more for a compound hinge.
     pub links: Vec<String>,
-    /// Where it is. Of none in the scheme may be missing for the rank to be found.
+    /// Its position. The rank needs it for every pair.
     pub place: Option<Point3>,
-    /// Its axis or normal, of any length. Where it is missing: of a planar scheme the hinge, cylindrical, universal
-    /// pair and ball in a cylinder have the normal of the plane; nothing else has one.
+    /// Its axis or normal, of any length. Default in a planar scheme: the normal of the plane for the hinge,
+    /// cylindrical and universal pair and ball in a cylinder; no default for other pairs.
     pub axis: Option<Vector3>,
-    /// The second direction of what has one; only its part at right angles to the axis counts. Where it is missing
-    /// in a planar scheme: the line of a contact is normal to the plane, a universal pair has y.
+    /// The second direction, if the kind has one; only its component perpendicular to the axis counts. Default in a
+    /// planar scheme: the normal of the plane for the line of a contact, y for a universal pair.
     pub second: Option<Vector3>,
 }
 
-/// Why a draft is no scheme.
+/// Reasons why a specification is not a scheme.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SchemeDefect {
     /// There is no pair.
     Empty,
-    /// No pair has the link that is called the ground.
+    /// No pair has the link given as the ground.
     NoGround(String),
     /// Two pairs have this name, or it is empty.
     SameName(String),
@@ -49,25 +48,25 @@ pub enum SchemeDefect {
         /// The link.
         link: String,
     },
-    /// The pair has fewer than two links, or more than two though it is not of a form in which many can meet
-    /// ([`PairKind::joins_many`]: hinges, and what hinges are replaced by).
+    /// The pair has fewer than two links, or more than two though its form joins only two (for
+    /// [`PairKind::joins_many`]: hinges and their replacements).
     LinkCount {
         /// The pair.
         pair: String,
-        /// How many it has.
+        /// Number of links.
         links: usize,
     },
-    /// The pair leaves a number of freedoms that no pair has: 1 to 5 in space, in the plane 1 or 2.
+    /// The pair has an impossible number of freedoms: 1 to 5 in space, in the plane 1 or 2 are possible.
     Freedoms {
         /// The pair.
         pair: String,
-        /// How many.
+        /// Number of freedoms.
         freedoms: u8,
     },
-    /// The pair does not let its links move in the plane, though the scheme is planar.
+    /// The pair does not allow motion of its links in the plane, though the scheme is planar.
     OutOfPlane(String),
-    /// A number of the pair is no finite number or out of any range, its axis has no length, its second direction is along the axis, or
-    /// the pitch of a screw is zero.
+    /// A value of the pair is not finite or out of range, its axis has no length, its second direction is along the
+    /// axis, or the pitch of a screw is zero.
     Geometry(String),
     /// These links are not joined to the ground.
     Apart(Vec<String>),

@@ -1,41 +1,39 @@
-//! "Design your dwell": a mechanism whose output is to stand still for a wanted
-//! arc of the crank and to swing by a wanted stroke in between.
+//! "Design your dwell": a mechanism whose output is to dwell over a wanted arc of the crank and to move by a wanted
+//! stroke in between.
 //!
-//! One dimension after the other is moved; what makes the defects smaller stays,
-//! and is tried twice as wide next time, what does not is tried half as wide the
-//! other way (Rosenbrock's search of 1960 without its turning of axes: an arc of
-//! dwell leaps where the band breaks, so there is no gradient to follow). Each
-//! step of the search is one candidate, judged over its full turn.
+//! The dimensions are changed one at a time. A change that reduces the defects is kept, and the next step of that
+//! dimension is twice as wide; otherwise it is half as wide and reversed (Rosenbrock's search of 1960 without its
+//! rotation of axes: an arc of dwell jumps when its band breaks, so there is no gradient to follow). Each step of the
+//! search is one candidate, evaluated over its full turn.
 
 use crate::mechanism::{Dimension, Mechanism, Quantity};
 use crate::motion::{Motion, OutputProfile};
 use crate::tolerance;
 
-/// What is wanted of the output, an angle (radians) or a coordinate (length).
+/// Requirements on the output, an angle (radians) or a coordinate (length).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Target {
-    /// The full width of the band within which the output counts as standing.
+    /// Full width of the band within which the output counts as dwelling.
     pub tolerance: f64,
-    /// The arc of the crank over which it stands at least, radians.
+    /// Minimum arc of the crank over which it dwells, radians.
     pub arc: f64,
-    /// By how much it moves from its least to its greatest value.
+    /// Difference of its maximum and minimum.
     pub stroke: f64,
 }
 
-/// A dimension with its least and its greatest value.
+/// A dimension with its bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DesignVariable {
-    /// Which one.
+    /// The dimension.
     pub dimension: Dimension,
-    /// How far it may go; its value at the start lies between.
+    /// Its bounds; the value at the start lies between them.
     pub range: [f64; 2],
 }
 
-/// Why there is nothing to search.
+/// Reasons why there is nothing to search.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SearchError {
-    /// The tolerance, the arc (up to a turn) or the stroke is not greater than
-    /// zero and finite.
+    /// The tolerance, the arc (up to a turn) or the stroke is not positive and finite.
     Tolerance,
     /// See [`SearchError::Tolerance`].
     Arc,
@@ -43,26 +41,25 @@ pub enum SearchError {
     Stroke,
     /// The mechanism has no such output.
     Output,
-    /// No dimension may move.
+    /// No dimension may be changed.
     Rigid,
-    /// The design variable of this index: the mechanism has no such dimension.
+    /// The mechanism has no dimension for the design variable of this index.
     Dimension(usize),
-    /// The design variable of this index: its range is not finite, empty, or does not hold
-    /// the value at the start; or a length may become zero.
+    /// The range of the design variable of this index is not finite, is empty or does not contain the value at the
+    /// start; or a length may become zero.
     Range(usize),
     /// The crank does not turn fully, or the motion comes close to a singular pose.
     Blocked,
 }
 
-/// What a mechanism does of what is wanted.
+/// Achieved values of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evaluation {
-    /// The longest arc of the crank within the tolerance, radians.
+    /// The longest dwell within the tolerance, radians of the crank.
     pub arc: f64,
-    /// From the least to the greatest value of the output.
+    /// Difference of the output's maximum and minimum.
     pub stroke: f64,
-    /// The root of the sum of the squared defects, each relative to what is wanted; a
-    /// longer arc is no defect.
+    /// Root of the sum of the squared defects, each relative to the target; a longer arc is no defect.
     pub residual: f64,
     /// [`Motion::singularity_margin`].
     pub singularity_margin: f64,
@@ -71,22 +68,22 @@ pub struct Evaluation {
 /// The search after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
-    /// Candidates judged so far.
+    /// Number of candidates evaluated so far.
     pub judged: usize,
-    /// Whether the last one was better and is now the draft.
+    /// True if the last candidate was better and has been accepted.
     pub accepted: bool,
-    /// What the best one reaches.
+    /// Values of the best candidate.
     pub evaluation: Evaluation,
-    /// Why it is over, if it is.
+    /// Reason for the end of the search; none before it.
     pub end: Option<End>,
 }
 
-/// Why a search is over.
+/// Reasons for the end of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
-    /// All that is wanted is evaluation.
+    /// Every requirement is met.
     Fulfilled,
-    /// No dimension can be moved for the better.
+    /// No change of a dimension improves the mechanism.
     Settled,
 }
 
@@ -96,7 +93,7 @@ pub struct Search {
     target: Target,
     output: Quantity,
     variables: Vec<DesignVariable>,
-    /// The value of each variable, and the step to try next.
+    /// Values of the variables, and their next steps.
     values: Vec<f64>,
     steps: Vec<f64>,
     next: usize,
@@ -104,17 +101,17 @@ pub struct Search {
     progress: Progress,
 }
 
-/// The first step relative to the range of a dimension, and the least.
+/// First and minimum step relative to the range of a dimension.
 const FIRST: f64 = 1.0 / 16.0;
 const LEAST: f64 = 1e-7;
-/// No candidate may come closer to a singular pose.
+/// Minimum singularity margin of a candidate.
 const SINGULARITY_MARGIN: f64 = 1e-3;
 
 impl Search {
-    /// A search from a mechanism; `output` is the name of a quantity, as `CD.angle`.
+    /// A search from a mechanism; `output` is the name of a quantity, such as `CD.angle`.
     ///
     /// # Errors
-    /// The first thing that is wrong.
+    /// The first defect found.
     pub fn new(
         mechanism: &Mechanism,
         output: &str,
@@ -178,7 +175,7 @@ impl Search {
         self.motion.mechanism()
     }
 
-    /// What the search has come to.
+    /// The current state of the search.
     pub fn progress(&self) -> Progress {
         self.progress
     }
@@ -188,7 +185,7 @@ impl Search {
         &self.values
     }
 
-    /// Judges one candidate more, unless the search is over.
+    /// Evaluates one more candidate, unless the search is over.
     pub fn step(&mut self) -> Progress {
         self.progress.accepted = false;
         if self.progress.end.is_none() {
@@ -200,8 +197,7 @@ impl Search {
         self.progress
     }
 
-    /// The value to try next of the dimension `self.next`; none where no step is
-    /// left to try.
+    /// The next value to try of the dimension `self.next`; none if no steps are left.
     fn candidate(&mut self) -> Option<f64> {
         let live = |k: usize| self.steps[k].abs() > LEAST * self.variables[k].width();
         let count = self.variables.len();
@@ -218,7 +214,7 @@ impl Search {
             if value != self.values[k] {
                 return Some(value);
             }
-            // At its bound already: the other way.
+            // Already at its bound: the other direction.
             self.steps[k] *= -0.5;
             return self.candidate();
         }
@@ -264,17 +260,16 @@ impl DesignVariable {
     }
 }
 
-/// What a motion reaches; none where the driver does not turn fully, or comes close to a
-/// singular pose.
+/// Achieved values of a motion; none if the driver does not turn fully or comes close to a singular pose.
 fn judged(motion: &Motion, output: Quantity, target: Target) -> Option<Evaluation> {
     let singularity_margin = motion.singularity_margin();
     if !motion.cycle().is_full() || singularity_margin.abs() < SINGULARITY_MARGIN {
         return None;
     }
-    // A candidate of too many turns is not searched, and so fulfils nothing.
+    // A candidate of too many turns is not evaluated, and so is not accepted.
     let profile = OutputProfile::new(motion, output).ok()?;
     let arc = profile.dwell(target.tolerance)?.length();
-    // What turns on and on is as far from any target as can be.
+    // An output that rotates continuously is infinitely far from any target.
     let stroke = profile.stroke().unwrap_or(f64::NEG_INFINITY);
     let defects = [
         (1.0 - arc / target.arc).max(0.0),

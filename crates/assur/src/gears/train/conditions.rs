@@ -1,8 +1,8 @@
-//! What a layout has to fulfil, with the numbers of each condition.
+//! Conditions on a layout, in numbers.
 
 use super::{Differential, Kind, Layout, Member};
 
-/// How the wheels turn each other.
+/// Kinds of coupling between wheels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coupling {
     /// Gears in contact, with standard teeth.
@@ -11,26 +11,25 @@ pub enum Coupling {
     Magnetic,
 }
 
-/// What is asked for.
+/// Kinds of conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConditionKind {
-    /// Sun and ring have one axis, z₄ = z₁ + z₂ + z₂′: of gears in contact.
+    /// Sun and ring have one axis, z₄ = z₁ + z₂ + z₂′ (gears in contact).
     Coaxiality,
-    /// There is room for gaps, z₄ > z₁ + z₂ + z₂′: of magnets.
+    /// There is room for gaps, z₄ > z₁ + z₂ + z₂′ (magnets).
     Room,
-    /// The sun does not touch the satellites, a_w > (d₁ + d₂)/2: of magnets, (1) of the source paper.
+    /// The sun does not touch the satellites, a_w > (d₁ + d₂)/2 (magnets); (1) of the source paper.
     SunGap,
-    /// The ring does not touch the satellites, a_w < (d₄ − d₂′)/2: of magnets, (2)
-    /// of the source paper, which prints the opposite sign.
+    /// The ring does not touch the satellites, a_w < (d₄ − d₂′)/2 (magnets); (2) of the source paper, which prints the
+    /// opposite sign.
     RingGap,
-    /// All satellites can be mounted at equal angles: (z₁ + z₄)/k is whole; where poles alternate, half of it.
+    /// All satellites can be mounted at equal angles: (z₁ + z₄)/k is whole; with alternating poles, half of it.
     Assembly,
-    /// Neighbouring satellites do not touch, sin(π/k) > d_a2/(2 a_w); asked of two
-    /// or more.
+    /// Neighbouring satellites do not touch, sin(π/k) > d_a2/(2 a_w), if there are two or more.
     Neighbours,
 }
 
-/// How the two sides of a condition have to compare.
+/// Required relation between the two sides of a condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
     /// They are equal.
@@ -46,29 +45,29 @@ pub enum Relation {
 /// A condition with its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Condition {
-    /// Which.
+    /// Its kind.
     pub kind: ConditionKind,
     /// The left side.
     pub left: f64,
-    /// How the sides have to compare.
+    /// Required relation between the sides.
     pub relation: Relation,
     /// The right side.
     pub right: f64,
 }
 
-/// By so many teeth z₄ may differ from z₁ + z₂ + z₂′ in gears with profile shift: a tooth more or less is half a module of
-/// axis distance, and usual profile shifts of a mesh add up to about a module at most.
+/// Maximum difference of z₄ from z₁ + z₂ + z₂′ in gears with profile shift: one tooth changes the axis distance by half
+/// a module, and usual profile shifts of a mesh add up to about one module at most.
 const SHIFTED_TEETH: f64 = 2.0;
 
 impl Condition {
-    /// Whether gears with profile shift may have a common axis all the same: it is that of coaxiality, is not met, and the
-    /// numbers differ by at most two teeth.
+    /// True for an unmet condition of coaxiality if gears with profile shift may still have a common axis: the numbers
+    /// differ by at most two teeth.
     pub fn within_profile_shift(&self) -> bool {
         let off = (self.left - self.right).abs();
         self.kind == ConditionKind::Coaxiality && !self.met() && off <= SHIFTED_TEETH
     }
 
-    /// Whether it holds.
+    /// True if the condition is met.
     pub fn met(&self) -> bool {
         match self.relation {
             Relation::Equal => self.left == self.right,
@@ -80,8 +79,8 @@ impl Condition {
 }
 
 impl Differential {
-    /// Whether these many satellites can be mounted at equal angles. Of stepped
-    /// ones, all of them alike, the sum is (z₁z₂′ + z₂z₄)/gcd(z₂, z₂′).
+    /// The condition that this number of satellites can be mounted at equal angles. For stepped ones, all alike, the
+    /// sum is (z₁z₂′ + z₂z₄)/gcd(z₂, z₂′).
     pub fn assembly(&self, satellites: u32) -> Condition {
         Condition {
             kind: ConditionKind::Assembly,
@@ -93,8 +92,8 @@ impl Differential {
 }
 
 impl Layout {
-    /// The conditions of this coupling, met or not. Bevel wheels are always
-    /// coaxial, and are moved along their axes for a gap.
+    /// The conditions for this coupling, met or not. Bevel wheels are always coaxial; a gap is set by axial
+    /// displacement.
     pub fn conditions(&self, coupling: Coupling) -> Vec<Condition> {
         let mut conditions = match (self.train().kind(), coupling) {
             (Kind::Bevel, _) => vec![],
@@ -119,7 +118,7 @@ impl Layout {
         conditions
     }
 
-    /// Whether all conditions of this coupling are met, and poles of magnets can be as they are to be.
+    /// True if all conditions for this coupling are met, and poles of magnets can alternate if they have to.
     pub fn can_be_built(&self, coupling: Coupling) -> bool {
         let poles = coupling == Coupling::Contact || self.odd_wheels().next().is_none();
         poles && self.conditions(coupling).iter().all(Condition::met)

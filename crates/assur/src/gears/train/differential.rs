@@ -1,9 +1,9 @@
-//! The three coaxial shafts and the one equation between them.
+//! The three coaxial shafts and their equation.
 
 use super::{TrainError, planar_shafts};
 use crate::Fault;
 
-/// The greatest speed, angle, torque and factor of a tie.
+/// Maximum absolute value of a speed, angle, torque and factor of a tie.
 pub(super) const GREATEST: f64 = 1e12;
 
 /// A coaxial shaft of a train.
@@ -21,7 +21,7 @@ impl Shaft {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Sun, Self::Carrier, Self::Ring];
 
-    /// Its place among sun, satellite, carrier and ring.
+    /// Its index among sun, satellite, carrier and ring.
     pub fn index(self) -> usize {
         match self {
             Self::Sun => 0,
@@ -40,20 +40,19 @@ impl Shaft {
     }
 }
 
-/// A number for each shaft: angles turned since the assembled position, speeds,
-/// torques or powers.
+/// A number for each shaft: angle turned since assembly, speed, torque or power.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shafts {
-    /// Of the sun.
+    /// The sun's value.
     pub sun: f64,
-    /// Of the carrier.
+    /// The carrier's value.
     pub carrier: f64,
-    /// Of the ring.
+    /// The ring's value.
     pub ring: f64,
 }
 
 impl Shafts {
-    /// That of one shaft.
+    /// The value for a shaft.
     pub fn of(&self, shaft: Shaft) -> f64 {
         match shaft {
             Shaft::Sun => self.sun,
@@ -62,19 +61,18 @@ impl Shafts {
         }
     }
 
-    /// The sum over the shafts.
+    /// Sum over the shafts.
     pub fn sum(&self) -> f64 {
         self.sun + self.ring + self.carrier
     }
 
-    /// Of torques: the power that each shaft takes in at these speeds. A negative
-    /// one is given off; without losses they sum up to zero.
+    /// Power taken in by each shaft, for torques at these speeds; negative if it is given off. Without losses they sum
+    /// up to zero.
     pub fn powers(&self, speeds: &Self) -> Self {
         Self::from_each(|shaft| self.of(shaft) * speeds.of(shaft))
     }
 
-    /// Of angles or speeds: as they are seen from a shaft, which then stands still
-    /// (Willis's inversion).
+    /// Angles or speeds relative to a shaft, which then is at rest (Willis's inversion).
     pub fn relative_to(&self, shaft: Shaft) -> Self {
         let own = self.of(shaft);
         Self::from_each(|other| self.of(other) - own)
@@ -89,13 +87,11 @@ impl Shafts {
     }
 }
 
-/// What a train makes of its shafts: a ω₁ + b ω₄ − (a + b) ω₃ = 0.
+/// The equation of the shafts: a ω₁ + b ω₄ − (a + b) ω₃ = 0.
 ///
-/// That is Willis's equation (ω₁ − ω₃)/(ω₄ − ω₃) = −b/a. With satellites of one
-/// wheel, planar or bevel, a = z₁ and b = z₄: the source paper's (7). With stepped
-/// ones −b/a = −z₂z₄/(z₁z₂′), and a and b are divided by what z₂ and z₂′ have in
-/// common. Ratios, torques and powers all follow from the three weights of this
-/// equation.
+/// It is Willis's equation (ω₁ − ω₃)/(ω₄ − ω₃) = −b/a. With single-wheel satellites, planar or bevel, a = z₁ and
+/// b = z₄: the source paper's (7). With stepped ones −b/a = −z₂z₄/(z₁z₂′), and a and b are divided by the common
+/// divisor of z₂ and z₂′. Ratios, torques and powers all follow from the three weights of this equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Differential {
     sun: u32,
@@ -103,21 +99,21 @@ pub struct Differential {
 }
 
 impl Differential {
-    /// Both are at least 1 and at most 10⁶ by the limits of the teeth.
+    /// Both weights are within 1 … 10⁶ by the limits of the teeth.
     pub(super) fn of(sun: u32, ring: u32) -> Self {
         Self { sun, ring }
     }
 
-    /// That of a planar train of z₁ and z₄, whatever its satellites are.
+    /// The differential of a planar train of z₁ and z₄, for any satellites.
     ///
     /// # Errors
-    /// Every reason at once: numbers that are not whole, positive and within
-    /// [`TEETH`](crate::gears::TEETH); a ring not larger than the sun.
+    /// Every reason at once: numbers that are not whole, positive and within [`TEETH`](crate::gears::TEETH); a ring not
+    /// larger than the sun.
     pub fn planar(sun_and_ring: [f64; 2]) -> Result<Self, Vec<TrainError>> {
         planar_shafts(sun_and_ring).map(|[sun, ring]| Self::of(sun, ring))
     }
 
-    /// The shaft's factor in the equation: a, −(a + b), b.
+    /// Weight of a shaft in the equation: a, −(a + b), b.
     pub fn weight(&self, shaft: Shaft) -> i64 {
         let (sun, ring) = (i64::from(self.sun), i64::from(self.ring));
         match shaft {
@@ -127,26 +123,25 @@ impl Differential {
         }
     }
 
-    /// a + b: divided by the number of satellites it must be whole, so that they
-    /// can be mounted at equal angles.
+    /// a + b: it must be a multiple of the number of satellites for these to be mounted at equal angles.
     pub fn pitches(&self) -> u32 {
         self.sun + self.ring
     }
 
-    /// Torques that act on the shafts from outside in steady motion without
-    /// losses, from that of one of them: T₁ : T₄ : T₃ = a : b : −(a + b).
+    /// External torques on the shafts in steady motion without losses, from one of them:
+    /// T₁ : T₄ : T₃ = a : b : −(a + b).
     ///
-    /// They balance, and their powers do at all speeds that the train allows: that
-    /// is the principle of virtual work, and their ratio is that of the weights.
+    /// The torques balance, and so do their powers at all speeds that the train allows. By the principle of virtual
+    /// work the torques are proportional to the weights.
     ///
     /// # Errors
-    /// A torque that is no number, or out of range.
+    /// The torque is not a number, or out of range.
     pub fn torques(&self, known: Shaft, torque: f64) -> Result<Shafts, Fault> {
         Fault::check_size(torque, GREATEST)?;
         Ok(self.balanced(known, torque))
     }
 
-    /// The same torques relative to that of one of the shafts.
+    /// The torques relative to that of one of the shafts.
     pub fn torques_relative_to(&self, known: Shaft) -> Shafts {
         self.balanced(known, 1.0)
     }
@@ -154,7 +149,7 @@ impl Differential {
     fn balanced(&self, known: Shaft, torque: f64) -> Shafts {
         let unit = torque / self.weight(known) as f64;
         Shafts::from_each(|shaft| {
-            // The known one as it is given, not rounded.
+            // The known torque exactly, not rounded.
             if shaft == known {
                 torque
             } else {

@@ -1,4 +1,4 @@
-//! Two of the three shafts driven, held or tied: what all of them do.
+//! Motion of all shafts with two of the three driven, held or tied.
 
 use crate::tolerance;
 use nalgebra::Vector3;
@@ -7,21 +7,21 @@ use super::differential::GREATEST;
 use super::{Differential, Shaft, Shafts};
 use crate::Fault;
 
-/// What is wanted of a shaft.
+/// Input of a shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input {
     /// The shaft.
     pub shaft: Shaft,
-    /// How it moves.
+    /// Its drive.
     pub drive: Drive,
 }
 
-/// How a shaft is moved from outside.
+/// Drive of a shaft from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive {
-    /// With this speed, or by this angle; 0: it is held.
+    /// This speed, or turned by this angle; 0 if it is held.
     Given(f64),
-    /// With a multiple of another shaft's speed, as by a train between the two.
+    /// A multiple of another shaft's speed, as from a train between the two.
     Tied {
         /// The other shaft.
         to: Shaft,
@@ -30,24 +30,24 @@ pub enum Drive {
     },
 }
 
-/// Why inputs do not determine the motion.
+/// Reasons why inputs do not determine the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InputError {
-    /// A speed or a factor that is no number, or out of range.
+    /// A speed or a factor that is not a number, or out of range.
     Number {
-        /// Of which shaft's input.
+        /// The shaft of the input.
         shaft: Shaft,
-        /// What is wrong with it.
+        /// The fault.
         fault: Fault,
     },
-    /// A time in which a shaft cannot rise to its speed.
+    /// An invalid rise time of a shaft.
     Rise {
         /// The shaft.
         shaft: Shaft,
-        /// What is wrong with it.
+        /// The fault.
         fault: Fault,
     },
-    /// A shaft that follows the given ones turns faster than angles can be computed.
+    /// A shaft that follows the given ones turns too fast for its angles to be computed.
     TooFast {
         /// The shaft.
         shaft: Shaft,
@@ -59,41 +59,40 @@ pub enum InputError {
         /// The shaft.
         shaft: Shaft,
     },
-    /// A shaft has two speeds at once.
+    /// A shaft has two inputs.
     Twice {
         /// The shaft.
         shaft: Shaft,
     },
-    /// The train has two freedoms, and fewer inputs are given.
+    /// Fewer inputs than the two freedoms of the train.
     Underdetermined {
-        /// How many.
+        /// Number of inputs.
         given: usize,
     },
-    /// The train has two freedoms, and more inputs are given.
+    /// More inputs than the two freedoms of the train.
     Overdetermined {
-        /// How many.
+        /// Number of inputs.
         given: usize,
     },
-    /// With this tie the train stands still or moves at any speed: no other input
-    /// determines it.
+    /// With this tie the train is at rest or moves at any speed; no other input determines it.
     SingularTie {
         /// The shaft that is tied.
         shaft: Shaft,
-        /// To which one.
+        /// The shaft it is tied to.
         to: Shaft,
-        /// With which factor.
+        /// The factor.
         factor: f64,
     },
 }
 
 impl Differential {
-    /// The motion of all shafts from exactly two inputs; of angles as of speeds,
-    /// for the equation is linear and has no memory.
+    /// The motion of all shafts from exactly two inputs; for angles and speeds alike, because the equation is linear
+    /// with constant coefficients.
     ///
     /// Two ties leave the train at rest.
     ///
     /// # Errors
-    /// Every reason why single inputs cannot be; else that they do not determine the motion.
+    /// Every fault of a single input; otherwise the reason why they do not determine the motion.
     pub fn solve(&self, inputs: &[Input]) -> Result<Shafts, Vec<InputError>> {
         let reasons: Vec<InputError> = inputs.iter().filter_map(fault).collect();
         if !reasons.is_empty() {
@@ -113,7 +112,7 @@ impl Differential {
         if determinant.abs() <= tolerance::NEGLIGIBLE * size {
             return Err(vec![singular(first, second)]);
         }
-        // Cramer's rule for three equations, the train's without right-hand side.
+        // Cramer's rule for three equations; the train's has no right-hand side.
         let [value, other] = [first, second].map(right_hand_side);
         let solution =
             (rows[1].cross(&train) * value + train.cross(&rows[0]) * other) / determinant;
@@ -122,7 +121,7 @@ impl Differential {
             carrier: solution.y,
             ring: solution.z,
         };
-        // What is given is that, not rounded.
+        // Given values exactly, not rounded.
         Ok(Shafts::from_each(|shaft| {
             let given = [first, second].map(|input| match input.drive {
                 Drive::Given(value) if input.shaft == shaft => Some(value),
@@ -133,7 +132,7 @@ impl Differential {
     }
 }
 
-/// What is wrong with an input alone.
+/// The fault of a single input.
 fn fault(input: &Input) -> Option<InputError> {
     let shaft = input.shaft;
     let number = match input.drive {
@@ -145,7 +144,7 @@ fn fault(input: &Input) -> Option<InputError> {
     Some(InputError::Number { shaft, fault })
 }
 
-/// The left-hand side of an input as an equation, in the order of [`Shaft::ALL`].
+/// Left-hand side of the equation of an input, in the order of [`Shaft::ALL`].
 fn row(input: &Input) -> Vector3<f64> {
     Vector3::from(Shaft::ALL.map(|shaft| match input.drive {
         _ if shaft == input.shaft => 1.0,
@@ -161,7 +160,7 @@ fn right_hand_side(input: &Input) -> f64 {
     }
 }
 
-/// Why two inputs do not determine the motion: without a tie they are of one shaft.
+/// The reason why two inputs do not determine the motion: a tie, or two inputs of one shaft.
 fn singular(first: &Input, second: &Input) -> InputError {
     match (first.drive, second.drive) {
         (Drive::Tied { to, factor }, _) => {

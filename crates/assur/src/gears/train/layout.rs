@@ -1,31 +1,29 @@
-//! The wheels of a train in their places.
+//! Dimensions of the wheels of a train.
 
 use super::{Counts, Coupling, Kind, Member, Train, TrainError};
 use crate::Fault;
 use crate::gears::{ADDENDUM, MODULE};
 
-/// A train with its satellites at equal angles, in lengths; always sound.
+/// A train with its satellites at equal angles, in lengths; always valid.
 ///
-/// Its [conditions](Layout::conditions) decide if it can be built.
+/// Its [conditions](Layout::conditions) decide whether it can be built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
     train: Train,
     counts: Counts,
     module: f64,
     axis_distance: Option<f64>,
-    /// Whether north and south poles of magnets alternate round each wheel.
+    /// True if north and south poles of magnets alternate around each wheel.
     alternating: bool,
 }
 
 impl Layout {
-    /// A layout from numbers as a person gives them: how many satellites; the
-    /// module m, which makes a wheel's diameter d = m z; of magnets the distance
-    /// a_w of the satellites' axes from the main one, or none for equal gaps at
-    /// sun and ring.
+    /// A layout from numbers entered by a person: number of satellites; module m, with the diameter d = m z of a wheel;
+    /// for magnets the distance a_w of the satellites' axes from the main one, or none for equal gaps at sun and ring.
     ///
     /// # Errors
-    /// Every reason at once: satellites that are not 1 to [`GearSet::MOST`](crate::gears::GearSet::MOST); lengths that are not
-    /// positive or not in range.
+    /// Every reason at once: a number of satellites outside 1 to [`GearSet::MOST`](crate::gears::GearSet::MOST);
+    /// lengths that are not positive or not in range.
     pub fn new(
         train: Train,
         satellites: f64,
@@ -37,7 +35,7 @@ impl Layout {
         if let Err(fault) = Fault::check_positive(module, MODULE) {
             reasons.push(TrainError::Module { fault });
         }
-        // As many modules as the largest wheel has teeth.
+        // Up to one module per tooth of the largest wheel.
         let range = (MODULE.0, 1e3 * MODULE.1);
         if let Some(Err(fault)) = axis_distance.map(|given| Fault::check_positive(given, range)) {
             reasons.push(TrainError::AxisDistance { fault });
@@ -54,7 +52,7 @@ impl Layout {
         }
     }
 
-    /// The same with magnets whose poles alternate round each wheel: a period of the field is two plates.
+    /// The same layout with poles that alternate around each wheel: two plates per period of the field.
     pub fn alternating(self) -> Self {
         Self {
             alternating: true,
@@ -62,7 +60,7 @@ impl Layout {
         }
     }
 
-    /// Wheels round which poles cannot alternate, for they have an odd number of plates.
+    /// Wheels with an odd number of plates, around which poles cannot alternate.
     pub fn odd_wheels(&self) -> impl Iterator<Item = Member> {
         let members: &[Member] = match self.train.kind() {
             _ if !self.alternating => &[],
@@ -78,12 +76,12 @@ impl Layout {
         &self.train
     }
 
-    /// The same with other wheels.
+    /// The same layout with other wheels.
     pub(super) fn with(&self, train: Train) -> Self {
         Self { train, ..*self }
     }
 
-    /// Plates to a period of the field; teeth to a pitch.
+    /// Plates per period of the field; for gears one tooth per pitch.
     pub(super) fn plates_to_period(&self, coupling: Coupling) -> u32 {
         match coupling {
             Coupling::Magnetic if self.alternating => 2,
@@ -106,9 +104,8 @@ impl Layout {
         self.module * f64::from(self.train.teeth(member))
     }
 
-    /// The distance a_w of a satellite's middle from the main axis: of gears in
-    /// contact that of sun and satellite; of magnets as given, else with equal
-    /// gaps.
+    /// The distance a_w of a satellite's middle from the main axis: for gears in contact that of sun and satellite; for
+    /// magnets the given one, or by default the one with equal gaps.
     pub fn axis_distance(&self, coupling: Coupling) -> f64 {
         let [sun, satellite, step, ring] =
             [Member::Sun, Member::Satellite, Member::Step, Member::Ring]
@@ -122,8 +119,8 @@ impl Layout {
         }
     }
 
-    /// The gaps of magnets at sun and ring, between pitch circles; negative where these would
-    /// overlap. None of bevel wheels, which are moved along their axes to part.
+    /// Gaps of magnets at sun and ring, between pitch circles; negative if these overlap. None for bevel wheels, whose
+    /// gaps are set by axial displacement.
     pub fn gaps(&self) -> Option<[f64; 2]> {
         let planar = self.train.kind() != Kind::Bevel;
         let distance = self.axis_distance(Coupling::Magnetic);
@@ -131,15 +128,15 @@ impl Layout {
         planar.then_some([distance - least, most - distance])
     }
 
-    /// What the [gaps](Self::gaps) leave between the tips of teeth of the standard addendum m, at sun and ring; negative
-    /// where the teeth reach into one another, and no wheel can slip past the other. None of bevel wheels.
+    /// Clearances between the tips of teeth of the standard addendum m, at sun and ring, in the [gaps](Self::gaps) of
+    /// magnets; negative if the teeth reach into one another, so that no wheel can slip. None for bevel wheels.
     pub fn tip_clearances(&self) -> Option<[f64; 2]> {
         let teeth = 2.0 * ADDENDUM * self.module;
         self.gaps().map(|gaps| gaps.map(|gap| gap - teeth))
     }
 
-    /// The distances of the axes between which no pitch circles touch: (d₁ + d₂)/2 and
-    /// (d₄ − d₂′)/2, the source paper's (1) and (2).
+    /// Distances of the axes between which no pitch circles touch: (d₁ + d₂)/2 and (d₄ − d₂′)/2, the source paper's (1)
+    /// and (2).
     pub(super) fn free_distances(&self) -> [f64; 2] {
         let teeth = |member| f64::from(self.train.teeth(member));
         [
@@ -148,8 +145,7 @@ impl Layout {
         ]
     }
 
-    /// The sine of half the angle that a satellite takes up around the main axis,
-    /// to its tips where it has teeth.
+    /// Sine of half the angle that a satellite covers around the main axis, up to the tips of its teeth, if any.
     pub(super) fn half_width(&self, coupling: Coupling) -> f64 {
         let teeth = |member| f64::from(self.train.teeth(member));
         let largest = teeth(Member::Satellite).max(teeth(Member::Step));
@@ -162,7 +158,7 @@ impl Layout {
                 self.module * (0.5 * largest + addendum) / self.axis_distance(coupling)
             }
             Kind::Bevel => {
-                // Tip cones of neighbours touch where sin(π/k) sin Σ = sin δ_a.
+                // Tip cones of neighbours touch if sin(π/k) sin Σ = sin δ_a.
                 let sine = self.train.inclination().sin();
                 let cone = (2.0 * largest * sine).atan2(teeth(Member::Sun) + teeth(Member::Ring));
                 let tip = cone + (2.0 * addendum * cone.sin() / largest).atan();

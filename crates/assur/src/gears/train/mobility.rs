@@ -1,4 +1,4 @@
-//! The mobility of a train by the count of its links and pairs.
+//! The mobility of a train by counting its links and pairs.
 
 use super::TrainError;
 use crate::Fault;
@@ -7,23 +7,22 @@ use crate::gears::GearSet;
 /// Moving links and pairs of a train in the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Counts {
-    /// How many satellites there are, k.
+    /// Number of satellites, k.
     pub satellites: u32,
     /// Moving links n: sun, carrier, ring and the satellites.
     pub links: u32,
-    /// P₁, the paper's p₅: sun, carrier and ring turn in the frame, each satellite in the carrier. The paper's carrier
-    /// turns in the ring instead of in the frame: the count is the same.
+    /// P₁, the paper's p₅: sun, carrier and ring turn in the frame, each satellite in the carrier. In the paper the
+    /// carrier turns in the ring instead of the frame; the count is the same.
     pub one_freedom: u32,
-    /// P₂: each satellite meets sun and ring. A magnetic coupling counts as a pair:
-    /// true in synchronism, as long as it does not slip.
+    /// P₂: each satellite meets sun and ring. A magnetic coupling counts as a pair while it does not slip.
     pub two_freedoms: u32,
 }
 
 impl Counts {
-    /// Those of a train with so many satellites, as a person gives them.
+    /// The counts of a train with this number of satellites, entered by a person.
     ///
     /// # Errors
-    /// Satellites that are not 1 to [`GearSet::MOST`].
+    /// The number is not 1 to [`GearSet::MOST`].
     pub fn new(satellites: f64) -> Result<Self, TrainError> {
         let most = GearSet::MOST as f64;
         let satellites = Fault::check_count(satellites, (1.0, most))
@@ -46,9 +45,8 @@ impl Counts {
         3 * i64::from(self.links) - 2 * i64::from(self.one_freedom) - i64::from(self.two_freedoms)
     }
 
-    /// How many constraints are passive: every satellite but the first only
-    /// repeats what that one does, so the train moves with two freedoms though the
-    /// count says fewer.
+    /// Number of passive constraints: every satellite after the first repeats its constraint, so the train has two
+    /// freedoms although the count gives fewer.
     pub fn passive(&self) -> i64 {
         2 - self.mobility()
     }

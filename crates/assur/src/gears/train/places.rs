@@ -1,48 +1,44 @@
-//! Where the satellites are, and how the wheels are turned so that they mesh.
+//! Positions of the satellites, and mounting angles of the wheels in mesh.
 
 use std::f64::consts::{PI, TAU};
 
 use super::{Coupling, Kind, Layout, Member, Shafts, Train};
 use crate::Point;
 
-/// Where a satellite is.
+/// Position of a satellite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// Its centre, from the main axis.
     pub centre: Point,
-    /// The angle of its zero direction, along which a tooth (a plate) of each of
-    /// its wheels is centred.
+    /// Angle of its zero direction, on which a tooth (a plate) of each of its wheels is centred.
     pub angle: f64,
 }
 
-/// How wheels of parallel axes are mounted so that they mesh: the angles of their zero
-/// directions, along which a tooth (a plate) is centred, where the sun's and the
-/// carrier's are 0.
+/// Mounting angles of wheels with parallel axes: the angles of their zero directions, on which a tooth (a plate) is
+/// centred, with those of sun and carrier 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mounting {
-    /// Of the ring.
+    /// The ring.
     pub ring: f64,
-    /// Of each satellite.
+    /// Each satellite.
     pub satellites: Vec<f64>,
 }
 
 impl Train {
-    /// The angle at which the ring is mounted, where a tooth (a plate) of the sun
-    /// and an inward one of the ring are centred on their zero directions: then
-    /// teeth meet gaps at all satellites, as far as these can be
-    /// [mounted](super::Differential::assembly) at all. Unloaded, like poles of
-    /// magnets stand just so.
+    /// Mounting angle of the ring, with a tooth (a plate) of the sun and an inward one of the ring centred on their
+    /// zero directions. Then teeth meet gaps at all satellites that can be [mounted](super::Differential::assembly).
+    /// Like poles of magnets without a load are positioned in the same way.
     pub fn ring_mounting(&self) -> f64 {
         self.ring_mounting_of(1)
     }
 
-    /// The same for so many plates to a period of the field.
+    /// The mounting angle for this number of plates per period of the field.
     fn ring_mounting_of(&self, plates: u32) -> f64 {
         let [_, satellite, step, ring] = self.periods(plates);
         (PI + step * (PI - PI / satellite)) / ring
     }
 
-    /// Periods of z₁, z₂, z₂′ and z₄ teeth (plates), so many to each.
+    /// Periods of z₁, z₂, z₂′ and z₄ teeth (plates), for this number of plates per period.
     fn periods(&self, plates: u32) -> [f64; 4] {
         let members = [Member::Sun, Member::Satellite, Member::Step, Member::Ring];
         members.map(|member| f64::from(self.teeth(member)) / f64::from(plates))
@@ -50,10 +46,9 @@ impl Train {
 }
 
 impl Layout {
-    /// How satellites and ring are mounted, with so many plates to a period: one of teeth
-    /// and of like poles, which stand between one another, two where poles alternate
-    /// and north faces south. Where wheels meet there is half a period between them; of
-    /// satellites that cannot be [mounted](super::Differential::assembly) only at the sun.
+    /// Mounting of satellites and ring, with this number of plates per period: one for teeth and like poles, which face
+    /// gaps, two for alternating poles, where north faces south. Wheels in mesh differ by half a period; satellites
+    /// that cannot be [mounted](super::Differential::assembly) do so only at the sun.
     pub fn mounting(&self, plates: u32) -> Mounting {
         let [sun, satellite, step, ring] = self.train().periods(plates);
         let mounted = self.train().ring_mounting_of(plates);
@@ -61,7 +56,7 @@ impl Layout {
         let one = |k: u32| {
             let line = TAU * f64::from(k) / f64::from(count);
             let at_sun = line + PI + (line * sun - PI) / satellite;
-            // Another period at the sun is another place of z₂′ at the ring.
+            // A shift by a period at the sun changes the position of z₂′ at the ring.
             let off = |period: u32| {
                 let angle = at_sun + TAU * f64::from(period) / satellite;
                 let phase = ring * (line - mounted) - step * (line - angle);
@@ -75,7 +70,7 @@ impl Layout {
             };
             let first = off(0);
             let best = (1..others).map(off).fold(first, |best, other| {
-                // What only rounding sets apart is as good.
+                // Differences due to rounding do not count.
                 if other.0 < best.0 - 1e-6 { other } else { best }
             });
             best.1
@@ -86,9 +81,8 @@ impl Layout {
         }
     }
 
-    /// The places of all satellites when the shafts have turned by these angles
-    /// from the position in which the first one is to the right; none of bevel
-    /// wheels. Each meets the sun's gaps.
+    /// Positions of all satellites after the shafts have turned by these angles from the position with the first
+    /// satellite on the right; none for bevel wheels. Each satellite meets the gaps of the sun.
     pub fn places(&self, coupling: Coupling, angles: &Shafts) -> Option<Vec<Place>> {
         if self.train().kind() == Kind::Bevel {
             return None;

@@ -4,13 +4,12 @@ use std::fmt;
 
 use super::{Differential, Shaft};
 
-/// The ratio u = ω_i/ω_j with the third shaft held, as a fraction in the numbers
-/// of the train.
+/// The ratio u = ω_i/ω_j with the third shaft held, as a fraction of whole numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ratio {
-    /// i, whose speed is the numerator.
+    /// i, the shaft of the numerator.
     pub of: Shaft,
-    /// j, relative to whose speed it is.
+    /// j, the shaft of the denominator.
     pub to: Shaft,
     /// The shaft that is held.
     pub held: Shaft,
@@ -35,10 +34,10 @@ impl fmt::Display for Ratio {
     }
 }
 
-/// u_ij⁽ᵏ⁾ + u_ik⁽ʲ⁾ = 1: one for each i.
+/// The identity u_ij⁽ᵏ⁾ + u_ik⁽ʲ⁾ = 1, one for each i.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Identity {
-    /// The two ratios, of one denominator.
+    /// The two ratios, with a common denominator.
     pub terms: [Ratio; 2],
 }
 
@@ -51,7 +50,7 @@ impl Identity {
 }
 
 impl Differential {
-    /// u_ij with the third shaft held; 1 of a shaft relative to itself is no ratio.
+    /// u_ij with the third shaft held, for different i and j.
     fn ratio(&self, of: Shaft, to: Shaft, held: Shaft) -> Ratio {
         // w_i ω_i + w_j ω_j = 0.
         let (numerator, denominator) = (-self.weight(to), self.weight(of));
@@ -91,8 +90,7 @@ impl Differential {
         ]
     }
 
-    /// Whether a ratio is the largest positive one, which characterises the
-    /// differential; two are where z₁ = z₄.
+    /// True for the largest positive ratio, which characterizes the differential; if z₁ = z₄ two ratios are largest.
     pub fn is_largest(&self, ratio: &Ratio) -> bool {
         let greater = |other: &Ratio| {
             other.numerator * ratio.denominator > ratio.numerator * other.denominator

@@ -4,10 +4,11 @@ use super::{Counts, Coupling, Kind, Layout, Member};
 use crate::relation::Relation;
 
 impl Layout {
-    /// The paper's relations at these speeds of sun, satellite, carrier and ring, rad/s, in the order of the paper; none of
-    /// trains that it does not have, stepped and bevel ones. Lengths are in the unit of the module.
+    /// The paper's relations at these speeds of sun, satellite, carrier and ring, rad/s, in the order of the paper;
+    /// none for trains that it does not treat, stepped and bevel ones. Lengths are in the unit of the module.
     ///
-    /// δ₁₂ and δ₂₄ are the gaps between pitch circles, of magnets only; c₁₂ and c₂₄ are those between tips of standard teeth.
+    /// δ₁₂ and δ₂₄ are the gaps between pitch circles, for magnets only; c₁₂ and c₂₄ are those between tips of standard
+    /// teeth.
     pub fn relations(&self, coupling: Coupling, speeds: &[f64; 4]) -> Vec<Relation> {
         if self.train().kind() != Kind::Planar {
             return Vec::new();
@@ -27,7 +28,7 @@ impl Layout {
             .map(|member| f64::from(self.train().teeth(member)))
     }
 
-    /// (1), (2), and what follows from them: the distances of the axes.
+    /// (1), (2), and the resulting distances of the axes.
     fn distances(&self) -> Vec<Relation> {
         let ([Some(gaps), Some(clearances)], [d1, d2, d4]) = (
             [self.gaps(), self.tip_clearances()],
@@ -49,7 +50,7 @@ impl Layout {
         ]
     }
 
-    /// (4) to (7), and the satellite's speed, which the paper does not print.
+    /// (4) to (7), and the satellite's speed, which is not printed in the paper.
     fn motion(&self, &[w1, w2, w3, w4]: &[f64; 4]) -> Vec<Relation> {
         let [z1, z2, z4] = self.numbers();
         let [u13, u31, u34, u43, ..] = self.values();
@@ -117,7 +118,7 @@ impl Layout {
     }
 }
 
-/// (3): the count with one satellite, as the paper has it.
+/// (3): the count with one satellite, as in the paper.
 fn counts() -> Vec<Relation> {
     let one = Counts::of(1);
     let count =

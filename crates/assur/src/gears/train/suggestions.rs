@@ -1,20 +1,19 @@
-//! Numbers of teeth near by with which a train can be built.
+//! Similar numbers of teeth with which a train can be built.
 
 use super::{Coupling, Kind, Layout, Member, Train};
 use crate::sorting::sort_by_key;
 
-/// A train that fulfils all conditions.
+/// A train that meets all conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Suggestion {
     /// Its wheels.
     pub train: Train,
-    /// By how many teeth it differs, all wheels together.
+    /// Sum of the changes of all numbers of teeth.
     pub change: u32,
 }
 
 impl Layout {
-    /// By how many teeth trains are looked for; with a fourth wheel there are many
-    /// more of them.
+    /// Maximum change to search; with a fourth wheel there are many more candidates.
     fn reach(&self) -> i32 {
         match self.train().kind() {
             Kind::Planar | Kind::Bevel => 60,
@@ -22,13 +21,10 @@ impl Layout {
         }
     }
 
-    /// The trains that can be built with as many satellites, this module and this
-    /// distance of the axes, where one is given: those that differ least first,
-    /// among them those whose wheels all differ little. This train comes first
-    /// where it can be built itself.
+    /// Buildable trains with the same number of satellites, module and distance of the axes, if given: by increasing
+    /// total change, then by increasing greatest change of a wheel. This train comes first if it can be built itself.
     ///
-    /// At most `count`, fewer where there are no more within reach: 60 teeth that
-    /// differ, 20 with stepped satellites.
+    /// At most `count` trains, with a total change of at most 60 teeth, 20 with stepped satellites.
     pub fn suggestions(&self, coupling: Coupling, count: usize) -> Vec<Suggestion> {
         let mut found = Vec::new();
         for change in 0..=self.reach() {
@@ -52,7 +48,7 @@ impl Layout {
 }
 
 impl Train {
-    /// With so many teeth more on z₁, z₂, z₂′, z₄; none where that is no train.
+    /// The train with z₁, z₂, z₂′, z₄ changed by these numbers of teeth; none if it is invalid.
     fn changed(&self, [sun, satellite, step, ring]: [i32; 4]) -> Option<Self> {
         let teeth = |member, change: i32| f64::from(self.teeth(member)) + f64::from(change);
         let sun = teeth(Member::Sun, sun);
@@ -68,8 +64,7 @@ impl Train {
     }
 }
 
-/// All changes of z₁, z₂, z₂′, z₄ that come to this many teeth. Of a satellite
-/// that is one wheel only z₂ changes.
+/// All changes of z₁, z₂, z₂′, z₄ with this total. For single-wheel satellites only z₂ changes.
 fn changes(kind: Kind, total: i32) -> Vec<[i32; 4]> {
     let mut changes = Vec::new();
     for sun in -total..=total {

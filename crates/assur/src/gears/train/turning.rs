@@ -1,23 +1,23 @@
-//! How a train turns by time, as long as nothing slips.
+//! Motion of a train over time without slip.
 
 use std::f64::consts::TAU;
 
 use super::{Drive, Input, InputError, Kind, Member, Shaft, Shafts, Train};
 use crate::{Angle, Fault};
 
-/// Seconds of a minute.
+/// Seconds per minute.
 const MINUTE: f64 = 60.0;
 
-/// An input by time.
+/// An input over time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedInput {
     /// The shaft and its speed, in revolutions per minute.
     pub input: Input,
-    /// It rises evenly from rest to that speed in so many seconds, 0: it has it at once. Of a tied shaft it does not count.
+    /// Time in which the speed rises linearly from rest, seconds; 0 if at once. Ignored for a tied shaft.
     pub rise: f64,
 }
 
-/// Where a train is at a time: of sun, satellite, carrier and ring.
+/// State of a train at a time: sun, satellite, carrier and ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turned {
     /// Angles since time 0.
@@ -26,12 +26,12 @@ pub struct Turned {
     pub speeds: [f64; 4],
     /// Accelerations, rad/s².
     pub accelerations: [f64; 4],
-    /// Whether those of the satellite are relative to the carrier, about its own axis, as of bevel wheels.
+    /// True if values of the satellite are relative to the carrier, about its own axis, as for bevel wheels.
     pub spins: bool,
 }
 
 impl Turned {
-    /// The same as it is seen from a shaft, which then stands still (Willis's inversion).
+    /// The state seen from a shaft, which then is at rest (Willis's inversion).
     pub fn seen_from(&self, shaft: Shaft) -> Self {
         let own = shaft.index();
         let fixed = |body: usize| body == 1 && self.spins;
@@ -53,30 +53,30 @@ impl Turned {
     }
 }
 
-/// A train whose two inputs are given by time. Angles come from times, not from angles before: they have all their
-/// digits at any time, and wheels stay in mesh however long they turn.
+/// A train with two inputs given over time. Angles are computed from the time, not from previous angles: they are exact
+/// at any time, and wheels stay in mesh however long they turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
     train: Train,
-    /// The driven shafts with what turns them.
+    /// The driven shafts with their motors.
     driven: [(Shaft, Motor); 2],
-    /// The one that follows.
+    /// The third shaft.
     free: Shaft,
 }
 
-/// What turns a shaft.
+/// Motion of a driven shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Motor {
     Speed {
         rpm: f64,
         rise: f64,
     },
-    /// So many times what turns the other one.
+    /// This multiple of the motion of the other driven shaft.
     Other(f64),
     Rest,
 }
 
-/// Whole turns and a part of a turn.
+/// Whole turns and a fraction of a turn.
 #[derive(Clone, Copy)]
 struct Turns {
     whole: i64,
@@ -89,7 +89,7 @@ impl Turns {
         part: 0.0,
     };
 
-    /// Turns at a speed in so many seconds; whole turns are taken off a product that is not rounded.
+    /// Turns at a speed in this number of seconds, with whole turns split off an exact product.
     fn of(rpm: f64, seconds: f64) -> Self {
         let product = rpm * seconds;
         let low = rpm.mul_add(seconds, -product);
@@ -100,7 +100,7 @@ impl Turns {
         }
     }
 
-    /// A product that is not rounded, as turns.
+    /// An exact product, in turns.
     fn product(turns: f64, factor: f64) -> Self {
         let product = turns * factor;
         let low = turns.mul_add(factor, -product);
@@ -116,7 +116,7 @@ impl Turns {
         Self::combined([(1, whole), (1, part)], 1)
     }
 
-    /// (Σ nᵢ turnsᵢ)/divisor: whole turns are summed up and divided as whole numbers.
+    /// (Σ nᵢ turnsᵢ)/divisor, with integer arithmetic for whole turns.
     fn combined<const N: usize>(terms: [(i64, Self); N], divisor: i64) -> Self {
         let (mut whole, mut part) = (0, 0.0);
         for (n, turns) in terms {
@@ -136,23 +136,23 @@ impl Turns {
 }
 
 impl Turning {
-    /// The greatest time, seconds.
+    /// Maximum time, seconds.
     pub const LONGEST: f64 = 1e6;
 
-    /// The greatest speed of a shaft, revolutions per minute: under load it can be followed too.
+    /// Maximum speed of a shaft, revolutions per minute, also for motion under load.
     pub const FASTEST: f64 = 1e5;
 
-    /// The longest rise, seconds.
+    /// Maximum rise time, seconds.
     pub const LONGEST_RISE: f64 = 1e4;
 
-    /// A rise that takes any time takes at least so much, seconds: accelerations stay numbers.
+    /// Minimum positive rise time, seconds; it keeps accelerations finite.
     pub const SHORTEST_RISE: f64 = 1e-6;
 
     /// A train turned by these inputs.
     ///
     /// # Errors
-    /// Every rise that cannot be; as of [`Differential::solve`](super::Differential::solve), and of a shaft with both
-    /// inputs; shafts faster than [`Self::FASTEST`], those that only follow where no other is.
+    /// Every invalid rise time; errors of [`Differential::solve`](super::Differential::solve); two inputs of one shaft;
+    /// given speeds above [`Self::FASTEST`], or else resulting ones.
     pub fn new(train: Train, inputs: &[TimedInput]) -> Result<Self, Vec<InputError>> {
         let rises: Vec<InputError> = inputs.iter().filter_map(rise_fault).collect();
         let asked: Vec<Input> = inputs.iter().map(|timed| timed.input).collect();
@@ -165,7 +165,7 @@ impl Turning {
         let driven = |shaft: &Shaft| asked.iter().any(|input| input.shaft == *shaft);
         let free: Vec<Shaft> = Shaft::ALL.into_iter().filter(|one| !driven(one)).collect();
         let ([free], [one, other]) = (&free[..], inputs) else {
-            // Two inputs that leave more than one shaft are of the same one.
+            // Two inputs with more than one other shaft are of the same shaft.
             let shaft = asked[0].shaft;
             return Err(vec![InputError::Twice { shaft }]);
         };
@@ -203,7 +203,7 @@ impl Turning {
                     Motor::Other(factor)
                 }
                 (Drive::Tied { factor, .. }, Drive::Given(_)) => {
-                    // With x = factor · free in the equation of the weights.
+                    // From x = factor · free in the equation of the weights.
                     let weight = |shaft| train.differential().weight(shaft) as f64;
                     let [this, other] = [one, other].map(|input| weight(input.input.shaft));
                     Motor::Other(-factor * other / factor.mul_add(this, weight(*free)))
@@ -222,14 +222,14 @@ impl Turning {
         &self.train
     }
 
-    /// The shaft that follows the two driven ones.
+    /// The shaft that is not driven.
     pub fn free(&self) -> Shaft {
         self.free
     }
 
-    /// Where it is at a time within [`Self::LONGEST`], from 0; seconds.
+    /// The state at a time from 0 to [`Self::LONGEST`], seconds.
     pub fn at(&self, time: f64) -> Turned {
-        // What is no number is 0.
+        // NaN becomes 0.
         let time = time.clamp(0.0, Self::LONGEST).max(0.0);
         let angles = self.turns(|rpm, rise| Turns::of(rpm, run(time, rise)));
         let [speeds, accelerations] = [speed, acceleration].map(|rate| {
@@ -250,7 +250,7 @@ impl Turning {
         }
     }
 
-    /// The speeds when all have risen, revolutions per minute.
+    /// Speeds after all rises, revolutions per minute.
     pub fn last_speeds(&self) -> Shafts {
         self.rates(|rpm, _| rpm)
     }
@@ -300,7 +300,7 @@ impl Turning {
         })
     }
 
-    /// The speed that turns a driven shaft, and how many times.
+    /// The motor of a driven shaft and its multiple.
     fn motor(&self, this: usize) -> (Motor, f64) {
         match (self.driven[this].1, self.driven[1 - this].1) {
             (Motor::Other(factor), other) => (other, factor),
@@ -309,7 +309,7 @@ impl Turning {
     }
 }
 
-/// What is wrong with the rise of an input that has one.
+/// The fault of the rise time of an input.
 fn rise_fault(timed: &TimedInput) -> Option<InputError> {
     if matches!(timed.input.drive, Drive::Tied { .. }) || timed.rise == 0.0 {
         return None;
@@ -326,7 +326,7 @@ fn rise_fault(timed: &TimedInput) -> Option<InputError> {
     Some(InputError::Rise { shaft, fault })
 }
 
-/// The seconds at full speed that come to the same.
+/// Equivalent time at full speed, seconds.
 fn run(time: f64, rise: f64) -> f64 {
     if time < rise {
         time * time / (2.0 * rise)
@@ -335,12 +335,12 @@ fn run(time: f64, rise: f64) -> f64 {
     }
 }
 
-/// The part of the full speed.
+/// Speed relative to the full speed.
 fn speed(time: f64, rise: f64) -> f64 {
     if time < rise { time / rise } else { 1.0 }
 }
 
-/// By how much of the full speed it grows in a second.
+/// Acceleration relative to the full speed, 1/s.
 fn acceleration(time: f64, rise: f64) -> f64 {
     if time < rise { rise.recip() } else { 0.0 }
 }

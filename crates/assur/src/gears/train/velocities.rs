@@ -1,22 +1,21 @@
-//! How a satellite moves.
+//! Velocities of a satellite.
 
 use super::{Coupling, Kind, Layout, Member, Shafts, Train};
 
-/// The angular velocity of a satellite, or the angle that it has turned by.
+/// Angular velocity of a satellite, or its angle turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spin {
     /// Relative to the carrier, about the satellite's own axis.
     pub relative: f64,
-    /// ω₂: absolute, its part along the main axis. In a plane it has no other.
+    /// ω₂: absolute, component along the main axis; the only one in a planar train.
     pub along: f64,
-    /// Of bevel wheels the part across the main axis, away from it on the
-    /// satellite's side; else 0.
+    /// Component across the main axis, away from it on the satellite's side; zero except for bevel wheels.
     pub across: f64,
 }
 
 impl Train {
-    /// ω₂ from the speeds of the shafts: ω₂ − ω₃ = −(ω₁ − ω₃) z₁/z₂ about the
-    /// satellite's axis. In a plane it holds of angles as well.
+    /// ω₂ from the speeds of the shafts: ω₂ − ω₃ = −(ω₁ − ω₃) z₁/z₂ about the satellite's axis. In a planar train it
+    /// also holds for angles.
     pub fn spin(&self, speeds: &Shafts) -> Spin {
         let ratio = f64::from(self.teeth(Member::Sun)) / f64::from(self.teeth(Member::Satellite));
         let relative = (speeds.carrier - speeds.sun) * ratio;
@@ -29,35 +28,32 @@ impl Train {
     }
 }
 
-/// A point of a satellite on the line from the main axis through its centre. Its
-/// velocity is across that line.
+/// A point of a satellite on the line from the main axis through its centre. Its velocity is perpendicular to that
+/// line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointVelocity {
-    /// Where: from the main axis, positive towards the satellite.
+    /// Distance from the main axis, positive towards the satellite.
     pub radius: f64,
-    /// How fast, positive counter-clockwise about the main axis for a positive radius.
+    /// Velocity, positive counter-clockwise about the main axis for a positive radius.
     pub velocity: f64,
 }
 
-/// The velocities of a satellite in the plane. They lie on one straight line over
-/// the radius: the velocity triangle.
+/// Velocities of a satellite in the plane. Over the radius they lie on a straight line: the velocity triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Velocities {
-    /// Where it rolls on the sun: both have this velocity.
+    /// Point of rolling on the sun: both have this velocity.
     pub sun: PointVelocity,
-    /// At its centre, the carrier's velocity.
+    /// Its centre, with the carrier's velocity.
     pub centre: PointVelocity,
-    /// Where it rolls in the ring: both have this velocity.
+    /// Point of rolling in the ring: both have this velocity.
     pub ring: PointVelocity,
-    /// The radius of its instantaneous centre; none where it does not turn: there
-    /// the velocities are all the same.
+    /// Radius of its instant centre; none if it does not turn and all velocities are equal.
     pub instantaneous_centre: Option<f64>,
 }
 
 impl Layout {
-    /// The radii of sun and ring on which the satellite rolls, as its speed has it:
-    /// a_w z₁/(z₁ + z₂) and a_w z₄/(z₄ − z₂′). In contact these are the pitch
-    /// circles d/2; magnets have them in the gaps or near by.
+    /// Radii of sun and ring on which the satellite rolls kinematically: a_w z₁/(z₁ + z₂) and a_w z₄/(z₄ − z₂′). For
+    /// gears in contact these are the pitch circles d/2; for magnets they are in the gaps or nearby.
     pub fn rolling_radii(&self, coupling: Coupling) -> [f64; 2] {
         let teeth = |member| f64::from(self.train().teeth(member));
         let [sun, ring] = [teeth(Member::Sun), teeth(Member::Ring)];
@@ -68,15 +64,14 @@ impl Layout {
         ]
     }
 
-    /// How a satellite moves at these speeds of the shafts; none of bevel wheels,
-    /// which do not move in a plane.
+    /// Velocities of a satellite at these speeds of the shafts; none for bevel wheels, whose motion is not planar.
     pub fn velocities(&self, coupling: Coupling, speeds: &Shafts) -> Option<Velocities> {
         let spin = self.train().spin(speeds).along;
         self.velocities_of(coupling, speeds.carrier, spin)
     }
 
-    /// The same of a satellite by the speeds of the carrier and its own, ω₂: of magnets
-    /// that slip it is not that of the shafts.
+    /// Velocities of a satellite from the speeds of the carrier and its own, ω₂; for slipping magnets ω₂ does not
+    /// follow from the shafts.
     pub fn velocities_of(&self, coupling: Coupling, carrier: f64, spin: f64) -> Option<Velocities> {
         if self.train().kind() == Kind::Bevel {
             return None;
@@ -87,7 +82,7 @@ impl Layout {
             velocity: carrier * distance + spin * (radius - distance),
         };
         let [sun, ring] = self.rolling_radii(coupling);
-        // Two parts that cancel, the carrier's and the relative one, leave their rounding.
+        // The carrier's and the relative speed may cancel up to rounding.
         let turns = spin.abs() > 4.0 * f64::EPSILON * (carrier.abs() + (spin - carrier).abs());
         Some(Velocities {
             sun: at(sun),

@@ -16,14 +16,13 @@ pub(super) struct Direction {
     pub(super) input_angle: f64,
 }
 
-/// What a linkage leaves open at a position.
+/// Residual of the contour at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closure {
-    /// φ₁ = arg r, the coupler's angle at which the least is left open, in (−π, π] from the
-    /// frame's direction, φ₀ added. Where the gap is nothing any angle will do: φ₀.
+    /// φ₁ = arg r, the coupler's angle with the least residual, in (−π, π] from the frame's direction, plus φ₀. If the
+    /// gap is zero any angle will do; then φ₀.
     pub coupler: f64,
-    /// |r| − z₁: excess of the gap over the coupler, in lengths of the frame. Its
-    /// square is J.
+    /// |r| − z₁: gap less coupler, in lengths of the frame; its square is J.
     pub residual: f64,
 }
 
@@ -33,18 +32,16 @@ impl Direction {
         Complex::new(1.0, 0.0) - self.output * output - self.input * input
     }
 
-    /// By the sign of this C lies to the left (+) or to the right of the diagonal from B to D:
-    /// e₂ × r, in which z₂ cancels.
+    /// e₂ × r, in which z₂ cancels: positive if C lies to the left of the diagonal from B to D, negative to the right.
     pub(super) fn side(&self, input: f64) -> f64 {
         -self.output.im - input * cross(self.output, self.input)
     }
 }
 
 impl Task {
-    /// The lengths z₃ > 0, ascending, with which coupler and output of these lengths close the loop
-    /// in a position: none or one or two, those of the quadratic |p − z₃e₃| = z₁ with p = e₀ − z₂e₂.
-    /// They are real where |p × e₃| ≤ z₁, the region of theorems 1 and 2 in the plane of z₁ and z₂.
-    /// Empty also where the task has no such position.
+    /// The lengths z₃ > 0, ascending, with which coupler and output of these lengths close the loop in a position: up
+    /// to two roots of the quadratic |p − z₃e₃| = z₁ with p = e₀ − z₂e₂. They are real if |p × e₃| ≤ z₁, the region of
+    /// theorems 1 and 2 in the plane of z₁ and z₂. Empty also if the task has no such position.
     pub fn closing_inputs(&self, position: usize, coupler: f64, output: f64) -> Vec<f64> {
         if position >= self.positions().len() {
             return Vec::new();
@@ -52,7 +49,7 @@ impl Task {
         let at = self.direction(position, [0.0; 2]);
         let p = at.gap(output, 0.0);
         let (along, across) = (dot(p, at.input), cross(p, at.input));
-        // NaN where the loop cannot be closed: no root of it is positive.
+        // NaN if the loop cannot be closed; then no root is positive.
         let root = (coupler * coupler - across * across).sqrt();
         let far = along + root.copysign(along);
         let near = (p.norm() - coupler) * (p.norm() + coupler) / far;
@@ -84,7 +81,7 @@ pub(super) fn dot(a: Complex<f64>, b: Complex<f64>) -> f64 {
     a.re * b.re + a.im * b.im
 }
 
-/// An angle brought next to another one by whole turns.
+/// An angle shifted by whole turns to be nearest to another.
 pub(super) fn near(angle: f64, to: f64) -> f64 {
     to + (angle - to + PI).rem_euclid(TAU) - PI
 }

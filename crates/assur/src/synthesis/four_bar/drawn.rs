@@ -1,4 +1,4 @@
-//! A solution as something to be drawn: its links in a given position, and the linkage itself.
+//! Coordinates of a solution for a drawing: its links in a given position, and the linkage itself.
 
 use std::f64::consts::PI;
 
@@ -9,34 +9,33 @@ use super::{Solution, Task};
 use crate::mechanism::{LinkageSpec, PointSpec};
 use crate::{Assembly, FourBar, Invalid, Point, Pose, Unsolved, Vector};
 
-/// The links in a given position, with A in the origin; lengths in the unit of the frame's. Input
-/// and output have the wanted angles, the coupler points from the one to the other.
+/// The links in a given position, with A in the origin; lengths in the unit of the frame's. Input and output have the
+/// wanted angles, the coupler points from one to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
     /// A, the input's fixed pivot.
     pub a: Point,
-    /// B, where the input ends.
+    /// B, end of the input.
     pub b: Point,
-    /// Where the coupler ends that begins at B.
+    /// End of the coupler from B.
     pub coupler_end: Point,
-    /// C, where the output ends that begins at D: the coupler's end where the position is met.
+    /// C, end of the output from D; the coupler's end as well if the position is met.
     pub c: Point,
     /// D, the output's fixed pivot.
     pub d: Point,
 }
 
-/// Why there is no linkage to draw.
+/// Reasons why there is no linkage to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DraftError {
-    /// Its lengths make none.
+    /// The lengths make no linkage.
     Lengths(Vec<Invalid>),
-    /// It cannot be closed at the input of any position, nor laid on its first arc.
+    /// It can be assembled neither at the input of any position nor in the middle of its first arc.
     Position(Unsolved),
 }
 
 impl Solution {
-    /// The links as they ought to stand in a position of the task; none where the task has no such
-    /// position.
+    /// The links at the wanted angles of a position; none if the task has no such position.
     pub fn drawn(&self, task: &Task, position: usize) -> Option<Drawn> {
         let wanted = task.positions().get(position)?;
         let coupler = self.closures.get(position)?.coupler;
@@ -54,9 +53,9 @@ impl Solution {
         })
     }
 
-    /// The linkage as a mechanism to be moved: links `crank`, `coupler`, `rocker`, joints A to D, the
-    /// crank driven; drawn at the input of the first position at which it closes, in the assembly whose
-    /// output is the nearer.
+    /// The linkage as a mechanism to be moved: links `crank`, `coupler`, `rocker`, joints A to D, the crank driven. It
+    /// is drawn at the input of the first position at which it can be assembled, in the assembly with the nearer
+    /// output.
     ///
     /// # Errors
     /// Why there is none.
@@ -82,15 +81,15 @@ impl Solution {
             .crank("crank"))
     }
 
-    /// A pose of a linkage that closes at no position: in the middle of its first arc.
+    /// Pose in the middle of the first arc, for a linkage that can be assembled at no position.
     fn laid(&self, linkage: &FourBar) -> Result<Pose<1>, Unsolved> {
         linkage.pose(Assembly::First, linkage.cycle().drawn_input())
     }
 
-    /// The pose at the input of a position, in the assembly whose output is nearer to the wanted.
+    /// The pose at the input of a position, in the assembly with the output nearer to the wanted one.
     ///
     /// # Errors
-    /// Why it cannot be closed there.
+    /// Why it cannot be assembled there.
     pub(super) fn pose(
         &self,
         task: &Task,

@@ -1,10 +1,10 @@
-//! The main equation, which the coupler's angle is eliminated from.
+//! The main equation, from which the coupler's angle is eliminated.
 
 use super::closure::dot;
 use super::{Solution, Task};
 
-/// Both sides of e₂·e₃ = Z + e₀·e₂/z₃ + e₀·e₃/z₂, Z = (z₁² − z₂² − z₃² − 1)/(2 z₂ z₃), the paper's
-/// (12) with 1/z₂ and 1/z₃ and the sign of Z as they ought to be: docs/errata.md.
+/// Both sides of e₂·e₃ = Z + e₀·e₂/z₃ + e₀·e₃/z₂, Z = (z₁² − z₂² − z₃² − 1)/(2 z₂ z₃): the paper's (12) with 1/z₂, 1/z₃
+/// and the sign of Z corrected (docs/errata.md).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MainEquation {
     /// e₂·e₃ = cos(φ₂ − φ₃).
@@ -25,8 +25,8 @@ impl MainEquation {
 }
 
 impl Solution {
-    /// The main equation of each position of a task with the lengths of the solution. The sides
-    /// are equal where the contour closes.
+    /// The main equation at each position of a task with the lengths of the solution. The sides are equal if the
+    /// contour closes.
     pub fn main_equations(&self, task: &Task) -> Vec<MainEquation> {
         let [z1, z2, z3] = [
             self.proportions.coupler,

@@ -1,4 +1,4 @@
-//! Two positions: the linkages that take up both are the points of a line in (1/z₂, 1/z₃).
+//! Two positions: the linkages through both are the points of a line in (1/z₂, 1/z₃).
 
 use crate::sorting::sort_by;
 use std::f64::consts::FRAC_PI_2;
@@ -6,10 +6,10 @@ use std::f64::consts::FRAC_PI_2;
 use super::closure::{Direction, near};
 use super::{Line, Proportions, Solution, Task, ranges};
 
-/// What two positions leave open.
+/// Linkages through two positions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TwoPositions {
-    /// The linkages of a curve.
+    /// A one-parameter family of linkages.
     Family(Family),
     /// Any output and input: the positions are mirror images in the frame.
     Any,
@@ -18,7 +18,7 @@ pub enum TwoPositions {
 }
 
 impl TwoPositions {
-    /// The linkages that take up the first two positions of a task; none where there is only one.
+    /// The linkages through the first two positions of a task; none if there is only one.
     pub fn new(task: &Task) -> Option<Self> {
         (task.positions().len() >= 2).then(|| Self::of(task, [0, 1]))
     }
@@ -31,8 +31,7 @@ impl TwoPositions {
         }
         let shape = if c != 0.0 {
             let [a, b] = [a / c, b / c];
-            // From the side of the input to that of the output, atan2(z₂, z₃): where both lengths
-            // are positive, a + b tan > 0.
+            // Angles atan2(z₂, z₃), from the input's axis to the output's; with both lengths positive, a + b tan > 0.
             let zero = (a.abs()).atan2(b.abs());
             let between = match (a > 0.0, b > 0.0) {
                 (true, _) if b >= 0.0 => [0.0, FRAC_PI_2],
@@ -67,7 +66,7 @@ pub struct Family {
     pub(super) shape: Shape,
 }
 
-/// How the family is run through.
+/// Parametrization of a family.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Shape {
     /// a/z₂ + b/z₃ = 1, by the direction atan2(z₂, z₃).
@@ -76,42 +75,42 @@ pub(super) enum Shape {
     Sizes { direction: f64 },
 }
 
-/// From where to where a value goes. Ends at zero and infinity are not reached.
+/// Range of a value. Ends at zero and infinity are excluded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
-    /// The least, or zero.
+    /// The minimum, or zero.
     pub from: f64,
-    /// The greatest; none where there is none.
+    /// The maximum; none if there is none.
     pub to: Option<f64>,
 }
 
-/// Why there is no one member with a given length.
+/// Reasons why no unique member has a given length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MemberError {
-    /// The length is not finite, or no member has it: from here to there.
+    /// The length is not finite, or outside this range, which the members cover.
     OutOfRange(Range),
     /// All members have this length.
     Same(f64),
 }
 
-/// A place of the family where a verdict changes.
+/// A member at which a verdict changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
     /// The parameter.
     pub at: f64,
-    /// What changes there.
+    /// Kind of the change.
     pub kind: ChangeKind,
     /// z₁, z₂, z₃ there.
     pub proportions: Proportions,
 }
 
-/// What changes.
+/// Kind of a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChangeKind {
-    /// Grashof's class: all links can lie in one line.
+    /// Grashof type: all links can lie in one line.
     Grashof,
-    /// Coupler and output are in line at this position, counted from 0: beyond, the linkage
-    /// belongs to the other assembly there.
+    /// Coupler and output are in line at this position, counted from 0; beyond, the position belongs to the other
+    /// assembly.
     DeadPoint(usize),
 }
 
@@ -126,7 +125,7 @@ impl Family {
         &self.task
     }
 
-    /// The member at a parameter between 0 and 1, both excluded; none elsewhere.
+    /// The member at a parameter strictly between 0 and 1; none elsewhere.
     pub fn member(&self, at: f64) -> Option<Solution> {
         Some(Solution::new(&self.task, self.proportions(at)?))
     }
@@ -152,7 +151,7 @@ impl Family {
         self.with_lengths(output, input)
     }
 
-    /// With the coupler that the gap asks for; none unless all are positive and finite.
+    /// The proportions with the coupler that closes the gap; none unless all are positive and finite.
     fn with_lengths(&self, output: f64, input: f64) -> Option<Proportions> {
         let gaps = self.directions().map(|at| at.gap(output, input).norm());
         let coupler = 0.5 * (gaps[0] + gaps[1]);
@@ -182,14 +181,14 @@ impl Family {
         }
     }
 
-    /// So many members, evenly by the parameter within a stretch of it.
+    /// The given number of members, at even steps of the parameter within an interval.
     pub fn sample(&self, [from, to]: [f64; 2], count: usize) -> Vec<Solution> {
         let step = (to - from) / count as f64;
         let at = (0..count).map(|k| from + (k as f64 + 0.5) * step);
         at.filter_map(|at| self.member(at)).collect()
     }
 
-    /// Where z₂ and z₃ are within the ratios of the task; none where they nowhere are.
+    /// Interval of the parameter with z₂ and z₃ within the ratios of the task; none if it is empty.
     pub fn stretch(&self) -> Option<[f64; 2]> {
         let [least, greatest] = self.task.ratios();
         let [from, to] = match self.shape {
@@ -234,13 +233,13 @@ impl Family {
         ranges::lengths(&self.shape)[1]
     }
 
-    /// The range of z₁, what it is between the ends included.
+    /// The range of z₁, including extrema between the ends.
     pub fn coupler_range(&self) -> Range {
         ranges::coupler(self)
     }
 
-    /// From where to where the coupler's angle φ₁ goes at the first and at the second position,
-    /// continuous along the family; the middle is in (−π, π].
+    /// Range of the coupler's angle φ₁ at the first and at the second position, continuous along the family; at the
+    /// middle it is in (−π, π].
     pub fn coupler_angles(&self) -> [[f64; 2]; 2] {
         let frame = self.task.frame().angle;
         let directions = self.directions();
@@ -255,7 +254,7 @@ impl Family {
     /// The member with this z₂.
     ///
     /// # Errors
-    /// Where there is none, or not one alone.
+    /// There is none, or more than one.
     pub fn with_output(&self, output: f64) -> Result<Solution, MemberError> {
         let input = match self.shape {
             Shape::Directions { a, b, .. } => b * output / (output - a),
@@ -267,7 +266,7 @@ impl Family {
     /// The member with this z₃.
     ///
     /// # Errors
-    /// Where there is none, or not one alone.
+    /// There is none, or more than one.
     pub fn with_input(&self, input: f64) -> Result<Solution, MemberError> {
         let output = match self.shape {
             Shape::Directions { a, b, .. } => a * input / (input - b),
@@ -294,7 +293,7 @@ impl Family {
     /// The members with this z₁, up to four.
     ///
     /// # Errors
-    /// Where there is none.
+    /// There is none.
     pub fn with_coupler(&self, coupler: f64) -> Result<Vec<Solution>, MemberError> {
         let found = ranges::with_coupler(self, coupler).into_iter();
         let found: Vec<Solution> = found
@@ -308,10 +307,10 @@ impl Family {
         }
     }
 
-    /// Every place where Grashof's class or the assembly of a position changes, in their order; in a
-    /// task of the two positions alone these are all the places where class or passage change. Both
-    /// are straight lines in (1/z₂, 1/z₃) as well: z₁ = |1 ± z₂ ± z₃| because z₁² is what the first
-    /// position makes it, and C on the line BD because z₂ cancels there.
+    /// All members at which the Grashof type or the assembly of a position changes, in order. In a task of only these
+    /// two positions the Grashof type and the passage change nowhere else. Both conditions are also straight lines in
+    /// (1/z₂, 1/z₃): z₁ = |1 ± z₂ ± z₃| because the first position determines z₁², and C on the line BD because z₂
+    /// cancels there.
     pub fn changes(&self) -> Vec<Change> {
         let [first, _] = self.directions();
         let lines = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[s, t]| {
@@ -347,7 +346,7 @@ impl Family {
         changes
     }
 
-    /// The parameter of a member by its proportions; none where they are not of the family.
+    /// The parameter of a member by its proportions; none if they are not in the family.
     pub fn at(&self, proportions: Proportions) -> Option<f64> {
         let Proportions { output, input, .. } = proportions;
         let Line {

@@ -6,8 +6,8 @@
 //! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃,
 //!
 //! linear and homogeneous in the seven real numbers s, w₂, w₃, m. Five positions leave a plane
-//! λX + μY of them, and m = w₂ w̄₃ there is λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ + tY₃)̄, t = μ/λ: as λ is
-//! real, a cubic in t.
+//! λX + μY of solutions. In it m = w₂ w̄₃ becomes λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ + tY₃)̄, t = μ/λ. As λ is
+//! real, this is a cubic in t.
 
 use crate::sorting::sort_by;
 use crate::tolerance;
@@ -16,28 +16,27 @@ use nalgebra::Complex;
 use super::closure::dot;
 use super::{Proportions, Solution, Task, linear, polynomial};
 
-/// Why positions with free starts have no finite number of exact linkages.
+/// Reasons why positions with free starts have no finite number of exact linkages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StartsError {
-    /// Fewer than five positions leave a family of so many freedoms.
+    /// Fewer than five positions: a family of solutions with this many degrees of freedom.
     Family {
-        /// Five less the positions.
+        /// Five less the number of positions.
         freedoms: usize,
     },
-    /// More than five positions are met only as nearly as can be: [`Search`](super::Search).
+    /// More than five positions have only approximate solutions: [`Search`](super::Search).
     TooMany,
-    /// The positions are special, as those of a parallelogram are: they leave more than a finite
-    /// number of linkages.
+    /// Special positions, such as those of a parallelogram: they have infinitely many linkages.
     Degenerate,
 }
 
 type Unknowns = [f64; 7];
 
-/// The linkages that take up all five positions of a task, φ₂ and φ₃ of the task being measured from
-/// starting angles that are found with the lengths. Every one there is is listed, at most three, by growing size.
+/// The linkages through all five positions of a task. φ₂ and φ₃ of the task are measured from starting angles, which
+/// are found with the lengths. All are listed, at most three, by increasing size.
 ///
 /// # Errors
-/// Where there are fewer or more positions, or special ones.
+/// The number of positions is not five, or they are special.
 pub fn five_positions(task: &Task) -> Result<Vec<Solution>, StartsError> {
     match task.positions().len() {
         5 => {
@@ -53,10 +52,10 @@ pub fn five_positions(task: &Task) -> Result<Vec<Solution>, StartsError> {
     }
 }
 
-/// Proportions with the starts of output and input.
+/// Proportions with the starting angles of output and input.
 pub(super) type Started = (Proportions, [f64; 2]);
 
-/// The same for five of the positions of a task.
+/// The same for five positions of a task.
 pub(super) fn of(task: &Task, five: [usize; 5]) -> Result<Vec<Started>, StartsError> {
     let turns = five.map(|k| {
         let at = task.direction(k, [0.0; 2]);
@@ -118,7 +117,7 @@ fn same(a: &Started, b: &Started) -> bool {
     off.fold(0.0, f64::max) <= 1e-9 * size(a).max(size(b))
 }
 
-/// Two vectors of the same plane, perpendicular and of length 1: then no t is far off.
+/// Orthonormal basis of the same plane, so that no root t is far off.
 fn orthonormal(x: Unknowns, y: Unknowns) -> [Unknowns; 2] {
     let dot = |a: &Unknowns, b: &Unknowns| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let unit = |v: Unknowns| {
@@ -131,10 +130,10 @@ fn orthonormal(x: Unknowns, y: Unknowns) -> [Unknowns; 2] {
     [x, unit(y)]
 }
 
-/// Steps after which Newton's method is as good as it gets.
+/// Maximum number of Newton steps; more do not improve the result.
 const STEPS: usize = 20;
 
-/// w₂, w₃ and z₁ by Newton's method on the closures themselves; none where they do not close.
+/// Polishes w₂, w₃ and z₁ by Newton's method on the closure equations; none if they do not close.
 fn polished(turns: &[[Complex<f64>; 2]; 5], start: [Complex<f64>; 2]) -> Option<Started> {
     let [mut w2, mut w3] = start;
     let gap = |k: usize, w2, w3| Complex::new(1.0, 0.0) - turns[k][0] * w2 - turns[k][1] * w3;

@@ -1,4 +1,4 @@
-//! A wanted function y = f(x): x becomes the input's angle, y the output's, both linearly.
+//! Function generation y = f(x): x is mapped linearly to the input's angle, y to the output's.
 
 use std::f64::consts::PI;
 
@@ -6,7 +6,7 @@ use super::closure::near;
 use super::{Position, Solution, Task};
 use crate::{Assembly, FourBar};
 
-/// How x and y become angles.
+/// The linear mappings of x and y to angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mapping {
     x: [f64; 2],
@@ -15,7 +15,7 @@ pub struct Mapping {
     output: [f64; 2],
 }
 
-/// Why there is no such mapping, table or position.
+/// Reasons why a mapping, table or position is invalid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FunctionError {
     /// The interval of x is empty or not finite.
@@ -26,12 +26,12 @@ pub enum FunctionError {
     InputAngles,
     /// The two angles of the output are equal or not finite.
     OutputAngles,
-    /// The function has no finite value there.
+    /// The function has no finite value at this x.
     Undefined {
-        /// Where.
+        /// The x.
         x: f64,
     },
-    /// No position is asked for, or more than [`Task::MOST`].
+    /// No position is requested, or more than [`Task::MOST`].
     Count(usize),
     /// A table has fewer than two rows.
     Rows,
@@ -39,16 +39,16 @@ pub enum FunctionError {
     Row(usize),
 }
 
-/// What a linkage makes of a wanted function.
+/// Error of a linkage relative to a wanted function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorCurve {
-    /// The assembly that is followed, that of the first position.
+    /// The assembly followed from the first position.
     pub assembly: Assembly,
-    /// Even steps of x, the ends included.
+    /// Samples at even steps of x, including the ends.
     pub samples: Vec<ErrorSample>,
-    /// Where the error of y is greatest, between the samples too; none where nothing is reached.
+    /// The sample with the greatest error of y, also between the even steps; none if nothing is reached.
     pub greatest: Option<ErrorSample>,
-    /// True where the linkage reaches all of the interval without a break.
+    /// True if the linkage covers the whole interval without a break.
     pub complete: bool,
 }
 
@@ -59,20 +59,19 @@ pub struct ErrorSample {
     pub x: f64,
     /// f(x).
     pub wanted: f64,
-    /// The linkage's y; none where it cannot go from the first position.
+    /// The linkage's y; none if it cannot move there from the first position.
     pub generated: Option<f64>,
 }
 
 impl ErrorSample {
-    /// By how much the linkage's y is too great.
+    /// The linkage's y less the wanted y.
     pub fn error(&self) -> Option<f64> {
         self.generated.map(|generated| generated - self.wanted)
     }
 }
 
-/// The x of so many precision positions: the roots of Chebyshev's polynomial, ascending. They make
-/// the greatest error of an interpolation about as small as it can be (Freudenstein, *Approximate
-/// synthesis of four-bar linkages*, 1955).
+/// x of the given number of precision positions: the roots of Chebyshev's polynomial, ascending. They nearly minimize
+/// the greatest error of an interpolation (Freudenstein, *Approximate synthesis of four-bar linkages*, 1955).
 pub fn chebyshev([from, to]: [f64; 2], count: usize) -> Vec<f64> {
     let at = |k: usize| (PI * (2 * k + 1) as f64 / (2 * count) as f64).cos();
     let middle = 0.5 * (from + to);
@@ -81,12 +80,11 @@ pub fn chebyshev([from, to]: [f64; 2], count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Golden sections by which a peak between samples is narrowed.
+/// Number of golden sections that narrow a peak between samples.
 const SECTIONS: usize = 60;
 
 impl Mapping {
-    /// `input` and `output` are φ₃ at the two x and φ₂ at the two y, in that order; either may
-    /// fall.
+    /// A mapping. `input` and `output` are φ₃ at the two x and φ₂ at the two y, in that order; either may decrease.
     ///
     /// # Errors
     /// Every reason at once.
@@ -118,7 +116,7 @@ impl Mapping {
         }
     }
 
-    /// The position that belongs to a point of the function.
+    /// The position for a point of the function.
     pub fn position(&self, x: f64, y: f64) -> Position {
         Position::new(
             mapped(self.y, self.output, y),
@@ -126,10 +124,10 @@ impl Mapping {
         )
     }
 
-    /// So many precision positions, by Chebyshev's spacing.
+    /// The given number of precision positions, by Chebyshev's spacing.
     ///
     /// # Errors
-    /// A count that no task takes; an x without a value.
+    /// The number of positions is not one a task can have; an x has no value.
     pub fn precision(
         &self,
         count: usize,
@@ -138,10 +136,10 @@ impl Mapping {
         self.positions(count, |count| chebyshev(self.x, count), f)
     }
 
-    /// So many positions in even steps, the ends included, for the least squares.
+    /// The given number of evenly spaced positions, including the ends, for least squares.
     ///
     /// # Errors
-    /// A count that no task takes; an x without a value.
+    /// The number of positions is not one a task can have; an x has no value.
     pub fn even(
         &self,
         count: usize,
@@ -171,11 +169,11 @@ impl Mapping {
             .collect()
     }
 
-    /// How far a linkage is off the wanted function, followed from the task's first position on its
-    /// branch until it comes to a dead point. None where its lengths make no linkage.
+    /// Error of a linkage relative to the wanted function, followed from the task's first position along its branch up
+    /// to a dead point. None if its lengths make no linkage.
     ///
     /// # Errors
-    /// An x without a value.
+    /// An x has no value.
     pub fn error_curve(
         &self,
         task: &Task,
@@ -209,15 +207,14 @@ impl Mapping {
     }
 }
 
-/// A linkage on the branch of its first position, read as a function.
+/// A linkage on the branch of its first position, as a function.
 struct Branch<'a> {
     mapping: &'a Mapping,
     linkage: FourBar,
     assembly: Assembly,
-    /// Added to the input's angle for the crank's, and to the rocker's for the output's.
+    /// Offset of the crank's angle from the input's, and of the output's from the rocker's.
     shifts: [f64; 2],
-    /// The input's angles between which it can go from the first position; none where it cannot be
-    /// closed there.
+    /// Range of the input's angle that can be reached from the first position; none if it cannot be assembled there.
     reach: Option<[f64; 2]>,
 }
 
@@ -248,7 +245,7 @@ impl<'a> Branch<'a> {
         branch
     }
 
-    /// The arc of the cycle that holds an input's angle, in its turn.
+    /// The arc of the cycle that contains an input's angle, shifted to its turn.
     fn arc(&self, input: f64) -> Option<[f64; 2]> {
         let cycle = self.linkage.cycle();
         if cycle.is_full() {
@@ -289,7 +286,7 @@ impl<'a> Branch<'a> {
         }
     }
 
-    /// The greatest error next to a sample that has it among the samples.
+    /// The greatest error near the sample with the greatest one.
     fn peak(&self, top: ErrorSample, ends: [f64; 2], f: &dyn Fn(f64) -> f64) -> ErrorSample {
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let size = |sample: &ErrorSample| sample.error().map_or(-1.0, f64::abs);
@@ -322,17 +319,17 @@ fn defined(f: &dyn Fn(f64) -> f64, x: f64) -> Result<f64, FunctionError> {
     }
 }
 
-/// Linearly from one pair of values to another.
+/// Linear map from one pair of values to another.
 fn mapped(from: [f64; 2], to: [f64; 2], value: f64) -> f64 {
     to[0] + (value - from[0]) / (from[1] - from[0]) * (to[1] - to[0])
 }
 
-/// A function given by rows (x, y), straight between them.
+/// A piecewise linear function given by rows (x, y).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table(Vec<[f64; 2]>);
 
 impl Table {
-    /// The function of these rows, x growing.
+    /// The function through these rows, in order of increasing x.
     ///
     /// # Errors
     /// Too few rows; every row at fault.
@@ -353,12 +350,12 @@ impl Table {
         }
     }
 
-    /// From the first x to the last.
+    /// The interval from the first x to the last.
     pub fn interval(&self) -> [f64; 2] {
         [self.0[0][0], self.0[self.0.len() - 1][0]]
     }
 
-    /// y at x; beyond the rows the line of the last two goes on.
+    /// y at x, extrapolated linearly beyond the rows.
     pub fn value(&self, x: f64) -> f64 {
         let after = self.0.partition_point(|row| row[0] < x);
         let after = after.clamp(1, self.0.len() - 1);

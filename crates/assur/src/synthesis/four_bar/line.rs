@@ -1,9 +1,8 @@
-//! That the gap is as long in one position as in another: a straight line in (1/z₂, 1/z₃).
+//! Equal gaps in two positions: a straight line in (1/z₂, 1/z₃).
 
 use super::Task;
 
-/// Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), u = 1/z₂, v = 1/z₃, angles from the frame: that |r| is
-/// the same in two positions.
+/// Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), u = 1/z₂, v = 1/z₃, angles from the frame: |r| is equal in two positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// Δcos φ₃, the coefficient of 1/z₂.
@@ -14,7 +13,7 @@ pub struct Line {
     pub right: f64,
 }
 
-/// Differences of cosines no larger than this are none.
+/// Differences of cosines up to this count as zero.
 const NOTHING: f64 = 16.0 * f64::EPSILON;
 
 impl Line {
@@ -22,7 +21,7 @@ impl Line {
     pub(super) fn new(task: &Task, [j, k]: [usize; 2]) -> Self {
         let frame = task.frame().angle;
         let [a, b] = [j, k].map(|index| task.positions()[index]);
-        // cos x − cos y without cancellation; rounding of the angles is no difference.
+        // cos x − cos y without cancellation; zero if the angles differ by rounding only.
         let difference = |x: f64, y: f64| {
             let product = -2.0 * (0.5 * (x + y)).sin() * (0.5 * (x - y)).sin();
             if product.abs() <= NOTHING {
@@ -38,7 +37,7 @@ impl Line {
         }
     }
 
-    /// The point of two lines, (u, v); none where they are parallel.
+    /// Intersection (u, v) of two lines; none if they are parallel.
     pub(super) fn meet(self, other: Self) -> Option<[f64; 2]> {
         let det = self.output * other.input - self.input * other.output;
         let size = self.output.hypot(self.input) * other.output.hypot(other.input);

@@ -1,10 +1,9 @@
 //! Small systems of linear equations.
 
-/// A pivot this small relative to the largest is none.
+/// Pivots below this, relative to the largest, count as zero.
 const SINGULAR: f64 = 1e-13;
 
-/// The solution of N equations, by elimination with complete pivoting; none where they are
-/// singular to rounding.
+/// Solution of N linear equations, by elimination with complete pivoting; none if they are singular to rounding.
 pub(super) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> Option<[f64; N]> {
     let mut rows: Vec<Vec<f64>> = matrix
         .iter()
@@ -19,9 +18,9 @@ pub(super) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> O
     x.iter().all(|x| x.is_finite()).then_some(x)
 }
 
-/// The least squares solution for N unknowns, by modified Gram-Schmidt orthogonalisation: the normal
-/// equations would cost half the digits. A row is the N coefficients of an equation and its right-hand
-/// side. None where the columns are dependent.
+/// Least-squares solution for N unknowns, by modified Gram-Schmidt orthogonalization: the normal equations would cost
+/// half the digits. A row is the N coefficients of an equation and its right-hand side. None if the columns are
+/// dependent.
 pub(super) fn least_squares<const N: usize>(mut rows: Vec<Vec<f64>>) -> Option<[f64; N]> {
     let mut triangle = [[0.0_f64; N]; N];
     let mut right = [0.0; N];
@@ -53,7 +52,7 @@ pub(super) fn least_squares<const N: usize>(mut rows: Vec<Vec<f64>>) -> Option<[
     right.iter().all(|x| x.is_finite()).then_some(right)
 }
 
-/// Two vectors that span what solves R = N − 2 homogeneous equations; none where more does.
+/// Basis of the solutions of R = N − 2 homogeneous equations; none if their space has more than two dimensions.
 pub(super) fn plane<const N: usize>(mut rows: Vec<Vec<f64>>) -> Option<[[f64; N]; 2]> {
     let columns = eliminate(&mut rows, N, SINGULAR)?;
     let mut free = (0..N).filter(|column| !columns.contains(column));
@@ -68,9 +67,8 @@ pub(super) fn plane<const N: usize>(mut rows: Vec<Vec<f64>>) -> Option<[[f64; N]
     }))
 }
 
-/// Gauss and Jordan's elimination over the first `width` columns: the column of the pivot of each
-/// row, where the others then have zeros. None where a pivot is no larger than `least` relative to
-/// the first.
+/// Gauss-Jordan elimination over the first `width` columns. Returns the pivot column of each row; other rows have zeros
+/// there. None if a pivot is at most `least` relative to the first.
 fn eliminate(rows: &mut [Vec<f64>], width: usize, least: f64) -> Option<Vec<usize>> {
     let mut columns: Vec<usize> = Vec::new();
     let mut first = None;

@@ -7,7 +7,7 @@
 //!
 //! J = (|r| − z₁)²,  φ₁ = arg r.
 //!
-//! A linkage takes up the positions where ΣJ = 0. With u = 1/z₂ and v = 1/z₃ the difference of
+//! A linkage takes up the positions if ΣJ = 0. With u = 1/z₂ and v = 1/z₃ the difference of
 //! |r|² in two positions is linear, Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃) (angles from e₀):
 //!
 //! - two positions leave a curve of linkages ([`TwoPositions`]),
@@ -68,12 +68,12 @@ pub struct Proportions {
 }
 
 impl Proportions {
-    /// Crank, coupler, rocker and frame, in the unit of the frame's length.
+    /// Crank, coupler, rocker and frame, for a given length of the frame.
     pub fn lengths(&self, frame: f64) -> [f64; 4] {
         [self.input, self.coupler, self.output, 1.0].map(|z| z * frame)
     }
 
-    /// The linkage itself, its frame of this length along the x-axis.
+    /// The linkage with a frame of this length along the x-axis.
     ///
     /// # Errors
     /// Every reason why these lengths make none.
@@ -81,7 +81,7 @@ impl Proportions {
         FourBar::new(self.lengths(frame))
     }
 
-    /// The greatest of the four lengths relative to the least.
+    /// Ratio of the longest to the shortest of the four lengths.
     pub fn size_ratio(&self) -> f64 {
         let lengths = self.lengths(1.0);
         let least = lengths.into_iter().fold(f64::INFINITY, f64::min);
@@ -89,28 +89,28 @@ impl Proportions {
     }
 }
 
-/// A linkage that takes up the positions of a task, exactly or as nearly as can be.
+/// A linkage through the positions of a task, exact or approximate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// z₁, z₂, z₃.
     pub proportions: Proportions,
-    /// φ₂₀, to be added to every φ₂ of the task; zero where starts are not free.
+    /// φ₂₀, to be added to every φ₂ of the task; zero if starting angles are given.
     pub output_start: f64,
     /// φ₃₀, to be added to every φ₃ of the task.
     pub input_start: f64,
-    /// What is left open at each position.
+    /// Residual at each position.
     pub closures: Vec<Closure>,
-    /// What the linkage is worth, or why these lengths make none.
+    /// The verdict, or the reasons why these lengths make no linkage.
     pub verdict: Result<Verdict, Vec<Invalid>>,
 }
 
 impl Solution {
-    /// What is true of these proportions at the positions of a task.
+    /// The solution with these proportions at the positions of a task.
     pub fn new(task: &Task, proportions: Proportions) -> Self {
         Self::started(task, proportions, [0.0; 2])
     }
 
-    /// The same, φ₂ and φ₃ of the task being measured from these starting angles.
+    /// The solution with φ₂ and φ₃ of the task measured from these starting angles.
     pub fn started(task: &Task, proportions: Proportions, [output, input]: [f64; 2]) -> Self {
         let directions: Vec<_> = task.directions([output, input]).collect();
         let frame = task.frame().angle;
@@ -139,7 +139,7 @@ impl Solution {
         residuals.fold(0.0, f64::max)
     }
 
-    /// The assembly through all positions; none where there is no one.
+    /// The assembly in which it passes through all positions; none if there is none.
     pub fn assembly(&self) -> Option<Assembly> {
         self.verdict.as_ref().ok()?.assembly
     }

@@ -1,4 +1,4 @@
-//! What there is to choose from, by how many positions are given.
+//! Solutions to choose from, depending on the number of positions.
 
 use crate::sorting::sort_by;
 
@@ -7,51 +7,50 @@ use super::{
     five_positions,
 };
 
-/// The linkages that take up the positions of a task.
+/// The linkages through the positions of a task.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Options {
-    /// Those of a curve: two positions, or three, one of which follows from the others.
+    /// A one-parameter family: for two positions, or three if one follows from the others.
     Family(Family),
-    /// These alone: three positions, or five with free starts.
+    /// Finitely many: for three positions, or five with free starts.
     Exact(Vec<Solution>),
-    /// Compromises, the least ΣJ first: more positions.
+    /// Compromises, the least ΣJ first: for more positions.
     Minima {
-        /// Where the search ended.
+        /// Minima found by the search.
         minima: Vec<Minimum>,
-        /// From how many starts it went.
+        /// Number of starts.
         starts: usize,
     },
 }
 
-/// Why there are none.
+/// Reasons why there are no solutions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoOptions {
-    /// One position is taken up by linkages of any output and input; with free starts it takes
-    /// five. So many are needed at least.
+    /// Too few positions: one is met by any output and input; with free starts five are needed.
     TooFew {
-        /// The least number.
+        /// Minimum number of positions.
         least: usize,
     },
     /// Positions that are mirror images in the frame: any output and input will do.
     Any,
     /// No positive lengths are on the line of the first two positions.
     NoFamily(Line),
-    /// Three positions ask for these z₂ and z₃, of which one at least is negative.
+    /// Three positions require these z₂ and z₃, at least one of them negative.
     Negative {
         /// z₂.
         output: f64,
         /// z₃.
         input: f64,
     },
-    /// No positive lengths take up the positions exactly.
+    /// No positive lengths meet the positions exactly.
     NoSolution,
 }
 
 impl Options {
-    /// What takes up the positions, with starting angles as given or free.
+    /// Solutions with starting angles as given or free.
     ///
     /// # Errors
-    /// Why there is nothing.
+    /// Why there are none.
     pub fn new(task: &Task, free: bool) -> Result<Self, NoOptions> {
         if free {
             return match five_positions(task) {
@@ -87,7 +86,7 @@ impl Options {
         }
     }
 
-    /// Where a search ends.
+    /// The minima after running a search to its end.
     pub fn searched(mut search: Search) -> Self {
         Self::Minima {
             minima: search.run(),
@@ -95,8 +94,7 @@ impl Options {
         }
     }
 
-    /// The numbers of the solutions, from 0, in the order in which they are shown: of minima those first whose output is
-    /// off by least, those last that a bound holds.
+    /// Indices of the solutions, from 0, in display order: minima by increasing output error, those at a bound last.
     pub fn order(&self) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.solutions().len()).collect();
         if let Self::Minima { minima, .. } = self {
@@ -105,12 +103,12 @@ impl Options {
         order
     }
 
-    /// The number, from 0, of the solution that is shown first.
+    /// Index, from 0, of the solution shown first.
     pub fn best(&self) -> usize {
         self.order().first().copied().unwrap_or(0)
     }
 
-    /// The numbered solutions in the order of their numbers: of minima the least ΣJ first.
+    /// The solutions by index: minima in order of increasing ΣJ.
     pub fn solutions(&self) -> Vec<&Solution> {
         match self {
             Self::Family(_) => Vec::new(),

@@ -1,4 +1,4 @@
-//! By how much a linkage's output is off the given angles, and output angles that are given in the opposite sense.
+//! Error of a linkage's output angle, and detection of output angles given in the opposite sense.
 
 use crate::tolerance;
 use std::cmp::Ordering;
@@ -7,13 +7,13 @@ use super::closure::{Direction, dot};
 use super::linear::least_squares;
 use super::{Minimum, Proportions, Solution, Task};
 
-/// The least number of positions of which least squares say anything.
+/// Minimum number of positions for a least-squares estimate.
 const OVERDETERMINED: usize = 4;
 
 impl Direction {
-    /// |Δφ₂|: error of the output's angle at the given input, in the assembly in which it is less. With
-    /// d = e₀ − z₃e₃ from B to D, the output makes an angle ψ with d, on either side of it; by the law of cosines
-    /// tan² ψ/2 = (z₁² − (d − z₂)²) / ((d + z₂)² − z₁²). None where the linkage cannot be closed at this input.
+    /// |Δφ₂|: error of the output's angle at the given input, in the nearer assembly. With d = e₀ − z₃e₃ from B to D,
+    /// the output makes an angle ψ with d, on either side; by the law of cosines
+    /// tan² ψ/2 = (z₁² − (d − z₂)²) / ((d + z₂)² − z₁²). None if the linkage cannot be assembled at this input.
     fn output_error(&self, proportions: Proportions) -> Option<f64> {
         let Proportions {
             coupler,
@@ -38,8 +38,8 @@ impl Direction {
 }
 
 impl Solution {
-    /// The greatest |Δφ₂| over the positions of a task, radians: the error of the output's angle at the
-    /// given input, in the nearer assembly. None where the linkage cannot be closed at one of the inputs.
+    /// The greatest |Δφ₂| over the positions of a task, radians: the error of the output's angle at the given input, in
+    /// the nearer assembly. None if the linkage cannot be assembled at one of the inputs.
     pub fn output_error(&self, task: &Task) -> Option<f64> {
         let starts = [self.output_start, self.input_start];
         let mut errors = task
@@ -50,8 +50,8 @@ impl Solution {
 }
 
 impl Minimum {
-    /// The order in which minima are shown: what a bound holds last; before it those whose output is off by least, and
-    /// those last that miss a position altogether.
+    /// Display order of minima: those at a bound last, otherwise by increasing output error, then by ΣJ. The error
+    /// counts as infinite if a position cannot be reached.
     pub(super) fn order(&self, other: &Self) -> Ordering {
         let key = |one: &Self| {
             (
@@ -67,9 +67,9 @@ impl Minimum {
 }
 
 impl Task {
-    /// Whether the output's angles are probably those of the opposite sense, from D to C: Freudenstein's equation
-    /// cos φ₃/z₂ + cos φ₂/z₃ + c = cos(φ₂ − φ₃), by least squares over four positions or more, has a negative z₂ that
-    /// with every φ₂ turned by 180° would be a length within the ratios of the task, as z₁ and z₃ are.
+    /// True if the output's angles are probably those of the opposite sense, from D to C. Freudenstein's equation
+    /// cos φ₃/z₂ + cos φ₂/z₃ + c = cos(φ₂ − φ₃), by least squares over at least four positions, then has a negative z₂,
+    /// and with every φ₂ turned by 180° z₁, z₂ and z₃ are within the ratios of the task.
     pub fn output_is_turned(&self) -> bool {
         if self.positions().len() < OVERDETERMINED {
             return false;

@@ -1,16 +1,15 @@
-//! Real roots of polynomials of low degree, none of them lost.
+//! All real roots of polynomials of low degree.
 
 use crate::motion::root::root;
 use crate::tolerance;
 
-/// The value of a polynomial, its coefficients ascending.
+/// Value of a polynomial with ascending coefficients.
 fn value(coefficients: &[f64], x: f64) -> f64 {
     let terms = coefficients.iter().rev();
     terms.fold(0.0, |sum, coefficient| sum * x + coefficient)
 }
 
-/// All real roots within an interval of size 1, ascending: between two roots of the derivative
-/// there is at most one.
+/// All real roots within an interval of size 1, ascending. Between two roots of the derivative there is at most one.
 fn roots_within(coefficients: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
     let size: f64 = coefficients.iter().map(|c| c.abs()).sum();
     if coefficients.len() < 2 || size == 0.0 {
@@ -44,8 +43,8 @@ fn roots_within(coefficients: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
     found
 }
 
-/// All positive roots of a polynomial, its coefficients ascending; those beyond 1 are those of
-/// the reversed polynomial, which keeps them apart however large they are.
+/// All positive roots of a polynomial with ascending coefficients. Roots beyond 1 are found from the reversed
+/// polynomial, which separates them however large they are.
 pub(super) fn positive_roots(coefficients: &[f64]) -> Vec<f64> {
     let mut found = roots_within(coefficients, [0.0, 1.0]);
     let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();
@@ -55,8 +54,8 @@ pub(super) fn positive_roots(coefficients: &[f64]) -> Vec<f64> {
     found
 }
 
-/// All real roots t = y/x of a form in (x, y), each as (x, y) with the larger of them ±1;
-/// coefficients ascending in y.
+/// All real roots t = y/x of a form in (x, y) with coefficients ascending in y, each as (x, y) with the larger of them
+/// ±1.
 pub(super) fn directions(coefficients: &[f64]) -> Vec<[f64; 2]> {
     let flat = roots_within(coefficients, [-1.0, 1.0]).into_iter();
     let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();
@@ -69,7 +68,7 @@ pub(super) fn directions(coefficients: &[f64]) -> Vec<[f64; 2]> {
 mod tests {
     use super::*;
 
-    /// Products of linear factors give their roots back, near and far, double ones too.
+    /// Products of linear factors yield their roots, near and far, also double ones.
     #[test]
     fn roots_of_products() {
         for roots in [

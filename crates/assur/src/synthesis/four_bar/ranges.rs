@@ -1,5 +1,5 @@
-//! From where to where lengths and coupler angles go over a family, exactly: ends, and the places
-//! between them where a derivative vanishes, as roots of polynomials.
+//! Exact ranges of lengths and coupler angles over a family, from its ends and from the zeros of derivatives, which are
+//! roots of polynomials.
 
 use crate::sorting::sort_by;
 use nalgebra::Complex;
@@ -31,8 +31,8 @@ pub(super) fn lengths(shape: &Shape) -> [Range; 2] {
     }
 }
 
-/// The gap along a family as a polynomial of its place x, times x where it holds −1: by τ = z₂/z₃
-/// r = (e₀ − a e₂ − b e₃) − b e₂ τ − a e₃/τ; by the size a straight line.
+/// Coefficients of the gap r along a family, for the powers −1, 0, 1 of the parameter x. With x = τ = z₂/z₃,
+/// r = (e₀ − a e₂ − b e₃) − b e₂ τ − a e₃/τ; with x the size, r is linear.
 fn gap(shape: &Shape, at: &Direction) -> [Complex<f64>; 3] {
     let one = Complex::new(1.0, 0.0);
     match *shape {
@@ -52,7 +52,7 @@ fn gap(shape: &Shape, at: &Direction) -> [Complex<f64>; 3] {
     }
 }
 
-/// The place x of an end of a family, none at infinity.
+/// Parameters x of the ends of a family; none at infinity.
 fn ends(shape: &Shape) -> [Option<f64>; 2] {
     match *shape {
         Shape::Directions { a, b, .. } if a < 0.0 => [Some(-a / b), None],
@@ -79,7 +79,7 @@ fn square(gap: [Complex<f64>; 3]) -> [f64; 5] {
 }
 
 fn value([p, q, r]: [Complex<f64>; 3], x: f64) -> Complex<f64> {
-    // p is zero where x may be: a family of sizes, or one that ends with the input's length given.
+    // p is zero if x may be zero: in a family of sizes, or in one that ends where z₃ is given.
     q + r * x + if p.norm_sqr() == 0.0 { p } else { p / x }
 }
 
@@ -134,16 +134,16 @@ pub(super) fn with_coupler(family: &Family, coupler: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Steps of Newton's method along a family; the digits that the polynomial has lost take one or two.
+/// Maximum number of Newton steps along a family; one or two restore the digits that the polynomial has lost.
 const STEPS: usize = 4;
 
-/// The place of a family next to these z₂ and z₃ at which |r| is z₁.
+/// The member of a family near these z₂ and z₃ with |r| = z₁.
 fn polished(shape: &Shape, at: &Direction, coupler: f64, mut lengths: [f64; 2]) -> [f64; 2] {
     let open = |[output, input]: [f64; 2]| at.gap(output, input).norm() - coupler;
     for _ in 0..STEPS {
         let [output, input] = lengths;
         let r = at.gap(output, input);
-        // Along the family, and how |r| changes there.
+        // Tangent of the family, and the derivative of |r| along it.
         let way = match *shape {
             Shape::Directions { a, b, .. } => [b * output * output, -a * input * input],
             Shape::Sizes { .. } => lengths,
@@ -162,7 +162,7 @@ fn polished(shape: &Shape, at: &Direction, coupler: f64, mut lengths: [f64; 2]) 
             }
             (Shape::Sizes { .. }, _) => way.map(|length| length - step * length),
         };
-        // A step that is none, at a double root, or that makes nothing better ends it.
+        // Stops at a double root, where the step is not finite, and when a step improves nothing.
         let better = open(next).abs() < open(lengths).abs();
         if !better {
             break;
@@ -172,9 +172,8 @@ fn polished(shape: &Shape, at: &Direction, coupler: f64, mut lengths: [f64; 2]) 
     lengths
 }
 
-/// The range of arg r at a position, continuous along the family. Between two places where r
-/// crosses an axis it stays in a quadrant, where its angle is unambiguous; there it turns back
-/// where r × r′ = 0.
+/// The range of arg r at a position, continuous along the family. Between axis crossings r stays in one quadrant, where
+/// its angle is unambiguous; there the angle turns back at r × r′ = 0.
 pub(super) fn coupler_angle(shape: &Shape, at: &Direction) -> [f64; 2] {
     let gap = gap(shape, at);
     let [p, q, r] = gap;

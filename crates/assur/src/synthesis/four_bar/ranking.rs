@@ -1,27 +1,27 @@
-//! Which solutions will do, and which is the best.
+//! Requirements on solutions, and their ranking.
 
 use super::{Order, Passage, Solution};
 use crate::Grashof;
 use crate::sorting::sort_by_key;
 
-/// What is asked of a solution besides its positions. What is `false` or none is not asked.
+/// Requirements on a solution besides its positions; `false` or none is no requirement.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Requirements {
-    /// It goes through all positions without a break.
+    /// It passes through all positions without a break.
     pub continuous: bool,
     /// It meets them in the given order.
     pub in_order: bool,
     /// Its input turns fully.
     pub turns: bool,
-    /// It is of this class.
+    /// It is of this Grashof type.
     pub grashof: Option<Grashof>,
-    /// Its transmission angle is nowhere less between the first and the last position.
+    /// Minimum transmission angle between the first and the last position.
     pub transmission: Option<f64>,
-    /// Its longest link is no longer than this, relative to the shortest.
+    /// Maximum ratio of the longest to the shortest link.
     pub size_ratio: Option<f64>,
 }
 
-/// What a solution can fail of.
+/// Requirements a solution can fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Requirement {
     /// Its lengths make no linkage.
@@ -41,7 +41,7 @@ pub enum Requirement {
 }
 
 impl Requirements {
-    /// What a solution fails of; nothing where it will do.
+    /// Requirements that a solution fails; empty if it is acceptable.
     pub fn unmet(&self, solution: &Solution) -> Vec<Requirement> {
         let Ok(verdict) = &solution.verdict else {
             return vec![Requirement::Linkage];
@@ -70,21 +70,20 @@ impl Requirements {
     }
 }
 
-/// By what solutions are ranked.
+/// Criteria of the ranking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Criterion {
-    /// The least worst residual first.
+    /// The least of the greatest residuals first.
     Closure,
     /// The greatest transmission angle between the positions first.
     Transmission,
-    /// The same over the whole motion.
+    /// The greatest transmission angle over the whole motion first.
     TransmissionOverall,
     /// The least ratio of lengths first.
     SizeRatio,
 }
 
-/// Puts solutions in order, the best first: those that fail of fewest requirements, among these by
-/// the criterion; equal ones stay as they were.
+/// Sorts solutions, the best first: by the number of failed requirements, then by the criterion; the sort is stable.
 pub fn rank(solutions: &mut [Solution], requirements: &Requirements, criterion: Criterion) {
     sort_by_key(solutions, |solution| Key {
         unmet: requirements.unmet(solution).len(),

@@ -1,10 +1,10 @@
-//! What is asked for: positions, and within which proportions.
+//! The synthesis task: positions and bounds of the proportions.
 
 use nalgebra::Complex;
 
 use super::closure::Direction;
 
-/// The frame of the four-bar that is sought.
+/// The frame of the four-bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// l₀, in any unit.
@@ -13,19 +13,19 @@ pub struct Frame {
     pub angle: f64,
 }
 
-/// A position of output and input that belong together. Angles in radians from the x-axis.
+/// A pair of corresponding positions of output and input. Angles in radians from the x-axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Position {
     /// φ₂, of the output, from its joint with the coupler to its fixed pivot.
     pub output: f64,
     /// φ₃, of the input, from its fixed pivot to its joint with the coupler.
     pub input: f64,
-    /// What this position counts where not all can be met, relative to the others.
+    /// Weight relative to other positions, if not all can be met.
     pub weight: f64,
 }
 
 impl Position {
-    /// A position that counts as much as any other.
+    /// A position with weight 1.
     pub fn new(output: f64, input: f64) -> Self {
         Self {
             output,
@@ -35,7 +35,7 @@ impl Position {
     }
 }
 
-/// Positions to be met by a four-bar. Only [`Task::new`] makes one, so it is always sound.
+/// Positions to be met by a four-bar; always valid, as made by [`Task::new`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Task {
     frame: Frame,
@@ -43,7 +43,7 @@ pub struct Task {
     ratios: [f64; 2],
 }
 
-/// Why there is no such task.
+/// Reasons why a task is invalid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TaskError {
     /// The frame's length is not finite, or not from 10⁻⁹ to 10⁹.
@@ -54,7 +54,7 @@ pub enum TaskError {
     NoPosition,
     /// There are more positions than [`Task::MOST`].
     TooMany {
-        /// So many.
+        /// Number of positions.
         count: usize,
     },
     /// φ₂ of this position is not finite.
@@ -63,25 +63,24 @@ pub enum TaskError {
     Input(usize),
     /// The weight of this position is not finite or not positive.
     Weight(usize),
-    /// These two positions are the same (to 10⁻¹² of a radian, whole turns aside).
+    /// These two positions are equal (to 10⁻¹² of a radian, modulo whole turns).
     Equal([usize; 2]),
-    /// The least ratio is not positive, or not less than the greatest, or that is not finite.
+    /// The minimum ratio is not positive, or not less than the maximum, or the maximum is not finite.
     Ratios,
 }
 
 impl Task {
-    /// No more positions are taken.
+    /// Maximum number of positions.
     pub const MOST: usize = 64;
-    /// Between these the lengths of coupler, output and input are sought relative to the
-    /// frame's, where nothing else is said.
+    /// Default bounds of the lengths of coupler, output and input relative to the frame's.
     pub const RATIOS: [f64; 2] = [0.1, 10.0];
-    /// The least and the greatest length of a frame.
+    /// Bounds of the length of a frame.
     pub const LENGTH: [f64; 2] = [1e-9, 1e9];
     const SAME: f64 = 1e-12;
 
-    /// The task of taking up these positions. `ratios` are the least and the greatest z that
-    /// [`Search`](super::Search) looks at: without a least one it would always end with a linkage
-    /// of no size, as ΣJ tends to zero with z₂ and z₃ for z₁ = 1. What is exact is not bounded.
+    /// The task with these positions. `ratios` are the bounds of z in [`Search`](super::Search): without a minimum it
+    /// would always end with a linkage of zero size, as ΣJ tends to zero with z₂ and z₃ for z₁ = 1. Exact solutions are
+    /// not bounded.
     ///
     /// # Errors
     /// Every reason at once, positions counted from 0.
@@ -140,12 +139,12 @@ impl Task {
         &self.positions
     }
 
-    /// The least and the greatest z that is looked at.
+    /// Bounds of z in a search.
     pub fn ratios(&self) -> [f64; 2] {
         self.ratios
     }
 
-    /// The directions of output and input at a position relative to the frame's, with these starts.
+    /// The directions of output and input at a position relative to the frame's, with these starting angles.
     pub(super) fn direction(&self, index: usize, [output, input]: [f64; 2]) -> Direction {
         let position = self.positions[index];
         let output = position.output + output - self.frame.angle;
@@ -157,7 +156,7 @@ impl Task {
         }
     }
 
-    /// The same at all positions.
+    /// These directions at all positions.
     pub(super) fn directions(&self, starts: [f64; 2]) -> impl Iterator<Item = Direction> + '_ {
         (0..self.positions.len()).map(move |index| self.direction(index, starts))
     }

@@ -1,8 +1,8 @@
-//! The paper's own method, for given angles of all links: the functional (3), the system (5) of
-//! its minimum, and the conditions and theorems on positive lengths, with the truth beside each.
+//! The paper's own method, for given angles of all links: the functional (3), the system (5) of its minimum, and the
+//! conditions and theorems on positive lengths, each with the exact result.
 //!
-//! Conditions and theorems are evaluated as they are printed, lengths by the formulas that hold: [`relations`] has both
-//! versions of each formula (docs/errata.md).
+//! Conditions and theorems are evaluated as printed, lengths by the corrected formulas: [`relations`] has both versions of
+//! each formula (docs/errata.md).
 
 use crate::tolerance;
 mod conditions;
@@ -17,7 +17,7 @@ pub use relations::relations;
 pub use system::{PositiveMinimum, System, functional};
 pub use truth::{Truth, opening, truth};
 
-/// The angles of all links in one position, from the x-axis.
+/// Angles of all links in one position, from the x-axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Angles {
     /// φ₀.
@@ -30,7 +30,7 @@ pub struct Angles {
     pub input: f64,
 }
 
-/// A length that is sought.
+/// An unknown length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknown {
     /// z₁.
@@ -49,7 +49,7 @@ impl Unknown {
 /// Two unknowns as functions of the third: zᵢ = P + Q z, the paper's (16) and its permutations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subsystem {
-    /// The one that may be chosen.
+    /// The unknown chosen freely.
     pub third: Unknown,
     /// The other two.
     pub of: [Unknown; 2],
@@ -68,14 +68,14 @@ impl Angles {
         }
     }
 
-    /// True where every angle is finite.
+    /// True if every angle is finite.
     pub fn is_finite(&self) -> bool {
         let all = [self.frame, self.coupler, self.output, self.input];
         all.iter().all(|angle| angle.is_finite())
     }
 
-    /// Two unknowns as functions of the third; none where these two links are parallel (for the
-    /// third z₁, where condition (13) fails).
+    /// Two unknowns as functions of the third; none if these two links are parallel (for the third z₁: if condition
+    /// (13) fails).
     ///
     /// zᵢ eᵢ + zⱼ eⱼ = e₀ − z e, and a product with eⱼ leaves zᵢ = (e₀ × eⱼ − z e × eⱼ)/(eᵢ × eⱼ).
     pub fn subsystem(&self, third: Unknown) -> Option<Subsystem> {

@@ -1,29 +1,29 @@
-//! Three positions: Freudenstein's equation, two lines in (1/z₂, 1/z₃) and their point.
+//! Three positions: Freudenstein's equation, two lines in (1/z₂, 1/z₃) and their intersection.
 
 use super::{Line, Proportions, Solution, Task, TwoPositions};
 
-/// What three positions leave open.
+/// Exact linkages through three positions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ThreePositions {
-    /// The one linkage.
+    /// Exactly one linkage.
     One(Solution),
-    /// The one point of the lines has lengths that are negative: the linkage takes up the
-    /// positions with that link's angle half a turn on.
+    /// The intersection has a negative length: the linkage takes up the positions with the angle of that link turned by
+    /// half a turn.
     Negative {
         /// z₂.
         output: f64,
         /// z₃.
         input: f64,
     },
-    /// The lines meet where a length is infinite or the coupler's is nothing, or nowhere: there
-    /// is no such linkage. The two lines.
+    /// No such linkage: at the intersection a length is infinite or the coupler's is zero, or the lines are parallel.
+    /// Contains the two lines.
     None([Line; 2]),
-    /// All positions are on the same line: what two of them leave open.
+    /// All positions are on the same line: the solutions for two of them.
     Same(TwoPositions),
 }
 
 impl ThreePositions {
-    /// The linkages that take up the first three positions of a task; none where there are fewer.
+    /// The linkages through the first three positions of a task; none if there are fewer.
     pub fn new(task: &Task) -> Option<Self> {
         (task.positions().len() >= 3).then(|| Self::of(task, [0, 1, 2]))
     }
@@ -38,7 +38,7 @@ impl ThreePositions {
                     right: 0.0,
                 }
         };
-        // A line that says nothing leaves what the other one says.
+        // If one line is degenerate, the other one remains.
         if empty(&lines[0]) {
             return Self::Same(TwoPositions::of(task, [i, k]));
         }
@@ -74,7 +74,7 @@ impl ThreePositions {
     }
 }
 
-/// True where parallel lines are one.
+/// True if parallel lines coincide.
 fn same([a, b]: [Line; 2]) -> bool {
     let [x, y] = [a, b].map(|line| [line.output, line.input, line.right]);
     let size = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);

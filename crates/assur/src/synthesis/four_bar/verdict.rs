@@ -1,5 +1,5 @@
-//! What a linkage is worth as a solution: whether it goes through its positions, in which order,
-//! and how well it moves.
+//! Assessment of a linkage as a solution: continuity of the motion through the positions, their order, and
+//! transmission.
 
 use crate::tolerance;
 use std::f64::consts::{PI, TAU};
@@ -8,64 +8,63 @@ use super::Proportions;
 use super::closure::Direction;
 use crate::{Assembly, Cycle, FourBar, Grashof, Invalid};
 
-/// What is true of a linkage that is to take up positions.
+/// Properties of a linkage that is to take up positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
-    /// Whether it goes from each position to each other one.
+    /// Whether it moves through all positions.
     pub passage: Passage,
-    /// The assembly in which it does; none where it does not.
+    /// The assembly in which it does; none if it does not.
     pub assembly: Option<Assembly>,
-    /// Whether it meets them in the given order.
+    /// Order in which it meets them.
     pub order: Order,
-    /// Grashof's class.
+    /// Grashof type.
     pub grashof: Grashof,
-    /// Whether the input turns fully.
+    /// True if the input turns fully.
     pub turns: bool,
-    /// The least transmission angle over the whole motion, 0 … π/2.
+    /// Minimum transmission angle over the whole motion, 0 … π/2.
     pub transmission: f64,
-    /// The same from the first position to the last; none where it does not go through them.
+    /// Minimum transmission angle from the first position to the last; none if it does not pass through them.
     pub transmission_between: Option<f64>,
-    /// The greatest of the four lengths relative to the least.
+    /// Ratio of the longest to the shortest of the four lengths.
     pub size_ratio: f64,
 }
 
-/// Whether a linkage driven by its input goes through all positions.
+/// Whether a linkage driven by its input moves through all positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Passage {
     /// It does.
     Continuous,
-    /// The motions to which the positions belong cross at a change point, where all links are in
-    /// line: it may leave it either way.
+    /// The motions of the positions cross at a change point, where all links are in line; beyond it either motion may
+    /// follow.
     ThroughChangePoint,
-    /// Between the positions the input comes to a dead point and would have to turn back there
-    /// (a branch defect).
+    /// Between the positions the input comes to a dead point and would have to turn back (a branch defect).
     AcrossDeadPoint,
     /// The linkage would have to be taken apart (a circuit defect).
     OtherCircuit,
-    /// It cannot be closed at the input of this position, the first of those.
+    /// First position at whose input it cannot be assembled.
     Unreached(usize),
 }
 
-/// Whether positions are met in the given order while the input goes one way.
+/// Whether positions are met in the given order while the input moves in one direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     /// As φ₃ grows.
     Growing,
     /// As φ₃ falls.
     Falling,
-    /// Whichever way φ₃ goes: a single position, or two of an input that turns fully.
+    /// In both directions of φ₃: a single position, or two of an input that turns fully.
     Either,
     /// In another order, or not all of them.
     Mixed,
 }
 
-/// Sides smaller than this, relative to their terms, are none: coupler and output in line.
+/// Sides smaller than this, relative to their terms, count as zero: coupler and output in line.
 const IN_LINE: f64 = 1e-11;
 
-/// The verdict, with the directions of output and input relative to the frame's.
+/// The verdict on a linkage, with the directions of output and input relative to the frame's.
 ///
 /// # Errors
-/// Why these lengths make no linkage.
+/// Every reason why these lengths make no linkage.
 pub(super) fn verdict(
     proportions: Proportions,
     directions: &[Direction],
@@ -85,13 +84,13 @@ pub(super) fn verdict(
     })
 }
 
-/// How the positions lie on the motions of a linkage.
+/// The positions on the motions of a linkage.
 struct Way {
     passage: Passage,
     /// The assembly of the positions; none if coupler and output are in line at all of them.
     assembly: Option<Assembly>,
     order: Order,
-    /// The input from the first position to the last, if it goes through them.
+    /// Range of the input from the first position to the last, if it moves through them.
     span: Option<[f64; 2]>,
 }
 
@@ -138,14 +137,14 @@ impl Way {
         if found.passage == Passage::Continuous {
             found.order = met.order();
             found.span = Some(met.span());
-            // All positions in line with the coupler: either letter names the motion.
+            // If coupler and output are in line at all positions, either name of the assembly will do.
             found.assembly = found.assembly.or(Some(Assembly::First));
         }
         found
     }
 }
 
-/// The arc of the cycle that holds an input, and the input within the cycle's axis.
+/// Index of the arc of the cycle that contains an input, and the input on the axis of the cycle.
 fn arc_of(cycle: &Cycle, input: f64) -> Option<(usize, f64)> {
     let input = cycle.wrap(input);
     if cycle.is_full() {
@@ -164,8 +163,8 @@ fn arc_of(cycle: &Cycle, input: f64) -> Option<(usize, f64)> {
     None
 }
 
-/// The assembly of a position; none where coupler and output are in line. Where a motion takes
-/// two turns, the assembly is that of one of the turns, and `input` is brought into that turn.
+/// The assembly of a position; none if coupler and output are in line. If a motion takes two turns, this is the
+/// assembly of one turn, and `input` is shifted into that turn.
 fn assembly(
     linkage: &FourBar,
     cycle: &Cycle,
@@ -195,17 +194,17 @@ fn assembly(
     Some(assembly_at(*input))
 }
 
-/// The inputs of the positions, as they are met one after the other.
+/// Inputs of the positions in the order in which they are met.
 struct Met {
-    /// Of a driver that turns fully: after so much the motion repeats.
+    /// Period of the motion; only for a driver that turns fully.
     period: Option<f64>,
     count: usize,
     last: f64,
     first: f64,
-    /// How far the input has gone up and down, from each position to the next.
+    /// Total input from each position to the next, if it only increases or only decreases.
     up: f64,
     down: f64,
-    /// Whether each step of a driver that swings went up, or down.
+    /// Whether all steps of an oscillating driver increase or decrease.
     monotone: [bool; 2],
     extremes: [f64; 2],
 }
@@ -255,7 +254,7 @@ impl Met {
         }
     }
 
-    /// The input from the first position to the last: the shorter way where it may go either.
+    /// Range of the input from the first position to the last, in the shorter direction if both are possible.
     fn span(&self) -> [f64; 2] {
         match (self.period, self.order()) {
             (None, _) => self.extremes,
@@ -268,8 +267,8 @@ impl Met {
     }
 }
 
-/// The least transmission angle over a stretch of the input: it falls away on either side of
-/// 90°, and the diagonal is monotone from 0 to π, so at an end or at a half turn.
+/// Minimum transmission angle over a range of the input. The angle decreases on either side of 90° and the diagonal is
+/// monotone from 0 to π, so the minimum is at an end or at a half turn.
 fn transmission_within(linkage: &FourBar, cycle: &Cycle, [from, to]: [f64; 2]) -> f64 {
     let half_turns = (0..8).map(|k| ((from / PI).ceil() + f64::from(k)) * PI);
     let within = half_turns.take_while(|input| *input < to);

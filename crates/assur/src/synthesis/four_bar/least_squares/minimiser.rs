@@ -1,11 +1,11 @@
-//! A local minimum from one start: Newton's method with the damping of Levenberg and Marquardt,
-//! within bounds of the lengths.
+//! Descent to a local minimum from one start: Newton's method with Levenberg-Marquardt damping, within bounds of the
+//! lengths.
 
 use super::objective::{Objective, Point, Value};
 use crate::synthesis::four_bar::linear;
 use crate::tolerance;
 
-/// One way down.
+/// A descent.
 #[derive(Clone, Debug)]
 pub(super) struct Descent<const N: usize> {
     pub(super) x: Point<N>,
@@ -15,13 +15,13 @@ pub(super) struct Descent<const N: usize> {
     pub(super) over: bool,
 }
 
-/// The damping to begin with, the least that counts, and that at which no step is left.
+/// Initial damping, damping below which it becomes zero, and maximum damping, at which the descent ends.
 const FIRST: f64 = 1e-3;
 const LEAST: f64 = 1e-14;
 const MOST: f64 = 1e14;
-/// No way takes more steps.
+/// Maximum number of steps.
 const STEPS: usize = 200;
-/// No step changes a logarithm or an angle by more.
+/// Maximum change of a logarithm or an angle in a step.
 const REACH: f64 = 0.5;
 
 impl<const N: usize> Descent<N> {
@@ -39,14 +39,14 @@ impl<const N: usize> Descent<N> {
         }
     }
 
-    /// True where a length is at a bound and would go beyond.
+    /// True if a length is at a bound and the descent leads beyond it.
     fn held(&self, [least, greatest]: [f64; 2], k: usize) -> bool {
         let slope = self.here.gradient[k];
         k < 2 && (self.x[k] <= least && slope > 0.0 || self.x[k] >= greatest && slope < 0.0)
     }
 
-    /// One step down; the point stays where none is found. The next one is then shorter, until it
-    /// is `over`.
+    /// Tries one step; the point stays if it does not decrease ΣJ. Then the next step is shorter, until the descent is
+    /// `over`.
     pub(super) fn step(&mut self, objective: &Objective) {
         let bounds = objective.bounds();
         let held: [bool; N] = std::array::from_fn(|k| self.held(bounds, k));
@@ -110,7 +110,7 @@ impl<const N: usize> Descent<N> {
     }
 }
 
-/// By Cholesky's factors.
+/// True if Cholesky's factors exist.
 fn positive_definite<const N: usize>(matrix: &[[f64; N]; N]) -> bool {
     let mut factor = [[0.0; N]; N];
     for i in 0..N {

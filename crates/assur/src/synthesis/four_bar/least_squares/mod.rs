@@ -1,7 +1,7 @@
-//! Four to many positions: the best compromise, the least ΣJ over positive lengths.
+//! Four positions and more: the best compromise, the least ΣJ over positive lengths.
 //!
-//! ΣJ has several local minima, so the search goes down from many starts and reports where each
-//! ended. It is deterministic, and goes step by step so that it can be shown and stopped.
+//! ΣJ has several local minima, so the search descends from many starts and reports each end. It is deterministic and
+//! proceeds step by step, so that it can be shown and stopped.
 
 mod minimiser;
 mod objective;
@@ -26,13 +26,13 @@ pub struct Minimum {
     pub solution: Solution,
     /// ΣJ with the weights of the task, in squares of the frame's length.
     pub value: f64,
-    /// By how much its output is off at most, radians: [`Solution::output_error`].
+    /// Maximum error of the output's angle, radians: [`Solution::output_error`].
     pub output_error: Option<f64>,
-    /// The bounds that hold it; none of an inner minimum.
+    /// Active bounds; empty for an inner minimum.
     pub held: Vec<Bound>,
-    /// How many starts ended here.
+    /// Number of starts that ended here.
     pub reached: usize,
-    /// The ways that these took, each with its start and its end.
+    /// Paths of these descents, with start and end.
     pub paths: Vec<Vec<Proportions>>,
 }
 
@@ -56,17 +56,17 @@ pub enum Bound {
 /// The search after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
-    /// Starts that have ended.
+    /// Number of finished starts.
     pub ended: usize,
-    /// Starts there are.
+    /// Number of starts.
     pub starts: usize,
-    /// Where the present way is.
+    /// Current point of the present descent.
     pub proportions: Proportions,
     /// ΣJ there.
     pub value: f64,
-    /// The least ΣJ of the ways that have ended, if any has.
+    /// The least ΣJ of the finished descents.
     pub best: Option<f64>,
-    /// True where all ways have ended.
+    /// True if all descents have finished.
     pub over: bool,
 }
 
@@ -74,12 +74,12 @@ pub struct Progress {
 #[derive(Clone, Debug)]
 pub struct Search {
     task: Task,
-    /// By it a mean of J becomes ΣJ with the weights of the task.
+    /// Factor from a mean of J to ΣJ with the weights of the task.
     weight: f64,
     ways: Ways,
 }
 
-/// With the starting angles as given, or free.
+/// Descents with given or with free starting angles.
 #[derive(Clone, Debug)]
 enum Ways {
     Given(Descents<2>),
@@ -87,16 +87,14 @@ enum Ways {
 }
 
 impl Search {
-    /// The search with the angles of the task as they are. It is meant for four positions and
-    /// more: for fewer [`TwoPositions`](super::TwoPositions) and
-    /// [`ThreePositions`](super::ThreePositions) are exact.
+    /// The search with the given angles of the task, for four positions and more. For fewer,
+    /// [`TwoPositions`](super::TwoPositions) and [`ThreePositions`](super::ThreePositions) are exact.
     pub fn new(task: &Task) -> Self {
         Self::with(task, Ways::Given(Descents::new(task, starts::given(task))))
     }
 
-    /// The search with free starts: φ₂ and φ₃ of the task are measured from angles that are sought
-    /// with the lengths. It is meant for six positions and more: see
-    /// [`five_positions`](super::five_positions).
+    /// The search with free starts: φ₂ and φ₃ of the task are measured from unknown angles, which are found with the
+    /// lengths. For six positions and more; see [`five_positions`](super::five_positions).
     pub fn free(task: &Task) -> Self {
         Self::with(task, Ways::Free(Descents::new(task, starts::free(task))))
     }
@@ -110,7 +108,7 @@ impl Search {
         }
     }
 
-    /// One step down of the present way, unless the search is over.
+    /// Takes one step of the present descent, unless the search is over.
     pub fn step(&mut self) -> Progress {
         match &mut self.ways {
             Ways::Given(ways) => ways.step(),
@@ -119,7 +117,7 @@ impl Search {
         self.progress()
     }
 
-    /// What the search has come to.
+    /// The current state of the search.
     pub fn progress(&self) -> Progress {
         let mut progress = match &self.ways {
             Ways::Given(ways) => ways.progress(),
@@ -130,7 +128,7 @@ impl Search {
         progress
     }
 
-    /// Goes on to the end.
+    /// Runs the search to its end.
     pub fn run(&mut self) -> Vec<Minimum> {
         while !self.progress().over {
             self.step();
@@ -138,7 +136,7 @@ impl Search {
         self.minima()
     }
 
-    /// The way of the present start, from there to here.
+    /// Path of the present descent.
     pub fn path(&self) -> &[Proportions] {
         match &self.ways {
             Ways::Given(ways) => &ways.path,
@@ -155,7 +153,7 @@ impl Search {
     }
 }
 
-/// Ways down from several starts, one after the other.
+/// Descents from several starts, one after the other.
 #[derive(Clone, Debug)]
 struct Descents<const N: usize> {
     objective: Objective,
@@ -166,7 +164,7 @@ struct Descents<const N: usize> {
     found: Vec<Found<N>>,
 }
 
-/// Where ways ended.
+/// An end of descents.
 #[derive(Clone, Debug)]
 struct Found<const N: usize> {
     x: Point<N>,
@@ -174,7 +172,7 @@ struct Found<const N: usize> {
     paths: Vec<Vec<Proportions>>,
 }
 
-/// Ends of ways closer than this are one.
+/// Ends of descents closer than this are the same.
 const SAME: f64 = 1e-5;
 
 impl<const N: usize> Descents<N> {
@@ -212,7 +210,7 @@ impl<const N: usize> Descents<N> {
         self.objective.with_coupler(&self.now.x, coupler)
     }
 
-    /// Keeps where the present way ended and takes up the next start.
+    /// Records the end of the present descent and begins the next.
     fn end(&mut self) {
         let (x, value) = (self.now.x, self.now.here.value);
         let path = std::mem::take(&mut self.path);

@@ -1,19 +1,19 @@
-//! ΣJ as a function of the output's and the input's length and, where these are free, of the
-//! starting angles, with its exact first and second derivatives. The coupler is eliminated.
+//! ΣJ as a function of the lengths of output and input and, if free, of their starting angles, with exact first and
+//! second derivatives. The coupler is eliminated.
 
 use nalgebra::Complex;
 
 use crate::synthesis::four_bar::closure::{Direction, dot};
 use crate::synthesis::four_bar::{Proportions, Task};
 
-/// The unknowns: ln z₂, ln z₃ and then, of four, φ₂₀ and φ₃₀. The logarithms keep lengths positive
-/// and halves as far as doubles.
+/// The unknowns: ln z₂, ln z₃ and, with N = 4, φ₂₀ and φ₃₀. Logarithms keep lengths positive and treat halving like
+/// doubling.
 pub(super) type Point<const N: usize> = [f64; N];
 
 /// ΣJ of a task.
 #[derive(Clone, Debug)]
 pub(super) struct Objective {
-    /// With the weights, of which the greatest is 1.
+    /// Directions at each position with its weight, scaled to a greatest weight of 1.
     terms: Vec<(Direction, f64)>,
     total: f64,
     ratios: [f64; 2],
@@ -24,7 +24,7 @@ pub(super) struct Objective {
 pub(super) struct Value<const N: usize> {
     /// ΣJ relative to the sum of the weights.
     pub(super) value: f64,
-    /// z₁ where it is least, within the ratios.
+    /// Best z₁ at this point, within the ratios.
     pub(super) coupler: f64,
     pub(super) gradient: [f64; N],
     pub(super) hessian: [[f64; N]; N],
@@ -52,7 +52,7 @@ impl Objective {
         [0, 1].map(|k| Complex::from_polar(x[k].exp(), start(k)))
     }
 
-    /// The weighted mean of |r|, within the ratios, and whether that is the mean itself.
+    /// The weighted mean of |r|, clamped to the ratios; true if it needed no clamping.
     fn coupler(&self, gaps: impl Iterator<Item = f64>) -> (f64, bool) {
         let sum: f64 = gaps.zip(&self.terms).map(|(gap, (_, w))| gap * w).sum();
         let mean = sum / self.total;
@@ -61,7 +61,7 @@ impl Objective {
         (coupler, coupler == mean)
     }
 
-    /// ΣJ alone, relative to the sum of the weights, with z₁.
+    /// ΣJ without derivatives, relative to the sum of the weights, and z₁.
     pub(super) fn value<const N: usize>(&self, x: &Point<N>) -> (f64, f64) {
         let [w2, w3] = self.links(x);
         let gap = |(at, _): &(Direction, f64)| (one() - at.output * w2 - at.input * w3).norm();
@@ -75,8 +75,8 @@ impl Objective {
 
     /// ΣJ with its derivatives.
     ///
-    /// ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. As z₁ is where ∂ΣJ/∂z₁ = 0, its own
-    /// change takes Σw ∂|r| ∂|r|/Σw from the second derivatives; at a bound it does not change.
+    /// ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. At the best z₁, ∂ΣJ/∂z₁ = 0; its change subtracts
+    /// Σw ∂|r| ∂|r|/Σw from the second derivatives. At a bound it does not change.
     pub(super) fn at<const N: usize>(&self, x: &Point<N>) -> Value<N> {
         let links = self.links(x);
         let gap = |at: &Direction| one() - at.output * links[0] - at.input * links[1];
@@ -95,7 +95,7 @@ impl Objective {
             let along = r / length;
             let links = [at.output * links[0], at.input * links[1]];
             let turn = Complex::new(0.0, 1.0);
-            // ∂r by ln z is −w, by the angle −iw; once more −w, −iw, +w.
+            // ∂r with respect to ln z is −w, to the angle −iw; second derivatives are −w, −iw, +w.
             let first: [Complex<f64>; N] = std::array::from_fn(|k| match k {
                 0 | 1 => -links[k],
                 _ => -links[k - 2] * turn,
@@ -135,7 +135,7 @@ impl Objective {
         self.with_coupler(x, self.value(x).1)
     }
 
-    /// The same where z₁ is known; bounds are met exactly.
+    /// The proportions at a point with a known z₁; values at a bound are exact.
     pub(super) fn with_coupler<const N: usize>(&self, x: &Point<N>, coupler: f64) -> Proportions {
         let [low, high] = self.bounds();
         let [output, input] = [0, 1].map(|k| match x[k] {

@@ -1,5 +1,5 @@
-//! Where a search for the least ΣJ starts: exact solutions of some of the positions, what
-//! Freudenstein's equations say of all in the mean, and a grid. The same ones every time.
+//! Starts of a search for the least ΣJ: exact solutions for some of the positions, the least-squares solution of
+//! Freudenstein's equations, and a grid. They are deterministic.
 
 use crate::sorting::sort_by;
 use std::f64::consts::TAU;
@@ -8,16 +8,15 @@ use super::objective::{Objective, Point};
 use super::weighted_difference::weighted_difference;
 use crate::synthesis::four_bar::{Task, ThreePositions, five};
 
-/// Places of the grid along ln z₂ and ln z₃.
+/// Grid points along each of ln z₂ and ln z₃.
 const GRID: usize = 8;
-/// Of three or five positions so many choices are solved exactly.
+/// Maximum number of sets of three or five positions that are solved exactly.
 const CHOICES: usize = 20;
-/// With free starts: places of the grid along each length and each angle, and how many of them
-/// are gone down from, the lowest.
+/// Grid points along each length and each angle for free starting angles, and number of the lowest ones to start from.
 const COARSE: [usize; 2] = [3, 8];
 const LOWEST: usize = 32;
 
-/// Starts with the angles as given.
+/// Starts with given angles.
 pub(super) fn given(task: &Task) -> Vec<Point<2>> {
     let count = task.positions().len();
     let linear = weighted_difference(task).into_iter();
@@ -56,19 +55,19 @@ pub(super) fn free(task: &Task) -> Vec<Point<4>> {
     starts
 }
 
-/// The middles of equal parts along both logarithms.
+/// Midpoints of equal intervals along both logarithms.
 fn grid(places: usize, [from, to]: [f64; 2]) -> impl Iterator<Item = Point<2>> {
     let at = move |k: usize| from + (k as f64 + 0.5) / places as f64 * (to - from);
     (0..places * places).map(move |k| [at(k / places), at(k % places)])
 }
 
-/// Choices of K among so many positions, spread evenly over all of them.
+/// Sets of K out of `count` positions, spread evenly over all of them.
 fn choices<const K: usize>(count: usize) -> Vec<[usize; K]> {
     let mut all: Vec<[usize; K]> = Vec::new();
     if count < K {
         return all;
     }
-    // As many as can be counted at no cost; more positions are thinned out first.
+    // Listing all sets of 12 positions is cheap; more positions are thinned out first.
     let thinned: Vec<usize> = if count > 12 {
         (0..12).map(|k| k * (count - 1) / 11).collect()
     } else {
@@ -77,7 +76,7 @@ fn choices<const K: usize>(count: usize) -> Vec<[usize; K]> {
     let mut next: [usize; K] = std::array::from_fn(|k| k);
     loop {
         all.push(next.map(|k| thinned[k]));
-        // The last one that can still go on, and those after it behind it.
+        // Increments the last index that can still grow; those after it follow it.
         let Some(k) = (0..K).rev().find(|k| next[*k] < thinned.len() - K + k) else {
             break;
         };

@@ -1,4 +1,4 @@
-//! ΣJ over the plane of z₂ and z₃, to be drawn.
+//! ΣJ over the plane of z₂ and z₃, for a surface plot.
 
 use super::objective::Objective;
 use crate::synthesis::four_bar::Task;
@@ -11,7 +11,7 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// The surface on which [`Search`](super::Search) looks for its minima.
+    /// The surface whose minima [`Search`](super::Search) looks for.
     pub fn new(task: &Task) -> Self {
         let weights = task.positions().iter().map(|position| position.weight);
         Self {
@@ -20,8 +20,7 @@ impl Surface {
         }
     }
 
-    /// ΣJ with the weights of the task at these z₂ and z₃; none where one is not positive or not
-    /// finite.
+    /// ΣJ with the weights of the task at these z₂ and z₃; none if one is not positive or not finite.
     pub fn value(&self, output: f64, input: f64) -> Option<f64> {
         let x = [output.ln(), input.ln()];
         let value = self.objective.value(&x).0 * self.weight;

@@ -1,30 +1,30 @@
-//! The printed conditions on positive lengths by their numbers, as they are printed, and the theorems that they make, each
-//! with what is true beside it.
+//! The conditions on positive lengths, as printed and by their numbers, and the theorems that they make, each with the
+//! exact result.
 
 use super::truth::non_negative;
 use super::{Angles, Subsystem, Truth, Unknown, truth};
 use crate::tolerance;
 
-/// How z = P + Q z₁ is positive.
+/// Condition under which z = P + Q z₁ is positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Alternative {
-    /// P > 0 and Q < 0: for z₁ less than this.
+    /// P > 0 and Q < 0: for z₁ less than −P/Q.
     First {
         /// −P/Q.
         below: f64,
     },
-    /// P < 0 and Q > 0: for z₁ greater than this.
+    /// P < 0 and Q > 0: for z₁ greater than −P/Q.
     Second {
         /// −P/Q.
         above: f64,
     },
-    /// P ≥ 0 and Q ≥ 0, not both zero: for every z₁ > 0, which (14), (25) and (20) to (23) leave out.
+    /// P ≥ 0 and Q ≥ 0, not both zero: for every z₁ > 0; (14), (25) and (20) to (23) leave it out.
     Always,
-    /// For none.
+    /// For no z₁.
     Never,
 }
 
-/// Which alternative makes P + Q z positive.
+/// The alternative in which P + Q z is positive.
 pub fn alternative(constant: f64, slope: f64) -> Alternative {
     let limit = -constant / slope;
     if constant > 0.0 && slope < 0.0 && limit.is_finite() {
@@ -39,7 +39,8 @@ pub fn alternative(constant: f64, slope: f64) -> Alternative {
 }
 
 impl Alternative {
-    /// Between which z₁ the length is positive: the least, or zero, and the greatest, if there is one; none for `Never`.
+    /// Range of z₁ in which the length is positive: the minimum, or zero, and the maximum, if there is one; none for
+    /// `Never`.
     pub fn range(self) -> Option<(f64, Option<f64>)> {
         match self {
             Self::First { below } => Some((0.0, Some(below))),
@@ -55,15 +56,15 @@ impl Alternative {
 pub struct Condition {
     /// Its number in the paper: 13, 14, 25, 29, 30 or 33 to 38. (24) repeats (13).
     pub number: u8,
-    /// The unknown that it is about, z₂ or z₃ as a function of z₁; none of (13).
+    /// The unknown concerned, z₂ or z₃ as a function of z₁; none for (13).
     pub about: Option<Unknown>,
-    /// The two numbers whose signs it judges: P and Q; of (33) to (38) the two fractions in the order of print. Of (13)
-    /// sin(φ₃ − φ₂) twice. A fraction may be infinite where e₁ is parallel to e₂ or e₃.
+    /// The two numbers whose signs are compared: P and Q; in (33) to (38) the two fractions in the printed order; in
+    /// (13) sin(φ₃ − φ₂) twice. A fraction may be infinite if e₁ is parallel to e₂ or e₃.
     pub values: [f64; 2],
-    /// Whether it holds as it is printed.
+    /// True if it holds as printed.
     pub holds: bool,
-    /// Whether what it is printed for is so: of (13) that z₁ determines z₂ and z₃; of (29), (30) that the length is
-    /// positive for some z₁ > 0; of the others that it is not negative for some z₁ ≥ 0.
+    /// True if its intended conclusion holds. (13): z₁ determines z₂ and z₃. (29), (30): the length is positive for
+    /// some z₁ > 0. Others: it is not negative for some z₁ ≥ 0.
     pub truth: bool,
 }
 
@@ -72,16 +73,16 @@ pub struct Condition {
 pub struct Theorem {
     /// 1 to 5.
     pub number: u8,
-    /// Whether what it asks for holds, as it is printed.
+    /// True if its conditions hold, as printed.
     pub conditions: bool,
-    /// Whether what it concludes is so: that there are real lengths (1, 2), lengths of which none is negative (3, 5),
-    /// positive lengths (4). Where `conditions` holds and this does not, the theorem is false; where it is the other way
-    /// round, the theorem asks for more than is needed.
+    /// True if its conclusion holds: there are real lengths (1, 2), lengths that are not negative (3, 5), positive
+    /// lengths (4). If `conditions` holds and this does not, the theorem is false; in the opposite case it requires
+    /// more than is needed.
     pub truth: bool,
 }
 
-/// The printed conditions at given angles, in the order of their numbers. Where (13) fails there are no others on z₂ and
-/// z₃; angles that are not finite have none.
+/// The printed conditions at given angles, by number. If (13) fails there are no others on z₂ and z₃; none at angles
+/// that are not finite.
 pub fn conditions(angles: &Angles) -> Vec<Condition> {
     if !angles.is_finite() {
         return Vec::new();
@@ -103,7 +104,7 @@ pub fn conditions(angles: &Angles) -> Vec<Condition> {
     all
 }
 
-/// (14) and (29) of z₂ (k = 0), (25) and (30) of z₃. "(P ≥ 0 and Q ≤ 0) or PQ ≤ 0" is PQ ≤ 0.
+/// (14) and (29) for z₂ (k = 0), (25) and (30) for z₃. "(P ≥ 0 and Q ≤ 0) or PQ ≤ 0" is PQ ≤ 0.
 fn of_signs(by: &Subsystem, k: usize) -> [Condition; 2] {
     let (p, q) = (by.constant[k], by.slope[k]);
     let condition = |number, holds, truth| Condition {
@@ -120,11 +121,11 @@ fn of_signs(by: &Subsystem, k: usize) -> [Condition; 2] {
     ]
 }
 
-/// (33) to (35) of z₂, (36) to (38) of z₃: signs of the two fractions of (31) and (32), at a border by either sign.
+/// (33) to (35) for z₂, (36) to (38) for z₃: signs of the two fractions of (31) and (32), where zero has either sign.
 fn of_cases(angles: &Angles, by: &Subsystem) -> [Condition; 6] {
     let [f0, f1, f2, f3] = [angles.frame, angles.coupler, angles.output, angles.input];
     let second = [(f0 - f3).sin(), (f3 - f2).sin()].map(|one| one / (f3 - f1).sin());
-    // Of z₃ the slope stands first.
+    // For z₃ the slope comes first.
     let third = [(f2 - f3).sin(), (f0 - f2).sin()].map(|one| one / (f2 - f1).sin());
     let not_negative = [0, 1].map(|k| by.constant[k] >= 0.0 || by.slope[k] > 0.0);
     let condition = |number, k: usize, values: [f64; 2], signs: [f64; 2]| Condition {
@@ -144,14 +145,14 @@ fn of_cases(angles: &Angles, by: &Subsystem) -> [Condition; 6] {
     ]
 }
 
-/// The condition that theorem 5 leaves out, that of the pair z₂, z₃: z₂ = −a₁ − b₁z₃ is not negative for some z₃ ≥ 0. With
-/// it theorem 5 is exact. `values` are a₁ = sin(φ₁ − φ₀)/sin(φ₂ − φ₁) and b₁ = sin(φ₃ − φ₁)/sin(φ₂ − φ₁); none where an
-/// angle is not finite or e₁ is parallel to e₂.
+/// The condition that theorem 5 leaves out, that of the pair z₂, z₃: z₂ = −a₁ − b₁z₃ is not negative for some z₃ ≥ 0.
+/// With it theorem 5 is exact. `values` are a₁ = sin(φ₁ − φ₀)/sin(φ₂ − φ₁) and b₁ = sin(φ₃ − φ₁)/sin(φ₂ − φ₁); none if
+/// an angle is not finite or e₁ is parallel to e₂.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThirdPair {
     /// a₁ and b₁.
     pub values: [f64; 2],
-    /// Whether not both are positive.
+    /// True unless both are positive.
     pub holds: bool,
 }
 
@@ -169,8 +170,8 @@ pub fn third_pair(angles: &Angles) -> Option<ThirdPair> {
     })
 }
 
-/// Theorems 1 to 5 at given angles, as they are printed; none where an angle is not finite. 1 asks for (13) and (14), 2 for
-/// (24) and (25), 3 for both, 4 for both with strict signs, 5 for one of (33) to (35) and one of (36) to (38).
+/// Theorems 1 to 5 at given angles, as printed; none if an angle is not finite. Their conditions are (13) and (14) for
+/// 1, (24) and (25) for 2, both for 3, both with strict signs for 4, one of (33) to (35) and one of (36) to (38) for 5.
 pub fn theorems(angles: &Angles) -> Option<[Theorem; 5]> {
     let positive = truth(angles).as_ref().map(Truth::holds)?;
     let not_negative = non_negative(angles)?;
@@ -196,8 +197,8 @@ pub fn theorems(angles: &Angles) -> Option<[Theorem; 5]> {
 }
 
 impl Angles {
-    /// Whether some real lengths close the loop: e₀ is a sum of multiples of e₁, e₂ and e₃, unless these are parallel to each
-    /// other and not to it.
+    /// True if some real lengths close the loop: e₀ is a linear combination of e₁, e₂ and e₃, unless these are parallel
+    /// to each other and not to e₀.
     fn have_real_lengths(&self) -> bool {
         let across = [self.coupler, self.output, self.input].map(|turn| turn - self.frame);
         let [a, b, c] = across;

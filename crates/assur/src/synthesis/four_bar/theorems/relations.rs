@@ -1,15 +1,15 @@
-//! The formulas of the paper in numbers, as they hold and as they are printed (Sinchev and Mukhanova, (3) to (38)).
+//! The formulas of the paper in numbers, corrected and as printed (Sinchev and Mukhanova, (3) to (38)).
 
 use super::{
     Alternative, Angles, Subsystem, System, Unknown, alternative, functional, opening, third_pair,
 };
 use crate::relation::Relation;
 
-/// The relations of the paper at each of some positions, in the order of the paper, named with the position's number. `z` are
-/// z₁, z₂, z₃ of the lengths that are looked at: (1), J and its derivatives, and the gap are theirs. All other formulas are evaluated for
-/// the lengths that close the position: z₁ and the z₂, z₃ that follow from it; where (13) fails there are none. `length` is l₀, and
-/// `best` has of each position the coupler's angle at which these lengths leave the least open, and how much, in lengths of the frame.
-/// Positions with an angle that is not finite have no relations.
+/// The relations of the paper at each position, in the order of the paper, named with the position's number. `z` are
+/// the trial lengths z₁, z₂, z₃: (1), J with its derivatives and the gap are evaluated for them. All other formulas are
+/// evaluated for the lengths that close the position: z₁ and the z₂, z₃ that follow from it; if (13) fails there are
+/// none. `length` is l₀. `best` is, for each position, the coupler's angle with the least residual and that residual,
+/// in lengths of the frame. Positions with an angle that is not finite have no relations.
 pub fn relations(
     positions: &[Angles],
     z: [f64; 3],
@@ -54,14 +54,14 @@ pub fn relations(
     all
 }
 
-/// The values of a position.
+/// Relations of a position.
 struct Told<'a> {
     number: usize,
     angles: &'a Angles,
     all: Vec<Relation>,
 }
 
-/// Digits above the line.
+/// Superscript digits.
 const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
 impl<'a> Told<'a> {
@@ -90,7 +90,7 @@ impl<'a> Told<'a> {
             .push(Relation::of(item, self.name(name), value, printed));
     }
 
-    /// One whose formula holds as it is printed, or is but a name.
+    /// Adds a value whose formula is correct as printed, or that is only a name.
     fn same(&mut self, item: &'static str, name: &str, value: f64) {
         self.of(item, name, value, value);
     }
@@ -120,7 +120,7 @@ impl<'a> Told<'a> {
         [frame, coupler, output, input][i]
     }
 
-    /// (1): what is left of the contour, along the axes.
+    /// (1): residual of the contour along the axes.
     fn contour(&mut self, [z1, z2, z3]: [f64; 3], length: f64) {
         let open = |of: fn(f64) -> f64| {
             let links = z1 * of(self.turn(1)) + z2 * of(self.turn(2)) + z3 * of(self.turn(3));
@@ -195,7 +195,7 @@ impl<'a> Told<'a> {
         );
     }
 
-    /// (5) to (16), (26), (31), (32): formulas of lengths that close the position.
+    /// (5) to (16), (26), (31), (32): formulas for lengths that close the position.
     fn closed(&mut self, by: &Subsystem, z1: f64) {
         let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
         let [e01, e02, e03] = [self.dot(0, 1), self.dot(0, 2), self.dot(0, 3)];
@@ -320,7 +320,7 @@ impl<'a> Told<'a> {
         if q2 != 0.0 {
             self.same("000.(20).cut", "z₁(z₂ = 0)", -p2 / q2);
         }
-        // Of the two ranges the one that applies, if one does.
+        // The applicable one of the two ranges, if any.
         match alternative(p2, q2) {
             Alternative::First { below } => self.of("000.(21)", "z₁(z₂ = 0)", below, p2 / q2),
             Alternative::Second { above } => self.of("000.(23)", "z₁(z₂ = 0)", above, p2 / q2),
@@ -328,7 +328,7 @@ impl<'a> Told<'a> {
         }
     }
 
-    /// (33) to (38), the pair that they leave out, and the cone.
+    /// (33) to (38), the omitted pair, and the cone.
     fn cases(&mut self) {
         let [second, third] = [self.sin(3, 1), self.sin(2, 1)];
         if second != 0.0 {

@@ -14,8 +14,8 @@ pub fn functional(angles: &Angles, z: [f64; 3]) -> f64 {
     sum[0] * sum[0] + sum[1] * sum[1]
 }
 
-/// ∂ΣJ/∂z = 0: `matrix` z = `right`, the sum over all positions of products of the directions. Of
-/// one position it is a Gram matrix of plane vectors: its rank is at most two.
+/// ∂ΣJ/∂z = 0: `matrix` z = `right`, the sum over all positions of scalar products of the directions. For one position
+/// it is a Gram matrix of plane vectors, with rank at most two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct System {
     /// Σ eᵢ·eⱼ.
@@ -24,22 +24,21 @@ pub struct System {
     pub right: [f64; 3],
     /// The rank of the matrix.
     pub rank: usize,
-    /// How many positions.
+    /// Number of positions.
     pub positions: usize,
 }
 
-/// Where ΣJ is least over z ≥ 0.
+/// The minimum of ΣJ over z ≥ 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositiveMinimum {
-    /// z₁, z₂, z₃; a zero is a length that ΣJ would rather have negative, and then no z > 0 has the
-    /// least ΣJ.
+    /// z₁, z₂, z₃; a zero is a length at its bound, and then ΣJ has no minimum over z > 0.
     pub z: [f64; 3],
     /// ΣJ there.
     pub value: f64,
 }
 
 impl System {
-    /// The system of these positions; none where there is no position or an angle is not finite.
+    /// The system of these positions; none if there is no position or an angle is not finite.
     pub fn new(positions: &[Angles]) -> Option<Self> {
         if positions.is_empty() || !positions.iter().all(Angles::is_finite) {
             return None;
@@ -62,8 +61,9 @@ impl System {
         })
     }
 
-    /// The rank of the matrix with the right-hand side, that of A + bbᵀ: A has no negative eigenvalues, so that its columns and b
-    /// span what those of A + bbᵀ do. It is always the rank of the matrix alone: there is a minimum.
+    /// Rank of the matrix with the right-hand side, that of A + bbᵀ: A is positive semidefinite, so its columns and b
+    /// span the same space as the columns of A + bbᵀ. It always equals the rank of the matrix alone: there is a
+    /// minimum.
     pub fn augmented_rank(&self) -> usize {
         let mut matrix = self.matrix;
         for (row, left) in matrix.iter_mut().zip(self.right) {
@@ -86,16 +86,15 @@ impl System {
         value.max(0.0)
     }
 
-    /// z₁, z₂, z₃ of the one minimum over all real numbers; none where the rank is less than three
-    /// and there are many.
+    /// z₁, z₂, z₃ of the unique minimum over all real numbers; none if the rank is less than three, when there are
+    /// many.
     pub fn minimum(&self) -> Option<[f64; 3]> {
         (self.rank == 3)
             .then(|| linear::solve(self.matrix, self.right))
             .flatten()
     }
 
-    /// The least over z ≥ 0: the best of the minima with some of the lengths zero, of which there
-    /// are eight.
+    /// The minimum over z ≥ 0: the best of the eight minima with some of the lengths zero.
     pub fn positive_minimum(&self) -> PositiveMinimum {
         let mut best = PositiveMinimum {
             z: [0.0; 3],
@@ -127,8 +126,7 @@ impl System {
     }
 }
 
-/// The rank of a symmetric matrix without negative eigenvalues, by what its largest diagonal
-/// elements leave of it.
+/// Rank of a positive semidefinite matrix, by elimination with the largest diagonal element as pivot.
 fn rank(mut matrix: [[f64; 3]; 3]) -> usize {
     let size = (0..3).map(|k| matrix[k][k]).fold(0.0, f64::max);
     for rank in 0..3 {

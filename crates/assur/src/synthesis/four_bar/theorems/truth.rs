@@ -1,4 +1,4 @@
-//! The truth about one position: for which z₁ all lengths are positive.
+//! The exact condition for one position: the range of z₁ in which all lengths are positive.
 
 use std::f64::consts::PI;
 
@@ -6,32 +6,32 @@ use super::super::closure::near;
 use super::{Angles, Unknown};
 use crate::tolerance;
 
-/// For which z₁ > 0 there are z₂ > 0 and z₃ > 0 that close the loop.
+/// The z₁ > 0 for which z₂ > 0 and z₃ > 0 close the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Truth {
-    /// For every one between these, ends excluded; `to` is none where there is no greatest.
+    /// All z₁ strictly between these; `to` is none if there is no maximum.
     Between {
-        /// The least, or zero.
+        /// The minimum, or zero.
         from: f64,
-        /// The greatest.
+        /// The maximum.
         to: Option<f64>,
     },
-    /// For none.
+    /// No z₁.
     None,
-    /// Input and output are parallel, condition (13) fails: for this one z₁ alone, or for none.
+    /// Input and output are parallel, condition (13) fails: at most this one z₁.
     Parallel {
         /// z₁.
         coupler: Option<f64>,
     },
-    /// All links but the frame's are parallel to it: for every z₁ there are lengths, or for none.
+    /// All links are parallel to the frame: every z₁, or none.
     InLine {
-        /// Whether there are lengths.
+        /// True if there are such lengths.
         closes: bool,
     },
 }
 
 impl Truth {
-    /// True where positive lengths close the loop.
+    /// True if positive lengths close the loop.
     pub fn holds(&self) -> bool {
         match *self {
             Self::Between { .. } => true,
@@ -42,9 +42,9 @@ impl Truth {
     }
 }
 
-/// δ₊ − δ₋: from the nearest of e₁, e₂, e₃ on the right of e₀ to the nearest on its left, radians. e₀ lies strictly inside
-/// their cone, so that positive lengths close the loop, where this is less than π. None where all are on one side, and where
-/// an angle is not finite.
+/// δ₊ − δ₋: from the nearest of e₁, e₂, e₃ on the right of e₀ to the nearest on its left, radians. If it is less than
+/// π, e₀ lies strictly inside their cone and positive lengths close the loop. None if all are on one side, or an angle
+/// is not finite.
 pub fn opening(angles: &Angles) -> Option<f64> {
     let turns = angles.off_frame();
     let left = turns.into_iter().filter(|turn| *turn > 0.0);
@@ -53,7 +53,7 @@ pub fn opening(angles: &Angles) -> Option<f64> {
     opening.is_finite().then_some(opening)
 }
 
-/// Whether some z ≥ 0 closes the loop: e₀ lies in the cone of e₁, e₂, e₃, its border included. None where an angle is not
+/// True if some z ≥ 0 closes the loop: e₀ lies in the cone of e₁, e₂, e₃, including its border. None if an angle is not
 /// finite.
 pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
     if !angles.is_finite() {
@@ -74,8 +74,8 @@ impl Angles {
     }
 }
 
-/// The exact criterion: P₂ + Q₂z₁ > 0 and P₃ + Q₃z₁ > 0 each leave a ray of z₁ or none, and both
-/// with z₁ > 0 an interval. None where an angle is not finite.
+/// The exact criterion: P₂ + Q₂z₁ > 0 and P₃ + Q₃z₁ > 0 each give a ray of z₁ or none, together with z₁ > 0 an
+/// interval. None if an angle is not finite.
 pub fn truth(angles: &Angles) -> Option<Truth> {
     if !angles.is_finite() {
         return None;
@@ -101,8 +101,8 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
     })
 }
 
-/// With e₃ = ±e₂ the product with e₂ leaves e₀ × e₂ = z₁ e₁ × e₂; then ±z₃ and z₂ make up the rest
-/// along e₂: any amount where they are opposite, a positive one where they are not.
+/// With e₃ = ±e₂ the product with e₂ gives e₀ × e₂ = z₁ e₁ × e₂. z₂ and ±z₃ make up the rest along e₂: any amount if e₂
+/// and e₃ are opposite, otherwise a positive one.
 fn parallel(angles: &Angles) -> Truth {
     let [frame, coupler] = [angles.frame, angles.coupler].map(|angle| {
         let (sin, cos) = (angles.output - angle).sin_cos();
@@ -110,7 +110,7 @@ fn parallel(angles: &Angles) -> Truth {
     });
     let opposite = (angles.input - angles.output).cos() < 0.0;
     if coupler[0].abs() < tolerance::NEGLIGIBLE {
-        // The coupler is parallel as well; then so is the frame, or nothing closes.
+        // The coupler is parallel as well; then the loop closes only if the frame is, too.
         let in_line = frame[0].abs() < tolerance::NEGLIGIBLE;
         let along = opposite || frame[1] > 0.0 || coupler[1] < 0.0;
         return Truth::InLine {
