@@ -115,8 +115,8 @@ impl Scheme {
         while !apart {
             apart = true;
             for pair in 0..count {
-                let own = |free: usize| parts.angle_offset(constraints.pair_of(free)) == pair;
-                if parts.angle_offset(pair) == pair && equilibrium.free().any(own) {
+                let own = |free: usize| parts.representative(constraints.pair_of(free)) == pair;
+                if parts.representative(pair) == pair && equilibrium.free().any(own) {
                     let stressed = constraints.stressed(&equilibrium.mixture(own));
                     apart &= !parts.join(&stressed);
                 }
@@ -124,17 +124,17 @@ impl Scheme {
         }
         let mut counts = vec![0; count];
         for free in equilibrium.free() {
-            counts[parts.angle_offset(constraints.pair_of(free))] += 1;
+            counts[parts.representative(constraints.pair_of(free))] += 1;
         }
         let parts = (0..count)
-            .filter(|angle_offset| counts[*angle_offset] > 0)
-            .map(|angle_offset| {
+            .filter(|representative| counts[*representative] > 0)
+            .map(|representative| {
                 let mut pairs: Vec<usize> = (0..count)
-                    .filter(|pair| parts.angle_offset(*pair) == angle_offset)
+                    .filter(|pair| parts.representative(*pair) == representative)
                     .collect();
                 sort_by_key(&mut pairs, |pair| &self.pairs()[*pair].name);
                 Redundancy {
-                    count: counts[angle_offset],
+                    count: counts[representative],
                     pairs,
                 }
             });
@@ -157,7 +157,7 @@ impl Parts {
         Self((0..count).collect())
     }
 
-    fn angle_offset(&self, mut pair: usize) -> usize {
+    fn representative(&self, mut pair: usize) -> usize {
         while self.0[pair] != pair {
             pair = self.0[pair];
         }
@@ -168,7 +168,7 @@ impl Parts {
     fn join(&mut self, pairs: &[usize]) -> bool {
         let mut joined = false;
         for two in pairs.windows(2) {
-            let [one, other] = [two[0], two[1]].map(|pair| self.angle_offset(pair));
+            let [one, other] = [two[0], two[1]].map(|pair| self.representative(pair));
             self.0[one.max(other)] = one.min(other);
             joined |= one != other;
         }

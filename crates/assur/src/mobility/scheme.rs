@@ -355,7 +355,7 @@ fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefec
 /// Links that are not connected to the ground.
 fn apart(spec: &SchemeSpec, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
     let mut leader: Vec<usize> = (0..numbers.len()).collect();
-    fn angle_offset(leader: &mut [usize], mut link: usize) -> usize {
+    fn representative(leader: &mut [usize], mut link: usize) -> usize {
         while leader[link] != link {
             leader[link] = leader[leader[link]];
             link = leader[link];
@@ -366,13 +366,13 @@ fn apart(spec: &SchemeSpec, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
         let mut links = pair.links.iter().map(|link| numbers[link.as_str()]);
         let Some(first) = links.next() else { continue };
         for other in links {
-            let ends = [first, other].map(|link| angle_offset(&mut leader, link));
+            let ends = [first, other].map(|link| representative(&mut leader, link));
             // The smaller number is the representative, so the ground, number 0, is that of its part.
             leader[ends[0].max(ends[1])] = ends[0].min(ends[1]);
         }
     }
     let links = 0..numbers.len();
     links
-        .filter(|link| angle_offset(&mut leader, *link) != 0)
+        .filter(|link| representative(&mut leader, *link) != 0)
         .collect()
 }

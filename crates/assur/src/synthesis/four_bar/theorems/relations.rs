@@ -35,27 +35,27 @@ pub fn relations(
         if !angles.is_finite() {
             continue;
         }
-        let mut told = Told::new(k, angles);
-        told.contour(z, length);
-        told.functional(z);
-        told.system();
+        let mut collected = Collected::new(k, angles);
+        collected.contour(z, length);
+        collected.functional(z);
+        collected.system();
         if let Some(by) = angles.subsystem(Unknown::Coupler) {
-            told.closed(&by, z[0]);
-            told.ranges(&by, z[0]);
-            told.cases();
+            collected.closed(&by, z[0]);
+            collected.ranges(&by, z[0]);
+            collected.cases();
         }
         let open = functional(angles, z).sqrt() * length;
-        told.angle("000.ex.phi1", "φ₁", angles.coupler);
-        told.same("000.ex.lengths", "l₀√J", open);
-        told.angle("000.ex.deviation", "φ₁", *coupler);
-        told.same("000.ex.deviation", "l₀√J", gap.abs() * length);
-        all.extend(told.all);
+        collected.angle("000.ex.phi1", "φ₁", angles.coupler);
+        collected.same("000.ex.lengths", "l₀√J", open);
+        collected.angle("000.ex.deviation", "φ₁", *coupler);
+        collected.same("000.ex.deviation", "l₀√J", gap.abs() * length);
+        all.extend(collected.all);
     }
     all
 }
 
 /// Relations of a position.
-struct Told<'a> {
+struct Collected<'a> {
     number: usize,
     angles: &'a Angles,
     all: Vec<Relation>,
@@ -64,7 +64,7 @@ struct Told<'a> {
 /// Superscript digits.
 const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
-impl<'a> Told<'a> {
+impl<'a> Collected<'a> {
     fn new(index: usize, angles: &'a Angles) -> Self {
         Self {
             number: index + 1,
@@ -171,8 +171,8 @@ impl<'a> Told<'a> {
         if let Some(system) = System::new(&[*self.angles]) {
             for (name, rank) in [("rank A", system.rank), ("rank Ā", system.augmented_rank())] {
                 let rank = isize::try_from(rank).unwrap_or_default();
-                let told = Relation::count("000.rank", self.name(name), rank, 2);
-                self.all.push(told);
+                let collected = Relation::count("000.rank", self.name(name), rank, 2);
+                self.all.push(collected);
             }
         }
         self.of(
