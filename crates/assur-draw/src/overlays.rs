@@ -119,8 +119,8 @@ pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, 
     let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
     parts::arrow(list, Role::Ink, start, tip, unit);
     // The name stands on its own vector, where others may be near.
-    let off = along * 1.2;
-    let at = from + along * (0.55 * length);
+    let off = along;
+    let at = from + along * (0.52 * length);
     list.name(Role::Ink, name, at, [off.x, off.y]);
 }
 
