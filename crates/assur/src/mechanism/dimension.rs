@@ -195,7 +195,7 @@ impl LinkageSpec {
         }
     }
 
-    /// True if the distances of a link's points may change: it is fixed to no other and, if it has more than two
+    /// True if the distances of a link's points may change: it is fixed to no other and, with more than two
     /// points, no other is fixed to it.
     fn is_free(&self, link: &LinkSpec) -> bool {
         let points = link.points.len();
