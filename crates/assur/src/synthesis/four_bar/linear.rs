@@ -52,7 +52,7 @@ pub(super) fn least_squares<const N: usize>(mut rows: Vec<Vec<f64>>) -> Option<[
     right.iter().all(|x| x.is_finite()).then_some(right)
 }
 
-/// Basis of the solutions of R = N − 2 homogeneous equations; none if their space has more than two dimensions.
+/// Basis of the solutions of R = N − 2 homogeneous equations; none if the space has three dimensions or more.
 pub(super) fn plane<const N: usize>(mut rows: Vec<Vec<f64>>) -> Option<[[f64; N]; 2]> {
     let columns = eliminate(&mut rows, N, SINGULAR)?;
     let mut free = (0..N).filter(|column| !columns.contains(column));
