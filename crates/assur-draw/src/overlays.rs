@@ -120,7 +120,7 @@ pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, 
     parts::arrow(list, Role::Ink, start, tip, unit);
     // The name stands on its own vector, where others may be near.
     let off = along;
-    let at = from + along * (0.52 * length);
+    let at = from + along * (0.55 * length);
     list.name(Role::Ink, name, at, [off.x, off.y]);
 }
 
@@ -282,7 +282,7 @@ mod tests {
         let name = &list.numbers()[list.numbers().len() - 7..];
         let [x, y, dx, dy] = [name[3], name[4], name[5], name[6]].map(f64::from);
         assert!((4.0 * x - 3.0 * y).abs() < 1e-5 && (4.0 * dx - 3.0 * dy).abs() < 1e-5);
-        assert!((x.hypot(y) - 0.52 * 5.0).abs() < 1e-5);
+        assert!((x.hypot(y) - 0.55 * 5.0).abs() < 1e-5);
         for (unit, radius) in [(0.1, 0.8), (1.0, 1.6)] {
             let mut list = List::default();
             side_angle(&mut list, [a, b, c], 7, unit);
