@@ -118,10 +118,8 @@ pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, 
     // Hinges stay free.
     let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
     parts::arrow(list, Role::Ink, start, tip, unit);
-    // The name stands on its own vector, where others may be near.
-    let off = along;
-    let at = from + along * (0.55 * length);
-    list.name(Role::Ink, name, at, [off.x, off.y]);
+    let left = [-1.1 * along.y, 1.1 * along.x];
+    list.name(Role::Ink, name, from + along * (0.26 * length), left);
 }
 
 /// The acute angle at a dyad's inner hinge c between the lines to its outer ones,
@@ -273,16 +271,16 @@ mod tests {
         }
     }
 
-    /// The name of a vector stands on it, that of an angle of sides between them, nearer than the end of the shorter.
+    /// The name of a vector is to its left, that of an angle of sides between them, nearer than the end of the shorter.
     #[test]
-    fn names_of_vectors_and_of_their_angles_are_theirs() {
+    fn names_of_vectors_and_of_their_angles() {
         let mut list = List::default();
         let [a, b, c] = [[4.0, 0.0], [0.0, 0.0], [3.0, 4.0]].map(Point::from);
         loop_vector(&mut list, [b, c], 7, 0.1);
         let name = &list.numbers()[list.numbers().len() - 7..];
         let [x, y, dx, dy] = [name[3], name[4], name[5], name[6]].map(f64::from);
-        assert!((4.0 * x - 3.0 * y).abs() < 1e-5 && (4.0 * dx - 3.0 * dy).abs() < 1e-5);
-        assert!((x.hypot(y) - 0.55 * 5.0).abs() < 1e-5);
+        assert!((4.0 * x - 3.0 * y).abs() < 1e-5 && 3.0 * dy - 4.0 * dx > 0.0);
+        assert!((x.hypot(y) - 0.26 * 5.0).abs() < 1e-5);
         for (unit, radius) in [(0.1, 0.8), (1.0, 1.6)] {
             let mut list = List::default();
             side_angle(&mut list, [a, b, c], 7, unit);
