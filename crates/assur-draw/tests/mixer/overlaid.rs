@@ -237,7 +237,7 @@ fn loop_vectors_lie_on_the_loop() {
         assert!(distance(start, from, to) < 1e-6 && distance(tip, from, to) < 1e-6);
         gaps.extend([(start - from).norm(), (tip - to).norm()]);
         let label = drawn.label(&moving, name);
-        assert!((place(&label[3..]) - (from + (to - from) * 0.55)).norm() < 1e-6);
+        assert!((place(&label[3..]) - (from + (to - from) * 0.26)).norm() < 1e-6);
     }
     assert!(
         gaps.iter().all(|gap| (gap / gaps[0] - 1.0).abs() < 1e-4),
