@@ -534,7 +534,7 @@ solution?: number | null,
  */
 trial?: [number, number, number] | null, 
 /**
- * The function with which what is shown is compared, wherever the positions come from.
+ * The function with which the shown linkage is compared, wherever the positions come from.
  */
 function?: FunctionDocument | null, };
 export type PositionDocument = { 

@@ -451,7 +451,7 @@ printed: PrintedSummary | null,
  */
 weighted: WeightedSummary | null, 
 /**
- * How far what is drawn is off the wanted function, where the document has one.
+ * Error of the drawn linkage against the wanted function, if the document has one.
  */
 function: FunctionSummary | null, 
 /**

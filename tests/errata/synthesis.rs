@@ -124,7 +124,7 @@ fn synthesis_relations_name_their_positions() {
     assert!(all.iter().all(|one| one.item != "000.(16)"));
 }
 
-/// What is told of an item at one position: z₁, z₂, z₃ and l₀ = 10.
+/// The relations of an item at one position: z₁, z₂, z₃ and l₀ = 10.
 fn told(angles: Angles, z: [f64; 3], item: &str) -> Vec<f64> {
     let all = relations(&[angles], z, 10.0, &[[0.1, 0.2]]).into_iter();
     let of_item = all.filter(|one| one.item == item);
@@ -138,7 +138,7 @@ fn closing(angles: &Angles, z1: f64) -> [f64; 3] {
     [z1, z2, z3]
 }
 
-/// (1) and z are told of the lengths that are looked at: what is left of the contour is l₀√J long, and nothing where they close it.
+/// (1) and z are those of the given lengths: the gap of the contour is l₀√J, and zero if they close it.
 #[test]
 fn synthesis_1_contour_of_the_lengths_looked_at() {
     for angles in sets().filter(is_apart) {
@@ -227,7 +227,7 @@ fn synthesis_11_lacks_the_angle_between() {
         far += u32::from(off > 0.1);
         let constant = (z1 * z1 - z2 * z2 - z3 * z3 - 1.0) / (2.0 * z2 * z3);
         assert_near(e03 / z2 + e02 / z3 + constant, e23, 1e-13, "(12)");
-        // What is told of (11) is its right side at the lengths that close the position.
+        // The relation (11) shows its right side at the lengths that close the position.
         let z = [0.7, 1.3, 0.4];
         let [value] = told(angles, z, "000.(11)")[..] else {
             panic!("(11)");

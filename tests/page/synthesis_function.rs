@@ -122,7 +122,7 @@ async fn powers_and_tables() {
     page.close().await;
 }
 
-/// What is wrong is said in the dialog in every language, by the field at fault, and changes nothing; the dialog has room and names.
+/// The dialog names the field at fault in every language and changes nothing; the dialog has room and names.
 #[tokio::test]
 async fn what_is_wrong_is_said_in_the_dialog() {
     let page = open(&preset("family")).await;

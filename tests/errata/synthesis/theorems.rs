@@ -94,20 +94,25 @@ fn synthesis_theorems_3_to_5_are_not_enough() {
     }
 }
 
+/// Asserts that no four-bar takes up two positions together.
+fn have_no_linkage(positions: &[Position; 2]) {
+    let frame = Frame {
+        length: 1.0,
+        angle: 0.0,
+    };
+    let task = Task::new(frame, positions, Task::RATIOS).unwrap();
+    assert!(matches!(
+        TwoPositions::new(&task),
+        Some(TwoPositions::None(_))
+    ));
+}
+
 /// No theorem speaks of two positions together: these have no linkage, though each alone has many.
 #[test]
 fn synthesis_theorems_speak_of_one_position() {
     let degrees = [[90.0_f64, 120.0], [60.0, 100.0]];
     let positions = degrees.map(|p| Position::new(p[0].to_radians(), p[1].to_radians()));
-    let frame = Frame {
-        length: 1.0,
-        angle: 0.0,
-    };
-    let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
-    assert!(matches!(
-        TwoPositions::new(&task),
-        Some(TwoPositions::None(_))
-    ));
+    have_no_linkage(&positions);
     for [output, input] in degrees {
         let solvable = (0..360).filter(|coupler| {
             truth(&angles([f64::from(*coupler), output, input]))
@@ -148,15 +153,7 @@ fn synthesis_revolute_pairs_are_a_restriction() {
     let guide = 200.0_f64.to_radians();
     let inputs = [45.0_f64, 60.0].map(f64::to_radians);
     let positions = inputs.map(|input| Position::new(guide, input));
-    let frame = Frame {
-        length: 1.0,
-        angle: 0.0,
-    };
-    let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
-    assert!(matches!(
-        TwoPositions::new(&task),
-        Some(TwoPositions::None(_))
-    ));
+    have_no_linkage(&positions);
     let (coupler, input) = (0.9, 0.4);
     let outputs = inputs.map(|turn| {
         // p = e₀ − z₃e₃ is z₁ from the guide's point z₂e₂.

@@ -1,4 +1,4 @@
-// The wanted function of a synthesis: how far what is drawn is off it, in a sentence and over x. The dialog that puts positions on it is
+// The wanted function of a synthesis: the error of the drawn linkage, in a sentence and over x. The dialog that puts positions on it is
 // loaded when it is asked for.
 import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";

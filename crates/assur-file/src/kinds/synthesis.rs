@@ -48,7 +48,7 @@ pub struct SynthesisDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub trial: Option<[f64; 3]>,
-    /// The function with which what is shown is compared, wherever the positions come from.
+    /// The function with which the shown linkage is compared, wherever the positions come from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub function: Option<FunctionDocument>,

@@ -38,7 +38,7 @@ pub(crate) struct SynthesisSummary<'a> {
     printed: Option<PrintedSummary>,
     /// What Levitsky's quadratic approximation comes to.
     weighted: Option<WeightedSummary>,
-    /// How far what is drawn is off the wanted function, where the document has one.
+    /// Error of the drawn linkage against the wanted function, if the document has one.
     function: Option<FunctionSummary>,
     /// What is drawn, as a linkage for the simulator.
     #[cfg_attr(test, ts(type = "{ kind: \"linkage\", document: LinkageDocument }"))]
