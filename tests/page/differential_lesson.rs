@@ -12,6 +12,7 @@ use thirtyfour::prelude::*;
 
 use crate::browser::{Page, setting};
 use crate::device::languages;
+use crate::host::home;
 use crate::layout::defects;
 
 /// How many steps the lesson has.
@@ -332,5 +333,40 @@ async fn a_member_has_its_use() {
     assert!(seen.contains("By the table: ventilating rooms"), "{seen:?}");
     page.choose("field-members\\.satellite", "none").await;
     assert_eq!(page.ask(uses).await, json!([]));
+    page.close().await;
+}
+
+/// Numbers that run leave the question below them where it is, on a phone too.
+#[tokio::test]
+async fn running_energies_keep_their_height() {
+    let step = "v.lesson=%7B%22id%22%3A%22differential%22%2C%22step%22%3A9%7D";
+    let page = Page::open_at(&format!("{}#train-magnets&{step}", home()), "uk").await;
+    page.screen((360, 740), 2.0).await;
+    page.until("the lesson", async || {
+        page.count("#lesson-title").await == 1
+    })
+    .await;
+    page.click("lesson-on").await;
+    page.until("the energies", async || {
+        page.count("#train-energies tr").await > 3
+    })
+    .await;
+    page.settle().await;
+    page.ask(
+        "window.heights = new Set(); window.texts = new Set();
+        const look = () => {
+            const table = document.querySelector('#train-energies table');
+            window.heights.add(table.offsetHeight);
+            window.texts.add(table.textContent);
+            requestAnimationFrame(look);
+        };
+        look();",
+    )
+    .await;
+    page.until("a run", async || {
+        page.ask("return window.texts.size > 40").await == json!(true)
+    })
+    .await;
+    assert_eq!(page.ask("return window.heights.size").await, json!(1));
     page.close().await;
 }

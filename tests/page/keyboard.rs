@@ -16,15 +16,25 @@ async fn focused(page: &Page) -> String {
     page.ask(script).await.as_str().unwrap().to_owned()
 }
 
-/// Presses Tab until an element has the focus, with Shift where that is back: beyond the last element Tab leads out of the page.
+/// Presses Tab until an element has the focus.
 pub(crate) async fn tab_to(page: &Page, id: &str) {
+    tab_until(page, &format!("[id=\"{id}\"]")).await;
+}
+
+/// Presses Tab until an element of a selector has the focus, with Shift if that is back: beyond the last element Tab leads
+/// out of the page. Returns the id of the element.
+pub(crate) async fn tab_until(page: &Page, selector: &str) -> String {
     let before = format!(
-        "return Boolean(document.activeElement.compareDocumentPosition(document.getElementById('{id}')) & Node.DOCUMENT_POSITION_PRECEDING)"
+        "return Boolean(document.activeElement.compareDocumentPosition(document.querySelector('{selector}')) & Node.DOCUMENT_POSITION_PRECEDING)"
     );
     let back = page.ask(&before).await == json!(true);
+    let there = format!(
+        "const at = document.activeElement;
+        return (at.matches('summary') && !at.id ? at.parentElement : at).matches('{selector}')"
+    );
     for _ in 0..STOPS {
-        if focused(page).await == id {
-            return;
+        if page.ask(&there).await == json!(true) {
+            return focused(page).await;
         }
         if back {
             page.chord(&[Key::Shift], Key::Tab).await;
@@ -32,7 +42,7 @@ pub(crate) async fn tab_to(page: &Page, id: &str) {
             page.keys(Key::Tab + "").await;
         }
     }
-    panic!("no press of Tab leads to {id}");
+    panic!("no press of Tab leads to {selector}");
 }
 
 #[tokio::test]

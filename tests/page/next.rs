@@ -9,7 +9,7 @@ use thirtyfour::prelude::*;
 
 use crate::browser::Page;
 use crate::host::home;
-use crate::keyboard::tab_to;
+use crate::keyboard::{tab_to, tab_until};
 use crate::touch::tap;
 
 /// Right answers by lesson and step; by the name of the button where a step shows several mechanisms.
@@ -79,13 +79,9 @@ impl Hands {
         if self != Self::Keys {
             return self.press(page, &id).await;
         }
-        // Tab leads to the chosen one of the list, or to its first; back to its last. Arrows go on from there.
-        let stop = "const all = [...document.querySelectorAll('[name=lesson-choice]')];
-            const back = document.activeElement.compareDocumentPosition(all[0]) & Node.DOCUMENT_POSITION_PRECEDING;
-            return (all.find(({ checked }) => checked) ?? all.at(back ? -1 : 0)).id;";
-        let stop = page.ask(stop).await;
-        tab_to(page, stop.as_str().unwrap()).await;
-        if stop == json!(id) {
+        // Which one of the list Tab leads to differs between browsers; arrows go on from there.
+        let stop = tab_until(page, "[name=lesson-choice]").await;
+        if stop == id {
             page.keys(" ").await;
         }
         while page.focused().await.as_deref() != Some(&id) {
