@@ -31,7 +31,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
   {
     id: "driver",
     formula: "3n − 2P₁ = 0",
-    shows: [{ preset: PRESET, drive: "CD", at: ({ home }) => home, overlays: ["traces", "groups"], plot: "AB.angle" }],
+    shows: [{ preset: PRESET, drive: "CD", at: ({ cycle: { arcs: [[start, end]] } }) => (start + end) / 2, overlays: ["traces", "groups"], plot: "AB.angle" }],
     readouts: ["formula"],
     question: { hides: ["class"], choices: ["ii", "iii", "iv"], answer: classOf },
   },
