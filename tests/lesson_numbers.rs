@@ -1,5 +1,5 @@
 //! The numbers that lessons write in their texts, in every language, are those that the
-//! engine computes: here those of the Class IV mechanism.
+//! engine computes.
 
 mod assemblies;
 mod class4_notes;

@@ -1,4 +1,5 @@
-//! Angles that keep their digits over any number of turns.
+//! Angles that keep their digits over any number of turns, for gear trains over time. The angles of a linkage are
+//! continued in `position::state`.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Sub;

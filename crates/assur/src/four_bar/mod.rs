@@ -1,4 +1,4 @@
-//! The four-bar linkage, in closed form.
+//! The loop closure of the four-bar (in analysis, Freudenstein's equation) in closed form; [`FourBar::pose`] solves it.
 //!
 //! A = (0, 0) and D = (l₄, 0) on the frame; crank AB at φ₁, coupler BC at φ₂,
 //! rocker DC at φ₃, all from +x. The diagonal BD = l₅ cuts the loop into two

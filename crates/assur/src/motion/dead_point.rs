@@ -1,4 +1,5 @@
-//! Dead points: the ends of a motion.
+//! Dead points: the ends of a motion. Those of dyads are found in `continuation::obstacle`, those of groups in
+//! `continuation::fold`.
 
 use crate::index::StepId;
 

@@ -1,4 +1,4 @@
-//! The pose of all bodies while the steps of the plan are solved in order.
+//! The pose of all bodies while the steps of the plan are solved in order; angles continue from the last pose.
 
 use std::f64::consts::TAU;
 

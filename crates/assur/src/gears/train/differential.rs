@@ -1,4 +1,4 @@
-//! The three coaxial shafts and their equation.
+//! Willis's equation of the three coaxial shafts; [`Differential::solve`] solves it.
 
 use super::{TrainError, planar_shafts};
 use crate::Fault;

@@ -1,4 +1,8 @@
-//! All assemblies of an Assur group with its inputs solved.
+//! All assemblies of an Assur group with its inputs solved: groups of hinges by Dixon's determinant, others by homotopy.
+//!
+//! A list counts as complete if it has as many complex solutions as general dimensions give (2, 6, 14 to 20), beyond
+//! three unknowns if two hidden directions agree; that is checked, not proved (`enumeration`). From one input to the next
+//! the solutions are tracked (`tracking`).
 
 mod bilinear;
 mod dixon;

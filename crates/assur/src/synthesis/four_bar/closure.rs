@@ -1,4 +1,4 @@
-//! The gap that output and input leave for the coupler.
+//! Closure of the loop by the coupler: the gap that output and input leave for it, for least squares.
 
 use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};

@@ -1,4 +1,4 @@
-//! The main equation, from which the coupler's angle is eliminated.
+//! The main equation of the paper, (12): Freudenstein's equation, the loop closure without the coupler's angle.
 
 use super::closure::dot;
 use super::{Solution, Task};
