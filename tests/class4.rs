@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use assur::Point;
-use assur::circuits::{Circuits, Meeting, MeetingKind};
+use assur::circuits::{Circuits, Meeting, MeetingKind, Thoroughness};
 use assur::mechanism::{ConstraintKind, LinkageSpec, Mechanism, Method, Quantity};
 use assur::motion::{Motion, OutputProfile, PhaseKind};
 use assur_tests::{Table, assert_near};
@@ -318,6 +318,13 @@ fn all_motions() {
     let found = Circuits::of(&mechanism, output);
     assert!(found.is_whole());
     assert_eq!((found.branches().len(), found.count()), (12, 6));
+    // A search that ends at three branches is not whole.
+    let short = Thoroughness {
+        max_branches: 2,
+        ..Thoroughness::default()
+    };
+    let short = Circuits::searched(&mechanism, output, short);
+    assert_eq!((short.branches().len(), short.is_whole()), (3, false));
     let cycles = found.branches().iter();
     let cycles = cycles.filter(|branch| branch.motion.cycle().is_full());
     assert_eq!(cycles.count(), 4);
@@ -325,11 +332,11 @@ fn all_motions() {
     for row in Table::parse(include_str!("data/class4_folds.csv")).rows() {
         let at = row.get("phi_deg").to_radians();
         let fold = found.meetings().iter();
-        let off = |meeting: &&Meeting| (found.first_told(meeting.inputs[0]) - at).abs();
+        let off = |meeting: &&Meeting| (found.wrapped(meeting.inputs[0]) - at).abs();
         let fold = fold.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap();
         assert_eq!(fold.kind, MeetingKind::Fold);
         for (branch, input) in fold.branches.into_iter().zip(fold.inputs) {
-            assert_near(found.first_told(input), at, 1e-9, "fold");
+            assert_near(found.wrapped(input), at, 1e-9, "fold");
             // The angle goes with the square root of the way to it.
             let motion = &found.branches()[branch].motion;
             let psi = motion
@@ -362,7 +369,7 @@ fn all_motions() {
     let mut ends: Vec<f64> = found
         .meetings()
         .iter()
-        .map(|one| found.first_told(one.inputs[0]))
+        .map(|one| found.wrapped(one.inputs[0]))
         .collect();
     ends.sort_by(f64::total_cmp);
     let ten = ends

@@ -118,11 +118,11 @@ fn four_bars() {
             .iter()
             .map(|meeting| {
                 assert_eq!(meeting.kind, MeetingKind::Fold, "{what}");
-                found.first_told(meeting.inputs[0])
+                found.wrapped(meeting.inputs[0])
             })
             .collect();
         let dead_points = linkage.dead_points().into_iter();
-        let mut dead_points: Vec<f64> = dead_points.map(|input| found.first_told(input)).collect();
+        let mut dead_points: Vec<f64> = dead_points.map(|input| found.wrapped(input)).collect();
         for all in [&mut folds, &mut dead_points] {
             all.sort_by(f64::total_cmp);
         }
@@ -252,7 +252,7 @@ fn drawn_otherwise() {
             for (one, other) in found.meetings().iter().zip(again.meetings()) {
                 assert_eq!(one.branches, other.branches, "{what}");
                 let told = [(&found, one), (&again, other)];
-                let told = told.map(|(found, one)| found.first_told(one.inputs[0]));
+                let told = told.map(|(found, one)| found.wrapped(one.inputs[0]));
                 assert!((told[0] - told[1]).abs() < 1e-8, "{what}: {told:?}");
             }
             for _ in 0..4 {

@@ -167,7 +167,7 @@ impl Told<'_> {
         let folds = self.found.meetings().iter();
         let folds = folds.filter(|meeting| meeting.kind == MeetingKind::Fold);
         let folds = folds.map(|meeting| {
-            let (key, at) = self.placed(self.found.first_told(meeting.inputs[0]));
+            let (key, at) = self.placed(self.found.wrapped(meeting.inputs[0]));
             json!({key: at, "branches": meeting.branches.map(|branch| branch + 1)})
         });
         json!({

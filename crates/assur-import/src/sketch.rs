@@ -4,6 +4,7 @@ mod document;
 mod names;
 mod rates;
 
+use assur::sorting::extremes;
 use assur_file::{LengthUnit, MeshDocument};
 
 use crate::{ImportProblem, Imported, LeftOut};
@@ -167,9 +168,7 @@ impl Sketch {
     pub(crate) fn size(&self) -> f64 {
         let extent = |axis: usize| {
             let places = self.joints.iter().map(|joint| joint.at[axis]);
-            let ends = places.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
-                [least.min(x), most.max(x)]
-            });
+            let ends = extremes(places);
             (ends[1] - ends[0]).max(0.0)
         };
         extent(0).hypot(extent(1))

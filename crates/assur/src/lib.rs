@@ -48,6 +48,7 @@ pub mod mechanism;
 pub mod mixer;
 pub mod mobility;
 pub mod motion;
+mod numeric;
 pub mod polygons;
 mod position;
 mod relation;

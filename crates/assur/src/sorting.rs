@@ -20,6 +20,13 @@ pub fn sort_by_key<T, K: Ord>(list: &mut [T], key: impl Fn(&T) -> K) {
     permute(list, order(keys.len(), &|a, b| keys[a].cmp(&keys[b])));
 }
 
+/// Minimum and maximum; infinite, the minimum the greater one, without any value.
+pub fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], value| {
+        [min.min(value), max.max(value)]
+    })
+}
+
 /// The indices below a count, sorted by a comparison of their items.
 #[inline(never)]
 fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize> {

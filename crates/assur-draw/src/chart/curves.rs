@@ -3,7 +3,7 @@
 
 use assur::Jet;
 use assur::motion::{Features, InputRate, Kind, Sampling, Shown, Spacing};
-use assur::sorting::sort_by;
+use assur::sorting::{extremes, sort_by};
 
 use super::{Series, Settings};
 
@@ -204,9 +204,7 @@ fn marks(features: &Features) -> Vec<Mark> {
 
 /// The range of the values with a margin; of a constant, room around it.
 pub(super) fn range(values: impl Iterator<Item = f64>) -> Range {
-    let [min, max] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], value| {
-        [min.min(value), max.max(value)]
-    });
+    let [min, max] = extremes(values);
     if min > max {
         return Range {
             min: -1.0,

@@ -1,6 +1,7 @@
 //! Blocks and the guides they slide on; the ground that legs stand on.
 
 use assur::mechanism::{DriverSpec, LinkId, LinkOrFrame, Mechanism, PointId, Pose, SlideSpec};
+use assur::sorting::extremes;
 use assur::{Point, Vector, nearest};
 
 use super::View;
@@ -83,9 +84,7 @@ pub(super) fn guides(
             (at - start).dot(&along)
         };
         let ways = runs.iter().flatten().map(|(_, pose)| way(pose));
-        let [low, high] = ways.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], way| {
-            [low.min(way), high.max(way)]
-        });
+        let [low, high] = extremes(ways);
         if low > high {
             return None;
         }

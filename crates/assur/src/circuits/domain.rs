@@ -3,12 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::mechanism::Mechanism;
-use crate::motion::Motion;
-
-/// Maximum number of turns searched, of a linkage with wheels.
-const MAX_TURNS: usize = 24;
-/// Maximum number of inputs of one motion with equal crank angle: wheels that carry nothing may take a million turns.
-const MAX_VISITS: usize = 256;
+use crate::motion::{MAX_TURNS, Motion};
 
 /// The range of the input in which assemblies are searched.
 #[derive(Clone, Copy, Debug)]
@@ -19,11 +14,11 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// The domain of a mechanism, and true if it is searched completely.
-    pub(super) fn of(mechanism: &Mechanism) -> (Self, bool) {
+    /// The domain of a mechanism, of at most a number of turns, and true if it is searched completely.
+    pub(super) fn of(mechanism: &Mechanism, max_turns: usize) -> (Self, bool) {
         match mechanism.turns_of_assemblies() {
             Some(turns) => {
-                let searched = turns.min(MAX_TURNS);
+                let searched = turns.min(max_turns);
                 let domain = Self {
                     ends: [0.0, TAU * searched as f64],
                     period: Some(TAU * turns as f64),
@@ -76,7 +71,7 @@ impl Domain {
         };
         let image = |k: f64| input + period * k;
         if let (true, Some(turns)) = (cycle.is_full(), cycle.period()) {
-            let visits = (turns / period).round().clamp(1.0, MAX_VISITS as f64) as usize;
+            let visits = (turns / period).round().clamp(1.0, MAX_TURNS as f64) as usize;
             return (0..visits).map(|k| cycle.wrap(image(k as f64))).collect();
         }
         let arcs = cycle.arcs().iter();
@@ -89,7 +84,7 @@ impl Domain {
                 .map(move |k| first + f64::from(k))
                 .take_while(move |k| *k <= last)
         });
-        visits.take(MAX_VISITS).map(image).collect()
+        visits.take(MAX_TURNS).map(image).collect()
     }
 
     /// The wrapped inputs of the ends of a motion.

@@ -9,9 +9,7 @@ use crate::tolerance;
 
 /// Tolerance of the poses at a fold, relative to the size: ten times the square root of the tolerance of its input.
 const FOLD_TOLERANCE: f64 = 1e-2;
-/// Tolerance of the poses at a change point, which is known exactly.
-const CROSSING_TOLERANCE: f64 = 1e-5;
-/// Maximum offset from an unmatched end at which the other branch is searched, relative to the domain.
+/// Maximum offset from an unmatched end at which the other branch is searched, relative to the domain; smaller ones follow.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
 /// The meetings of all branches.
@@ -106,7 +104,7 @@ impl Meetings {
             for (other, other_input, other_pose) in &change_points[k + 1..] {
                 let distance = domain.distance(domain.wrap(*input), domain.wrap(*other_input));
                 let is_same = distance <= tolerance::COINCIDENT * domain.span();
-                if is_same && mechanism.distance(pose, other_pose) < CROSSING_TOLERANCE {
+                if is_same && mechanism.distance(pose, other_pose) < tolerance::TRIPLE_ROOT {
                     self.list.push(Meeting {
                         kind: MeetingKind::Crossing,
                         branches: [*branch, *other],

@@ -19,6 +19,7 @@ use domain::Domain;
 use meetings::Meetings;
 pub use numbering::NoAssembly;
 use search::Search;
+pub use search::Thoroughness;
 
 /// The motions of a linkage in all its assemblies.
 #[derive(Clone, Debug)]
@@ -97,7 +98,12 @@ pub enum Reach {
 impl Circuits {
     /// All motions of a linkage. Assemblies are numbered by the angle of the link `output`.
     pub fn of(mechanism: &Mechanism, output: LinkId) -> Self {
-        let mut search = Search::new(mechanism);
+        Self::searched(mechanism, output, Thoroughness::default())
+    }
+
+    /// The same by a finer or a coarser search.
+    pub fn searched(mechanism: &Mechanism, output: LinkId, thoroughness: Thoroughness) -> Self {
+        let mut search = Search::new(mechanism, thoroughness);
         search.find_all();
         let Search {
             branches: motions,
@@ -156,7 +162,7 @@ impl Circuits {
     }
 
     /// The input reduced to the first period of the set of assemblies, of a crank a number of whole turns.
-    pub fn first_told(&self, input: f64) -> f64 {
+    pub fn wrapped(&self, input: f64) -> f64 {
         self.domain.wrap(input)
     }
 

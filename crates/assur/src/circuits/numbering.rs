@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::domain::Domain;
 use super::order::ascending;
-use super::{Branch, Circuits};
+use super::{Branch, Circuits, Thoroughness};
 use crate::index::LinkId;
 use crate::mechanism::{Assemblies, Following, Mechanism, Method, Pose};
 use crate::motion::Motion;
@@ -157,7 +157,7 @@ impl Motion {
 
     /// The inputs of this motion that equal a given one modulo the period of the set of assemblies.
     fn visits(&self, input: f64) -> Vec<f64> {
-        let (domain, _) = Domain::of(self.mechanism());
+        let (domain, _) = Domain::of(self.mechanism(), Thoroughness::default().max_turns);
         domain.visits(self, input)
     }
 }

@@ -16,24 +16,48 @@ use crate::position::{ComplexPair, Group, Step};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Number of samples per turn, or over a slide's range: of dyads alone, where a sample is cheap and, with many
-/// dimensions, pairs may become real over a short interval; and with other groups.
-const SAMPLES_OF_DYADS: usize = 144;
-const SAMPLES_OF_GROUPS: usize = 24;
 /// Position of a new sample in an interval, off the special poses in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// Maximum number of samples, of branches, and of knots times bodies: if one link is millions of times as long as the
-/// others each motion has thousands of knots.
-const MAX_SAMPLES: usize = 2_000;
-const MAX_BRANCHES: usize = 512;
-const MAX_KNOTS: usize = 500_000;
-/// Minimum interval that is divided, relative to the domain; and for links that go to infinity.
-const MIN_GAP: f64 = 1e-6;
+/// Minimum interval, relative to the domain, that is divided for links that go to infinity: nothing can be missed there but
+/// a branch as short.
 const MIN_GAP_AT_INFINITY: f64 = 1e-3;
 /// A complex pair counts as about to become real if its linear extrapolation reaches zero within this many gaps …
 const EXTRAPOLATION: f64 = 1.5;
 /// … and as the start of a known branch at the end of the gap unless it does so before this fraction of it.
 const EARLY: f64 = 0.8;
+
+/// How finely all motions of a linkage are searched, and where the search stops. The default finds them all in the tests
+/// of this engine; a finer search takes longer and finds branches over shorter intervals at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Thoroughness {
+    /// Number of first samples per turn, or over a slide's range, of dyads alone: 144, as a sample is cheap and, with many
+    /// dimensions, pairs may become real over a short interval.
+    pub samples_of_dyads: usize,
+    /// The same with other groups: 24.
+    pub samples_of_groups: usize,
+    /// Maximum number of turns of a linkage with wheels: 24.
+    pub max_turns: usize,
+    /// Maximum number of samples: 2,000.
+    pub max_samples: usize,
+    /// Maximum number of branches: 512.
+    pub max_branches: usize,
+    /// Maximum number of knots times bodies: 500,000. If one link is millions of times as long as the others each motion
+    /// has thousands of knots.
+    pub max_knots: usize,
+}
+
+impl Default for Thoroughness {
+    fn default() -> Self {
+        Self {
+            samples_of_dyads: 144,
+            samples_of_groups: 24,
+            max_turns: 24,
+            max_samples: 2_000,
+            max_branches: 512,
+            max_knots: 500_000,
+        }
+    }
+}
 
 /// The assemblies at an input.
 struct Sample {
@@ -55,6 +79,7 @@ struct Division<'a> {
 /// State of the search.
 pub(super) struct Search<'a> {
     mechanism: &'a Mechanism,
+    thoroughness: Thoroughness,
     pub(super) branches: Vec<Motion>,
     pub(super) domain: Domain,
     /// True while no branch can have been missed.
@@ -65,10 +90,11 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(mechanism: &'a Mechanism) -> Self {
-        let (domain, whole) = Domain::of(mechanism);
+    pub(super) fn new(mechanism: &'a Mechanism, thoroughness: Thoroughness) -> Self {
+        let (domain, whole) = Domain::of(mechanism, thoroughness.max_turns);
         Self {
             mechanism,
+            thoroughness,
             branches: Vec::new(),
             domain,
             whole,
@@ -91,9 +117,9 @@ impl<'a> Search<'a> {
         }
         let has_groups = groups.count() > 0;
         let samples = if has_groups {
-            SAMPLES_OF_GROUPS
+            self.thoroughness.samples_of_groups
         } else {
-            SAMPLES_OF_DYADS
+            self.thoroughness.samples_of_dyads
         };
         let [from, to] = self.domain.ends;
         let turns = if self.domain.period.is_some() {
@@ -117,7 +143,7 @@ impl<'a> Search<'a> {
             for input in next {
                 self.sample(input);
             }
-            if self.samples.len() > MAX_SAMPLES || self.is_exhausted() {
+            if self.samples.len() > self.thoroughness.max_samples || self.is_exhausted() {
                 self.whole = false;
                 break;
             }
@@ -132,7 +158,8 @@ impl<'a> Search<'a> {
 
     /// True if the limit of work is reached.
     fn is_exhausted(&self) -> bool {
-        self.branches.len() > MAX_BRANCHES || self.knots > MAX_KNOTS
+        self.branches.len() > self.thoroughness.max_branches
+            || self.knots > self.thoroughness.max_knots
     }
 
     /// Adds a branch.
@@ -220,7 +247,7 @@ impl<'a> Search<'a> {
         let bounds = bounds.filter(|_| self.domain.period.is_none());
         let mut divisions: Vec<Division<'_>> = samples.chain(ends).chain(bounds).collect();
         sort_by(&mut divisions, |a, b| a.input.total_cmp(&b.input));
-        let same = MIN_GAP * self.domain.span();
+        let same = tolerance::TRIPLE_ROOT * self.domain.span();
         divisions.dedup_by(|next, last| {
             let are_ends = next.sample.is_none() && last.sample.is_none();
             let is_same = are_ends && next.input - last.input < same;
@@ -246,7 +273,7 @@ impl<'a> Search<'a> {
             let gap = next - low.input;
             let may_miss = match (low.sample, high.sample) {
                 (None, None) => true,
-                _ if gap < MIN_GAP * span => false,
+                _ if gap < tolerance::TRIPLE_ROOT * span => false,
                 _ => {
                     let is_wide = gap > MIN_GAP_AT_INFINITY * span;
                     let may_miss = |sample: Option<&Sample>, sense, known| {

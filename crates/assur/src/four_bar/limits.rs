@@ -1,6 +1,6 @@
 //! Limit positions of the rocker, its swing and the time ratio.
 
-use crate::sorting::sort_by;
+use crate::sorting::{extremes, sort_by};
 use std::f64::consts::{PI, TAU};
 
 use super::{Assembly, FourBar};
@@ -114,16 +114,13 @@ impl FourBar {
                 return vec![Swing::Turns];
             }
         }
-        let extremes = self.turnings(assembly);
+        let turnings = self.turnings(assembly);
         let between = |[from, to]: &[f64; 2]| {
-            let of_arc = extremes
+            let of_arc = turnings
                 .iter()
                 .filter(|crank| (*from..=*to).contains(*crank));
             let angles = of_arc.filter_map(|crank| rocker(*crank));
-            let [min, max] = angles
-                .fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], angle| {
-                    [min.min(angle), max.max(angle)]
-                });
+            let [min, max] = extremes(angles);
             Swing::Between { min, max }
         };
         cycle.arcs().iter().map(between).collect()

@@ -187,8 +187,8 @@ impl<const N: usize> Search<'_, N> {
             self.found.complex.push(ways.complex);
             self.found.unreal.extend(ways.complex_pairs);
             for way in &ways.real {
-                group.set(&mut self.natural, &way.own);
-                for (body, turn) in &way.turned {
+                group.set(&mut self.natural, &way.unknowns);
+                for (body, turn) in &way.turns {
                     let drawn = self.mechanism.orientations[*body];
                     self.orientations[*body] = drawn.turned_to(*turn);
                 }

@@ -115,10 +115,11 @@ impl Mechanism {
         let mut state: State<1> = self.blank_state();
         for step in before.ids() {
             // If φ₁ passes a change point, a whole turn leads to the other assembly.
-            if let Step::FourBar(closed) = &mut self.steps[step]
-                && closed.linkage.changes()
+            if let Step::Rrr(dyad) = &mut self.steps[step]
+                && let Some(four_bar) = &mut dyad.four_bar
+                && four_bar.linkage.changes()
             {
-                closed.angle_offset += turned;
+                four_bar.angle_offset += turned;
             }
             self.mount(step, drawn_input, &mut state);
             let given = self.given(step, drawn_input, self.signs[step]);

@@ -94,13 +94,13 @@ impl Mechanism {
             })
         };
         let steps = self.steps.enumerate();
-        steps.filter_map(move |(step, placing)| match placing {
-            Step::FourBar(closed) => Some(DrivenFourBar {
+        steps.filter_map(move |(step, placing)| {
+            let four_bar = placing.four_bar()?;
+            Some(DrivenFourBar {
                 step,
-                linkage: &closed.linkage,
-                angle_offset: closed.angle_offset - angle_offset(closed.crank)?,
-            }),
-            _ => None,
+                linkage: &four_bar.linkage,
+                angle_offset: four_bar.angle_offset - angle_offset(four_bar.crank)?,
+            })
         })
     }
 
@@ -140,7 +140,8 @@ impl Mechanism {
     /// its whole motion.
     pub(crate) fn whole_closed_form(&self) -> bool {
         let known = |step: &Step| match step {
-            Step::Crank(_) | Step::FourBar(_) => true,
+            Step::Crank(_) => true,
+            Step::Rrr(dyad) => dyad.four_bar.is_some(),
             Step::Epicyclic(train) => train
                 .bodies()
                 .all(|body| !self.carries(body) && self.returns(body)),

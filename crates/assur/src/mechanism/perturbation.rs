@@ -210,10 +210,8 @@ impl Mechanism {
 
     /// Side on which a sign joins the links of a step.
     fn side(&self, step: StepId, sign: Sign, state: &State<1>) -> f64 {
-        match &self.steps[step] {
-            Step::FourBar(closed) => closed.side(sign, state),
-            _ => sign.factor(),
-        }
+        let four_bar = self.steps[step].four_bar();
+        four_bar.map_or(sign.factor(), |four_bar| four_bar.side(sign, state))
     }
 
     /// A step whose links moved farther than those of a neighbour.

@@ -9,8 +9,9 @@ use crate::sorting::sort_by;
 use crate::{Assembly, Cycle};
 
 impl Motion {
-    /// The motion of a four-bar and the wheels on it; if its crank cannot turn fully, over the drawn arc.
-    pub(super) fn in_closed_form(mut mechanism: Mechanism) -> Self {
+    /// The motion of a four-bar and the wheels on it; if its crank cannot turn fully, over the drawn arc. Cranks and wheels
+    /// alone repeat after a number of turns.
+    pub(super) fn in_closed_form(mut mechanism: Mechanism, turns_of_wheels: usize) -> Self {
         let arc = mechanism.closed_steps().next();
         let arc = arc.and_then(|closed| closed.arc(mechanism.drawn_input()));
         // The arc is shifted by whole turns to begin within [−π, π).
@@ -29,7 +30,7 @@ impl Motion {
                 (Cycle::swinging(arc, Some(TAU)), ends.to_vec())
             }
             _ => {
-                let turns = closed.map_or(1, |closed| closed.turns());
+                let turns = closed.map_or(turns_of_wheels, |closed| closed.turns());
                 (Cycle::turning(turns), Vec::new())
             }
         };
@@ -37,15 +38,6 @@ impl Motion {
         let (signs, orientations) = mechanism.as_drawn();
         let knots = Knots::single(drawn_input, signs, orientations);
         Self::of(mechanism, cycle, knots, dead_points, drawn_input)
-    }
-
-    /// The motion of cranks and wheels alone, which repeats after `turns`.
-    pub(super) fn of_wheels(mechanism: Mechanism, turns: usize) -> Self {
-        let cycle = Cycle::turning(turns);
-        let drawn_input = cycle.wrap(mechanism.drawn_input());
-        let (signs, orientations) = mechanism.as_drawn();
-        let knots = Knots::single(drawn_input, signs, orientations);
-        Self::of(mechanism, cycle, knots, Vec::new(), drawn_input)
     }
 }
 

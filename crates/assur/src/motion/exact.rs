@@ -8,21 +8,18 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{DeadPointKind, Motion};
 use crate::mechanism::{Defect, DriverSpec, FRAME, LinkageSpec, Mechanism};
+use crate::numeric::newton::MAX_STEPS_FROM_DRAWING;
 use crate::{Point, Vector, tolerance};
 
 /// Maximum displacement of a point, relative to the size of the drawing.
 pub const NEARLY: f64 = 1e-3;
-/// Number of poses on each side of the drawing, the angle of the crank between them, radians, and the steps between two.
-const POSES: usize = 4;
-const POSE_ANGLE: f64 = 0.15;
+/// Angles of the crank, radians, in the poses on each side of the drawing: four, for the redundant constraints have to
+/// hold over a motion and not at an instant.
+const POSE_ANGLES: [f64; 4] = [0.15, 0.3, 0.45, 0.6];
+/// Number of steps from a pose to the next, for each begins at the extrapolation of two before.
 const STEPS: usize = 4;
-/// Maximum number of Gauss–Newton steps.
-const MAX_NEWTON_STEPS: usize = 40;
-/// Weight of a change of the drawing relative to one of a pose.
+/// Scale of the unknowns of poses relative to those of the drawing: large, so that the poses are as good as free.
 const DRAWING_WEIGHT: f64 = 1e2;
-/// Tolerance of parallel links in the mean of the poses, radians: one of them may be close to a singular pose and
-/// inexact.
-const PARALLEL: f64 = 2e-3;
 /// Relative tolerances of the rank for the initial poses, tried in turn: near a singular pose they keep the error of the
 /// drawing from growing.
 const INITIAL_RANKS: [f64; 3] = [1e-3, 1e-2, 3e-4];
@@ -258,18 +255,20 @@ impl System {
         let mut angles = Vec::new();
         for sense in [1.0, -1.0] {
             let [mut before, mut pose] = [0, 1].map(|_| drawn.clone());
-            for step in 1..=POSES * STEPS {
-                let angle = sense * POSE_ANGLE * step as f64 / STEPS as f64;
-                // Extrapolation stays on the branch at a change point.
-                let extrapolated = pose.iter().zip(&before).map(|(now, then)| 2.0 * now - then);
-                let both = drawn.iter().copied().chain(extrapolated);
-                let both = DVector::from_iterator(2 * width, both);
-                let next = self.nearest(both, &[angle], [0.0, rank])?;
-                before = std::mem::replace(&mut pose, next.as_slice()[width..].to_vec());
-                if step % STEPS == 0 {
-                    angles.push(angle);
-                    all.extend(&pose);
+            let mut last = 0.0;
+            for angle in POSE_ANGLES.map(|angle| sense * angle) {
+                for step in 1..=STEPS {
+                    let angle = last + (angle - last) * step as f64 / STEPS as f64;
+                    // Extrapolation stays on the branch at a change point.
+                    let extrapolated = pose.iter().zip(&before).map(|(now, then)| 2.0 * now - then);
+                    let both = drawn.iter().copied().chain(extrapolated);
+                    let both = DVector::from_iterator(2 * width, both);
+                    let next = self.nearest(both, &[angle], [0.0, rank])?;
+                    before = std::mem::replace(&mut pose, next.as_slice()[width..].to_vec());
                 }
+                angles.push(angle);
+                all.extend(&pose);
+                last = angle;
             }
         }
         // Bound on the residuals if an exact drawing is within `NEARLY`: most locked drawings end here, before the
@@ -317,7 +316,8 @@ impl System {
                 let difference = rotation(other) - one.map_or(0.0, rotation);
                 2.0 * (0.5 * difference).sin().abs()
             });
-            deviations.sum::<f64>() <= PARALLEL * count
+            // Both ends of a link may be displaced. The mean counts: one pose may be close to a singular one and inexact.
+            deviations.sum::<f64>() <= 2.0 * NEARLY * count
         };
         let mut parallel = Vec::new();
         for (k, line) in self.lines.iter().enumerate() {
@@ -352,7 +352,7 @@ impl System {
                 DRAWING_WEIGHT
             }
         };
-        for _ in 0..MAX_NEWTON_STEPS {
+        for _ in 0..MAX_STEPS_FROM_DRAWING {
             let (residuals, mut jacobian) = self.residuals(&at, angles);
             if residuals.amax() <= tolerance::EXACT * self.size * self.size {
                 break;

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::OutputProfile;
-use crate::sorting::sort_by;
+use crate::sorting::{extremes, sort_by};
 use crate::{Swing, tolerance};
 
 /// A limit position: the quantity is at rest and turns back.
@@ -32,9 +32,7 @@ impl OutputProfile<'_> {
         }
         let swing = |arc: &[f64; 2]| {
             let values = self.turnings(*arc).into_iter().map(|[_, value]| value);
-            let [min, max] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], v| {
-                [min.min(v), max.max(v)]
-            });
+            let [min, max] = extremes(values);
             if max - min <= tolerance::COINCIDENT * self.motion.unit(self.quantity) {
                 let value = min.midpoint(max);
                 return Swing::Between {

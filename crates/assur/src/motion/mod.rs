@@ -15,7 +15,6 @@ mod joined;
 mod limits;
 mod pose_order;
 mod profile;
-pub(crate) mod root;
 mod sampling;
 mod smooth;
 mod table;
@@ -41,21 +40,19 @@ use std::cell::RefCell;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use crate::Cycle;
 use crate::index::StepId;
 use crate::mechanism::{AssemblySigns, Mechanism, Pose, Unsolved};
+use crate::numeric::roots::bisect;
 use crate::position::Step;
+use crate::{Cycle, tolerance};
 use continuation::{Continuation, End, Knots, longest_step};
-use root::bisect;
 use turn_count::range_between;
 
 /// Number of samples per turn when extrema are searched; the unit of the steps of the continuation.
 const SAMPLES_PER_TURN: usize = 360;
-/// Number of doublings of the offset from an end of an arc to a pose, from the rounding of the input on: as rounding
-/// needs …
-const ROUNDING_DOUBLINGS: u32 = 6;
-/// … and where another group ends the motion before.
-const MAX_DOUBLINGS: u32 = 40;
+/// Maximum number of turns of a motion that are searched, for its extrema and among those of other assemblies: more
+/// could not be distinguished in a plot, and wheels that carry nothing may take a million.
+pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
 /// were determined once, by following the motion.
@@ -74,9 +71,9 @@ impl Motion {
     /// The motion of a mechanism through its drawn pose. Another assembly is drawn by [`Motion::in_assembly`].
     pub fn new(mechanism: Mechanism) -> Self {
         if mechanism.whole_closed_form() {
-            Self::in_closed_form(mechanism)
+            Self::in_closed_form(mechanism, 1)
         } else if let Some(turns) = mechanism.turns_of_wheels() {
-            Self::of_wheels(mechanism, turns)
+            Self::in_closed_form(mechanism, turns)
         } else {
             Self::followed(mechanism)
         }
@@ -158,27 +155,16 @@ impl Motion {
         motion
     }
 
-    /// Pulls the ends of the arcs inward by ulps until the pose exists: changing the whole turns of an input rounds it
-    /// again, possibly beyond the dead point.
+    /// Pulls the ends of the arcs inward until the pose exists: changing the whole turns of an input rounds it again,
+    /// possibly beyond the dead point.
     fn end_in_poses(&mut self) {
         if self.cycle.is_full() {
             return;
         }
         let arcs = self.cycle.arcs().to_vec();
         for (index, arc) in arcs.into_iter().enumerate() {
-            let largest = arc[0].abs().max(arc[1].abs());
-            let unit = f64::EPSILON * largest.max(self.mechanism.span());
-            let ends = [[arc[0], arc[1]], [arc[1], arc[0]]].map(|[end, other]| {
-                let ulp = (other - end).signum() * unit;
-                let mut inside = (0..ROUNDING_DOUBLINGS)
-                    .map(|doubled| end + ulp * f64::from((1_u32 << doubled) - 1))
-                    .take_while(|input| (other - input) * (other - end) > 0.0);
-                let found = inside.find(|input| self.pose::<1>(*input).is_ok());
-                match found {
-                    Some(input) => (input, None),
-                    None => self.end_before(end, other, unit).unwrap_or((end, None)),
-                }
-            });
+            let ends = [[arc[0], arc[1]], [arc[1], arc[0]]];
+            let ends = ends.map(|ends| self.last_pose(ends).unwrap_or((ends[0], None)));
             for dead in &mut self.dead_points {
                 if let Some(side) = arc.iter().position(|end| *end == dead.input) {
                     let (input, step) = ends[side];
@@ -189,15 +175,20 @@ impl Motion {
         }
     }
 
-    /// The last input with a pose before an end without one, and the step that fails beyond it: of two dead points
-    /// close to each other another than the expected one may come first.
-    fn end_before(&self, end: f64, other: f64, unit: f64) -> Option<(f64, Option<StepId>)> {
-        let mut step = self.pose::<1>(end).err()?.step;
+    /// The last input with a pose towards an end of an arc, given with the other end: by doubled offsets from the end.
+    /// If it differs from the end by more than rounding, also the step that fails beyond it: of two dead points close to
+    /// each other another than the expected one may come first.
+    fn last_pose(&self, [end, other]: [f64; 2]) -> Option<(f64, Option<StepId>)> {
+        let scale = end.abs().max(other.abs()).max(self.mechanism.span());
         let sense = (other - end).signum();
-        let mut inputs = (ROUNDING_DOUBLINGS..MAX_DOUBLINGS)
-            .map(|doubled| end + sense * unit * 2_f64.powi(doubled as i32))
-            .take_while(|input| (other - input) * sense > 0.0);
+        let ulps = (0..f64::MANTISSA_DIGITS).map(|doubled| ((1_u64 << doubled) - 1) as f64);
+        let inputs = ulps.map(|ulps| end + sense * f64::EPSILON * scale * ulps);
+        let mut inputs = inputs.take_while(|input| (other - input) * sense > 0.0);
         let inside = inputs.find(|input| self.pose::<1>(*input).is_ok())?;
+        if (inside - end).abs() <= tolerance::CONVERGED * scale {
+            return Some((inside, None));
+        }
+        let mut step = self.pose::<1>(end).err()?.step;
         let last = bisect([inside, end], |input| {
             let unsolved = self.pose::<1>(input).err();
             step = unsolved.as_ref().map_or(step, |unsolved| unsolved.step);

@@ -9,9 +9,10 @@ mod flank;
 use std::cell::RefCell;
 
 use super::features::turning_points;
-use super::root::root;
 use super::{Motion, Phase, TooManyTurns};
 use crate::mechanism::{Pose, Quantity};
+use crate::numeric::roots::root;
+use crate::sorting::extremes;
 use crate::tolerance;
 
 /// An arc of the input over which a quantity stays within a band.
@@ -202,9 +203,7 @@ impl<'a> OutputProfile<'a> {
     fn dwell_on(&self, arc: [f64; 2]) -> Dwell {
         let ends = arc.map(|input| self.value(input)).into_iter().flatten();
         let values = ends.chain(self.within(arc).map(|[_, value]| value));
-        let band = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-            [low.min(value), high.max(value)]
-        });
+        let band = extremes(values);
         Dwell { arc, band }
     }
 
@@ -306,10 +305,7 @@ impl<'a> OutputProfile<'a> {
     pub fn stroke(&self) -> Option<f64> {
         let strokes = self.strokes();
         let values = strokes.iter().flatten().map(|[_, value]| *value);
-        let [least, most] = values.fold(
-            [f64::INFINITY, f64::NEG_INFINITY],
-            |[least, most], value| [least.min(value), most.max(value)],
-        );
+        let [least, most] = extremes(values);
         (least <= most).then_some(most - least)
     }
 }

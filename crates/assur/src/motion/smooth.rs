@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use super::Motion;
-use crate::Jet;
 use crate::index::StepId;
 use crate::mechanism::Cause;
-use crate::position::{KNOWN, ROUNDING, SmoothRoot};
+use crate::position::{KNOWN, SmoothRoot};
 use crate::sorting::sort_by;
+use crate::{Jet, tolerance};
 
-/// Maximum reach of the interpolation on each side of a change point, relative to the span of the input.
+/// Maximum reach of the interpolation on each side of a change point, relative to the span of the input: 15° of a crank. It
+/// is halved until the error is rounding.
 const MAX_REACH: f64 = 1.0 / 24.0;
 
 impl Motion {
@@ -32,7 +33,7 @@ impl Motion {
         let placing = &self.mechanism.steps()[step];
         let margins = self.margins(step, input)?;
         let square = placing.square(margins);
-        let rounding = placing.scales().map(|scale| ROUNDING * scale);
+        let rounding = placing.scales().map(|scale| tolerance::CONVERGED * scale);
         let perturbed = [0, 1].map(|which| margins[which] + rounding[which]);
         let rounding = (placing.square(perturbed) - square).value();
         let mut best: Option<(f64, SmoothRoot)> = None;

@@ -60,13 +60,7 @@ impl Motion {
         dyad: &RrrDyad,
     ) -> Result<Option<WorstTransmission>, TooManyTurns> {
         let mechanism = self.mechanism();
-        let lesser = |least: WorstTransmission, next: WorstTransmission| {
-            if next.angle < least.angle {
-                next
-            } else {
-                least
-            }
-        };
+        let by_angle = |a: &WorstTransmission, b: &WorstTransmission| a.angle.total_cmp(&b.angle);
         if let Some(closed) = mechanism.closed_form_of(dyad) {
             let arcs = self.cycle().arcs().iter();
             let inputs = arcs.flat_map(|arc| {
@@ -81,7 +75,7 @@ impl Motion {
                 let angle = angle.ok()?;
                 Some(WorstTransmission { angle, input })
             });
-            return Ok(found.reduce(lesser));
+            return Ok(found.min_by(by_angle));
         }
         // The cosine is linear in the square of the diagonal, which needs no root.
         let diagonal = self.telling(|pose: &Pose<3>| mechanism.diagonal(pose, dyad));
@@ -89,7 +83,7 @@ impl Motion {
         let reach = mechanism.reach_of(dyad);
         let unit = reach * self.unit_within(reach);
         let found = self.extreme(Quantity::Transmission(*dyad), &diagonal, unit)?;
-        Ok(found.reduce(lesser))
+        Ok(found.min_by(by_angle))
     }
 
     /// The maximum pressure angle of an RRP dyad: at an extremum of its sine, at the end of an arc, or at a change
@@ -106,13 +100,8 @@ impl Motion {
         let rise = |input: f64| rise(input).ok();
         let unit = self.unit_within(mechanism.rod_of(dyad));
         let found = self.extreme(Quantity::Pressure(*dyad), &rise, unit)?;
-        Ok(found.reduce(|greatest, next| {
-            if next.angle > greatest.angle {
-                next
-            } else {
-                greatest
-            }
-        }))
+        // Of equal ones the first.
+        Ok(found.min_by(|a, b| b.angle.total_cmp(&a.angle)))
     }
 
     /// The acute angle at every input at which it can be extreme: the extrema of its monotone function, the ends, the

@@ -182,3 +182,22 @@ fn left(v: Vector) -> Vector {
 pub(crate) fn conjugate(v: Vector) -> Vector {
     Vector::new(v.x, -v.y)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Complex, product, quotient};
+    use crate::{Jet, Vector};
+
+    /// (3 + 4i)/i = 4 − 3i, and back; e^(iθ) turns (2, 0) by a right angle at the rate i.
+    #[test]
+    fn by_hand() {
+        let (v, i) = (Vector::new(3.0, 4.0), Vector::y());
+        assert_eq!(quotient(v, i), Vector::new(4.0, -3.0));
+        assert_eq!(product(quotient(v, i), i), v);
+        let turned = Complex::turn(Jet::<2>::linear(std::f64::consts::FRAC_PI_2, 1.0));
+        let turned = turned.by(Vector::new(2.0, 0.0));
+        for (found, expected) in [(turned[0], [0.0, 2.0]), (turned[1], [-2.0, 0.0])] {
+            assert!((found - Vector::from(expected)).norm() < 1e-15, "{found}");
+        }
+    }
+}

@@ -1,30 +1,24 @@
-//! The dyad RRR between a crank on the frame and the frame: a four-bar, whose closed form passes change points smoothly
-//! without a previous pose.
+//! The four-bar of a dyad RRR between a crank on the frame and the frame. Its closed form passes change points smoothly
+//! without a previous pose, and is exact next to them.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::dyads::Triangle;
-use super::{
-    Angle, Arm, Cause, Complex, Enclosure, Orientation, Predictor, Sign, Singularity, Solvable,
-    State, StepContext,
-};
-use crate::index::{BodyId, StepId};
+use super::{Angle, Arm, CLOSE, Cause, Complex, Orientation, Sign, State};
+use crate::index::BodyId;
 use crate::{Assembly, FourBar, Unsolved, Vector};
 
-/// Minimum of P and Q, relative to (l₂ + l₃)², with the links far from being in line.
+/// Minimum of P and Q, relative to (l₂ + l₃)², with the links far from being in line: their roots lose at most two digits.
 const MIN_MARGIN: f64 = 1.0 / 64.0;
-/// Minimum of l₂ and l₃ relative to l₂ + l₃, and of l₂ + l₃ relative to the distance from the origin, of long links.
-const MIN_LENGTH: f64 = 1.0 / 64.0;
 
-/// A four-bar within a mechanism.
+/// A four-bar on the driven crank.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct FourBarStep {
+pub(crate) struct CrankFourBar {
     pub(crate) linkage: FourBar,
     /// The body of the crank, and φ₁, measured from the line AD, less its angle.
     pub(crate) crank: BodyId,
     pub(crate) angle_offset: f64,
-    /// Coupler and rocker, and the offsets of the angles of their bodies from φ₂ and φ₃.
-    pub(crate) arms: [Arm; 2],
+    /// Offsets of the angles of the bodies of coupler and rocker from φ₂ and φ₃.
     arm_offsets: [f64; 2],
     /// Minimum of P and Q to lay it as any dyad; infinite if it never may.
     min_margin: f64,
@@ -32,14 +26,15 @@ pub(crate) struct FourBarStep {
     across: [(f64, Vector); 2],
 }
 
-impl FourBarStep {
+impl CrankFourBar {
     /// The four-bar of a crank, with its hinge on the frame and on itself, and of the coupler and rocker that join it to
     /// the frame. None if its lengths are invalid.
     pub(crate) fn new(
         crank: BodyId,
         (a, hinge): (Vector, Vector),
-        [coupler, rocker]: [Arm; 2],
+        arms: &[Arm; 2],
     ) -> Option<Self> {
+        let [coupler, rocker] = arms;
         let out = coupler.outer.local - hinge;
         let base = rocker.outer.local - a;
         let lengths = [out.norm(), coupler.length(), rocker.length(), base.norm()];
@@ -47,10 +42,9 @@ impl FourBarStep {
         let distance = (a.norm() + lengths[0]).max(rocker.outer.local.norm());
         let linkage = FourBar::new(lengths).ok()?;
         let [out, frame] = [out, base].map(|v| v.y.atan2(v.x));
-        let arms = [coupler, rocker];
         let [l2, l3] = arms.each_ref().map(Arm::length);
         let sum = l2 + l3;
-        let long = l2.min(l3) > MIN_LENGTH * sum && sum > MIN_LENGTH * distance;
+        let long = l2.min(l3) > CLOSE * sum && sum > CLOSE * distance;
         let plain = lengths[0] < lengths[3] && long && !linkage.changes();
         let arm_offsets = arms.each_ref().map(|arm| {
             let along = arm.to - arm.from;
@@ -60,7 +54,6 @@ impl FourBarStep {
             linkage,
             crank,
             angle_offset: out - frame,
-            arms,
             arm_offsets,
             min_margin: if plain {
                 MIN_MARGIN * sum * sum
@@ -74,12 +67,31 @@ impl FourBarStep {
         })
     }
 
-    /// Lays the links as those of any dyad, which is as exact far from poses in line, and takes less than half the time.
+    /// Places the links: far from poses in line as those of any dyad, which is as exact there and takes less than half the
+    /// time.
+    #[inline(always)]
+    pub(super) fn place<const N: usize>(
+        &self,
+        arms: &[Arm; 2],
+        state: &mut State<N>,
+        sign: Sign,
+        triangle: &Triangle<N>,
+    ) -> Result<(), Cause> {
+        let [p, q] = triangle.margins.map(|margin| margin.value());
+        if p.min(q) <= self.min_margin {
+            return self.set_angles(arms, state, sign);
+        }
+        triangle.lay(state, arms, triangle.root(sign.factor()));
+        self.turn_near(arms, state, sign);
+        Ok(())
+    }
+
+    /// Takes the angles of links laid as those of any dyad, less than half a turn from a known orientation.
+    ///
     /// With a crank shorter than the frame φ₅ is within a quarter turn of AD, so φ₂ and φ₃ are within half a turn of ±π/2.
-    fn lay<const N: usize>(&self, state: &mut State<N>, sign: Sign, triangle: &Triangle<N>) {
-        triangle.lay(state, &self.arms, triangle.root(sign.factor()));
+    fn turn_near<const N: usize>(&self, arms: &[Arm; 2], state: &mut State<N>, sign: Sign) {
         let plus = sign == Sign::Plus;
-        for (arm, (angle, turn)) in self.arms.iter().zip(self.across) {
+        for (arm, (angle, turn)) in arms.iter().zip(self.across) {
             let (angle, turn) = if plus {
                 (angle, turn)
             } else {
@@ -90,7 +102,12 @@ impl FourBarStep {
     }
 
     /// Places each link by its own angle: rounding of the joints would turn a short link.
-    fn set_angles<const N: usize>(&self, state: &mut State<N>, sign: Sign) -> Result<(), Cause> {
+    fn set_angles<const N: usize>(
+        &self,
+        arms: &[Arm; 2],
+        state: &mut State<N>,
+        sign: Sign,
+    ) -> Result<(), Cause> {
         let crank = state.angle(self.crank).value() + self.angle_offset;
         let pose = self.linkage.pose_along::<N>(sign.into(), crank);
         let pose = pose.map_err(|unsolved| match unsolved {
@@ -101,7 +118,7 @@ impl FourBarStep {
         })?;
         let [coupler, rocker] = self.arm_offsets;
         let angles = [pose.coupler + coupler, pose.rocker + rocker];
-        for (arm, angle) in self.arms.iter().zip(angles) {
+        for (arm, angle) in arms.iter().zip(angles) {
             let at = state.place(arm.outer);
             state.put(arm.body, Complex::turn(angle), arm.from, at);
             state.bodies[arm.body].angle = Angle::Known(angle);
@@ -122,47 +139,5 @@ impl From<Sign> for Assembly {
             Sign::Plus => Self::First,
             Sign::Minus => Self::Second,
         }
-    }
-}
-
-impl Solvable for FourBarStep {
-    fn solve<const N: usize>(
-        &self,
-        state: &mut State<N>,
-        context: &StepContext<'_, N>,
-    ) -> Result<(), Cause> {
-        let triangle = Triangle::of(state, &self.arms);
-        let [p, q] = triangle.margins.map(|margin| margin.value());
-        // For the kind of a dead point and the distance from one; the closed form needs no margins.
-        state.margins[context.step] = triangle.margins;
-        if p.min(q) > self.min_margin {
-            self.lay(state, context.sign, &triangle);
-            return Ok(());
-        }
-        self.set_angles(state, context.sign)
-    }
-
-    fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
-        cell.enclose_arms(from, &self.arms)
-    }
-
-    fn bodies(&self) -> impl Iterator<Item = BodyId> {
-        self.arms.each_ref().map(|arm| arm.body).into_iter()
-    }
-
-    fn depends_on(&self, body: BodyId) -> bool {
-        self.arms.iter().any(|arm| arm.outer.body == body)
-    }
-
-    fn tracks_turns(&self) -> bool {
-        false
-    }
-
-    fn has_sign(&self) -> bool {
-        true
-    }
-
-    fn singularity(&self) -> Singularity {
-        Singularity::InLine
     }
 }

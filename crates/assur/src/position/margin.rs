@@ -1,10 +1,7 @@
 //! Margins: squares whose roots the closed form of a dyad takes, which must not become negative.
 
 use super::{Cause, Complex};
-use crate::Jet;
-
-/// Maximum of a zero margin relative to its scale: the rounding of its squares.
-pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
+use crate::{Jet, tolerance};
 
 /// Why a margin has no root.
 pub(crate) enum Dead {
@@ -14,12 +11,12 @@ pub(crate) enum Dead {
     Beyond,
 }
 
-/// True if a margin is positive, false if it is zero within rounding, which has a root only without derivatives; `scale`
-/// is the size of its squares.
+/// True if a margin is positive, false if it is zero within the rounding of its squares, of the size `scale`: then it has
+/// a root only without derivatives.
 pub(crate) fn clear<const N: usize>(margin: Jet<N>, scale: f64) -> Result<bool, Dead> {
-    if margin.value() > ROUNDING * scale {
+    if margin.value() > tolerance::CONVERGED * scale {
         Ok(true)
-    } else if margin.value() < -ROUNDING * scale {
+    } else if margin.value() < -tolerance::CONVERGED * scale {
         Err(Dead::Beyond)
     } else if N == 1 {
         Ok(false)
@@ -46,7 +43,7 @@ pub(crate) fn crossing<const N: usize>(
     let [(p, u), (q, v)] = lines;
     let sine = v.dot(u.left());
     *margin = [sine.square(); 2];
-    if sine.value().abs() <= ROUNDING {
+    if sine.value().abs() <= tolerance::CONVERGED {
         return Err(Cause::Parallel);
     }
     let along = (q - p).dot(v.left()) * -sine.recip();

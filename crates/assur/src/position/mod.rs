@@ -31,11 +31,10 @@ pub(crate) use drive_law::DriveLaw;
 pub(crate) use dyads::{Prp, Rpp, Rpr, Rrp, Rrr, Side};
 pub(crate) use enclosure::Enclosure;
 pub(crate) use epicyclic::{EpicyclicStep, Member};
-pub(crate) use four_bar::FourBarStep;
+pub(crate) use four_bar::CrankFourBar;
 pub(crate) use group::{
     AngleConstraint, BodyForms, Drive, Equation, Form, Group, KnownTerm, power_of_two,
 };
-pub(crate) use margin::ROUNDING;
 use margin::{Dead, clear, crossing};
 pub(crate) use slider::Slider;
 pub(crate) use smooth_root::{KNOWN, SmoothRoot};
@@ -43,11 +42,11 @@ use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Sign, Solvable, Step, StepContext};
 
-/// Maximum distance of close points relative to the lengths that place them: the direction between them loses digits.
+/// Maximum distance of close points relative to the lengths that place them: the direction between them and, if they are
+/// the outer hinges of a dyad, the closed forms of its derivatives lose digits.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
-/// Maximum squared distance of outer hinges that are near each other, relative to the squared size of the dyad: the closed
-/// forms of the derivatives lose digits there.
-const NEAR_SQUARED: f64 = 1e-3;
+/// Its square.
+pub(crate) const CLOSE_SQUARED: f64 = CLOSE * CLOSE;
 
 /// A point of a body, in local coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,9 +95,9 @@ pub(crate) struct Track {
     pub(crate) heading: Vector,
     /// The direction of the line on the link, of length 1.
     pub(crate) direction: Vector,
-    /// A point of the link, and its offset to the left of the line.
+    /// A point of the link, and its distance to the left of the line.
     pub(crate) point: Vector,
-    pub(crate) off: f64,
+    pub(crate) offset: f64,
 }
 
 /// The kind of singular position that a dead point of a step is.

@@ -25,7 +25,7 @@ impl Solvable for Slider {
             return Err(Cause::Input);
         }
         let (start, direction) = state.line(track);
-        let at = direction * Complex::new(coordinate, Jet::constant(track.off));
+        let at = direction * Complex::new(coordinate, Jet::constant(track.offset));
         state.slid(track, direction, start + at);
         Ok(())
     }

@@ -10,8 +10,8 @@ use crate::index::StepId;
 pub(crate) const KNOWN: usize = 6;
 /// Number of Taylor coefficients of root/u at the change point: the first two of the square are zero.
 const KNOWN_AT_CHANGE: usize = KNOWN - 2;
-/// Number of interpolation conditions.
-const CONDITIONS: usize = KNOWN_AT_CHANGE + 2 * KNOWN;
+/// Newton's divided differences, one for each coefficient at the three nodes.
+type Differences = [f64; KNOWN_AT_CHANGE + 2 * KNOWN];
 
 /// The signed root of a step of the plan around a change point.
 #[derive(Clone, Debug)]
@@ -21,8 +21,8 @@ pub(crate) struct SmoothRoot {
     pub(crate) input: f64,
     /// Distance of the outer nodes before and after it.
     radius: f64,
-    /// Newton's divided differences of root/u, with u = (input − change point) / radius.
-    differences: [f64; CONDITIONS],
+    /// Those of root/u, with u = (input − change point) / radius.
+    differences: Differences,
 }
 
 impl SmoothRoot {
@@ -128,10 +128,10 @@ fn node(k: usize) -> f64 {
 }
 
 /// Newton's divided differences, by the Taylor coefficients at the nodes.
-fn divided(known: impl Fn(usize, usize) -> f64) -> [f64; CONDITIONS] {
-    let mut table = std::array::from_fn(|k| known(k, 0));
-    for order in 1..CONDITIONS {
-        for k in (order..CONDITIONS).rev() {
+fn divided(known: impl Fn(usize, usize) -> f64) -> Differences {
+    let mut table: Differences = std::array::from_fn(|k| known(k, 0));
+    for order in 1..table.len() {
+        for k in (order..table.len()).rev() {
             let width = node(k) - node(k - order);
             table[k] = if width == 0.0 {
                 known(k, order)
@@ -141,4 +141,31 @@ fn divided(known: impl Fn(usize, usize) -> f64) -> [f64; CONDITIONS] {
         }
     }
     table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SmoothRoot;
+    use crate::Jet;
+    use crate::index::StepId;
+
+    /// The root of x²(1 + x)² that is x(1 + x): 0.11 at 0.1, with the derivative 1 + 2x = 1.2.
+    #[test]
+    fn a_root_through_zero() {
+        let square = |x: f64| {
+            let x = Jet::linear(x, 1.0);
+            (x * (x + 1.0)).square()
+        };
+        let nodes = [-0.25, 0.0, 0.25].map(square);
+        let root = SmoothRoot::new((StepId::FIRST, 1.0), [0.0, 0.25], nodes);
+        for (input, value, derivative) in [(0.1, 0.11, 1.2), (-0.1, -0.09, 0.8), (0.0, 0.0, 1.0)] {
+            let found = root.at(Jet::<2>::linear(input, 1.0));
+            assert!(root.covers(input) && !root.covers(0.2));
+            assert!((found.value() - value).abs() < 1e-14, "{found:?}");
+            assert!(
+                (found.derivative(1) - derivative).abs() < 1e-13,
+                "{found:?}"
+            );
+        }
+    }
 }

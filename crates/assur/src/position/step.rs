@@ -2,7 +2,7 @@
 
 use super::margin::root;
 use super::{
-    Cause, Crank, Dead, Enclosure, EpicyclicStep, FourBarStep, Group, Nearby, Predictor, Prp, Rpp,
+    Cause, Crank, CrankFourBar, Dead, Enclosure, EpicyclicStep, Group, Nearby, Predictor, Prp, Rpp,
     Rpr, Rrp, Rrr, Singularity, Slider, SmoothRoot, State,
 };
 use crate::index::{BodyId, StepId};
@@ -87,14 +87,15 @@ pub(crate) trait Solvable {
         true
     }
 
-    /// True if it has two assemblies, distinguished by a sign.
+    /// True if it has two assemblies, distinguished by the sign of the root in its closed form.
     fn has_sign(&self) -> bool {
-        false
+        use Singularity::{InLine, Perpendicular};
+        matches!(self.singularity(), InLine | Perpendicular)
     }
 
     /// True if a margin that touches zero is a change point: the smooth motion continues with the other sign.
     fn passes_change_point(&self) -> bool {
-        false
+        self.has_sign()
     }
 
     /// The square under the root of its closed form, by its margins.
@@ -150,7 +151,6 @@ pub(crate) enum Step {
     Crank(Crank),
     Slider(Slider),
     Epicyclic(EpicyclicStep),
-    FourBar(FourBarStep),
     Rrr(Rrr),
     Rrp(Rrp),
     Rpr(Rpr),
@@ -166,7 +166,6 @@ macro_rules! ask {
             Step::Crank($kind) => $answer,
             Step::Slider($kind) => $answer,
             Step::Epicyclic($kind) => $answer,
-            Step::FourBar($kind) => $answer,
             Step::Rrr($kind) => $answer,
             Step::Rrp($kind) => $answer,
             Step::Rpr($kind) => $answer,
@@ -200,6 +199,14 @@ impl Step {
 
     pub(crate) fn depends_on(&self, body: BodyId) -> bool {
         ask!(self, kind => kind.depends_on(body))
+    }
+
+    /// The four-bar on the driven crank, if it is the dyad of one.
+    pub(crate) fn four_bar(&self) -> Option<&CrankFourBar> {
+        match self {
+            Self::Rrr(dyad) => dyad.four_bar.as_ref(),
+            _ => None,
+        }
     }
 
     pub(crate) fn tracks_turns(&self) -> bool {
@@ -238,6 +245,6 @@ macro_rules! kinds {
 }
 
 kinds! {
-    Crank(Crank) Slider(Slider) Epicyclic(EpicyclicStep) FourBar(FourBarStep)
+    Crank(Crank) Slider(Slider) Epicyclic(EpicyclicStep)
     Rrr(Rrr) Rrp(Rrp) Rpr(Rpr) Prp(Prp) Rpp(Rpp) Group(Group)
 }

@@ -13,7 +13,7 @@ mod willis;
 use crate::Vector;
 use crate::index::{BodyId, Id, LinkId, List, PointId, StepId};
 use crate::position::{
-    Arm, BodyPoint, DriveLaw, FourBarStep, Orientation, Prp, Rpp, Rpr, Rrp, Rrr, Step,
+    Arm, BodyPoint, CrankFourBar, DriveLaw, Orientation, Prp, Rpp, Rpr, Rrp, Rrr, Step,
 };
 use crate::structure::{self, Structure};
 
@@ -226,9 +226,12 @@ impl Placed<'_> {
                 },
                 Inner::Hinge([c_i, c_j]),
             ) => {
-                let arms = [Arm::new(i, b, [from, c_i]), Arm::new(j, d, [start, c_j])];
-                let closed = self.four_bar(&arms).map(Step::from);
-                closed.unwrap_or_else(|| Rrr { arms }.into())
+                let mut arms = [Arm::new(i, b, [from, c_i]), Arm::new(j, d, [start, c_j])];
+                if b.body == BodyId::FRAME && Some(d.body) == self.crank {
+                    arms.reverse();
+                }
+                let four_bar = self.four_bar(&arms);
+                Rrr { arms, four_bar }.into()
             }
             (Outer::Hinge { at, hinge }, Outer::Slide(slide), Inner::Hinge([c_i, c_j])) => {
                 let arm = Arm::new(i, at, [hinge, c_i]);
@@ -262,19 +265,14 @@ impl Placed<'_> {
         Some(step)
     }
 
-    /// The closed form of a four-bar, if the dyad joins the driven crank and the frame: exact next to change points, it
+    /// The four-bar of arms of which the first is hinged on the driven crank and the second on the frame: its closed form
     /// gives arcs and dead points as well.
-    fn four_bar(&self, arms: &[Arm; 2]) -> Option<FourBarStep> {
+    fn four_bar(&self, arms: &[Arm; 2]) -> Option<CrankFourBar> {
         let crank = self.crank?;
-        let [first, second] = arms.each_ref().map(|arm| arm.outer.body);
-        let arms = if [first, second] == [crank, BodyId::FRAME] {
-            arms.clone()
-        } else if [first, second] == [BodyId::FRAME, crank] {
-            [arms[1].clone(), arms[0].clone()]
-        } else {
+        if arms.each_ref().map(|arm| arm.outer.body) != [crank, BodyId::FRAME] {
             return None;
-        };
+        }
         let (on_frame, hinge) = self.bodies.hinge([BodyId::FRAME, crank])?;
-        FourBarStep::new(crank, (on_frame.local, hinge), arms)
+        CrankFourBar::new(crank, (on_frame.local, hinge), arms)
     }
 }

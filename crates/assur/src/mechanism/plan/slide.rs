@@ -134,7 +134,7 @@ impl Slide {
             heading,
             direction,
             point,
-            off: 0.0,
+            offset: 0.0,
         }
     }
 
@@ -148,7 +148,11 @@ impl Slide {
 impl Track {
     /// The same track, given by another point of the sliding link.
     pub(in crate::mechanism) fn moved(self, point: Vector) -> Self {
-        let off = self.off + product(point - self.point, conjugate(self.direction)).y;
-        Self { point, off, ..self }
+        let offset = self.offset + product(point - self.point, conjugate(self.direction)).y;
+        Self {
+            point,
+            offset,
+            ..self
+        }
     }
 }

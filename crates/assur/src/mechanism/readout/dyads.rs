@@ -3,7 +3,7 @@
 use crate::index::{BodyId, LinkId, PointId};
 use crate::mechanism::closed::DrivenFourBar;
 use crate::mechanism::{LinkOrFrame, Mechanism, Pose};
-use crate::position::{Arm, Rrr, Step};
+use crate::position::{Arm, Step};
 use crate::{FourBar, Grashof, Jet, Vector};
 
 /// An Assur group of two links and three hinges.
@@ -191,8 +191,7 @@ impl Mechanism {
 /// The arms of a step that is a dyad RRR.
 pub(crate) fn arms_of(step: &Step) -> Option<&[Arm; 2]> {
     match step {
-        Step::Rrr(Rrr { arms }) => Some(arms),
-        Step::FourBar(closed) => Some(&closed.arms),
+        Step::Rrr(dyad) => Some(&dyad.arms),
         _ => None,
     }
 }

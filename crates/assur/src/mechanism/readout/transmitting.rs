@@ -102,7 +102,7 @@ impl Mechanism {
         let state = &pose.state;
         let (start, way) = state.line(track);
         let from = (state.place(arm.outer) - start) * way.conjugate();
-        -from.y() + track.off
+        -from.y() + track.offset
     }
 }
 

@@ -4,6 +4,7 @@ use super::{Changed, INPUT_STEPS};
 use crate::mechanism::{Defect, DriverSpec, FRAME, LinkageSpec, Mechanism, Pose, SlideSpec};
 use crate::motion::features::turning_points;
 use crate::motion::{Motion, TooManyTurns};
+use crate::sorting::extremes;
 use crate::tolerance;
 
 impl Motion {
@@ -66,9 +67,7 @@ impl Motion {
             Some((mechanism.place(&pose, point).place() - from).dot(&along))
         });
         let coordinates = limits.chain(ends);
-        let range = coordinates.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
-            [least.min(x), most.max(x)]
-        });
+        let range = extremes(coordinates);
         let moves = range[1] - range[0] > tolerance::COINCIDENT * mechanism.size();
         Ok(moves.then_some(range))
     }

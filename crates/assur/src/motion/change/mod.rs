@@ -47,7 +47,7 @@ pub enum Refusal {
     Defects(Vec<Defect>),
 }
 
-/// Tolerance of the last possible value, relative to the range of the dimension.
+/// Tolerance of the last possible value, relative to the range of the dimension. It is cut to these digits.
 const RESOLUTION: f64 = 2e-4;
 /// Steps of the input, relative to its span, by which it gives way. The first is the distance it keeps from where the
 /// loop opens.

@@ -3,7 +3,7 @@
 use super::{INPUT_STEPS, RESOLUTION};
 use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 
-/// Step length below which the input gives way to avoid a failure.
+/// Step length below which the input gives way to avoid a failure, ten halvings after the whole range.
 const MIN_STEP: f64 = 1.0 / 1024.0;
 /// Maximum number of steps tried; the input gives way in few of them.
 const MAX_TRIES: usize = 200;

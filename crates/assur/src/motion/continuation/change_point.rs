@@ -3,17 +3,17 @@
 use super::knots::{Knots, MAX_TURN};
 use super::{Continuation, Prediction};
 use crate::index::StepId;
-use crate::position::{KNOWN, Predictor, ROUNDING, SmoothRoot, State, Step};
+use crate::position::{KNOWN, Predictor, SmoothRoot, State};
 use crate::{Jet, tolerance};
 
-/// Distance of a change point, relative to the span of the input, at which it is recognized and passed.
+/// Distance of a change point, relative to the span of the input, at which it is recognized and passed: Newton's method
+/// for the minimum of a margin converges from there.
 const WINDOW: f64 = 1e-3;
 /// Distance, relative to the span, within which margins near a change point have too few digits; poses ahead are probed
 /// as far.
 pub(super) const PROBE_DISTANCE: f64 = 1e-5;
-/// Relative rounding of a margin that is zero.
-const ZERO_MARGIN: f64 = 16.0 * ROUNDING;
-/// Maximum relative deviation of a square from its Taylor series; a larger one shows another singularity nearby.
+/// Maximum relative deviation of a square from its Taylor series, whose remainder is far smaller so near to its centre; a
+/// larger one shows another singularity nearby.
 const MAX_DEVIATION: f64 = 0.1;
 
 /// A change point: steps of the plan whose links pass through in line at one input.
@@ -116,7 +116,7 @@ impl Continuation<'_> {
         let window = WINDOW * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let placing = &self.mechanism.steps()[step];
-        if let Step::FourBar(_) = placing {
+        if placing.four_bar().is_some() {
             let around = [self.input - 2.0 * window, self.input + 2.0 * window];
             return self
                 .closed_change_points(step, around)
@@ -152,13 +152,15 @@ impl Continuation<'_> {
     fn is_in_line(&self, step: StepId, input: f64, state: &State<KNOWN>) -> bool {
         let same = tolerance::COINCIDENT * self.mechanism.span();
         let placing = &self.mechanism.steps()[step];
-        if let Step::FourBar(_) = placing {
+        if placing.four_bar().is_some() {
             let around = [input - same, input + same];
             return !self.closed_change_points(step, around).is_empty();
         }
         let touches = |(margin, scale): (Jet<KNOWN>, f64)| {
             let [value, slope, second] = [0, 1, 2].map(|order| margin.derivative(order));
-            second > 0.0 && value.abs() <= ZERO_MARGIN * scale && slope.abs() <= same * second
+            second > 0.0
+                && value.abs() <= tolerance::NEGLIGIBLE * scale
+                && slope.abs() <= same * second
         };
         let mut margins = state.margins[step].into_iter().zip(placing.scales());
         placing.passes_change_point() && margins.any(touches)

@@ -6,26 +6,23 @@
 //! across it. Two branches may come very close without meeting; a jump from one to the other changes the sign of the
 //! determinant of the equations bordered by the tangent.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use nalgebra::{DMatrix, DVector};
 
 use super::{Continuation, Prediction};
 use crate::index::StepId;
-use crate::motion::root::root;
+use crate::numeric::newton::{MAX_STEPS, newton};
+use crate::numeric::roots::root;
 use crate::position::{Group, Linearized, Predictor, Step, StepContext};
 use crate::{Jet, tolerance};
 
-/// Maximum number of Newton steps for a point on the curve.
-const MAX_NEWTON_STEPS: usize = 12;
-/// Maximum number of steps along the curve, and of tries.
-const MAX_STEPS: usize = 64;
-const MAX_TRIES: usize = 48;
-/// Maximum uncertainty of a point due to rounding, relative to the step.
+/// Maximum number of steps tried along the curve, whose lengths are halved and doubled.
+pub(super) const MAX_TRIES: usize = 48;
+/// Maximum uncertainty of a point due to rounding, relative to the step: well below the turn of a tangent that is accepted.
 const MAX_UNCERTAINTY: f64 = 0.02;
-/// Cosine of the turn of the tangent: minimum in a step, and above which the next step is doubled.
+/// Minimum cosine of the turn of the tangent in a step: 26°, over which the curve is about an arc of a circle.
 const MIN_COSINE: f64 = 0.9;
-const STRAIGHT_COSINE: f64 = 0.99;
 
 /// The curve of poses of a group. Coordinates on it are the unknowns, scaled to unit size, and the scaled input last.
 struct Curve<'a> {
@@ -71,7 +68,7 @@ impl Continuation<'_> {
             return None;
         }
         let mut tries = MAX_TRIES;
-        for _ in 0..MAX_STEPS {
+        loop {
             let (next, cosine) = loop {
                 tries = tries.checked_sub(1)?;
                 if let Some(next) = curve.corrected(&here.at, &here.tangent, step_len)
@@ -94,11 +91,11 @@ impl Continuation<'_> {
                 return None;
             }
             here = next;
-            if cosine >= STRAIGHT_COSINE {
+            // After less than a third of the greatest turn, whose 1 − cos is about a ninth, the step may be doubled.
+            if 9.0 * (1.0 - cosine) <= 1.0 - MIN_COSINE {
                 step_len *= 2.0;
             }
         }
-        None
     }
 }
 
@@ -141,14 +138,16 @@ impl Curve<'_> {
         let rows = tangent.len();
         let foot = from + tangent * step_len;
         let mut at = foot.clone();
-        let mut last = f64::INFINITY;
-        for _ in 0..MAX_NEWTON_STEPS {
+        let is_rounding = Cell::new(false);
+        let mut found = None;
+        let step = || {
             let Linearized {
                 residual,
                 slopes,
                 is_redundant,
                 residual_is_rounding,
             } = self.linearized(&at)?;
+            is_rounding.set(residual_is_rounding);
             let mut bordered = slopes.resize_vertically(rows, 0.0);
             bordered.row_mut(rows - 1).tr_copy_from(tangent);
             // Right-hand sides: the residual, and that of the new tangent.
@@ -159,29 +158,27 @@ impl Curve<'_> {
             let bordered = bordered.lu();
             let solution = bordered.solve(&rhs)?;
             let correction = solution.column(0).amax();
-            if !correction.is_finite() {
-                return None;
-            }
             at -= solution.column(0);
-            let stagnates = correction >= 0.5 * last && residual_is_rounding;
-            if correction <= tolerance::EXACT || stagnates {
-                let tangent = solution.column(1).normalize();
-                // Of redundant equations others may be dropped at the next point: their determinant keeps no sign.
-                let determinant_sign = if is_redundant {
-                    1.0
-                } else {
-                    bordered.determinant().signum()
-                };
-                return Some(CurvePoint {
-                    at,
-                    tangent,
-                    determinant_sign,
-                    uncertainty: correction,
-                });
-            }
-            last = correction;
-        }
-        None
+            found = Some((bordered, solution, is_redundant, correction));
+            Some(correction)
+        };
+        newton(MAX_STEPS, step, |correction, last| {
+            correction <= tolerance::EXACT || correction >= 0.5 * last && is_rounding.get()
+        })
+        .ok()?;
+        let (bordered, solution, is_redundant, uncertainty) = found?;
+        // Of redundant equations others may be dropped at the next point: their determinant keeps no sign.
+        let determinant_sign = if is_redundant {
+            1.0
+        } else {
+            bordered.determinant().signum()
+        };
+        Some(CurvePoint {
+            at,
+            tangent: solution.column(1).normalize(),
+            determinant_sign,
+            uncertainty,
+        })
     }
 
     /// The equations of the group at a point, linearized.

@@ -12,8 +12,6 @@ use crate::{Cycle, Vector, tolerance};
 
 /// Maximum turn of a body from knot to knot, radians, so that its whole turns are counted.
 pub(super) const MAX_TURN: f64 = 1.0;
-/// Rounding of an unknown relative to its size.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Maximum ratio of two intervals that are merged: the error of the interpolation is greatest about the middle, so it is
 /// tested at a knot near there.
 const MAX_INTERVAL_RATIO: f64 = 2.5;
@@ -289,8 +287,8 @@ impl Knot {
             self.places().enumerate().all(|(k, place)| {
                 let guess = [guesses.next(), guesses.next()].map(|x| x.unwrap_or(f64::NAN));
                 let moved = after.place(k) - before.place(k);
-                let tolerance =
-                    (tolerance::DOUBLE_ROOT * moved.norm()).max(ROUNDING * place.norm());
+                let tolerance = (tolerance::DOUBLE_ROOT * moved.norm())
+                    .max(tolerance::CONVERGED * place.norm());
                 (Vector::from(guess) - place).norm() <= tolerance
             })
         };

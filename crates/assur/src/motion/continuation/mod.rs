@@ -17,18 +17,10 @@ use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, Sta
 use crate::{Jet, tolerance};
 use knots::MAX_TURN;
 
-/// Maximum number of halvings of a step: for a dyad, whose closed form gives what is met within so short a step …
-const MAX_HALVINGS_OF_DYAD: i32 = 24;
-/// … and for a group, which may be drawn close to a singular pose and leave it.
-const MAX_HALVINGS_OF_GROUP: i32 = 40;
-/// Number of successful steps before longer ones are tried.
+/// Number of successful steps before longer ones are tried: a step that fails costs as much as one that does not.
 const STEPS_BEFORE_LONGER: usize = 4;
-/// Fraction of the estimated certifiable step to try.
+/// Fraction of the estimated certifiable step to try: the bounds grow a little on the way.
 const STEP_SAFETY: f64 = 0.8;
-/// Step length, relative to the span of the input, below which the singular pose ahead of a group is searched.
-const SHORT_STEP: f64 = 1e-10;
-/// Work of that search, in steps.
-const SINGULAR_SEARCH_WORK: usize = 200;
 /// Maximum work, in samples times bodies: about half a second. Hunting teeth may need more.
 const MAX_WORK: usize = 250_000;
 
@@ -157,8 +149,9 @@ impl<'a> Continuation<'a> {
         let longest = longest_step(self.mechanism);
         let mut width = longest;
         let mut successes = STEPS_BEFORE_LONGER;
-        // The search for a singular pose is expensive: it is repeated only at shorter steps.
-        let short = SHORT_STEP * self.mechanism.span();
+        // The search for a singular pose of a group is expensive: it begins at short steps, and is repeated only at shorter
+        // ones.
+        let short = tolerance::COINCIDENT * self.mechanism.span();
         let mut searched_at = short;
         while (target - self.input) * sense > 0.0 {
             let left = (target - self.input).abs();
@@ -189,10 +182,12 @@ impl<'a> Continuation<'a> {
                 continue;
             };
             let is_group = self.is_group(step);
-            let max_halvings = if is_group {
-                MAX_HALVINGS_OF_GROUP
+            // The closed form of a dyad gives what is met within so short a step. A group may be drawn close to a singular
+            // pose and leave it.
+            let shortest = if is_group {
+                tolerance::EXACT
             } else {
-                MAX_HALVINGS_OF_DYAD
+                tolerance::NEGLIGIBLE
             };
             let change_point = self.change_point_ahead(step, sense * tried);
             let is_near_change_point = change_point.is_some();
@@ -202,12 +197,13 @@ impl<'a> Continuation<'a> {
                 && tried < searched_at
                 && let Some(dead) = {
                     searched_at = tried;
-                    self.work = self.work.saturating_sub(SINGULAR_SEARCH_WORK * bodies);
+                    // Each try takes about four Newton steps.
+                    self.work = self.work.saturating_sub(4 * fold::MAX_TRIES * bodies);
                     self.out_of_range(sense).or_else(|| self.singular(sense))
                 }
             {
                 return Some(dead);
-            } else if tried > cell * 0.5_f64.powi(max_halvings) && next != self.input {
+            } else if tried > shortest * self.mechanism.span() && next != self.input {
                 width = 0.5 * tried;
             } else if is_group && self.is_locked(sense) {
                 return Some(self.end_here(step, DeadPointKind::Locked));

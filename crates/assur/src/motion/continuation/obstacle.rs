@@ -1,20 +1,23 @@
 //! Obstacles that no certified step can pass: a dead point, the end of a range, or an unknown singularity.
 
+use std::iter::successors;
+
+use super::Continuation;
 use super::change_point::PROBE_DISTANCE;
-use super::{Continuation, MAX_HALVINGS_OF_DYAD};
 use crate::index::StepId;
 use crate::mechanism::{Cause, Singularity};
 use crate::motion::closed_form::dead_point;
-use crate::motion::root::bisect;
 use crate::motion::{DeadPoint, DeadPointKind};
+use crate::numeric::roots::bisect;
 use crate::position::{State, Step};
+use crate::tolerance;
 
 impl Continuation<'_> {
     /// The nearest fold of a group just ahead. Near a fold the rates of dependent groups grow without bound, so that a
     /// dependent group may be the first that is not certified.
     pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
         // Steps shorten in proportion to the distance of the fold: when short, they leave it within this window.
-        let window = 1e-7 * self.mechanism.span();
+        let window = tolerance::DISTINCT * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let steps = self.mechanism.steps().ids();
         let folds = steps.filter_map(|step| {
@@ -68,9 +71,10 @@ impl Continuation<'_> {
             };
         }
         let mut probe: State<1> = self.mechanism.blank_state();
-        let mut beyond = (0..=MAX_HALVINGS_OF_DYAD)
-            .rev()
-            .map(|halvings| self.input + sense * window * 0.5_f64.powi(halvings));
+        let nearest = tolerance::NEGLIGIBLE * self.mechanism.span();
+        let widths = successors(Some(nearest), |width| Some(2.0 * width));
+        let widths = widths.take_while(|width| *width < 2.0 * window);
+        let mut beyond = widths.map(|width| self.input + sense * width);
         let met = beyond.find_map(|input| Some((input, self.solve(input, &mut probe).err()?)));
         let met = met.map(|(beyond, (step, cause))| {
             let last = bisect([self.input, beyond], |input| {

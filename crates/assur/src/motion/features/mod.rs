@@ -8,6 +8,7 @@ pub use extremum::{Extremum, Kind};
 
 use super::{InputRate, Motion};
 use crate::mechanism::{Pose, Quantity, half_turns};
+use crate::sorting::extremes;
 use crate::{Cycle, Jet, tolerance};
 use roots::ordered_roots;
 use samples::{Sample, Samples, closed, grids, searchable};
@@ -34,10 +35,8 @@ impl Features {
     }
 }
 
-/// Maximum number of samples that are kept at once, of all quantities together.
+/// Maximum number of samples that are kept at once, of all quantities together: some ten megabytes.
 const MAX_SAMPLES: usize = 1 << 18;
-/// Rounding of a value, relative to it.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A motion that repeats only after more turns than are searched for zeros and extrema.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -301,7 +300,7 @@ impl Tolerance {
         Self {
             absolute: tolerance::COINCIDENT * scale,
             relative: if order == 0 {
-                ROUNDING
+                tolerance::CONVERGED
             } else {
                 tolerance::COINCIDENT
             },
@@ -311,10 +310,7 @@ impl Tolerance {
 
 fn variation(arcs: &[Samples], tolerance: Tolerance) -> Variation {
     let values = arcs.iter().flatten().flatten().map(|s| s.f[0]);
-    let [least, most] = values.fold(
-        [f64::INFINITY, f64::NEG_INFINITY],
-        |[least, most], value| [least.min(value), most.max(value)],
-    );
+    let [least, most] = extremes(values);
     let largest = least.abs().max(most.abs());
     let rounding = tolerance.absolute.max(tolerance.relative * largest);
     if most - least > rounding {

@@ -1,9 +1,8 @@
 //! Roots of sampled functions, refined to rounding.
 
-use super::ROUNDING;
 use super::samples::{Sample, Samples};
-use crate::Cycle;
 use crate::sorting::sort_by;
+use crate::{Cycle, tolerance};
 
 /// The samples at which the derivative `order`, 0 or 1, of the function vanishes, within the cycle and in ascending
 /// order.
@@ -31,10 +30,11 @@ pub(super) fn ordered_roots(
     let mut ordered: Vec<Sample> = cells.flatten().collect();
     sort_by(&mut ordered, |a, b| a.input.total_cmp(&b.input));
     // Near a root rounding changes the sign several times; not near 0, where numbers are densest.
-    ordered.dedup_by(|later, one| later.input - one.input <= ROUNDING * later.input.abs());
+    ordered
+        .dedup_by(|later, one| later.input - one.input <= tolerance::CONVERGED * later.input.abs());
     let [start, end] = cycle.axis();
     if let (true, [first, .., last]) = (cycle.is_full(), &ordered[..])
-        && first.input + (end - start) - last.input <= ROUNDING * last.input.abs()
+        && first.input + (end - start) - last.input <= tolerance::CONVERGED * last.input.abs()
     {
         ordered.pop();
     }
@@ -70,7 +70,8 @@ fn roots(
     }
 }
 
-/// The root of `f` in the bracket from `a` to `b`: Newton's method with `slope`, safeguarded by bisection.
+/// The root of `f` in the bracket from `a` to `b`: Newton's method with `slope`, which comes with each sample, safeguarded
+/// by bisection. A sample takes all quantities at once, so [`crate::numeric::roots`], without slopes, would take longer.
 fn bracketed(
     sample: &dyn Fn(f64) -> Option<Sample>,
     a: Sample,

@@ -4,11 +4,8 @@ use std::f64::consts::TAU;
 
 use super::{Extremum, Kind, TooManyTurns};
 use crate::Cycle;
-use crate::motion::SAMPLES_PER_TURN;
+use crate::motion::{MAX_TURNS, SAMPLES_PER_TURN};
 use crate::sorting::sort_by;
-
-/// Maximum number of turns that are searched: extrema of more could not be distinguished in a plot.
-const MAX_TURNS: usize = 256;
 
 /// A function and its first two derivatives with respect to the input.
 #[derive(Clone, Copy)]

@@ -3,9 +3,9 @@
 
 use super::{Dwell, OutputProfile};
 use crate::mechanism::Pose;
-use crate::motion::root::root;
+use crate::numeric::roots::root;
 
-/// Number of levels of the band between which a longest arc is bracketed.
+/// Number of levels of the band between which a longest arc is bracketed: of maxima of its length closer to each other one may be missed.
 const LEVELS: usize = 64;
 
 /// A band of given width whose level varies, with the pieces of entry and exit.

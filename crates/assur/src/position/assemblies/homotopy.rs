@@ -5,14 +5,14 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::bilinear::{C, ONE, System, ZERO};
+use crate::numeric::newton::newton;
 use crate::tolerance;
 
-/// Maximum and minimum step of the homotopy parameter.
+/// Maximum step of the homotopy parameter: a path is predicted in ten steps at least, with an error of order 5.
 const MAX_STEP: f64 = 0.1;
-const MIN_STEP: f64 = 1e-7;
-/// Maximum first correction, relative, of an accepted step: it stays on its path.
+/// Maximum correction, relative, of an accepted step: it stays on its path.
 const MAX_CORRECTION: f64 = 1e-3;
-/// Maximum number of corrector steps.
+/// Maximum number of corrector steps: from 10⁻³ quadratic convergence reaches 10⁻¹² in two, and the third confirms it.
 const MAX_CORRECTOR_STEPS: usize = 3;
 
 /// Lehmer's random number generator with a fixed seed, for the same paths every time.
@@ -141,22 +141,20 @@ impl Homotopy<'_> {
 
     /// Newton's method at s; none if it does not converge, or from afar.
     fn corrected(&self, mut x: Vec<C>, s: f64) -> Option<Vec<C>> {
-        for step_number in 0..MAX_CORRECTOR_STEPS {
+        let step = || {
             let (residual, jacobian, _) = self.at(&x, s);
             let step = jacobian.lu().solve(&residual)?;
-            let size = x.iter().fold(0.0, |most, x| f64::max(most, x.norm()));
-            let change = step.iter().fold(0.0, |most, x| f64::max(most, x.norm())) / size;
-            if !change.is_finite() || step_number == 0 && change > MAX_CORRECTION {
-                return None;
-            }
+            let largest = |all: &[C]| all.iter().fold(0.0, |most, x| f64::max(most, x.norm()));
+            let change = largest(step.as_slice()) / largest(&x);
             for (x, step) in x.iter_mut().zip(step.iter()) {
                 *x -= step;
             }
-            if change < tolerance::COINCIDENT {
-                return Some(x);
-            }
-        }
-        None
+            (change <= MAX_CORRECTION).then_some(change)
+        };
+        let found = newton(MAX_CORRECTOR_STEPS, step, |change, _| {
+            change < tolerance::COINCIDENT
+        });
+        found.ok().map(|()| x)
     }
 
     /// The end of the path, in unknowns and conjugates; none if it is at infinity.
@@ -174,7 +172,7 @@ impl Homotopy<'_> {
                 None => step = length / 2.0,
             }
             // A path may end in a singular point; Newton's method decides from there.
-            if step < MIN_STEP {
+            if step < tolerance::DISTINCT {
                 break;
             }
         }

@@ -32,9 +32,9 @@ pub enum Method {
 #[derive(Clone, Debug)]
 pub(crate) struct GroupAssembly {
     /// Its unknowns.
-    pub(crate) own: Vec<Vector>,
+    pub(crate) unknowns: Vec<Vector>,
     /// Turns of bodies with a driven angle between them; they select the whole turns of the angles.
-    pub(crate) turned: Vec<(BodyId, Vector)>,
+    pub(crate) turns: Vec<(BodyId, Vector)>,
 }
 
 /// All assemblies of a group.
@@ -119,12 +119,12 @@ impl Group {
         let pairs = solutions.complex_pairs().filter(|_| N > 1);
         let pairs = pairs.filter_map(|at| system.complex_pair(&system.reduced(at)));
         let real = solutions.real().map(|own| GroupAssembly {
-            own: own
+            unknowns: own
                 .iter()
                 .zip(&self.units)
                 .map(|(value, unit)| vector(value * unit))
                 .collect(),
-            turned: turning
+            turns: turning
                 .iter()
                 .map(|(body, turn)| (*body, vector(turn.at(own))))
                 .collect(),

@@ -1,12 +1,8 @@
 //! Newton's method for a system over the complex numbers, without allocation.
 
 use super::bilinear::{C, ONE, System, ZERO};
+use crate::numeric::newton::{MAX_STEPS, is_exact, newton};
 use crate::tolerance;
-
-/// Maximum size of a predicted step, relative to the unknowns, that is rounding and not worth a step.
-const NEGLIGIBLE_STEP: f64 = 1e-17;
-/// Maximum number of Newton steps; at a regular solution convergence is quadratic.
-const MAX_STEPS: usize = 12;
 
 impl System {
     /// The derivative of the unknowns and conjugates of a solution by the input; none if it is singular.
@@ -25,37 +21,31 @@ impl System {
     /// Newton's method from a guess of unknowns and conjugates; none if it does not converge.
     pub(super) fn polished(&self, guess: Vec<C>, workspace: &mut Workspace) -> Option<Vec<C>> {
         let mut at = guess;
-        let mut last = f64::INFINITY;
-        for _ in 0..MAX_STEPS {
+        let largest = |all: &[C], least: f64| {
+            let sizes = all.iter().map(|z| z.norm_sqr());
+            sizes.fold(least, f64::max)
+        };
+        let step = || {
             workspace.fill(self, &at);
             let step = workspace.step()?;
-            let largest = |all: &[C], least: f64| {
-                let sizes = all.iter().map(|z| z.norm_sqr());
-                sizes.fold(least, f64::max)
-            };
             let change = (largest(step, 0.0) / largest(&at, 1.0)).sqrt();
-            if !change.is_finite() || step.iter().any(|step| !step.is_finite()) {
-                return None;
-            }
             for (at, step) in at.iter_mut().zip(step) {
                 *at -= step;
             }
-            // Converged, or rounding stops the convergence.
-            if is_exact(change, last)
+            at.iter().all(|at| at.is_finite()).then_some(change)
+        };
+        // Converged, or rounding stops the convergence.
+        let is_last = |change: f64, last: f64| {
+            is_exact(change, last)
                 || change <= tolerance::CONVERGED
                 || change < tolerance::COINCIDENT && change >= 0.5 * last
-            {
-                return Some(at);
-            }
-            last = change;
-        }
-        (last < tolerance::TRIPLE_ROOT).then_some(at)
+        };
+        // At a double root convergence is linear.
+        let found = newton(MAX_STEPS, step, is_last);
+        found
+            .map_or_else(|last| last < tolerance::TRIPLE_ROOT, |()| true)
+            .then_some(at)
     }
-}
-
-/// True if the error after a step is rounding: by quadratic convergence the next step is about `change` (`change`/`last`)².
-pub(super) fn is_exact(change: f64, last: f64) -> bool {
-    last.is_finite() && change * (change / last).powi(2) <= NEGLIGIBLE_STEP
 }
 
 /// Buffers for a Newton step.

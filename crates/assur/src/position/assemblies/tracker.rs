@@ -4,13 +4,15 @@ use super::bilinear::System;
 use super::solutions::Solutions;
 use crate::Vector;
 
-/// Maximum distance of the parameters from those of a branch, relative to the links, to track from it.
+/// Maximum distance of the parameters from those of a branch, relative to the links, to track from it: farther away the
+/// extrapolation is a poor guess.
 pub(super) const MAX_DISTANCE: f64 = 0.25;
-/// Minimum distance of parameters with independent counts of assemblies.
+/// Minimum distance of parameters with independent counts of assemblies: assemblies lost to rounding at one of them are not
+/// lost at the other.
 const INDEPENDENT_DISTANCE: f64 = 1e-3;
-/// Maximum extrapolation, in distances between the last two samples.
+/// Maximum extrapolation, in distances between the last two samples: errors of theirs grow with its square.
 const MAX_EXTRAPOLATION: f64 = 4.0;
-/// Maximum number of branches.
+/// Maximum number of branches, to bound the memory; the nearest is sought among them at each input.
 const MAX_BRANCHES: usize = 64;
 
 /// The assemblies of a group at earlier inputs, with a branch for each assembly of the groups before it.

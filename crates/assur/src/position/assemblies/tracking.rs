@@ -5,15 +5,13 @@
 //! passes zero almost linearly, so two samples before the meeting predict the difference after it.
 
 use super::bilinear::{C, System};
-use super::newton::{Workspace, is_exact};
+use super::newton::Workspace;
 use super::solutions::{REAL, Solutions, distance, distance_to_conjugate, distance_to_pair, mean};
 use super::tracker::{Extrapolation, MAX_DISTANCE, Sample, Tracker};
 use crate::Vector;
+use crate::numeric::newton::{MAX_STEPS, is_exact, newton};
 use crate::position::{Group, State, StepContext};
 use crate::tolerance;
-
-/// Maximum number of Newton steps from an extrapolation.
-const MAX_STEPS: usize = 8;
 
 impl Group {
     /// All assemblies with the substituted inputs, if they can be tracked.
@@ -189,20 +187,17 @@ impl Group {
         for (unknown, (at, unit)) in state.work.unknowns.iter_mut().zip(at.iter().zip(units())) {
             unknown[0] = super::vector(at * unit);
         }
-        let mut last = f64::INFINITY;
-        for _ in 0..MAX_STEPS {
-            let change = self.newton_step(state, context.step).ok()?;
+        let step = || {
+            let change = self.newton_step(state, context.step).ok();
             self.apply_step(&mut state.work);
-            if is_exact(change, last) {
-                let found = state.work.unknowns.iter().zip(units());
-                for (at, (unknown, unit)) in at.iter_mut().zip(found) {
-                    *at = super::number(unknown[0]) / unit;
-                }
-                return Some(());
-            }
-            last = change;
+            change
+        };
+        newton(MAX_STEPS, step, is_exact).ok()?;
+        let found = state.work.unknowns.iter().zip(units());
+        for (at, (unknown, unit)) in at.iter_mut().zip(found) {
+            *at = super::number(unknown[0]) / unit;
         }
-        None
+        Some(())
     }
 }
 

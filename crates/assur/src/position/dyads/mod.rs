@@ -5,6 +5,8 @@ mod rpp;
 mod rpr;
 mod rrp;
 mod rrr;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use prp::Prp;
 pub(crate) use rpp::Rpp;

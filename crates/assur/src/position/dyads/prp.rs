@@ -22,7 +22,7 @@ impl Solvable for Prp {
         let [i, j] = &self.tracks;
         let lines = [i, j].map(|track| {
             let (start, direction) = state.line(track);
-            let offset = direction.by(Vector::new(0.0, track.off));
+            let offset = direction.by(Vector::new(0.0, track.offset));
             (start + offset, direction)
         });
         let c = crossing(lines, &mut state.margins[context.step])?;

@@ -35,10 +35,10 @@ impl Solvable for Rpp {
         state.put(side.body, turn_i, side.hinge, b);
 
         let shift = |of: Complex<N>, by: f64| of.by(Vector::new(0.0, by));
-        let guide = (start + shift(direction, track.off), direction);
+        let guide = (start + shift(direction, track.offset), direction);
         // The line of i, shifted to the track's point on j.
         let across = turn_j.by(track.point - self.through);
-        let sliding = (b + shift(inner, side.off) + across, inner);
+        let sliding = (b + shift(inner, side.offset) + across, inner);
         let at = crossing([guide, sliding], &mut state.margins[context.step])?;
         state.slid(track, direction, at);
         Ok(())

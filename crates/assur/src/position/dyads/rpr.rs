@@ -3,7 +3,7 @@
 use crate::index::{BodyId, StepId};
 use crate::position::complex::{Complex, conjugate, product};
 use crate::position::{
-    BodyPoint, Cause, Dead, Enclosure, NEAR_SQUARED, Predictor, Singularity, Solvable, State,
+    BodyPoint, CLOSE_SQUARED, Cause, Dead, Enclosure, Predictor, Singularity, Solvable, State,
     StepContext,
 };
 use crate::{Jet, Vector};
@@ -23,8 +23,8 @@ pub(crate) struct Side {
     pub(crate) hinge: Vector,
     /// The direction of sliding on the link, of length 1.
     pub(crate) direction: Vector,
-    /// Offset of the line to the left of the hinge.
-    pub(crate) off: f64,
+    /// Distance of the line to the left of the hinge.
+    pub(crate) offset: f64,
 }
 
 impl Solvable for Rpr {
@@ -39,7 +39,7 @@ impl Solvable for Rpr {
         let [b, d] = [state.place(i.outer), state.place(j.outer)];
         let between = d - b;
         let square = between.norm_squared();
-        let apart = i.off - j.off;
+        let apart = i.offset - j.offset;
         let margin = square + -(apart * apart);
         state.margins[context.step] = [margin, margin];
         let scale = (apart * apart).max(square.value());
@@ -54,8 +54,8 @@ impl Solvable for Rpr {
         let along = Complex::new(run, Jet::constant(-apart));
         let mut direction = (between * along).scaled(square.recip());
         // With d perpendicular to u the derivatives are those of a smooth root.
-        let is_across = run.value().powi(2) < NEAR_SQUARED * square.value();
-        if square.value() < NEAR_SQUARED * state.scale && !is_across {
+        let is_across = run.value().powi(2) < CLOSE_SQUARED * square.value();
+        if square.value() < CLOSE_SQUARED * state.scale && !is_across {
             // u × d = h.
             let unit = direction.value().normalize();
             direction = Complex::of_constant_length(unit, between.left(), Jet::constant(-apart));
@@ -72,7 +72,7 @@ impl Solvable for Rpr {
         let [i, j] = &self.sides;
         let [b, d] = [i, j].map(|side| cell.point(from, side.outer));
         let base = d.minus(&b);
-        let apart = (i.off - j.off).abs();
+        let apart = (i.offset - j.offset).abs();
         let [least, most] = cell.distances(&base);
         if least <= apart {
             return false;
@@ -105,21 +105,13 @@ impl Solvable for Rpr {
         self.sides.iter().any(|side| side.outer.body == body)
     }
 
-    fn has_sign(&self) -> bool {
-        true
-    }
-
-    fn passes_change_point(&self) -> bool {
-        true
-    }
-
     fn singularity(&self) -> Singularity {
         Singularity::Perpendicular
     }
 
     fn scales(&self) -> [f64; 2] {
         let [i, j] = &self.sides;
-        [(i.off - j.off).powi(2); 2]
+        [(i.offset - j.offset).powi(2); 2]
     }
 }
 
@@ -137,7 +129,7 @@ impl Side {
             outer,
             hinge,
             direction,
-            off: product(through - hinge, conjugate(direction)).y,
+            offset: product(through - hinge, conjugate(direction)).y,
         }
     }
 }

@@ -27,7 +27,7 @@ impl Solvable for Rrp {
         let b = state.place(self.arm.outer);
         let (start, direction) = state.line(&self.track);
         let from = (b - start) * direction.conjugate();
-        let rise = -from.y() + self.track.off;
+        let rise = -from.y() + self.track.offset;
         let margin = -rise.square() + length * length;
         state.margins[context.step] = [margin, margin];
         let by = rise.value().abs() - length;
@@ -99,14 +99,6 @@ impl Solvable for Rrp {
 
     fn depends_on(&self, body: BodyId) -> bool {
         self.arm.outer.body == body || self.track.line.body == body
-    }
-
-    fn has_sign(&self) -> bool {
-        true
-    }
-
-    fn passes_change_point(&self) -> bool {
-        true
     }
 
     fn singularity(&self) -> Singularity {

@@ -3,15 +3,18 @@
 use crate::index::{BodyId, StepId};
 use crate::position::complex::Complex;
 use crate::position::{
-    Arm, CLOSE, Cause, Dead, Enclosure, NEAR_SQUARED, Predictor, ROUNDING, Singularity, Solvable,
-    State, StepContext, clear,
+    Arm, CLOSE, CLOSE_SQUARED, Cause, CrankFourBar, Dead, Enclosure, Predictor, Singularity,
+    Solvable, State, StepContext, clear,
 };
-use crate::{Jet, Vector};
+use crate::{Jet, Vector, tolerance};
 
 /// Links i and j with the joint C between them, i hinged at B, j at D.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rrr {
     pub(crate) arms: [Arm; 2],
+    /// The four-bar of which they are coupler and rocker, in this order, if i is hinged on the driven crank and j on the
+    /// frame. Its sign stays the same at change points.
+    pub(crate) four_bar: Option<CrankFourBar>,
 }
 
 /// The triangle BCD of two arms, with their joint C on either side of BD.
@@ -66,8 +69,8 @@ impl<const N: usize> Triangle<N> {
         let mut to_c = to_c.scaled(self.square.recip());
         let scale = self.sum * self.sum;
         // In line the derivatives are those of a smooth root.
-        let is_in_line = root.value().powi(2) < NEAR_SQUARED * self.square.value() * scale;
-        if self.square.value() < NEAR_SQUARED * scale && !is_in_line {
+        let is_in_line = root.value().powi(2) < CLOSE_SQUARED * self.square.value() * scale;
+        if self.square.value() < CLOSE_SQUARED * scale && !is_in_line {
             to_c = Complex::of_constant_length(to_c.value(), self.diagonal, along);
         }
         state.lay(i, self.b, self.leg(i, to_c));
@@ -89,7 +92,7 @@ impl<const N: usize> Triangle<N> {
 /// The scales of P and Q. The base r has a rounding error δ proportional to s = l₂ + l₃: near r = s it is s δ in P, and near
 /// r = |l₂ − l₃|, which may be much shorter, |l₂ − l₃| δ + δ² in Q.
 fn scales(sum: f64, difference: f64) -> [f64; 2] {
-    [sum, difference.abs() + ROUNDING * sum].map(|length| sum * length)
+    [sum, difference.abs() + tolerance::CONVERGED * sum].map(|length| sum * length)
 }
 
 impl Solvable for Rrr {
@@ -107,6 +110,9 @@ impl Solvable for Rrr {
             ..
         } = triangle;
         state.margins[context.step] = [p, q];
+        if let Some(four_bar) = &self.four_bar {
+            return four_bar.place(&self.arms, state, context.sign, &triangle);
+        }
         if square.value() <= f64::EPSILON * f64::EPSILON * sum * sum {
             return Err(Cause::Undetermined);
         }
@@ -145,12 +151,12 @@ impl Solvable for Rrr {
         self.arms.iter().any(|arm| arm.outer.body == body)
     }
 
-    fn has_sign(&self) -> bool {
-        true
+    fn tracks_turns(&self) -> bool {
+        self.four_bar.is_none()
     }
 
     fn passes_change_point(&self) -> bool {
-        true
+        self.four_bar.is_none()
     }
 
     fn singularity(&self) -> Singularity {

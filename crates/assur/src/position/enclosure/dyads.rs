@@ -7,7 +7,7 @@ use crate::Vector;
 use crate::index::BodyId;
 use crate::position::{Arm, Predictor, Track, product};
 
-/// A body with a greater bound on its turn, radians, is bounded by its triangle as well.
+/// A body with a greater bound on its turn, half of what a step may have, is bounded by its triangle as well; radians.
 const LARGE_TURN: f64 = 0.5;
 
 impl Enclosure {

@@ -1,19 +1,13 @@
 //! Newton's method for the equations of a group, until the step is negligible relative to the group or the residuals are
-//! rounding.
+//! rounding. The loop is its own: most of the time of a motion is spent in it, and it does not apply its last step.
 
 use super::work::Work;
 use super::{Group, Term};
 use crate::Vector;
 use crate::index::StepId;
+use crate::numeric::newton::MAX_STEPS_FROM_DRAWING;
 use crate::position::{Cause, Complex, Equation, Nearby, State};
 use crate::tolerance;
-
-/// Maximum number of Newton steps, from a pose nearby or from a drawing.
-const MAX_STEPS: usize = 30;
-/// Maximum residual in units of the rounding of one term: a residual is a sum of terms, some rounded more than once.
-const MAX_ROUNDINGS: f64 = 16.0;
-/// Maximum residual, relative to the size of the group, with which a redundant equation holds.
-const REDUNDANT_RESIDUAL: f64 = 1e-10;
 
 impl Group {
     #[inline(never)]
@@ -24,7 +18,7 @@ impl Group {
         step: StepId,
     ) -> Result<(), Cause> {
         let mut last = f64::INFINITY;
-        for step_number in 0..MAX_STEPS {
+        for step_number in 0..MAX_STEPS_FROM_DRAWING {
             let change = self.newton_step(state, step)?;
             let work = &mut state.work;
             if let Some(correction) = state.corrections.get_mut(step_number) {
@@ -36,7 +30,7 @@ impl Group {
             {
                 return self.locked(work).map_or(Ok(()), Err);
             }
-            if step_number + 1 == MAX_STEPS {
+            if step_number + 1 == MAX_STEPS_FROM_DRAWING {
                 return Err(Cause::Apart {
                     by: self.closure_error(work, near),
                 });
@@ -144,7 +138,8 @@ impl Group {
                 }
             };
             let residual = equation.residual(&work.values, &work.known_angles).abs();
-            residual <= MAX_ROUNDINGS * f64::EPSILON * magnitude
+            // A residual is a sum of terms, some rounded more than once.
+            residual <= tolerance::CONVERGED * magnitude
         });
         work.magnitudes = magnitudes;
         is_rounding
@@ -159,7 +154,7 @@ impl Group {
         let residuals = self.residuals(work).zip(&self.constrained);
         let (by, body) = residuals.max_by(|(a, _), (b, _)| a.total_cmp(b))?;
         let body = *body;
-        (by > REDUNDANT_RESIDUAL * size).then_some(Cause::Locked { body, by })
+        (by > tolerance::COINCIDENT * size).then_some(Cause::Locked { body, by })
     }
 
     /// The scale of its residuals: its largest unit or, without unknowns, the longest of its links.

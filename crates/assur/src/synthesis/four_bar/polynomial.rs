@@ -1,6 +1,6 @@
 //! All real roots of polynomials of low degree.
 
-use crate::motion::root::root;
+use crate::numeric::roots::root;
 use crate::tolerance;
 
 /// Value of a polynomial with ascending coefficients.

@@ -1,4 +1,4 @@
-//! Scalar root finding in a bracket.
+//! Roots of functions of one number in a bracket.
 
 /// Maximum number of evaluations: bisection alone takes about sixty to rounding.
 const MAX_STEPS: usize = 120;
@@ -38,7 +38,7 @@ pub(crate) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>
 }
 
 /// The last number at which a condition holds, by bisection from a number that satisfies it to one that does not.
-pub(super) fn bisect([mut low, mut high]: [f64; 2], mut holds: impl FnMut(f64) -> bool) -> f64 {
+pub(crate) fn bisect([mut low, mut high]: [f64; 2], mut holds: impl FnMut(f64) -> bool) -> f64 {
     for _ in 0..MAX_STEPS {
         let middle = 0.5 * (low + high);
         if middle == low || middle == high {

@@ -1,0 +1,72 @@
+//! Newton's method for systems of equations that give their own step. Loops with buffers of their own stay where they
+//! are: that of groups (`position::group`), which is the hottest of all and does not apply its last step.
+
+/// Maximum number of steps from a guess nearby, where convergence is quadratic: each step doubles the digits.
+pub(crate) const MAX_STEPS: usize = 12;
+/// Maximum number of steps from a drawing, which may be far from a solution.
+pub(crate) const MAX_STEPS_FROM_DRAWING: usize = 40;
+/// Maximum size of a predicted step, relative to the unknowns, that is rounding and not worth a step.
+const NEGLIGIBLE_STEP: f64 = 1e-17;
+
+/// Applies steps until `is_last`, of the size of a step and of the one before, holds. `step` applies one and returns its
+/// size.
+///
+/// # Errors
+/// The size of the last of too many steps, or infinity if a step fails.
+pub(crate) fn newton(
+    max_steps: usize,
+    mut step: impl FnMut() -> Option<f64>,
+    is_last: impl Fn(f64, f64) -> bool,
+) -> Result<(), f64> {
+    let mut last = f64::INFINITY;
+    for _ in 0..max_steps {
+        let change = step().unwrap_or(f64::NAN);
+        if !change.is_finite() {
+            return Err(f64::INFINITY);
+        }
+        if is_last(change, last) {
+            return Ok(());
+        }
+        last = change;
+    }
+    Err(last)
+}
+
+/// True if the error after a step is rounding: by quadratic convergence the next step is about `change` (`change`/`last`)².
+pub(crate) fn is_exact(change: f64, last: f64) -> bool {
+    last.is_finite() && change * (change / last).powi(2) <= NEGLIGIBLE_STEP
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MAX_STEPS, is_exact, newton};
+
+    /// √2 from 1 by steps ½, 1/12, 1/408, 1/470832: the error after the fourth is rounding.
+    #[test]
+    fn a_square_root() {
+        let (mut x, mut steps) = (1.0_f64, Vec::new());
+        let last = newton(
+            MAX_STEPS,
+            || {
+                let step = (x * x - 2.0) / (2.0 * x);
+                x -= step;
+                steps.push(step.abs());
+                Some(step.abs())
+            },
+            is_exact,
+        );
+        let expected = [1.0 / 2.0, 1.0 / 12.0, 1.0 / 408.0, 1.0 / 470_832.0];
+        for (step, expected) in steps.iter().zip(expected) {
+            assert!((step - expected).abs() < 1e-15, "{steps:?}");
+        }
+        assert!(last.is_ok() && (x - 2f64.sqrt()).abs() < 1e-15);
+        // x² + 1 has no root: the steps do not shrink.
+        let mut x = 0.5_f64;
+        let step = || {
+            let step = (x * x + 1.0) / (2.0 * x);
+            x -= step;
+            Some(step.abs() / x.abs())
+        };
+        assert!(newton(MAX_STEPS, step, is_exact).is_err());
+    }
+}

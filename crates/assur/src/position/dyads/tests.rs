@@ -1,0 +1,176 @@
+//! Dyads on a crank that turns about the origin, in poses with numbers that can be checked by hand.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::{Prp, Rpp, Rpr, Rrp, Rrr, Side};
+use crate::index::{BodyId, Id, StepId};
+use crate::position::{Arm, BodyPoint, Nearby, Sign, State, Step, StepContext, Track};
+use crate::{Jet, Vector};
+
+/// A point of a body: 0 is the frame, 1 the crank, 2 and 3 are the links i and j.
+fn at(body: usize, x: f64, y: f64) -> BodyPoint {
+    let local = Vector::new(x, y);
+    BodyPoint {
+        body: BodyId::at(body),
+        local,
+    }
+}
+
+fn arm(body: usize, outer: BodyPoint, length: f64) -> Arm {
+    Arm::new(
+        BodyId::at(body),
+        outer,
+        [Vector::zeros(), Vector::new(length, 0.0)],
+    )
+}
+
+/// A side with its hinge and its line through the origin of the body.
+fn side(body: usize, outer: BodyPoint) -> Side {
+    Side::new(
+        BodyId::at(body),
+        outer,
+        Vector::zeros(),
+        Vector::zeros(),
+        Vector::x(),
+    )
+}
+
+/// The origin of a body on a line.
+fn track(body: usize, line: BodyPoint) -> Track {
+    Track {
+        body: BodyId::at(body),
+        line,
+        heading: Vector::x(),
+        direction: Vector::x(),
+        point: Vector::zeros(),
+        offset: 0.0,
+    }
+}
+
+/// A point of a dyad with its first two derivatives by the crank angle.
+fn place(step: &Step, angle: f64, sign: Sign, point: BodyPoint) -> [[f64; 2]; 3] {
+    let mut state: State<3> = State::new(4, 1, 0, 10.0);
+    let input = Jet::linear(angle, 1.0);
+    state.pin(BodyId::at(1), input, at(0, 0.0, 0.0), Vector::zeros());
+    let orientations = state.orientations();
+    let near = Nearby {
+        orientations: &orientations,
+        natural: &[],
+        smooth_roots: &[],
+    };
+    let context = StepContext {
+        step: StepId::FIRST,
+        input,
+        sign,
+        near,
+    };
+    assert!(step.put(&mut state, &context).is_ok());
+    let place = state.place(point);
+    [0, 1, 2].map(|order| [place.x(), place.y()].map(|jet| jet.derivative(order)))
+}
+
+#[test]
+fn places_and_derivatives() {
+    use Sign::{Minus, Plus};
+    let four_bar = None;
+    // The triangle 3, 4, 5 between B (0, 1), on a crank of length 1, and D (5, 1).
+    let arms = [arm(2, at(1, 1.0, 0.0), 3.0), arm(3, at(0, 5.0, 1.0), 4.0)];
+    let rrr = Step::from(Rrr { arms, four_bar });
+    // Crank 3 and rod 5: x = 3 cos φ ± √(25 − 9 sin² φ).
+    let rrp = Step::from(Rrp {
+        arm: arm(2, at(1, 3.0, 0.0), 5.0),
+        track: track(3, at(0, 0.0, 0.0)),
+    });
+    // From B (0, 3) to D (4, 0): ω = d × d′ / d² = 9/25.
+    let sides = [side(2, at(1, 3.0, 0.0)), side(3, at(0, 4.0, 0.0))];
+    let rpr = Step::from(Rpr { sides });
+    // The scotch yoke: x = 5 cos φ.
+    let rpp = Step::from(Rpp {
+        side: side(2, at(1, 5.0, 0.0)),
+        track: track(3, at(0, 0.0, 0.0)),
+        direction: Vector::y(),
+        through: Vector::zeros(),
+    });
+    // A line at a distance of 2 from the pivot of the crank meets the x axis at 2 / sin φ.
+    let tracks = [track(2, at(0, 0.0, 0.0)), track(3, at(1, 0.0, -2.0))];
+    let prp = Step::from(Prp { tracks });
+    let right = FRAC_PI_2;
+    let yoke = 4_f64.atan2(3.0);
+    let [c, x] = [at(3, 4.0, 0.0), at(3, 0.0, 0.0)];
+    let on_i = at(2, 5.0, 0.0);
+    let none = [f64::NAN; 2];
+    let cases = [
+        (
+            "RRR",
+            &rrr,
+            right,
+            Plus,
+            c,
+            [[1.8, 3.4], [-0.36, -0.48], none],
+        ),
+        (
+            "RRR",
+            &rrr,
+            right,
+            Minus,
+            c,
+            [[1.8, -1.4], [-0.36, 0.48], none],
+        ),
+        (
+            "RRP",
+            &rrp,
+            right,
+            Plus,
+            x,
+            [[4.0, 0.0], [-3.0, 0.0], [2.25, 0.0]],
+        ),
+        (
+            "RRP",
+            &rrp,
+            right,
+            Minus,
+            x,
+            [[-4.0, 0.0], [-3.0, 0.0], [-2.25, 0.0]],
+        ),
+        (
+            "RPR",
+            &rpr,
+            right,
+            Plus,
+            on_i,
+            [[4.0, 0.0], [-1.92, 1.44], none],
+        ),
+        (
+            "RPR",
+            &rpr,
+            right,
+            Minus,
+            on_i,
+            [[-4.0, 6.0], [-4.08, -1.44], none],
+        ),
+        (
+            "RPP",
+            &rpp,
+            yoke,
+            Plus,
+            x,
+            [[3.0, 0.0], [-4.0, 0.0], [-3.0, 0.0]],
+        ),
+        (
+            "PRP",
+            &prp,
+            right,
+            Plus,
+            x,
+            [[2.0, 0.0], [0.0, 0.0], [2.0, 0.0]],
+        ),
+    ];
+    for (dyad, step, angle, sign, point, expected) in cases {
+        let found = place(step, angle, sign, point);
+        for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
+            // Second derivatives of some are not given.
+            let is_near = expected.is_nan() || (found - expected).abs() < 1e-14;
+            assert!(is_near, "{dyad} {sign:?}: {found}, not {expected}");
+        }
+    }
+}
