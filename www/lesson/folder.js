@@ -60,7 +60,7 @@ import { holds, open } from "assur/lesson/show.js";
 
 /**
  * @typedef {{ [K in Kind]: Readonly<{ kind: K, document: Documents[K] }> }[Kind]} Whole
- * @typedef {Readonly<Record<string, Whole>>} OwnPresets what `presets.json` of a lesson's folder holds, by name
+ * @typedef {Readonly<Record<string, Whole>>} OwnPresets the presets of a lesson's folder, by name
  */
 
 /** An answer just within its tolerance is not to be lost by rounding, relative to the exact value. */
