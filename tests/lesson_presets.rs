@@ -1,12 +1,11 @@
 //! The presets that lessons have of their own are documents that the engine takes, and
 //! what a lesson is about is there.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use assur_file::{Document, Problem, State, View, gallery};
-use assur_tests::files::root;
+use assur_tests::files::{presets, root};
 use serde_json::{Value, json};
 
 /// The folders of the lessons, with that of the tests.
@@ -24,14 +23,6 @@ fn lessons() -> Vec<PathBuf> {
 fn file(lesson: &Path, name: &str) -> Option<Value> {
     let text = fs::read_to_string(lesson.join(name)).ok()?;
     Some(serde_json::from_str(&text).unwrap_or_else(|error| panic!("{lesson:?} {name}: {error}")))
-}
-
-/// The kinds and documents of a lesson's presets, by name.
-fn presets(lesson: &Path) -> BTreeMap<String, Value> {
-    let presets = file(lesson, "presets.json");
-    presets.map_or_else(BTreeMap::new, |value| {
-        serde_json::from_value(value).unwrap()
-    })
 }
 
 /// Everything that a value has, by its path.

@@ -33,7 +33,6 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/types/web.js").AgainstLayout} Field where one quantity is plotted against another
  * @typedef {import("assur/types/web.js").AxisLayout} FieldAxis
- * @typedef {import("assur/types/web.js").ChartRequest} ChartRequest
  * @typedef {Readonly<Record<string, number>>} Readouts
  * @typedef {{ input?: number, document?: import("assur/state/state.js").Change }} Changed where the input goes, which fields of the document become others
  * @typedef {import("assur/types/web.js").SweepTable} SweepTable
@@ -63,10 +62,7 @@ async function compile(response) {
   return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
-/**
- * @param {Float64Array} flat how many numbers each of the lists has, then the lists
- * @returns {Float64Array[]}
- */
+/** @param {Float64Array} flat how many numbers each of the lists has, then the lists */
 function lists(flat) {
   let end = LISTS;
   return [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
@@ -475,7 +471,7 @@ export class Engine {
 
   /**
    * @param {import("assur/canvas/painter.js").Context} context
-   * @param {ChartRequest} request
+   * @param {import("assur/types/web.js").ChartRequest} request
    * @returns {{ panels: Panel[], against: Field | null }}
    */
   chart(context, request) {

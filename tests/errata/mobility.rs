@@ -6,8 +6,7 @@ use assur::mobility::PairKind::{Revolute, Spherical};
 use assur::mobility::{Counts, PairKind, PairSpec, Scheme, SchemeSpec, Sections, Space};
 use assur::mobility::{Point3, Vector3};
 use assur_file::{Document, SchemeDocument};
-use assur_tests::files::source;
-use serde_json::Value;
+use assur_tests::files::preset;
 
 /// Pairs with the links that they join, `A01` a hinge A of links 0 and 1, and where they are.
 fn scheme(planar: bool, pairs: &[(PairKind, &str, [f64; 2])]) -> Scheme {
@@ -73,10 +72,8 @@ fn class_iv() -> Scheme {
 
 /// A scheme of the catalogue, or a preset of the lesson, with its cuts.
 fn document(name: &str) -> SchemeDocument {
-    let presets: Value =
-        serde_json::from_str(&source("www/lessons/mobility/presets.json")).unwrap();
-    if let Some(own) = presets.get(name) {
-        return serde_json::from_value(own["document"].clone()).unwrap();
+    if let Some(own) = preset("mobility", name) {
+        return serde_json::from_value(own).unwrap();
     }
     let Some(Ok(Document::Scheme(scheme))) = assur_file::document(name) else {
         panic!("{name} is no scheme");

@@ -6,7 +6,8 @@ use assur::circuits::{Circuits, MeetingKind};
 use assur::mechanism::{Mechanism, Method, Quantity};
 use assur_file::{LinkageDocument, from_catalogue};
 use assur_tests::assert_near;
-use serde_json::{Value, json};
+use assur_tests::files::preset;
+use serde_json::json;
 
 use super::{LANGUAGES, Lesson};
 
@@ -18,9 +19,8 @@ const OWN: [&str; 3] = ["ten", "short", "near"];
 
 /// What a preset of the lesson has, or of the catalogue: as the page does, it looks for its own first.
 fn document(name: &str) -> LinkageDocument {
-    let presets: Value = serde_json::from_str(&LESSON.file("presets.json")).unwrap();
-    match presets.get(name) {
-        Some(own) => serde_json::from_value(own["document"].clone()).unwrap(),
+    match preset("assemblies", name) {
+        Some(own) => serde_json::from_value(own).unwrap(),
         None => from_catalogue(name).unwrap().unwrap(),
     }
 }

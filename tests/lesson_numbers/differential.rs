@@ -8,22 +8,14 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use assur::dynamics::{Body, Mesh, Reading, Recording};
 use assur::gears::train::{ConditionKind, Counts, Shaft, Shafts};
 use assur_file::{GearTrain, GearTrainDocument};
-use serde_json::Value;
+use assur_tests::files::{preset, presets, root};
 
 use super::{LANGUAGES, Lesson, numbers};
 
 const LESSON: Lesson = Lesson("differential");
 
-fn presets() -> BTreeMap<String, GearTrainDocument> {
-    let presets: BTreeMap<String, Value> =
-        serde_json::from_str(&LESSON.file("presets.json")).unwrap();
-    let read = |preset: Value| serde_json::from_value(preset["document"].clone()).unwrap();
-    let read = |(name, preset)| (name, read(preset));
-    presets.into_iter().map(read).collect()
-}
-
 fn document(name: &str) -> GearTrainDocument {
-    presets().remove(name).unwrap()
+    serde_json::from_value(preset("differential", name).unwrap()).unwrap()
 }
 
 fn train(name: &str) -> GearTrain {
@@ -233,7 +225,8 @@ fn the_largest_ratio() {
 /// built, magnets of the numbers of those gears cannot.
 #[test]
 fn gaps_and_room() {
-    for (name, document) in presets() {
+    for (name, mut own) in presets(&root().join("www/lessons/differential")) {
+        let document: GearTrainDocument = serde_json::from_value(own["document"].take()).unwrap();
         let train = document.train().unwrap();
         let unmet = train.layout.conditions(train.coupling);
         let unmet: Vec<ConditionKind> = unmet

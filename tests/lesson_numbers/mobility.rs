@@ -7,21 +7,15 @@ use assur::mechanism::{LinkageSpec, Mechanism};
 use assur::mobility::{Cut, CutError, Generic, PairKind, RankReport, Scheme, Sections, Space};
 use assur::motion::Motion;
 use assur_file::{Document, LinkageDocument, SchemeDocument, from_catalogue};
-use serde_json::Value;
+use assur_tests::files::preset;
 
 use super::{LANGUAGES, Lesson};
 
 const LESSON: Lesson = Lesson("mobility");
 
-/// The document of a preset of the lesson's own.
-fn own_preset(name: &str) -> Option<Value> {
-    let presets: Value = serde_json::from_str(&LESSON.file("presets.json")).unwrap();
-    Some(presets.get(name)?["document"].clone())
-}
-
 /// What a preset of the lesson has, or of the catalogue: as the page does, it looks for its own first.
 fn document(name: &str) -> SchemeDocument {
-    if let Some(own) = own_preset(name) {
+    if let Some(own) = preset("mobility", name) {
         return serde_json::from_value(own).unwrap();
     }
     let Some(Ok(Document::Scheme(scheme))) = assur_file::document(name) else {
@@ -342,7 +336,7 @@ fn press_with_a_compound_hinge() {
 
 /// A linkage among the lesson's presets, or of the catalogue.
 fn linkage(name: &str) -> LinkageSpec {
-    let Some(own) = own_preset(name) else {
+    let Some(own) = preset("mobility", name) else {
         return from_catalogue(name).unwrap().unwrap().spec();
     };
     let own: LinkageDocument = serde_json::from_value(own).unwrap();

@@ -13,6 +13,7 @@ use assur::synthesis::four_bar::{
 };
 use assur::{FourBar, Grashof};
 use assur_file::{LinkageDocument, Synthesis, SynthesisDocument};
+use assur_tests::files;
 use serde_json::Value;
 
 use super::{LANGUAGES, Lesson, numbers};
@@ -21,8 +22,7 @@ const LESSON: Lesson = Lesson("synthesis");
 
 /// The document of a preset of the lesson.
 fn preset(name: &str) -> Value {
-    let presets: Value = serde_json::from_str(&LESSON.file("presets.json")).unwrap();
-    presets[name]["document"].clone()
+    files::preset("synthesis", name).unwrap()
 }
 
 fn document(name: &str) -> SynthesisDocument {

@@ -2,7 +2,8 @@
 
 use assur::mechanism::{Mechanism, Method};
 use assur_file::{LinkageDocument, from_catalogue};
-use serde_json::{Value, json};
+use assur_tests::files::preset;
+use serde_json::json;
 
 use crate::browser::{Page, setting};
 use crate::device::languages;
@@ -25,10 +26,8 @@ async fn lesson(page: &Page) {
 
 /// What a preset of the lesson has, or of the catalogue.
 fn document(name: &str) -> LinkageDocument {
-    let presets: Value =
-        serde_json::from_str(include_str!("../../www/lessons/assemblies/presets.json")).unwrap();
-    match presets.get(name) {
-        Some(own) => serde_json::from_value(own["document"].clone()).unwrap(),
+    match preset("assemblies", name) {
+        Some(own) => serde_json::from_value(own).unwrap(),
         None => from_catalogue(name).unwrap().unwrap(),
     }
 }

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use assur::dynamics::{Body, Mesh, Recording};
 use assur::gears::train::{Member, Shafts};
 use assur_file::{GearTrain, GearTrainDocument};
-use assur_tests::files::source;
+use assur_tests::files::{preset, source};
 use serde_json::{Value, json};
 use thirtyfour::prelude::*;
 
@@ -20,9 +20,7 @@ const STEPS: usize = 11;
 
 /// A document of the lesson.
 fn document(name: &str) -> GearTrainDocument {
-    let presets = include_str!("../../www/lessons/differential/presets.json");
-    let presets: Value = serde_json::from_str(presets).unwrap();
-    serde_json::from_value(presets[name]["document"].clone()).unwrap()
+    serde_json::from_value(preset("differential", name).unwrap()).unwrap()
 }
 
 fn train(name: &str) -> GearTrain {

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 
 use assur::mobility::{CutError, Scheme, SchemeSpec, Space};
 use assur_file::{Document, KindDocument, SchemeDocument};
-use serde_json::{Value, json};
+use assur_tests::files::preset;
+use serde_json::json;
 
 use crate::access::{AXE, check};
 use crate::browser::Page;
@@ -15,10 +16,8 @@ use crate::layout::defects;
 
 /// A document of the lesson or of the catalogue.
 pub(crate) fn document(name: &str) -> SchemeDocument {
-    let presets: Value =
-        serde_json::from_str(include_str!("../../www/lessons/mobility/presets.json")).unwrap();
-    if let Some(own) = presets.get(name) {
-        return serde_json::from_value(own["document"].clone()).unwrap();
+    if let Some(own) = preset("mobility", name) {
+        return serde_json::from_value(own).unwrap();
     }
     let Some(Ok(Document::Scheme(document))) = assur_file::document(name) else {
         panic!("{name} is no scheme");

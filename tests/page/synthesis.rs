@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use assur::{Assembly, FourBar};
 use assur_file::{Synthesis, SynthesisDocument};
-use assur_tests::assert_near;
+use assur_tests::{assert_near, files};
 use serde_json::{Value, json};
 use thirtyfour::prelude::*;
 
@@ -19,9 +19,7 @@ use crate::layout::defects;
 
 /// A document of the lesson's own.
 pub(crate) fn preset(name: &str) -> Value {
-    let presets: Value =
-        serde_json::from_str(include_str!("../../www/lessons/synthesis/presets.json")).unwrap();
-    presets[name]["document"].clone()
+    files::preset("synthesis", name).unwrap()
 }
 
 pub(crate) fn document(name: &str) -> SynthesisDocument {

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde_json::{Value, json};
+
 /// The folder of the project; paths of files start there.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -15,6 +17,39 @@ pub fn root() -> PathBuf {
 /// Where there is none.
 pub fn source(path: &str) -> String {
     fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+/// The presets of a lesson, by name, with what each takes from an earlier one; none where it has no such file.
+///
+/// # Panics
+/// Where a preset is not as the page takes it.
+pub fn presets(lesson: &Path) -> BTreeMap<String, Value> {
+    let Ok(text) = fs::read_to_string(lesson.join("presets.json")) else {
+        return BTreeMap::new();
+    };
+    let own: BTreeMap<String, Value> =
+        serde_json::from_str(&text).unwrap_or_else(|error| panic!("{lesson:?}: {error}"));
+    (own.keys())
+        .map(|name| (name.clone(), whole(&own, name)))
+        .collect()
+}
+
+/// Kind and document of a preset.
+fn whole(own: &BTreeMap<String, Value>, name: &str) -> Value {
+    let preset = &own[name];
+    let Some(from) = preset["from"].as_str() else {
+        return preset.clone();
+    };
+    let base = whole(own, from);
+    let mut document = base["document"].as_object().unwrap().clone();
+    document.extend(preset["document"].as_object().unwrap().clone());
+    json!({ "kind": base["kind"], "document": document })
+}
+
+/// The document of a preset of a lesson, where it has one of that name.
+pub fn preset(lesson: &str, name: &str) -> Option<Value> {
+    let folder = root().join("www/lessons").join(lesson);
+    Some(presets(&folder).remove(name)?["document"].take())
 }
 
 /// The scripts of a folder and of those in it, by their paths; their tests aside.

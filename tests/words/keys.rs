@@ -40,7 +40,7 @@ pub(super) const BUILT: [(&str, &[&str]); 64] = [
     ),
     ("draw.", &["www/drawing/rail.js"]),
     ("draw.act.", &["www/drawing/rail.js"]),
-    ("draw.mend.", &["www/drawing/rail.js"]),
+    ("draw.mend.", &["www/drawing/reasons.js"]),
     ("draw.picture.", &["www/drawing/picture-options.js"]),
     ("draw.prompt.", &["www/drawing/tools.js"]),
     ("draw.tool.", &["www/drawing/tools.js"]),

@@ -12,7 +12,6 @@ import { furtherOf, withFurther, withMechanism, withView } from "assur/state/sta
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
- * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<Record<string, () => void>>} Commands
  */
 
@@ -90,7 +89,7 @@ function motionCommands(page) {
   // The preset that the mechanism was last; of an opened one that was none, the first.
   const [first] = engine.catalogue;
   let preset = first;
-  const note = (/** @type {State} */ state) => {
+  const note = (/** @type {import("assur/state/state.js").State} */ state) => {
     if (state.kind === first.kind) preset = engine.presetOf(state) ?? preset;
   };
   note(store.get());

@@ -11,7 +11,6 @@ import { titled, writtenLevel, written } from "assur/plots/units.js";
 import { moves } from "assur/state/model.js";
 
 /**
- * @typedef {import("assur/engine.js").Mark} Mark
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/engine.js").Listed} Listed
  * @typedef {import("assur/engine.js").Summary} Summary
@@ -29,8 +28,7 @@ export class Description {
   #now = byId("announcement", HTMLElement);
   #chart;
   #shown = new Seen();
-  /** @type {readonly unknown[]} angle, mechanism and language that were told last */
-  #told = [];
+  #told = new Seen();
   #asked;
   #timer = 0;
 
@@ -73,11 +71,8 @@ export class Description {
     const failed = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
     const here = positions(snapshot);
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
-    const told = [place, revision, words.lang];
-    if (this.#asked && !failed && told.some((part, i) => part !== this.#told[i])) {
-      write(this.#now, [pose(snapshot), ...here].join(" "));
-    }
-    this.#told = told;
+    const moved = !this.#told.same(place, revision, words.lang);
+    if (this.#asked && !failed && moved) write(this.#now, [pose(snapshot), ...here].join(" "));
     this.#asked = true;
   }
 }
@@ -117,7 +112,6 @@ function pose(snapshot) {
 /**
  * What is compared with it: its output, and how the other one differs.
  * @param {Snapshot} snapshot
- * @returns {string[]}
  */
 function beside({ summary: { listed, outputs }, readouts, compared, compares, words, withheld }) {
   if (!compares) return [];
@@ -149,7 +143,6 @@ function drawing(snapshot) {
 /**
  * The special positions that the driver is at.
  * @param {Snapshot} snapshot
- * @returns {string[]}
  */
 function positions({ summary, coordinate, input, words }) {
   const limits = summary.outputs[0]?.limits ?? [];
@@ -188,7 +181,7 @@ function plots(snapshot, { panels, against }) {
 
 /**
  * @param {Panel} panel
- * @param {readonly Mark[]} marks of one curve
+ * @param {readonly import("assur/engine.js").Mark[]} marks of one curve
  * @param {Snapshot["coordinate"]} coordinate
  * @param {Words} words
  * @returns {string[]} its least and its greatest value

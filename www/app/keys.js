@@ -2,7 +2,6 @@
 import { byId, make } from "assur/core/dom.js";
 
 /**
- * @typedef {import("assur/app/commands.js").Commands} Commands
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {Readonly<{ command: string, name: string, combos: readonly string[], control?: string, again?: boolean }>} Key
  * `combos` are written as in aria-keyshortcuts; `name` is the key of the words; `control` the element that does the
@@ -52,7 +51,7 @@ const OWN = Object.freeze({
 
 /**
  * Listens to the keys of the table.
- * @param {Commands} commands
+ * @param {import("assur/app/commands.js").Commands} commands
  */
 export function listen(commands) {
   addEventListener("keydown", (event) => {

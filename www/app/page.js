@@ -26,11 +26,7 @@ import { PARTS, withView } from "assur/state/state.js";
 import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
 
-/**
- * @typedef {import("assur/app/opening.js").Taken} Taken
- * @typedef {import("assur/state/state.js").State} State
- * @typedef {import("assur/state/change.js").Edit} Edit
- */
+/** @typedef {import("assur/state/state.js").State} State */
 
 /** Numbers that change faster than this cannot be read; in seconds. */
 const WRITING_PERIOD = 0.2;
@@ -162,7 +158,7 @@ export class Page {
 
   /**
    * Takes in a state from outside, as a step that can be undone.
-   * @param {Promise<Taken | null>} coming
+   * @param {Promise<import("assur/app/opening.js").Taken | null>} coming
    */
   async take(coming) {
     const taken = await coming;
@@ -178,7 +174,7 @@ export class Page {
    * Shows another document instead of the one there is, in one step of undo. An open lesson stays open.
    * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
-   * @param {readonly Edit[]} edits what the engine makes other in it
+   * @param {readonly import("assur/state/change.js").Edit[]} edits what the engine makes other in it
    * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look how it is looked at, by what the engine says of it
    * if it takes it
    */

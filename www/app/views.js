@@ -24,10 +24,9 @@ import { moves } from "assur/state/model.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
- * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
  * @typedef {{ render(snapshot: AnySnapshot): void }} View
- * @typedef {{ render(snapshot: Snapshot): void }} MotionView of what moves
+ * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView of what moves
  * @typedef {(page: Page) => readonly View[]} Make what of the page only one kind of mechanism has; its views are given what is of it
  */
 

@@ -1,11 +1,8 @@
 // The map of all branches: the output over the input, folds and crossings, and where the assemblies are now.
+import { makeSvg } from "assur/core/dom.js";
 
-/**
- * @typedef {import("assur/types/web.js").MotionsMap} MotionsMap
- * @typedef {{ input: number, shown: number | null, angles: readonly number[] }} Now
- */
+/** @typedef {{ input: number, shown: number | null, angles: readonly number[] }} Now */
 
-const SVG = "http://www.w3.org/2000/svg";
 /** Width and height of the map, in its units, and of the room for the scales. */
 const SIZE = 300;
 const LEFT = 42;
@@ -18,9 +15,9 @@ const TURN = 2 * Math.PI;
 const COLOURS = ["crank", "coupler", "rocker", "accent1", "accent2", "accent3", "accent4", "accent5", "accent6", "accent7"];
 
 export class BranchMap {
-  #branches = make("g");
-  #now = make("g");
-  #scale = make("g", { class: "map-scale" });
+  #branches = makeSvg("g");
+  #now = makeSvg("g");
+  #scale = makeSvg("g", { class: "map-scale" });
   /** In which language it is drawn. */
   lang = "";
   #from = 0;
@@ -28,7 +25,7 @@ export class BranchMap {
 
   /** @param {(input: number, output: number) => void} chosen where it was clicked */
   constructor(chosen) {
-    this.element = make("svg", { id: "assembly-map", class: "assembly-map", viewBox: `0 0 ${LEFT + SIZE + BEYOND} ${TOP + SIZE + BELOW}`, role: "img" });
+    this.element = makeSvg("svg", { id: "assembly-map", class: "assembly-map", viewBox: `0 0 ${LEFT + SIZE + BEYOND} ${TOP + SIZE + BELOW}`, role: "img" });
     this.element.append(this.#scale, this.#branches, this.#now);
     this.element.addEventListener("click", ({ clientX, clientY }) => {
       const { left, top, width, height } = this.element.getBoundingClientRect();
@@ -40,20 +37,20 @@ export class BranchMap {
   }
 
   /**
-   * @param {MotionsMap} map
+   * @param {import("assur/types/web.js").MotionsMap} map
    * @param {{ turns: boolean, range: readonly [number, number], input: string, output: string, numbers: import("assur/core/numbers.js").Numbers }} axis
    */
   draw(map, { turns, range, input, output, numbers }) {
     [this.#from, this.#to] = turns ? [0, TURN] : range;
     this.#scale.replaceChildren(...this.#scales(turns, input, output, numbers));
     const lines = map.branches.map(({ circuit, pieces }, branch) => {
-      const line = make("path", { d: pieces.map((piece) => this.#path(piece)).join(" "), "data-branch": String(branch), "data-circuit": String(circuit) });
+      const line = makeSvg("path", { d: pieces.map((piece) => this.#path(piece)).join(" "), "data-branch": String(branch), "data-circuit": String(circuit) });
       line.style.stroke = colour(circuit);
       return line;
     });
     const meetings = map.meetings.map(({ kind, branches, input: at, output: angle }) => {
       const [x, y] = this.#place(at, angle);
-      const dot = make("circle", { cx: x, cy: y, r: "4", class: kind });
+      const dot = makeSvg("circle", { cx: x, cy: y, r: "4", class: kind });
       dot.style.stroke = colour(map.branches[branches[0]].circuit);
       if (kind === "fold") dot.style.fill = dot.style.stroke;
       return dot;
@@ -69,8 +66,8 @@ export class BranchMap {
     for (const line of this.#branches.querySelectorAll("path")) line.classList.toggle("shown", branch !== null && line.getAttribute("data-branch") === String(branch));
     const along = this.#to - this.#from === TURN ? ((input % TURN) + TURN) % TURN : input;
     const [x] = this.#place(along, 0);
-    const line = make("line", { x1: x, x2: x, y1: String(TOP), y2: String(TOP + SIZE), class: "map-now" });
-    const dots = angles.map((angle, k) => make("circle", { cx: x, cy: this.#place(along, angle)[1], r: k === shown ? "6" : "3.5", class: k === shown ? "map-shown" : "map-other" }));
+    const line = makeSvg("line", { x1: x, x2: x, y1: TOP, y2: TOP + SIZE, class: "map-now" });
+    const dots = angles.map((angle, k) => makeSvg("circle", { cx: x, cy: this.#place(along, angle)[1], r: k === shown ? "6" : "3.5", class: k === shown ? "map-shown" : "map-other" }));
     this.#now.replaceChildren(line, ...dots);
   }
 
@@ -84,7 +81,6 @@ export class BranchMap {
   /**
    * @param {number} input
    * @param {number} output
-   * @returns {[string, string]}
    */
   #place(input, output) {
     const x = LEFT + (SIZE * (input - this.#from)) / (this.#to - this.#from);
@@ -99,17 +95,16 @@ export class BranchMap {
    * @param {import("assur/core/numbers.js").Numbers} numbers
    */
   #scales(turns, input, output, numbers) {
-    const parts = [make("rect", { x: String(LEFT), y: String(TOP), width: String(SIZE), height: String(SIZE) })];
+    /** @type {SVGElement[]} */
+    const parts = [makeSvg("rect", { x: LEFT, y: TOP, width: SIZE, height: SIZE })];
     const text = (/** @type {string} */ said, /** @type {number} */ x, /** @type {number} */ y, anchor = "middle") => {
-      const made = make("text", { x: String(x), y: String(y), "text-anchor": anchor });
-      made.textContent = said;
-      parts.push(made);
+      parts.push(makeSvg("text", { x, y, "text-anchor": anchor }, [said]));
     };
     for (let quarter = 0; quarter <= 4; quarter++) {
       const at = TOP + SIZE * (1 - quarter / 4);
       const left = LEFT + (SIZE * quarter) / 4;
-      parts.push(make("line", { x1: String(LEFT), x2: String(LEFT + SIZE), y1: String(at), y2: String(at) }));
-      parts.push(make("line", { x1: String(left), x2: String(left), y1: String(TOP), y2: String(TOP + SIZE) }));
+      parts.push(makeSvg("line", { x1: LEFT, x2: LEFT + SIZE, y1: at, y2: at }));
+      parts.push(makeSvg("line", { x1: left, x2: left, y1: TOP, y2: TOP + SIZE }));
       // The names of the axes stand where the numbers of the third quarter would.
       const up = quarter === 3 ? output : `${90 * quarter}°`;
       const value = this.#from + ((this.#to - this.#from) * quarter) / 4;
@@ -124,15 +119,4 @@ export class BranchMap {
 /** @param {number} circuit */
 function colour(circuit) {
   return `var(--role-${COLOURS[circuit % COLOURS.length]})`;
-}
-
-/**
- * @param {string} tag
- * @param {Readonly<Record<string, string>>} [attributes]
- * @returns {SVGElement}
- */
-function make(tag, attributes = {}) {
-  const element = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
 }

@@ -113,8 +113,7 @@ export class Assemblies {
     const canvas = make("canvas", { "aria-hidden": "true" });
     const name = make("span");
     const number = this.#buttons.length;
-    const button = make("button", { type: "button", class: "control", id: `assembly-${number + 1}-picture` }, [canvas, name]);
-    button.addEventListener("click", () => this.#follow(number));
+    const button = make("button", { type: "button", class: "control", id: `assembly-${number + 1}-picture`, onclick: () => this.#follow(number) }, [canvas, name]);
     this.#buttons.push({ button, canvas, name });
     this.#pictures.append(button);
   }

@@ -109,7 +109,6 @@ function addPolygons(shape, list, at) {
  * @param {Path2D} path
  * @param {List} list
  * @param {number} at
- * @returns {number}
  */
 function addPoints(path, list, at) {
   const points = list[at];

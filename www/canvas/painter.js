@@ -5,7 +5,6 @@ import { textWidth } from "assur/canvas/text-width.js";
 /**
  * @typedef {import("assur/canvas/display-list.js").Layer} Layer
  * @typedef {import("assur/canvas/display-list.js").Shape} Shape
- * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/canvas/transform.js").Transform} Transform
  *
  * @typedef {Pick<CanvasRenderingContext2D, "fillStyle" | "strokeStyle" | "globalAlpha" | "lineWidth" | "lineJoin" | "lineCap"
@@ -56,7 +55,7 @@ export class Painter {
   /** @type {WeakMap<Shape, { width: number, band: Path2D }>} the lines of polygons, as wide as they were painted last */
   #bands = new WeakMap();
 
-  /** @param {Theme} theme */
+  /** @param {import("assur/canvas/theme.js").Theme} theme */
   constructor(theme) {
     this.#theme = theme;
   }

@@ -2,6 +2,7 @@
 // any of them is shown.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { Seen } from "assur/core/seen.js";
 import { withView } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/model.js").Snapshot} Snapshot */
@@ -15,8 +16,7 @@ export class AboutLink {
   #row = byId("about-link", HTMLElement);
   #against = byId("about-against", HTMLElement);
   #selects = Object.freeze({ about: byId("about", HTMLSelectElement), relative_to: byId("relative_to", HTMLSelectElement) });
-  /** @type {readonly unknown[]} what the entries were made of */
-  #built = [];
+  #built = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ engine, store }) {
@@ -34,8 +34,7 @@ export class AboutLink {
     if (this.#row.hidden) return;
     // Centrodes and circles are those of its motion against the frame.
     this.#against.hidden = !view.instant_centres;
-    const built = [links, words];
-    const anew = built.some((part, i) => part !== this.#built[i]);
+    const anew = !this.#built.same(links, words);
     const entry = (/** @type {string} */ value, /** @type {string} */ text) => make("option", { value }, [text]);
     for (const choice of CHOICES) {
       const select = this.#selects[choice];
@@ -44,6 +43,5 @@ export class AboutLink {
       const value = links.includes(view[choice]) ? view[choice] : "";
       if (select.value !== value) select.value = value;
     }
-    this.#built = built;
   }
 }

@@ -121,9 +121,9 @@ export class CardList {
       "data-t-label": words.remove,
       "data-t-title": words.remove,
       "data-n": written(number),
+      onclick: () => this.#change((document) => drop(index, document)),
     }, ["×"]);
     const drop = without ?? ((_, document) => this.#with(document, (entries) => entries.filter((_, at) => at !== index)));
-    remove.addEventListener("click", () => this.#change((document) => drop(index, document)));
     const put = (/** @type {Partial<E>} */ change) => this.#edit((document) => (
       this.#with(document, (entries) => entries.map((entry, at) => (at === index ? { ...entry, ...change } : entry)))
     ));
@@ -131,10 +131,7 @@ export class CardList {
     return { element: make("div", { class: "card" }, lines), remove, show };
   }
 
-  /**
-   * @param {Documents<K>} document
-   * @returns {readonly E[]}
-   */
+  /** @param {Documents<K>} document */
   #of(document) {
     return /** @type {readonly E[]} */ (/** @type {unknown} */ (document[this.#kind.name]));
   }

@@ -3,10 +3,7 @@ import { byId, make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { withFurther, withMechanism } from "assur/state/state.js";
 
-/**
- * @typedef {import("assur/state/model.js").Snapshot} Snapshot
- * @typedef {import("assur/state/state.js").State} State
- */
+/** @typedef {import("assur/state/state.js").State} State */
 
 /**
  * @param {State} state
@@ -53,7 +50,7 @@ export class Comparing {
     byId("compare-acts", HTMLElement).append(...Object.values(this.#buttons));
   }
 
-  /** @param {Snapshot} snapshot */
+  /** @param {import("assur/state/model.js").Snapshot} snapshot */
   render({ state, summary, compared, compares, words }) {
     const none = !(summary.moves === "angle" || summary.moves === "length") && !state.compared;
     if (this.#section.hidden !== none) this.#section.hidden = none;

@@ -98,8 +98,8 @@ export class Measures {
     const remove = make("button", {
       id: `measure-remove-${index}`, class: "control icon", type: "button",
       "data-t-label": "measure.remove", "data-t-title": "measure.remove", "data-n": `${letter} ${parts}`,
+      onclick: () => this.#page.store.update((state) => without(state, name)),
     }, ["×"]);
-    remove.addEventListener("click", () => this.#page.store.update((state) => without(state, name)));
     return make("div", { class: "row choosing", style: `--accent: var(--role-${role})` }, [make("span", { class: "name" }, [make("b", {}, [letter])]), make("span", {}, [parts]), remove]);
   }
 

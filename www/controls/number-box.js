@@ -1,11 +1,19 @@
 // A text field that holds a number: takes a decimal comma, keeps what is typed while it is wrong.
+import { make } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";
 
 /**
- * @typedef {import("assur/state/drafts.js").Drafts} Drafts
  * @typedef {Readonly<{ brief: string, full: string }>} Written
  * A value as it is read at a glance, and with all its digits for who is about to change it.
  */
+
+/**
+ * @param {Parameters<typeof make>[1]} attributes
+ * @returns {HTMLInputElement} to type a number into
+ */
+export function numberField(attributes) {
+  return make("input", { class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", ...attributes });
+}
 
 export class NumberBox {
   #input;
@@ -21,8 +29,8 @@ export class NumberBox {
   /**
    * @param {HTMLInputElement} input
    * @param {string} field
-   * @param {Drafts} drafts
-   * @param {(value: number) => number} set takes the number and returns what the state holds then
+   * @param {import("assur/state/drafts.js").Drafts} drafts
+   * @param {(value: number) => number | void} set takes the number and returns what the state holds then, if that is another
    */
   constructor(input, field, drafts, set) {
     this.#input = input;
@@ -33,7 +41,7 @@ export class NumberBox {
       const value = parseNumber(input.value);
       if (value === null) drafts.keep(field);
       else drafts.drop(field);
-      this.#meant = value === null ? null : set(value);
+      this.#meant = value === null ? null : (set(value) ?? value);
     });
     for (const end of ["change", "blur"]) {
       input.addEventListener(end, () => {

@@ -1,5 +1,5 @@
 // One quantity of the document in the rail: its symbol and name, a slider where it has one, a number field.
-import { NumberBox } from "assur/controls/number-box.js";
+import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { make } from "assur/core/dom.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 
@@ -45,20 +45,8 @@ export class NumberRow {
     this.#kind = kind;
     this.#drafts = drafts;
     this.field = field;
-    const input = make("input", {
-      id: `field-${id}`,
-      class: "control number",
-      type: "text",
-      inputmode: "decimal",
-      autocomplete: "off",
-      spellcheck: "false",
-      "data-t-label": `field.${key}`,
-      "data-n": n,
-    });
-    this.#box = new NumberBox(input, field, drafts, (value) => {
-      set(value);
-      return value;
-    });
+    const input = numberField({ id: `field-${id}`, "data-t-label": `field.${key}`, "data-n": n });
+    this.#box = new NumberBox(input, field, drafts, set);
     const name = make("label", { class: "name", for: input.id }, [
       make("b", {}, withSubscripts(symbol)),
       // What the symbol says itself needs no words.

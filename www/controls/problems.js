@@ -129,7 +129,6 @@ export function lossOf(loss, words) {
  * @param {Words} words
  * @param {Document} [document]
  * @param {(place: number) => number} [onto]
- * @returns {string}
  */
 function said(key, problem, words, document, onto = (place) => place) {
   if (!words.has(key)) return words.text("problem.unknown", { code: problem.code });

@@ -8,7 +8,6 @@ import { placed, turned } from "assur/state/player.js";
 import { withView } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/engine.js").Cycle} Cycle
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/state/state.js").View} View
  * @typedef {import("assur/core/words.js").Words} Words
@@ -33,7 +32,7 @@ export class Transport {
   #box;
   /** @type {View | null} the view the controls show */
   #view = null;
-  /** @type {Cycle | null} the cycle the scrubber was made for */
+  /** @type {import("assur/engine.js").Cycle | null} the cycle the scrubber was made for */
   #cycle = null;
   /** Where its axis begins, as readers count. */
   #start = 0;

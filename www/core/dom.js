@@ -15,7 +15,7 @@ export function byId(id, kind) {
 /**
  * @template {keyof HTMLElementTagNameMap} K
  * @param {K} tag
- * @param {Readonly<Record<string, string>>} [attributes]
+ * @param {Readonly<Record<string, string | ((event: Event) => unknown)>>} [attributes] with listeners under names as `onclick`
  * @param {readonly (Node | string)[]} [children]
  * @returns {HTMLElementTagNameMap[K]}
  */
@@ -23,9 +23,24 @@ export function make(tag, attributes = {}, children = []) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     // A hosted page forbids what is written into the attribute: it could be markup of somebody else.
-    if (name === "style") element.style.cssText = value;
+    if (typeof value === "function") element.addEventListener(name.slice(2), value);
+    else if (name === "style") element.style.cssText = value;
     else element.setAttribute(name, value);
   }
+  element.append(...children);
+  return element;
+}
+
+/**
+ * @template {keyof SVGElementTagNameMap} K
+ * @param {K} tag
+ * @param {Readonly<Record<string, string | number>>} [attributes]
+ * @param {readonly (Node | string)[]} [children]
+ * @returns {SVGElementTagNameMap[K]}
+ */
+export function makeSvg(tag, attributes = {}, children = []) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   element.append(...children);
   return element;
 }

@@ -1,4 +1,5 @@
 // Numbers as the reader writes them.
+import { degrees } from "assur/core/angles.js";
 
 const NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i;
 
@@ -86,6 +87,15 @@ export class Numbers {
    */
   upTo(value, decimals) {
     return this.#write(value, `u${decimals}`, { maximumFractionDigits: decimals });
+  }
+
+  /**
+   * In degrees, with their sign.
+   * @param {number} radians
+   * @param {number} decimals the most that are shown
+   */
+  angle(radians, decimals) {
+    return `${this.upTo(degrees(radians), decimals)}°`;
   }
 
   /**

@@ -3,7 +3,6 @@
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/state/state.js").Documents} Documents
  */
 
 /**
@@ -20,7 +19,7 @@ export function titleOf(state, engine, words) {
 }
 
 /**
- * @param {Documents["linkage"]} linkage
+ * @param {import("assur/state/state.js").Documents["linkage"]} linkage
  * @param {Engine} engine
  * @param {Words} words
  * @returns {string} the note of the catalogue on where it comes from; one that is not the catalogue's as it is

@@ -120,10 +120,7 @@ export class Words {
   }
 }
 
-/**
- * @param {string} name
- * @returns {Promise<ReadonlyMap<string, string>>}
- */
+/** @param {string} name */
 function table(name) {
   let wanted = tables.get(name);
   if (!wanted) {
@@ -134,10 +131,7 @@ function table(name) {
   return wanted;
 }
 
-/**
- * @param {string} name
- * @returns {Promise<ReadonlyMap<string, string>>}
- */
+/** @param {string} name */
 async function fetchTable(name) {
   const response = await fetched(`assur/${name}.json`);
   return new Map(Object.entries(await response.json()).map(([key, text]) => [key, unbroken(text)]));

@@ -12,7 +12,6 @@ import { attempt } from "assur/core/problem.js";
 import { inputNow } from "assur/state/change.js";
 
 /**
- * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/state/state.js").Documents["linkage"]} Document
  */
@@ -34,7 +33,7 @@ export class Drawing {
   /** What was shown last began as an empty sheet. */
   #empty = false;
 
-  /** @param {Page} page */
+  /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
     this.#work = new Work(page);

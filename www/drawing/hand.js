@@ -5,7 +5,6 @@ import { inputNow } from "assur/state/change.js";
 import { side } from "assur/stage/paper.js";
 
 /**
- * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/stage/pointer.js").Place} Place
  * @typedef {import("assur/drawing/tools.js").Target} Target
  * @typedef {import("assur/state/state.js").LinkageDocument} Document
@@ -36,7 +35,7 @@ export class Hand {
   keyed = false;
 
   /**
-   * @param {Page} page
+   * @param {import("assur/app/page.js").Page} page
    * @param {import("assur/drawing/tools.js").Work} work
    * @param {import("assur/drawing/selection.js").Selection} selection
    * @param {() => void} changed called where only what is painted over the drawing is other

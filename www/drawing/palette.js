@@ -1,5 +1,6 @@
 // The tools for drawing as buttons over it, and what the one in hand waits for.
-import { byId, make, write } from "assur/core/dom.js";
+import { numberField } from "assur/controls/number-box.js";
+import { byId, make, makeSvg, write } from "assur/core/dom.js";
 import { PictureOptions } from "assur/drawing/picture-options.js";
 import { DYADS, TOOLS } from "assur/drawing/tools.js";
 import { Seen } from "assur/core/seen.js";
@@ -11,10 +12,7 @@ export class Palette {
   #buttons = new Map();
   #prompt = make("p", { id: "draw-prompt", role: "status" });
   #dyads = make("select", { id: "draw-dyad-kind", class: "control", "data-t-label": "draw.dyad.kind" }, DYADS.map((value) => make("option", { value }, [value])));
-  #teeth = [0, 1].map((k) => make("input", {
-    id: `draw-teeth-${k + 1}`, class: "control number", type: "text", inputmode: "numeric", autocomplete: "off", spellcheck: "false",
-    "data-t-label": "draw.teeth", "data-n": String(k + 1),
-  }));
+  #teeth = [0, 1].map((k) => numberField({ id: `draw-teeth-${k + 1}`, inputmode: "numeric", "data-t-label": "draw.teeth", "data-n": String(k + 1) }));
   #internal = make("input", { id: "draw-internal", type: "checkbox" });
   #wheels;
   #row;
@@ -28,12 +26,7 @@ export class Palette {
     this.#page = page;
     this.#work = work;
     const buttons = TOOLS.map(({ name, icon, key }) => {
-      const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-      svg.setAttribute("viewBox", "0 0 24 24");
-      svg.setAttribute("aria-hidden", "true");
-      const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-      path.setAttribute("d", icon);
-      svg.append(path);
+      const svg = makeSvg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, [makeSvg("path", { d: icon })]);
       const button = make("button", {
         id: `draw-${name}`, class: "control", type: "button", "aria-pressed": "false", "aria-keyshortcuts": `Alt+${key}`,
         "data-t-label": `draw.tool.${name}`, "data-t-title": `draw.tool.${name}`,

@@ -1,13 +1,9 @@
 // What can be done with the picture behind the drawing: beside the tools, while its tool is in hand.
-import { NumberBox } from "assur/controls/number-box.js";
+import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { make } from "assur/core/dom.js";
 import { refuse, unsay } from "assur/drawing/edit.js";
 
-/**
- * @typedef {import("assur/app/page.js").Page} Page
- * @typedef {import("assur/drawing/picture.js").BackPicture} BackPicture
- * @typedef {keyof import("assur/drawing/picture.js").Base} Part
- */
+/** @typedef {keyof import("assur/drawing/picture.js").Base} Part */
 
 /** How much of the paper a picture may cover. */
 const OPACITY = Object.freeze({ least: 0.1, most: 1 });
@@ -26,29 +22,24 @@ export class PictureOptions {
   #boxes = [];
 
   /**
-   * @param {Page} page
-   * @param {BackPicture} picture
+   * @param {import("assur/app/page.js").Page} page
+   * @param {import("assur/drawing/picture.js").BackPicture} picture
    */
   constructor(page, picture) {
     this.#page = page;
     this.#picture = picture;
-    const choose = make("button", { id: "draw-picture-choose", class: "control", type: "button", "data-t": "draw.picture.choose" });
-    const remove = make("button", { id: "draw-picture-remove", class: "control", type: "button", "data-t": "draw.picture.remove" });
-    choose.addEventListener("click", () => this.#file.click());
+    const choose = make("button", { id: "draw-picture-choose", class: "control", type: "button", "data-t": "draw.picture.choose", onclick: () => this.#file.click() });
+    const remove = make("button", { id: "draw-picture-remove", class: "control", type: "button", "data-t": "draw.picture.remove", onclick: () => picture.remove() });
     this.#file.addEventListener("change", () => {
       const file = this.#file.files?.[0];
       if (file) this.take(file);
       this.#file.value = "";
     });
-    remove.addEventListener("click", () => picture.remove());
     this.#opacity.addEventListener("input", () => {
       picture.opacity = Number(this.#opacity.value);
     });
     const fields = PARTS.flatMap((part) => {
-      const input = make("input", {
-        id: `draw-picture-${part}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
-        "data-t-label": `draw.picture.${part}`,
-      });
+      const input = numberField({ id: `draw-picture-${part}`, "data-t-label": `draw.picture.${part}` });
       const box = new NumberBox(input, `draw-picture-${part}`, page.drafts, (value) => this.#lay(part, value));
       this.#boxes.push({ part, box });
       return make("label", {}, [make("span", { "data-t": `draw.picture.${part}` }), " ", input]);

@@ -1,18 +1,15 @@
 // The panel beside a drawing: why the drawing does not move and what would let it, the selection, points in numbers.
-import { NumberBox } from "assur/controls/number-box.js";
-import { sentence } from "assur/controls/problems.js";
+import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
-import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { edit, step } from "assur/drawing/edit.js";
+import { Reasons } from "assur/drawing/reasons.js";
 import { placeTraced } from "assur/state/change.js";
 
 /**
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/state/state.js").Documents["linkage"]} Document
- * @typedef {import("assur/types/edit.js").Edit} Edit
- * @typedef {import("assur/types/edit.js").Mend} Mend
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
@@ -25,8 +22,7 @@ const DRAWN = 1e-9;
 export class DrawingRail {
   #page;
   #selection;
-  #reasons = make("div", { id: "draw-reasons", class: "draw-reasons", role: "status" });
-  #mends = make("div", { id: "draw-mends", class: "draw-mends" });
+  #reasons;
   #chosen = make("div", { id: "draw-chosen" });
   #points = make("div", { id: "draw-points", class: "draw-points" });
   #element;
@@ -49,8 +45,9 @@ export class DrawingRail {
     this.#page = page;
     this.#selection = selection;
     this.acts = acts;
+    this.#reasons = new Reasons(page);
     this.#element = make("section", { id: "draw-rail", "data-field": "edit" }, [
-      make("h2", { "data-t": "draw.heading" }), this.#reasons, this.#mends, this.#chosen,
+      make("h2", { "data-t": "draw.heading" }), ...this.#reasons.elements, this.#chosen,
       make("details", { id: "draw-numbers", open: "" }, [make("summary", { "data-t": "draw.points" }), this.#points]),
     ]);
     byId("rail", HTMLElement).prepend(this.#element);
@@ -92,7 +89,7 @@ export class DrawingRail {
    */
   render(snapshot, document) {
     const { words, summary } = snapshot;
-    if (!this.#seen.told.same(words, summary)) this.#tell(snapshot, document);
+    if (!this.#seen.told.same(words, summary)) this.#reasons.show(snapshot, document);
     const chosen = [...this.#selection.points, "/", ...this.#selection.links].join("\n");
     if (!this.#seen.chosen.same(words, chosen, structure(document))) this.#choose(document, words);
     this.#places = this.#placesOf(snapshot, document);
@@ -104,7 +101,6 @@ export class DrawingRail {
    * Where it is drawn the points are as they were given, elsewhere where the motion has them.
    * @param {Pick<Snapshot, "summary" | "frameInput">} snapshot
    * @param {Document} document
-   * @returns {Map<string, readonly [number, number]>}
    */
   #placesOf({ summary, frameInput }, { points }) {
     /** @type {Map<string, readonly [number, number]>} */
@@ -116,41 +112,6 @@ export class DrawingRail {
   }
 
   /**
-   * @param {Snapshot} snapshot
-   * @param {Document} document
-   */
-  #tell({ summary, words }, document) {
-    if (summary.moves) {
-      this.#reasons.replaceChildren(make("p", {}, [words.text("draw.moves")]));
-      this.#mends.replaceChildren();
-      return;
-    }
-    const told = /** @type {import("assur/types/web.js").DraftSummary} */ (/** @type {unknown} */ (summary));
-    const said = (/** @type {import("assur/core/problem.js").Problem} */ reason) => (
-      reason.code === "no_driver" && document.links.length === 0 ? words.text("draw.empty") : sentence(reason, words, document)
-    );
-    const reasons = told.reasons.map((reason) => make("p", { "data-code": reason.code, class: tone(reason.code) }, [said(reason)]));
-    if (reasons.length === 0) reasons.push(make("p", {}, [words.text("draw.sound")]));
-    this.#reasons.replaceChildren(...reasons);
-    /** @type {readonly { wanted: Edit, text: string }[]} */
-    const mends = told.reasons.length === 0
-      ? [{ wanted: { edit: "move", points: [], by: [0, 0] }, text: words.text("draw.mend.go") }]
-      : told.mends.map((mend) => ({ wanted: mending(mend), text: mendText(mend, words) }));
-    this.#mends.replaceChildren(...mends.map(({ wanted, text }) => this.#button(text, () => step(this.#page, wanted))));
-  }
-
-  /**
-   * @param {string} text
-   * @param {() => void} act
-   * @param {string} [id]
-   */
-  #button(text, act, id) {
-    const button = make("button", { class: "control", type: "button", ...(id ? { id } : {}) }, [text]);
-    button.addEventListener("click", act);
-    return button;
-  }
-
-  /**
    * What can be done with what is selected.
    * @param {Document} document
    * @param {Words} words
@@ -158,8 +119,10 @@ export class DrawingRail {
   #choose(document, words) {
     const { points, links } = this.#selection;
     this.#numbers = [];
-    const act = (/** @type {string} */ name, /** @type {Edit} */ wanted) => this.#button(words.text(`draw.act.${name}`), () => step(this.#page, wanted), `draw-act-${name}`);
-    const acts = (/** @type {"remove" | "duplicate" | "mirror"} */ name) => this.#button(words.text(`draw.act.${name}`), this.acts[name], `draw-act-${name}`);
+    const button = (/** @type {string} */ name, /** @type {() => void} */ onclick, places = {}) =>
+      make("button", { id: `draw-act-${name}`, class: "control", type: "button", onclick }, [words.text(`draw.act.${name}`, places)]);
+    const act = (/** @type {string} */ name, /** @type {import("assur/types/edit.js").Edit} */ wanted) => button(name, () => step(this.#page, wanted));
+    const acts = (/** @type {"remove" | "duplicate" | "mirror"} */ name) => button(name, this.acts[name]);
     /** @type {Node[]} */
     const content = [];
     const [point] = points;
@@ -188,11 +151,10 @@ export class DrawingRail {
     }
     const lock = lockable(document, [...points], [...links]);
     if (lock) {
-      const name = LOCKS[lock.length];
-      const button = this.#button(words.text(`draw.act.${name}`, { n: lock[1] }), () => this.lock(), `draw-act-${name}`);
-      button.setAttribute("aria-pressed", String((document.locks ?? []).some((one) => same(one, lock))));
-      button.setAttribute("aria-keyshortcuts", "Alt+L");
-      buttons.push(button);
+      const locking = button(LOCKS[lock.length], () => this.lock(), { n: lock[1] });
+      locking.setAttribute("aria-pressed", String((document.locks ?? []).some((one) => same(one, lock))));
+      locking.setAttribute("aria-keyshortcuts", "Alt+L");
+      buttons.push(locking);
     }
     if (points.size + links.size > 0) buttons.push(acts("duplicate"), acts("mirror"), acts("remove"));
     content.push(make("div", { class: "draw-acts" }, buttons));
@@ -271,7 +233,7 @@ export class DrawingRail {
    * @param {(value: number) => void} put
    */
   #box(what, words, value, put) {
-    const input = make("input", { id: `draw-${what}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "data-t-label": `draw.${what}` });
+    const input = numberField({ id: `draw-${what}`, "data-t-label": `draw.${what}` });
     const shown = new NumberBox(input, `draw-${what}`, this.#page.drafts, (number) => {
       put(number);
       this.#keep();
@@ -307,10 +269,7 @@ export class DrawingRail {
     this.#last = points.findLast(({ name }) => !before.has(name))?.name ?? this.#last;
     this.#rows = points.map(({ name }) => {
       const label = make("b", {}, [name]);
-      const inputs = ["x", "y"].map((axis) => make("input", {
-        id: `draw-${axis}-${name}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
-        "aria-label": words.text(axis === "x" ? "draw.point.x" : "draw.point.y", { n: name }),
-      }));
+      const inputs = ["x", "y"].map((axis) => numberField({ id: `draw-${axis}-${name}`, "aria-label": words.text(axis === "x" ? "draw.point.x" : "draw.point.y", { n: name }) }));
       const boxes = inputs.map((input, axis) => new NumberBox(input, `draw-${"xy"[axis]}-${name}`, this.#page.drafts, (value) => this.#place(name, axis, value)));
       return { name, label, inputs, boxes };
     });
@@ -377,32 +336,4 @@ function lockable(document, points, links) {
 function same(one, other) {
   const is = (/** @type {readonly string[]} */ points) => points.join("\n") === other.join("\n");
   return is(one) || is([...one].reverse());
-}
-
-/** @param {string} code of a reason */
-function tone(code) {
-  if (code === "locked" || code === "instant") return "draw-locked";
-  return code === "loose" || code === "underdriven" ? "draw-loose" : "";
-}
-
-/**
- * @param {Mend} mend
- * @returns {Edit}
- */
-function mending(mend) {
-  if ("drive" in mend) return { edit: "drive", link: mend.drive };
-  if ("release" in mend) return { edit: "drive", link: mend.release };
-  if ("remove" in mend) return { edit: "remove", points: [], links: [mend.remove] };
-  if ("exact" in mend) return { edit: "make_exact" };
-  return { edit: "fix", point: mend.fix };
-}
-
-/**
- * @param {Mend} mend
- * @param {Words} words
- */
-function mendText(mend, words) {
-  if ("exact" in mend) return words.text("draw.mend.exact", { n: mend.exact.point, by: words.length(words.numbers.short(mend.exact.by)) });
-  const [[name, of]] = Object.entries(mend);
-  return words.text(`draw.mend.${name}`, { n: name === "fix" ? of : called(of, words) });
 }

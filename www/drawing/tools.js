@@ -3,8 +3,6 @@ import { edit, refuse } from "assur/drawing/edit.js";
 import { BackPicture } from "assur/drawing/picture.js";
 
 /**
- * @typedef {import("assur/app/page.js").Page} Page
- * @typedef {import("assur/types/edit.js").Edit} Edit
  * @typedef {import("assur/types/edit.js").End} End
  * @typedef {import("assur/types/edit.js").Outer} Outer
  * @typedef {readonly [number, number]} Place in the model
@@ -55,7 +53,7 @@ export class Work {
   /** Whether the last point of the bars is one that they have made themselves, and which the frame has not. */
   #loose = false;
 
-  /** @param {Page} page */
+  /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
     this.picture = new BackPicture(page);
@@ -86,7 +84,7 @@ export class Work {
   }
 
   /**
-   * @param {Edit} wanted
+   * @param {import("assur/types/edit.js").Edit} wanted
    * @returns {import("assur/drawing/edit.js").Drawn | null}
    */
   do(wanted) {

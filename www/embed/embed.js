@@ -7,7 +7,6 @@ import { addressed } from "assur/state/address.js";
 import { withView } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/app/opening.js").Habits} Habits
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").State} State
@@ -107,7 +106,7 @@ export class Embedding {
 
   /**
    * A lesson without a mechanism in the address shows that of its step.
-   * @param {Page} page
+   * @param {import("assur/app/page.js").Page} page
    */
   async begin(page) {
     const entry = LESSONS.find(({ id }) => id === this.#given.lesson);

@@ -7,11 +7,7 @@ import { download } from "assur/core/download.js";
 import { Refusal } from "assur/core/problem.js";
 import { measured } from "assur/core/units.js";
 
-/**
- * @typedef {import("assur/app/page.js").Page} Page
- * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {import("assur/export/moments.js").Work} Work
- */
+/** @typedef {import("assur/export/moments.js").Work} Work */
 
 /** Pixels of its width, moments of a period, seconds of a period, poses in one picture; which is usual. */
 const WIDTHS = Object.freeze([320, 480, 640, 800]);
@@ -21,8 +17,8 @@ const POSES = Object.freeze([4, 6, 8, 12, 18, 24]);
 const USUAL = Object.freeze({ width: 480, moments: 48, seconds: 4, poses: 8 });
 
 /**
- * @param {Page} page
- * @param {Theme} theme
+ * @param {import("assur/app/page.js").Page} page
+ * @param {import("assur/canvas/theme.js").Theme} theme
  * @param {string} name of the files
  * @param {() => string} title what is shown, in words
  * @returns {{ rows: (Node | string)[], stop: () => void }}

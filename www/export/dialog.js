@@ -6,10 +6,7 @@ import { animations } from "assur/export/animation.js";
 import { toCsv } from "assur/export/csv.js";
 import { paperTheme, toPng, toSvg, withCaption, withLegend } from "assur/export/pictures.js";
 
-/**
- * @typedef {import("assur/app/page.js").Page} Page
- * @typedef {import("assur/export/pictures.js").Picture} Picture
- */
+/** @typedef {import("assur/app/page.js").Page} Page */
 
 /** Rows of the table to a turn of the crank: every 10° to every 0.1°. */
 const STEPS = Object.freeze([36, 72, 180, 360, 720, 3600]);
@@ -91,11 +88,9 @@ function makeDialog(page) {
   const head = (/** @type {string} */ id, /** @type {string} */ key) => make("span", { id, "data-t": key });
   const button = (/** @type {string} */ part, /** @type {string} */ format, /** @type {() => void} */ press) => {
     const id = `export-${part}-${format}`;
-    const made = make("button", { id, class: "control", type: "button", "aria-labelledby": `export-${part} ${id}` }, [format.toUpperCase()]);
-    made.addEventListener("click", press);
-    return made;
+    return make("button", { id, class: "control", type: "button", "aria-labelledby": `export-${part} ${id}`, onclick: press }, [format.toUpperCase()]);
   };
-  const pictures = (/** @type {string} */ part, /** @type {string} */ canvas, /** @type {() => Picture} */ picture) => {
+  const pictures = (/** @type {string} */ part, /** @type {string} */ canvas, /** @type {() => import("assur/export/pictures.js").Picture} */ picture) => {
     const title = () => byId(canvas, HTMLCanvasElement).getAttribute("aria-label") ?? "";
     return make("div", {}, [
       button(part, "svg", () => download(toSvg(picture(), theme, title()), `${name}-${part}.svg`)),

@@ -5,7 +5,6 @@ import { Svg, SvgPath } from "assur/export/svg.js";
 /**
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {import("assur/export/moments.js").Wishes} Wishes
  * @typedef {import("assur/export/moments.js").Work} Work
  */
 
@@ -21,7 +20,7 @@ const SHARPNESS = 3;
 /**
  * @param {Page} page
  * @param {Theme} theme
- * @param {Wishes} wishes
+ * @param {import("assur/export/moments.js").Wishes} wishes
  * @param {Work} work
  * @param {string} title what it shows, in words
  * @returns {Promise<Blob>}

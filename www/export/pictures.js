@@ -170,7 +170,6 @@ export function withLegend(chart, theme, words) {
  * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
  * @param {import("assur/core/words.js").Words} words
- * @returns {{ entries: { text: string, role: string, left: number, row: number }[], rows: number }}
  */
 function legend({ panels, size }, theme, words) {
   const context = blank();

@@ -1,6 +1,6 @@
 // The worksheet that is printed instead of the page: what is shown, what is given of it, its values, the steps of the lesson with
 // lines to answer on, and the address to come back by. Loaded once the page is drawn: printing does not wait.
-import { byId, make } from "assur/core/dom.js";
+import { byId, make, makeSvg } from "assur/core/dom.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 import { paperTheme, toSvgElement, withLegend } from "assur/export/pictures.js";
 import { stepOnPaper } from "assur/export/steps.js";
@@ -109,21 +109,12 @@ function foot(link, engine) {
   return make("footer", {}, [...parts, make("p", {}, [link])]);
 }
 
-/**
- * @param {Uint8Array} cells of the code, row by row; 1 is dark
- * @returns {Element}
- */
+/** @param {Uint8Array} cells of the code, row by row; 1 is dark */
 function code(cells) {
   const side = Math.sqrt(cells.length);
   const whole = side + 2 * QUIET;
   const path = [...cells].map((dark, at) => (dark ? `M${at % side} ${Math.floor(at / side)}h1v1h-1z` : "")).join("");
-  const namespace = "http://www.w3.org/2000/svg";
-  const svg = document.createElementNS(namespace, "svg");
-  svg.setAttribute("viewBox", `${-QUIET} ${-QUIET} ${whole} ${whole}`);
+  const svg = makeSvg("svg", { viewBox: `${-QUIET} ${-QUIET} ${whole} ${whole}`, class: "code" }, [makeSvg("path", { d: path })]);
   svg.style.width = `${whole * CELL}mm`;
-  svg.setAttribute("class", "code");
-  const drawn = document.createElementNS(namespace, "path");
-  drawn.setAttribute("d", path);
-  svg.append(drawn);
   return svg;
 }

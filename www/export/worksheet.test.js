@@ -10,6 +10,7 @@ import { Context } from "assur/tests/canvas.js";
 import { Words } from "assur/core/words.js";
 import { printWorksheets } from "assur/export/worksheet.js";
 import { FolderLesson } from "assur/lesson/folder.js";
+import { wholePresets } from "assur/lesson/offer.js";
 import { LESSON } from "assur/lessons/mixer/lesson.js";
 import { withDocument } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
@@ -83,7 +84,7 @@ test("no question speaks of a button", () => {
 
 /** Shows what a lesson has of its own. */
 function show(page, lesson, preset) {
-  const { kind, document } = JSON.parse(readFileSync(new URL(`../lessons/${lesson}/presets.json`, import.meta.url), "utf8"))[preset];
+  const { kind, document } = wholePresets(JSON.parse(readFileSync(new URL(`../lessons/${lesson}/presets.json`, import.meta.url), "utf8")))[preset];
   page.choose(kind, document);
   page.model.follow(page.store.get());
 }

@@ -1,5 +1,6 @@
 // What a lecturer's question is: its sort, the quantity that is asked for, the option that is right.
 import { make, write } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { measured } from "assur/core/units.js";
 import { withQuantity, withRight, withShown } from "assur/lesson/fields.js";
 import { quantityName, tellers, unitOf } from "assur/lesson/quantity.js";
@@ -7,7 +8,6 @@ import { QUESTIONS, sortOf, withStep } from "assur/lesson/steps.js";
 import { answerOf, quantities } from "assur/lesson/tasks.js";
 
 /**
- * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/lesson/steps.js").Written} Written
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {(change: (lesson: Written, index: number) => Written) => boolean} Change
@@ -22,14 +22,12 @@ export class Asking {
   #right = make("select", { id: "write-right", class: "control" });
   #rows;
   #now = make("p", { id: "write-now", class: "lesson-note" });
-  /** @type {readonly unknown[]} what the list of quantities was made of */
-  #listed = [];
-  /** @type {readonly unknown[]} of what the answer was told last */
-  #told = [];
+  #listed = new Seen();
+  #told = new Seen();
 
   /**
    * @param {import("assur/app/page.js").Page} page
-   * @param {Words} words
+   * @param {import("assur/core/words.js").Words} words
    * @param {Change} change
    */
   constructor(page, words, change) {
@@ -79,9 +77,7 @@ export class Asking {
    */
   #list(snapshot, wanted) {
     const { summary, readouts, state } = snapshot;
-    const listed = [summary, readouts !== null, state.view.axes, wanted];
-    if (listed.some((part, i) => part !== this.#listed[i])) {
-      this.#listed = listed;
+    if (!this.#listed.same(summary, readouts !== null, state.view.axes, wanted)) {
       const names = quantities(snapshot);
       const all = wanted === "" || names.includes(wanted) ? names : [wanted, ...names];
       this.#quantity.replaceChildren(...all.map((name) => make("option", { value: name }, [quantityName(name, snapshot, this.#words)])));
@@ -107,9 +103,7 @@ export class Asking {
    * @param {string} sort
    */
   #tell(lesson, index, sort) {
-    const told = [lesson, index];
-    if (told.every((part, i) => part === this.#told[i])) return;
-    this.#told = told;
+    if (this.#told.same(lesson, index)) return;
     this.#now.hidden = sort !== "number";
     if (sort !== "number") return;
     const { numbers } = this.#words;

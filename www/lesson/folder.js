@@ -7,7 +7,6 @@ import { withTolerance } from "assur/lesson/quantity.js";
 import { holds, open } from "assur/lesson/show.js";
 
 /**
- * @typedef {import("assur/state/state.js").Documents} Documents
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -44,7 +43,7 @@ import { holds, open } from "assur/lesson/show.js";
 /**
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
- *   kind?: K, id: string, formula: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, relations?: readonly string[],
+ *   kind?: K, id: string, formula?: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, relations?: readonly string[],
  *   controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[], figure?: (engine: Engine) => Figure,
  * }>} Step
  * `kind`: of the documents that it shows and asks about, where it is not the lesson's; `formula`: one with a number in it is written with
@@ -59,8 +58,8 @@ import { holds, open } from "assur/lesson/show.js";
  */
 
 /**
- * @typedef {{ [K in Kind]: Readonly<{ kind: K, document: Documents[K] }> }[Kind]} Whole
- * @typedef {Readonly<Record<string, Whole>>} OwnPresets what `presets.json` of a lesson's folder holds, by name
+ * @typedef {{ [K in Kind]: Readonly<{ kind: K, document: import("assur/state/state.js").Documents[K] }> }[Kind]} Whole
+ * @typedef {Readonly<Record<string, Whole>>} OwnPresets the presets of a lesson's folder, by name
  */
 
 /** An answer just within its tolerance is not to be lost by rounding, relative to the exact value. */
@@ -126,7 +125,7 @@ export class FolderLesson {
    * @returns {Told}
    */
   #step(step, index, words) {
-    const { id, formula, shows, question } = step;
+    const { id, formula = "", shows, question } = step;
     const { choices, unit = "", within, hides = [] } = question;
     return {
       id,

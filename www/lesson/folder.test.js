@@ -4,6 +4,7 @@ import { existsSync, readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
 import { Words } from "assur/core/words.js";
 import { FolderLesson, judged } from "assur/lesson/folder.js";
+import { wholePresets } from "assur/lesson/offer.js";
 import { Page } from "assur/tests/page.js";
 import { LANGUAGES, tableOf } from "assur/tests/words.js";
 
@@ -21,7 +22,7 @@ const ANSWERS = Object.fromEntries(Object.entries(LISTS).map(([id, steps]) => [i
  */
 async function told(id, page) {
   const { LESSON } = await import(`assur/lessons/${id}/lesson.js`);
-  const presets = existsSync(new URL(`${id}/presets.json`, LESSONS)) ? read(`${id}/presets.json`) : {};
+  const presets = existsSync(new URL(`${id}/presets.json`, LESSONS)) ? wholePresets(read(`${id}/presets.json`)) : {};
   const lesson = new FolderLesson(id, LESSON, presets, page);
   const languages = LANGUAGES.map((lang) => new Words(lang, new Map([...tableOf(lang), ...Object.entries(read(`${id}/words.${lang}.json`))])));
   return { LESSON, languages: languages.map((words) => ({ words, steps: lesson.tell(words) })) };

@@ -59,7 +59,21 @@ export function originOf({ document }) {
  */
 export async function readLesson({ id, presets }) {
   const [{ LESSON: lesson }, own] = await Promise.all([SCRIPTS[id](), presets ? fileOf(id, "presets.json") : {}]);
-  return { lesson, presets: own };
+  return { lesson, presets: wholePresets(own) };
+}
+
+/**
+ * @param {Record<string, { kind?: string, from?: string, document: object }>} own presets of a lesson as its folder has them: whole, or as changes to an earlier one
+ * @returns {import("assur/lesson/folder.js").OwnPresets}
+ */
+export function wholePresets(own) {
+  /** @type {Record<string, any>} */
+  const presets = {};
+  for (const [name, { from, ...preset }] of Object.entries(own)) {
+    const base = from && presets[from];
+    presets[name] = base ? { kind: base.kind, document: { ...base.document, ...preset.document } } : preset;
+  }
+  return presets;
 }
 
 /**

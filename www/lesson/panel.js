@@ -1,9 +1,11 @@
 // A lesson step by step: a text, something to show, a question with a checked answer. Loaded when a lesson is opened.
 import { make, write } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
 import { marked, withSubscripts, writeSubscripted } from "assur/core/subscripts.js";
 import { OwnMechanism } from "assur/lesson/own.js";
 import { Paper } from "assur/lesson/paper.js";
 import { Progress } from "assur/lesson/progress.js";
+import { progressSaid, verdictSaid } from "assur/lesson/said.js";
 import { Tools } from "assur/lesson/tools.js";
 import { withView } from "assur/state/state.js";
 
@@ -56,8 +58,7 @@ export class LessonPanel {
   #snapshot = null;
   /** @type {Map<string, Judged>} by steps */
   #judged = new Map();
-  /** @type {readonly unknown[]} step and words that are shown */
-  #shown = [];
+  #shown = new Seen();
   #left = () => this.#leave();
   /** Whether the reader has just turned to another step, whose beginning is to be seen. */
   #turned = false;
@@ -66,8 +67,8 @@ export class LessonPanel {
   /** @type {readonly ((given: string) => void)[]} write an answer into what it is given in */
   #fills = [];
 
-  #back = make("button", { id: "lesson-back", class: "control icon", type: "button" }, ["‹"]);
-  #on = make("button", { id: "lesson-on", class: "control icon", type: "button" }, ["›"]);
+  #back = make("button", { id: "lesson-back", class: "control icon", type: "button", onclick: () => this.#go(-1) }, ["‹"]);
+  #on = make("button", { id: "lesson-on", class: "control icon", type: "button", onclick: () => this.#go(1) }, ["›"]);
   #walked = make("p", { id: "lesson-progress", role: "status" });
   #body = make("div", { class: "lesson-body" });
   #title = make("h2", { id: "lesson-title", tabindex: "-1" });
@@ -76,7 +77,7 @@ export class LessonPanel {
   #legend = make("legend", { id: "lesson-question" });
   #fields = make("div", { class: "choices" });
   #check = make("button", { id: "lesson-check", class: "control" });
-  #reveal = make("button", { id: "lesson-reveal", class: "control", type: "button" });
+  #reveal = make("button", { id: "lesson-reveal", class: "control", type: "button", onclick: () => this.#showAnswer() });
   #form;
   #said = make("p", { id: "lesson-said", role: "status" });
   #tools = new Tools();
@@ -104,11 +105,8 @@ export class LessonPanel {
       event.preventDefault();
       this.#answer();
     });
-    this.#back.addEventListener("click", () => this.#go(-1));
-    this.#on.addEventListener("click", () => this.#go(1));
     this.#own = new OwnMechanism(page, this.#tools.element);
     addEventListener("pagehide", this.#left);
-    this.#reveal.addEventListener("click", () => this.#showAnswer());
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
     const paper = this.#paper = source.paper && new Paper(page.engine, source.paper);
     const step = [this.#title, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#drawn, this.#tools.element, ...(paper ? [paper.fold] : [])];
@@ -150,7 +148,7 @@ export class LessonPanel {
   /** Gives back what the page has lent, and withholds nothing. */
   close() {
     this.#tools.close();
-    this.#shown = [];
+    this.#shown = new Seen();
     this.#setWithheld([]);
   }
 
@@ -187,11 +185,7 @@ export class LessonPanel {
     const judged = this.#judged.get(step.id);
     const outdated = judged !== undefined && judged.document !== snapshot.state.document;
     if (outdated) this.#judged.delete(step.id);
-    const shown = [number, this.#words];
-    if (shown.some((part, i) => part !== this.#shown[i])) {
-      this.#shown = shown;
-      this.#write(number);
-    }
+    if (!this.#shown.same(number, this.#words)) this.#write(number);
     if (snapshot.legible) {
       this.#tools.render();
       this.#paper?.render(snapshot);
@@ -260,9 +254,7 @@ export class LessonPanel {
     this.#text.replaceChildren(...paragraphs, ...lines);
     this.#shows.replaceChildren(...shows.map(({ id, text: said, open, href }) => {
       if (href !== undefined) return make("a", { id, href, target: "_blank", rel: "noopener" }, [said]);
-      const button = make("button", { id, class: "segment", type: "button" }, [said]);
-      button.addEventListener("click", () => this.#own.open(open));
-      return button;
+      return make("button", { id, class: "segment", type: "button", onclick: () => this.#own.open(open) }, [said]);
     }));
     this.#paper?.show(step.id, step.id === END, words);
     this.#figure = step.tools.figure?.(this.#page.engine);
@@ -320,14 +312,14 @@ export class LessonPanel {
         id: "lesson-answer", class: "control number", type: "text", inputmode: "decimal", spellcheck: "false",
         "aria-labelledby": "lesson-question", "aria-describedby": "lesson-said",
       });
-      this.#fills = [(given) => (input.value = given)];
       input.addEventListener("input", () => note(input));
+      this.#fills = [(given) => (input.value = given)];
       return [make("div", { class: "lesson-answer" }, [input, unit])];
     }
     return options.map(({ value, text }) => {
       const input = make("input", { id: `lesson-${value}`, type: "radio", name: "lesson-choice", value });
-      this.#fills = [...this.#fills, (given) => (input.checked = value === given)];
       input.addEventListener("change", () => note(input));
+      this.#fills = [...this.#fills, (given) => (input.checked = value === given)];
       return make("label", { class: "choice" }, [input, make("span", {}, marked(text))]);
     });
   }
@@ -387,14 +379,8 @@ export class LessonPanel {
 
   /** Writes how many steps are done. */
   #count() {
-    const words = this.#words;
-    const step = this.#step;
-    const [number, count] = [this.#steps.indexOf(step) + 1, this.steps().length].map((one) => words.numbers.exact(one));
-    const { solved, shown } = this.#progress;
-    const done = solved > 0 ? `, ${words.counted("lesson.solved", solved)}` : "";
-    const given = shown > 0 ? `, ${words.text("lesson.shown", { count: words.numbers.exact(shown) })}` : "";
-    const place = step.id === END ? words.text("lesson.end") : words.text("lesson.progress", { number, count });
-    write(this.#walked, place + done + given);
+    const number = this.#step.id === END ? null : this.#steps.indexOf(this.#step) + 1;
+    write(this.#walked, progressSaid(number, this.steps().length, this.#progress, this.#words));
   }
 
   /** Writes progress and what is said of the answer. */
@@ -403,22 +389,7 @@ export class LessonPanel {
     this.#count();
     const judged = this.#judged.get(step.id);
     this.#said.dataset.verdict = judged?.verdict ?? "";
-    writeSubscripted(this.#said, judged ? this.#sentences(step, judged).join(" ") : "");
+    writeSubscripted(this.#said, judged ? verdictSaid(step.question, judged, this.#snapshot, this.#words) : "");
     this.#source.answered?.();
-  }
-
-  /**
-   * @param {Told} step
-   * @param {Judged} judged
-   * @returns {string[]}
-   */
-  #sentences({ question }, { verdict, brought }) {
-    const words = this.#words;
-    const snapshot = this.#snapshot;
-    const back = brought ? [words.text("lesson.brought_back")] : [];
-    if (!question || !snapshot) return back;
-    const said = verdict === "shown" ? words.text("lesson.answer", { answer: question.answer(snapshot) ?? "" }) : words.text(`lesson.${verdict}`);
-    const reason = verdict === "not_yet" ? question.hint() : verdict === "right" || verdict === "shown" ? question.right(snapshot) : "";
-    return [...back, said, reason];
   }
 }

@@ -3,6 +3,7 @@
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
+import { Seen } from "assur/core/seen.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 
 /**
@@ -34,8 +35,7 @@ export class Paper {
   #step = "";
   /** @type {Numbers[]} of the step that is shown */
   #numbers = [];
-  /** @type {readonly unknown[]} what the numbers were written of */
-  #written = [];
+  #written = new Seen();
 
   /** Formulas of the main line. */
   main = make("div", { class: "printed" });
@@ -64,7 +64,7 @@ export class Paper {
     const items = this.#items.filter((item) => item.step === step);
     const main = this.#main.get(step) ?? [];
     this.#numbers = [];
-    this.#written = [];
+    this.#written = new Seen();
     this.#step = step;
     this.main.replaceChildren(...items.filter(({ item }) => main.includes(item)).map((item) => this.#row(asItHolds(item))));
     const wrong = closes ? this.#items.filter((item) => item.step !== step && WRONG.includes(item.verdict)) : [];
@@ -92,9 +92,7 @@ export class Paper {
 
   /** @param {Snapshot} snapshot */
   render({ summary, input, stale, problems, withheld }) {
-    const written = [summary, input, stale, problems.length, withheld];
-    if (this.#numbers.length === 0 || written.every((part, i) => part === this.#written[i])) return;
-    this.#written = written;
+    if (this.#numbers.length === 0 || this.#written.same(summary, input, stale, problems.length, withheld)) return;
     // They would give the answer away.
     const asked = stale || withheld.size > 0 ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
     const words = this.#words;

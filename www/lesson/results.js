@@ -4,10 +4,7 @@ import { fromCode } from "assur/lesson/code.js";
 import { sheets } from "assur/lesson/sheets.js";
 import { digestOf, verdictOn } from "assur/lesson/verdict.js";
 
-/**
- * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/state/state.js").Written} Written
- */
+/** @typedef {import("assur/state/state.js").Written} Written */
 
 /** More than a class has. */
 const MOST = 200;
@@ -20,7 +17,7 @@ const SIGNS = Object.freeze({ right: "✓", wrong: "✗", shown: "◇", open: "�
 export class Results {
   #page;
   #words;
-  #codes = make("textarea", { id: "write-codes", class: "control", rows: "4", spellcheck: "false" });
+  #codes = make("textarea", { id: "write-codes", class: "control", rows: "4", spellcheck: "false", oninput: () => this.#list() });
   #names = make("textarea", { id: "write-names", class: "control", rows: "4" });
   #table = make("div", { id: "write-table", class: "write-table", role: "status" });
   /** @type {Written | null} */
@@ -33,15 +30,13 @@ export class Results {
 
   /**
    * @param {import("assur/app/page.js").Page} page
-   * @param {Words} words
+   * @param {import("assur/core/words.js").Words} words
    */
   constructor(page, words) {
     this.#page = page;
     this.#words = words;
     const button = (/** @type {string} */ id, /** @type {() => void} */ act) => {
-      const made = make("button", { id: `write-${id}`, class: "control", type: "button" }, [words.text(`write.${id}`)]);
-      made.addEventListener("click", act);
-      return made;
+      return make("button", { id: `write-${id}`, class: "control", type: "button", onclick: act }, [words.text(`write.${id}`)]);
     };
     const print = (/** @type {boolean} */ answers) => () => {
       if (!this.#lesson) return;
@@ -56,7 +51,6 @@ export class Results {
       make("label", { for: "write-codes" }, [words.text("write.codes")]), this.#codes,
       this.#table,
     ]);
-    this.#codes.addEventListener("input", () => this.#list());
   }
 
   /** @param {Written} lesson */

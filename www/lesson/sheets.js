@@ -18,7 +18,6 @@ import { alone } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/lesson/tasks.js").Task} Task
- * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").Written} Written
  * @typedef {ReturnType<typeof seenIn>} Seen
  * @typedef {import("assur/lesson/quantity.js").Asked} Asked
@@ -123,7 +122,7 @@ function seenOf(task, number, engine) {
 }
 
 /**
- * @param {State} state
+ * @param {import("assur/state/state.js").State} state
  * @param {number | null} place of its driver, as readers count, where that is another
  * @param {Engine} engine
  * @returns what the engine says of a mechanism, and how it is drawn where its driver stands

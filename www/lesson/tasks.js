@@ -10,7 +10,6 @@ import { initialState, withDocument } from "assur/state/state.js";
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Summary} Summary
- * @typedef {import("assur/pkg/assur_web.js").Simulator} Simulator
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").View} View
  * @typedef {import("assur/state/state.js").Written} Written
@@ -69,7 +68,7 @@ export function taskOf(lesson, index, name, engine) {
  * @param {State} state
  * @param {Task["own"]} own
  * @param {ReadonlySet<string>} followed the fields that the engine sets
- * @param {Simulator} other
+ * @param {import("assur/pkg/assur_web.js").Simulator} other
  * @returns {State | null} with these numbers; what goes on and on must still do
  */
 function withOwn(state, own, followed, other) {
@@ -161,7 +160,6 @@ function counted(value, quantity) {
  * @param {string} name
  * @param {string} whole one of {@link WHOLE}
  * @param {Summary} summary
- * @returns {number | null}
  */
 function wholeOf(name, whole, summary) {
   if (whole === "worst") {

@@ -3,11 +3,10 @@ import { fieldName } from "assur/controls/problems.js";
 import { make, write } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { attempt } from "assur/core/problem.js";
+import { Seen } from "assur/core/seen.js";
 import { withStep } from "assur/lesson/steps.js";
 
 /**
- * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/lesson/steps.js").Step} Step
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {Readonly<{ field: string, from: number, to: number, step: number }>} Range
  */
@@ -26,13 +25,12 @@ export class Varying {
   #list = make("div", { class: "write-rows" });
   #add = make("select", { id: "write-vary", class: "control" });
   #row;
-  /** @type {readonly unknown[]} what the rows were made of */
-  #built = [];
+  #built = new Seen();
   element;
 
   /**
    * @param {import("assur/app/page.js").Page} page
-   * @param {Words} words
+   * @param {import("assur/core/words.js").Words} words
    * @param {import("assur/lesson/asking.js").Change} change
    */
   constructor(page, words, change) {
@@ -46,7 +44,7 @@ export class Varying {
 
   /**
    * @param {Snapshot} snapshot
-   * @param {Step} step
+   * @param {import("assur/lesson/steps.js").Step} step
    */
   render({ state }, { shows }) {
     // Those are offered that stand beside the drawing: of the step as long as the page shows it.
@@ -54,9 +52,7 @@ export class Varying {
     const ranges = shows?.vary ?? [];
     this.#row.hidden = !own;
     const typing = this.#list.contains(document.activeElement) && ranges.length === this.#list.childElementCount;
-    const built = [ranges, own, state.document, this.#words];
-    if (typing || built.every((part, i) => part === this.#built[i])) return;
-    this.#built = built;
+    if (typing || this.#built.same(ranges, own, state.document, this.#words)) return;
     this.#list.replaceChildren(...ranges.map((range, i) => this.#entry(range, i, ranges, shows?.document)));
     const free = own ? this.#numbers().filter(({ field }) => !ranges.some((range) => range.field === field)) : [];
     const options = free.map(({ field }) => make("option", { value: field }, [fieldName(field, this.#words, shows?.document)]));

@@ -16,7 +16,6 @@ import { withFurther, withView } from "assur/state/state.js";
 import { keep } from "assur/state/storage.js";
 
 /**
- * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/lesson/steps.js").Written} Written
  * @typedef {import("assur/lesson/fields.js").Field} Field
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
@@ -42,16 +41,15 @@ export class Writer {
   /**
    * @param {HTMLElement} place
    * @param {import("assur/app/page.js").Page} page
-   * @param {Words} words
+   * @param {import("assur/core/words.js").Words} words
    */
   constructor(place, page, words) {
     this.#page = page;
     this.#words = words;
     const button = (/** @type {string} */ id, /** @type {() => void} */ act, /** @type {string} */ sign = "") => {
       const said = words.text(`write.${id}`);
-      const made = make("button", { id: `write-${id}`, type: "button", class: sign ? "control icon" : "control" }, [sign || said]);
+      const made = make("button", { id: `write-${id}`, type: "button", class: sign ? "control icon" : "control", onclick: act }, [sign || said]);
       if (sign) made.ariaLabel = made.title = said;
-      made.addEventListener("click", act);
       return made;
     };
     const steps = (/** @type {(lesson: Written, index: number) => Written} */ change, by = 0) => () => this.#step(change, by);

@@ -17,7 +17,6 @@ import { usualView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/lesson/panel.js").Told} Told
  * @typedef {import("assur/lesson/panel.js").Question} Question
  * @typedef {import("assur/lesson/progress.js").Progress} Progress
  * @typedef {import("assur/state/state.js").Written} Written
@@ -80,7 +79,7 @@ export class WrittenLesson {
 
   /**
    * @param {Words} words
-   * @returns {readonly Told[]}
+   * @returns {readonly import("assur/lesson/panel.js").Told[]}
    */
   tell(words) {
     this.#words = words;
@@ -174,8 +173,7 @@ export class WrittenLesson {
     const { title, author, steps } = this.#lesson;
     const words = this.#words;
     const head = make("header", { class: "lesson-head" }, [make("b", { id: "lesson-name" }, [title]), ...(author ? [" ", make("span", {}, [author])] : [])]);
-    const rewrite = make("button", { id: "lesson-write", class: "control add", type: "button" }, [words.text("written.write")]);
-    rewrite.addEventListener("click", () => this.#page.lesson.write(true));
+    const rewrite = make("button", { id: "lesson-write", class: "control add", type: "button", onclick: () => this.#page.lesson.write(true) }, [words.text("written.write")]);
     // The form has the answers in it: a copy of another's lesson opens it from the menu alone.
     const own = kept(WRITTEN_HERE) === this.#digest ? [rewrite] : [];
     if (!steps.some(({ question }) => question)) return [head, ...step, ...own];

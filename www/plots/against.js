@@ -8,7 +8,6 @@ import { inDegrees, power, unitOf, written } from "assur/plots/units.js";
 /**
  * @typedef {import("assur/engine.js").Field} Field
  * @typedef {import("assur/engine.js").FieldAxis} Axis
- * @typedef {import("assur/canvas/painter.js").Context} Context
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {{ x: number, y: number, input: number, off: number }} Near a place of the curve, and how far it is off, in pixels
@@ -71,7 +70,7 @@ export function told(axis, field, value, { numbers }, moving = false) {
 
 /**
  * What the axes are of, and the numbers along them.
- * @param {Context} context
+ * @param {import("assur/canvas/painter.js").Context} context
  * @param {Field} field
  * @param {Snapshot} snapshot
  * @param {Theme} theme

@@ -10,7 +10,6 @@ import { withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
- * @typedef {import("assur/core/numbers.js").Numbers} Numbers
  * @typedef {import("assur/state/state.js").View} View
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/engine.js").MotionSummary["transmissions"][number]} Transmission
@@ -63,10 +62,7 @@ export class PlotBar {
       look({ omega: value * this.#per(model.coordinate.moves, store.get().view.omega_unit) });
       return store.get().view.omega;
     });
-    this.#epsilon = new NumberBox(byId("epsilon", HTMLInputElement), "epsilon", drafts, (value) => {
-      look({ epsilon: value });
-      return value;
-    });
+    this.#epsilon = new NumberBox(byId("epsilon", HTMLInputElement), "epsilon", drafts, (epsilon) => look({ epsilon }));
   }
 
   /** @param {Snapshot} snapshot */
@@ -172,7 +168,7 @@ function joints(transmissions) {
 
 /**
  * @param {number} value
- * @param {Numbers} numbers
+ * @param {import("assur/core/numbers.js").Numbers} numbers
  */
 function both(value, numbers) {
   return { brief: numbers.brief(value), full: numbers.exact(value) };

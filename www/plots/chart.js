@@ -8,7 +8,6 @@ import { drawChartText } from "assur/plots/text.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/engine.js").Field} Field
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
@@ -27,7 +26,7 @@ export class ChartView {
   #drawn = "";
   /** @type {readonly Panel[]} */
   panels = [];
-  /** @type {Field | null} what is plotted against each other instead of them */
+  /** @type {import("assur/engine.js").Field | null} what is plotted against each other instead of them */
   against = null;
   /** @type {readonly (readonly Box[])[]} where the labels are, of each panel */
   labels = [];

@@ -13,11 +13,8 @@ import { written } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/plots/marks.js").Box} Box
- * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/engine.js").Field} Field
  * @typedef {import("assur/engine.js").Panel} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
- * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot
  */
 
@@ -41,9 +38,9 @@ export class ChartCursor {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {Theme} theme
-   * @param {{ readonly panels: readonly Panel[], readonly against: Field | null, readonly labels: readonly (readonly Box[])[] }} chart
-   * @param {Engine} engine
+   * @param {import("assur/canvas/theme.js").Theme} theme
+   * @param {{ readonly panels: readonly Panel[], readonly against: import("assur/engine.js").Field | null, readonly labels: readonly (readonly Box[])[] }} chart
+   * @param {import("assur/engine.js").Engine} engine
    */
   constructor(canvas, theme, chart, engine) {
     this.#theme = theme;

@@ -11,7 +11,6 @@ import { row } from "assur/plots/readouts.js";
 import { written } from "assur/plots/values.js";
 
 /**
- * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/types/web.js").CurvatureHere} Here
  */
@@ -34,7 +33,7 @@ export class Curvature {
     byId("readouts", HTMLTableElement).append(this.#body);
   }
 
-  /** @param {Snapshot} snapshot */
+  /** @param {import("assur/state/model.js").Snapshot} snapshot */
   render({ state, summary, frameInput, readouts, words, stale, legible }) {
     if (stale || !legible) return;
     const on = state.view.curvature && "points" in summary;

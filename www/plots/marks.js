@@ -7,7 +7,6 @@ import { written } from "assur/plots/units.js";
 /**
  * @typedef {import("assur/engine.js").Mark} Mark
  * @typedef {import("assur/engine.js").Panel} Panel
- * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
  */
@@ -31,7 +30,7 @@ const MOST_COVERED = 4;
  * @param {Panel} panel
  * @param {readonly Box[]} covered places that are taken, as that of the panel's title
  * @param {Snapshot} snapshot
- * @param {Theme} theme
+ * @param {import("assur/canvas/theme.js").Theme} theme
  * @returns {Box[]} where the labels are
  */
 export function drawMarks(context, panel, covered, snapshot, theme) {

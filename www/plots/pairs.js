@@ -1,13 +1,13 @@
 // What is plotted against what: ready choices among those of the plots, and any two quantities by two lists.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { Seen } from "assur/core/seen.js";
 import { MEASURES, calledWhole, subscript, symbol } from "assur/core/symbols.js";
 import { withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/state/state.js").View} View
- * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {NonNullable<View["against"]>} Pair
  */
 
@@ -46,9 +46,7 @@ export class PairChoice {
   #lists = byId("against", HTMLElement);
   #y = byId("against-y", HTMLSelectElement);
   #x = byId("against-x", HTMLSelectElement);
-  #built = "";
-  /** @type {Words | null} */
-  #words = null;
+  #built = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ store, engine, model }) {
@@ -124,10 +122,7 @@ export class PairChoice {
     const transmissions = "transmissions" in summary ? summary.transmissions.map(({ what, joint }) => `${joint}.${what}`) : [];
     const names = [...this.#engine.quantities, ...transmissions];
     const physical = state.view.axes === "physical" || coordinate.moves === "time";
-    const built = JSON.stringify([names, physical, coordinate.symbol, summary.numbers]);
-    if (built === this.#built && words === this.#words) return;
-    this.#built = built;
-    this.#words = words;
+    if (this.#built.same(JSON.stringify([names, physical, coordinate.symbol, summary.numbers]), words)) return;
     this.#y.replaceChildren(...listed(names, summary.numbers, physical, words));
     this.#x.replaceChildren(make("option", { value: INPUT }, [coordinate.symbol]), ...listed(names, summary.numbers, physical, words));
   }
@@ -137,7 +132,7 @@ export class PairChoice {
  * @param {readonly string[]} names of quantities
  * @param {Readonly<Record<string, string>>} numbers of links
  * @param {boolean} physical whether derivatives are by time
- * @param {Words} words
+ * @param {import("assur/core/words.js").Words} words
  * @returns {HTMLElement[]} all of them with their derivatives, by what they are of
  */
 function listed(names, numbers, physical, words) {

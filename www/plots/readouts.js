@@ -2,6 +2,7 @@
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { Seen } from "assur/core/seen.js";
 import { MEASURES, calledWhole, isLength, letterOfAngle, readoutOf, subscript, symbol } from "assur/core/symbols.js";
 import { written } from "assur/plots/values.js";
 
@@ -27,8 +28,7 @@ export class ReadoutTable {
   #cells = [];
   /** @type {{ listed: Listed, order: number, outputs: Record<keyof typeof BESIDE, HTMLElement> }[]} */
   #beside = [];
-  /** @type {readonly unknown[]} what the rows were made of */
-  #built = [];
+  #built = new Seen();
 
   constructor() {
     this.#table.tHead?.append(make("tr", {}, [make("td"), ...this.#heads]));
@@ -40,9 +40,7 @@ export class ReadoutTable {
     const { state, summary, readouts, coordinate, place, words, stale, legible, withheld, compares } = snapshot;
     setData(this.#table, "faded", String(stale));
     if (!legible) return;
-    const built = [summary, words, state.view.axes, compares];
-    if (built.some((part, i) => part !== this.#built[i])) this.#build(snapshot);
-    this.#built = built;
+    if (!this.#built.same(summary, words, state.view.axes, compares)) this.#build(snapshot);
     write(this.#input, coordinate.written(place, words, state.view.playing ? 1 : 3));
     this.#input.dataset.value = String(place);
     for (const { listed, order, output } of this.#cells) {

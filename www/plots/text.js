@@ -11,7 +11,6 @@ import { coordinates, inDegrees, power, titled, unitOf, writtenLevel } from "ass
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/coordinate.js").Coordinate} Coordinate
- * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  */
 
 const SIZE = 11;
@@ -22,7 +21,7 @@ const MOST_NAMED = 3;
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {readonly Panel[]} panels
- * @param {Snapshot} snapshot
+ * @param {import("assur/state/model.js").Snapshot} snapshot
  * @param {Theme} theme
  * @returns {Box[]} where the titles are
  */
@@ -87,7 +86,6 @@ const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "sym
  * @param {Panel} panel
  * @param {Words} words
  * @param {typeof NAMINGS[number]} naming
- * @returns {[text: string, role?: string][]}
  */
 function names(panel, words, naming) {
   const { order, physical, series } = panel;

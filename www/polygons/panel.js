@@ -15,7 +15,6 @@ import { amount, told } from "assur/polygons/equations.js";
 /**
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/types/web.js").PolygonsHere} Here
- * @typedef {import("assur/types/web.js").PolygonPictureHere} Picture
  */
 
 /** Free room around a polygon, in pixels, for the names at its ends. */
@@ -31,9 +30,9 @@ export class Polygons {
   #page;
   #painter;
   #shown = ALL;
-  #back = make("button", { type: "button", class: "control", id: "polygons-back", "data-t": "polygons.back" });
-  #next = make("button", { type: "button", class: "control", id: "polygons-next", "data-t": "polygons.next" });
-  #all = make("button", { type: "button", class: "control", id: "polygons-all", "data-t": "polygons.all" });
+  #back = make("button", { type: "button", class: "control", id: "polygons-back", "data-t": "polygons.back", onclick: () => this.#go(-1) });
+  #next = make("button", { type: "button", class: "control", id: "polygons-next", "data-t": "polygons.next", onclick: () => this.#go(1) });
+  #all = make("button", { type: "button", class: "control", id: "polygons-all", "data-t": "polygons.all", onclick: () => this.#go(ALL) });
   #step = make("p", { id: "polygon-step", role: "status" });
   #none = make("p", { id: "polygon-none", "data-t": "polygons.none" });
   #equations = make("ol", { id: "polygon-equations" });
@@ -58,9 +57,6 @@ export class Polygons {
     const steps = make("div", { class: "polygon-steps", role: "group", "data-t-label": "polygons.steps" }, [this.#back, this.#next, this.#all, this.#step]);
     this.#drawn = make("div", {}, [steps, make("div", { class: "polygon-sheets" }, figures), this.#equations]);
     this.element = make("section", { id: "polygons-shown", "data-field": "polygons" }, [make("h2", { "data-t": "polygons.heading" }), this.#none, this.#drawn]);
-    this.#back.addEventListener("click", () => this.#go(-1));
-    this.#next.addEventListener("click", () => this.#go(1));
-    this.#all.addEventListener("click", () => this.#go(ALL));
     byId("readouts", HTMLTableElement).after(this.element);
     page.words.fill(this.element);
   }

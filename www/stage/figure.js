@@ -9,7 +9,6 @@ import { paintSquares } from "assur/stage/paper.js";
 
 /**
  * @typedef {import("assur/canvas/display-list.js").Layer} Layer
- * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {Pick<import("assur/state/model.js").Snapshot, "scene" | "frame" | "frameInput" | "coordinate" | "readouts" | "revision" | "words">
  *   & { readonly compared?: import("assur/state/compared.js").Beside | null, readonly withheld?: ReadonlySet<string>, readonly summary?: object, readonly state?: { readonly view: { readonly playing: boolean } } }} Snapshot
  * @typedef {import("assur/canvas/painter.js").Target} Target
@@ -39,7 +38,7 @@ export class Figure {
   #compared = null;
 
   /**
-   * @param {Pick<Engine, "roles" | "labels">} engine
+   * @param {Pick<import("assur/engine.js").Engine, "roles" | "labels">} engine
    * @param {Theme} theme
    * @param {() => Path2D} [newPath] an empty path of the kind its targets take
    * @param {Places} [places] of another's labels, to have them where that has them

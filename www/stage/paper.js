@@ -1,12 +1,8 @@
 // What is under the drawing: squared paper with its scale and what does not move, painted once and then copied.
 
 /**
- * @typedef {import("assur/stage/figure.js").Size} Size
  * @typedef {import("assur/canvas/painter.js").Context} Context
- * @typedef {import("assur/canvas/surface.js").Surface} Surface
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {import("assur/canvas/transform.js").Transform} Transform
- * @typedef {import("assur/core/words.js").Words} Words
  */
 
 /** Squares of the paper are at least this wide, in pixels. */
@@ -24,7 +20,7 @@ export class Backdrop {
 
   /**
    * Covers a surface with the backdrop.
-   * @param {Surface} surface
+   * @param {import("assur/canvas/surface.js").Surface} surface
    * @param {string} key of what is on it
    * @param {() => void} paint called where it has to be painted anew
    */
@@ -58,10 +54,10 @@ export function side(scale) {
 /**
  * Squares of a round size, and how long the side of one is.
  * @param {Context} context
- * @param {Size} size
- * @param {Transform} view
+ * @param {import("assur/stage/figure.js").Size} size
+ * @param {import("assur/canvas/transform.js").Transform} view
  * @param {Theme} theme
- * @param {Words} words
+ * @param {import("assur/core/words.js").Words} words
  * @param {number} ratio device pixels per CSS pixel
  */
 export function paintSquares(context, { width, height }, view, theme, words, ratio) {

@@ -7,7 +7,6 @@ import { Figure } from "assur/stage/figure.js";
 import { Backdrop } from "assur/stage/paper.js";
 
 /**
- * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {readonly [number, number, number, number]} Edges of a part of the canvas: left, bottom, right, top, in its pixels
@@ -59,7 +58,7 @@ export class MechanismView {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {Engine} engine
+   * @param {import("assur/engine.js").Engine} engine
    * @param {Theme} theme
    */
   constructor(canvas, engine, theme) {

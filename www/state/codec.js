@@ -46,7 +46,6 @@ export function toAddress(state, preset) {
 /**
  * @param {"document" | "view"} part
  * @param {object} values
- * @returns {string[]}
  */
 function pairs(part, values) {
   const entries = Object.entries(values).filter(([, value]) => value !== null && value !== undefined);

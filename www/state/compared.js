@@ -3,7 +3,6 @@ import { Seen } from "assur/core/seen.js";
 import { PARTS, initialState, withView } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/engine.js").Summary} Summary
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/pkg/assur_web.js").Simulator} Simulator
@@ -73,7 +72,7 @@ export class Compared {
 
   /**
    * @param {number} input
-   * @param {Engine} engine
+   * @param {import("assur/engine.js").Engine} engine
    * @returns {Beside | null} none where A is not shown, or cannot be assembled
    */
   at(input, engine) {

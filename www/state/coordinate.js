@@ -6,7 +6,6 @@ import { measured } from "assur/core/units.js";
 import { withView } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/engine.js").Cycle} Cycle
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/state.js").State} State
  */
@@ -41,7 +40,7 @@ export class Coordinate {
 
   /**
    * @param {"angle" | "length" | "time"} moves
-   * @param {Cycle} cycle where the input goes, in the engine's unit
+   * @param {import("assur/engine.js").Cycle} cycle where the input goes, in the engine's unit
    * @param {string} [number] by which it is called
    */
   constructor(moves, cycle, number = "1") {

@@ -13,7 +13,6 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/engine.js").Readouts} Readouts
- * @typedef {import("assur/engine.js").Summary} Summary
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/state.js").Kind} Kind
  *
@@ -134,7 +133,7 @@ export class Model {
     this.#place(state);
   }
 
-  /** @returns {Summary} */
+  /** @returns {import("assur/engine.js").Summary} */
   get summary() {
     return this.#drawn.summary;
   }

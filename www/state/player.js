@@ -4,7 +4,6 @@ import { withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/state/model.js").Model} Model
  */
 
@@ -22,7 +21,7 @@ export class Player {
    * The state dt seconds later.
    * @param {State} state
    * @param {number} dt
-   * @param {Engine} engine
+   * @param {import("assur/engine.js").Engine} engine
    * @param {Model} model
    * @returns {State}
    */

@@ -7,10 +7,7 @@ import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
 import { edited } from "assur/state/state.js";
 
-/**
- * @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot
- * @typedef {import("assur/kinds/gear-train/drives.js").Document} Document
- */
+/** @typedef {import("assur/kinds/gear-train/drives.js").Document} Document */
 
 /**
  * The lists with the number of the link of each of their numbers, and the symbols.
@@ -48,7 +45,7 @@ export class BodiesView {
     section("gear-train", "bodies.heading", "bodies", [make("details", { id: "train-bodies" }, [make("summary", { "data-t": "bodies.show" }), ...content])]);
   }
 
-  /** @param {Snapshot} snapshot */
+  /** @param {import("assur/kinds/gear-train/drives.js").Snapshot} snapshot */
   render({ state: { document }, words, problems }) {
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(document.magnets, document.bodies, words, ...wrong)) return;

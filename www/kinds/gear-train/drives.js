@@ -99,9 +99,7 @@ class DriveRow {
     this.#factor = row("factor", "c", "", FACTORS);
     this.#start = row("start_s", "t₀", "", undefined);
     const button = (/** @type {string} */ name, /** @type {() => void} */ press) => {
-      const made = make("button", { id: `train-${name}-${n}`, class: "control add", type: "button", "data-t": `drives.${name}` });
-      made.addEventListener("click", press);
-      return made;
+      return make("button", { id: `train-${name}-${n}`, class: "control add", type: "button", "data-t": `drives.${name}`, onclick: press });
     };
     this.#hold = button("hold", () => this.#put({ rpm: 0, to: null }));
     this.#tie = button("tie", () => this.#toggle());

@@ -6,11 +6,7 @@ import { Seen } from "assur/core/seen.js";
 import { Choice } from "assur/kinds/gear-train/choice.js";
 import { edited } from "assur/state/state.js";
 
-/**
- * @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot
- * @typedef {import("assur/kinds/gear-train/drives.js").Document} Document
- * @typedef {NonNullable<NonNullable<Document["members"]>["carrier"]>} Member
- */
+/** @typedef {NonNullable<NonNullable<import("assur/kinds/gear-train/drives.js").Document["members"]>["carrier"]>} Member */
 
 const KINDS = Object.freeze(["none", "fan", "brush", "stirrer", "scraper", "blade", "propeller", "road_wheel"]);
 
@@ -38,7 +34,7 @@ export class MembersView {
     ]);
   }
 
-  /** @param {Snapshot} snapshot */
+  /** @param {import("assur/kinds/gear-train/drives.js").Snapshot} snapshot */
   render({ state: { document }, words, problems }) {
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(document.members, words, ...wrong)) return;

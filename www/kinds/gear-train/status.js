@@ -2,15 +2,11 @@
 import { StatusLine } from "assur/controls/status.js";
 import { notation } from "assur/kinds/gear-train/ratios.js";
 
-/**
- * @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot
- * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/controls/status.js").Entry} Entry
- */
+/** @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot */
 
 const BODIES = Object.freeze(/** @type {const} */ ([["sun", "₁"], ["satellite", "₂"], ["carrier", "₃"], ["ring", "₄"]]));
 
-/** @type {Readonly<Record<string, (summary: Snapshot["summary"], words: Words) => Entry | null>>} */
+/** @type {Readonly<Record<string, (summary: Snapshot["summary"], words: import("assur/core/words.js").Words) => import("assur/controls/status.js").Entry | null>>} */
 const ENTRIES = Object.freeze({
   largest: ({ ratios }, { numbers }) => {
     const found = ratios.find(({ largest }) => largest);

@@ -6,10 +6,7 @@ import { Seen } from "assur/core/seen.js";
 import { Choice } from "assur/kinds/gear-train/choice.js";
 import { edited } from "assur/state/state.js";
 
-/**
- * @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot
- * @typedef {import("assur/kinds/gear-train/drives.js").Document} Document
- */
+/** @typedef {import("assur/kinds/gear-train/drives.js").Document} Document */
 
 /** @type {readonly (import("assur/controls/number-row.js").RowKind & { field: "z1" | "z2" | "z2_step" | "z4" | "satellites" | "module_mm" })[]} */
 const ROWS = Object.freeze([
@@ -55,7 +52,7 @@ export class WheelsView {
     ]);
   }
 
-  /** @param {Snapshot} snapshot */
+  /** @param {import("assur/kinds/gear-train/drives.js").Snapshot} snapshot */
   render({ state: { document }, summary, words, problems }) {
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(document, summary, words, ...wrong)) return;

@@ -2,7 +2,6 @@
 // magnified in an inset.
 import { NumberRow } from "assur/controls/number-row.js";
 import { withhold, writeReadout } from "assur/controls/readout.js";
-import { degrees } from "assur/core/angles.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
@@ -126,7 +125,7 @@ function paintInset(context, panel, [from, to], band, value, words, theme) {
   context.fillStyle = theme.colours.secondary;
   const span = most - least;
   const angle = panel.kind === "angle" && panel.order === 0;
-  const said = angle ? `${words.numbers.upTo(degrees(span), 3)}°` : panel.order > 0 ? words.numbers.short(span) : words.length(words.numbers.short(span));
+  const said = angle ? words.numbers.angle(span, 3) : panel.order > 0 ? words.numbers.short(span) : words.length(words.numbers.short(span));
   context.fillText(`↕ ${said}`, left + width - 4, top + 3);
   return { left, top, right: left + width, bottom: top + height };
 }
@@ -191,7 +190,7 @@ export class CourseView {
     const angle = plotted[0].endsWith(".angle");
     write(this.#travel, words.text(angle ? "dwell.swing" : "dwell.stroke"));
     if (stale) return;
-    const said = (/** @type {number} */ value) => (angle ? `${words.numbers.upTo(degrees(value), 4)}°` : words.length(words.numbers.short(value)));
+    const said = (/** @type {number} */ value) => (angle ? words.numbers.angle(value, 4) : words.length(words.numbers.short(value)));
     const turned = (/** @type {number} */ input) => coordinate.short(input, words, 3);
     const { stroke, dwell } = profile;
     write(this.#name, called(plotted[0].replace(/\.angle$/, ""), words));

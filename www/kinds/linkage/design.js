@@ -5,15 +5,14 @@ import { sentence } from "assur/controls/problems.js";
 import { degrees, radians } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { Seen } from "assur/core/seen.js";
 import { compiledWasm } from "assur/engine.js";
 import { withDocument } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
- * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/types/web.js").StepSummary} Progress
  */
 
@@ -39,8 +38,8 @@ export class DesignView {
   #history;
   #wanted = make("div");
   #links = make("div");
-  #start = make("button", { id: "design-start", class: "control add", type: "button", "data-t": "design.start" });
-  #stop = make("button", { id: "design-stop", class: "control add", type: "button", "data-t": "design.stop" });
+  #start = make("button", { id: "design-start", class: "control add", type: "button", "data-t": "design.start", onclick: () => this.#search() });
+  #stop = make("button", { id: "design-stop", class: "control add", type: "button", "data-t": "design.stop", onclick: () => this.#finish("stopped") });
   #told = make("p", { id: "design-progress", role: "status" });
   /** @type {{ arc: NumberRow, stroke: NumberRow } | null} */
   #rows = null;
@@ -48,7 +47,7 @@ export class DesignView {
   #wish = { arc: null, stroke: null };
   /** @type {{ field: string, name: string, said: HTMLElement, moves: HTMLInputElement, by: HTMLSelectElement }[]} */
   #movable = [];
-  #built = "";
+  #built = new Seen();
   /** @type {Snapshot | null} */
   #snapshot = null;
   /** @type {Worker | null} */
@@ -70,8 +69,6 @@ export class DesignView {
     this.#store = store;
     this.#drafts = drafts;
     this.#history = history;
-    this.#start.addEventListener("click", () => this.#search());
-    this.#stop.addEventListener("click", () => this.#finish("stopped"));
     this.element = make("details", { id: "design" }, [
       make("summary", { "data-t": "design.heading" }),
       this.#wanted,
@@ -116,9 +113,7 @@ export class DesignView {
   #build({ state: { document: linkage }, summary, words }) {
     const { angle } = this.#now();
     const lengths = summary.dimensions.filter(({ kind }) => kind === "length");
-    const built = JSON.stringify([linkage.drivers, lengths.map(({ field, name }) => [field, name]), summary.plotted[0]]);
-    if (built === this.#built) return;
-    this.#built = built;
+    if (this.#built.same(JSON.stringify([linkage.drivers, lengths.map(({ field, name }) => [field, name]), summary.plotted[0]]))) return;
     this.#wish = { arc: null, stroke: null };
     this.#progress = this.#end = null;
     this.#problems = [];
@@ -150,7 +145,7 @@ export class DesignView {
 
   /**
    * Says what the links are called that may become others.
-   * @param {Words} words
+   * @param {import("assur/core/words.js").Words} words
    */
   #name(words) {
     for (const { name, said, moves, by } of this.#movable) {
@@ -224,7 +219,7 @@ export class DesignView {
 
   /**
    * Puts a better mechanism on the page; all of one search are one step to undo.
-   * @param {Partial<LinkageDocument>} change
+   * @param {Partial<import("assur/state/state.js").LinkageDocument>} change
    */
   #take(change) {
     if (this.#changed) this.#history.join();
@@ -267,9 +262,9 @@ export class DesignView {
       const { judged, before, reached: { arc, stroke, residual, singularity_margin } } = this.#progress;
       said.push(words.text("design.progress", {
         judged: numbers.exact(judged),
-        arc: `${numbers.upTo(degrees(arc), 2)}°`,
+        arc: numbers.angle(arc, 2),
         travel: words.text(angle ? "dwell.swing" : "dwell.stroke"),
-        stroke: angle ? `${numbers.upTo(degrees(stroke), 2)}°` : words.length(numbers.short(stroke)),
+        stroke: angle ? numbers.angle(stroke, 2) : words.length(numbers.short(stroke)),
         residual: numbers.short(residual),
         before: numbers.short(before),
       }));

@@ -35,8 +35,7 @@ export class EquationsView {
   /** @type {Snapshot | null} */
   #snapshot = null;
   #built = new Seen();
-  /** @type {readonly unknown[]} what the numbers were written of */
-  #written = [];
+  #written = new Seen();
 
   /**
    * @param {import("assur/app/page.js").Page} page
@@ -83,9 +82,7 @@ export class EquationsView {
     setData(this.#table, "faded", String(stale));
     const order = Number(this.#order.value);
     this.#build(summary.equations, order, words);
-    const written = [summary, order, input, words, problems.length];
-    if (stale || written.every((part, i) => part === this.#written[i])) return;
-    this.#written = written;
+    if (stale || this.#written.same(summary, order, input, words, problems.length)) return;
     const { value: sides } = attempt(() => this.#engine.ask((simulator) => simulator.equations(input, order)));
     summary.equations.forEach(({ kind }, row) => {
       const angle = order === 0 && (kind === "direction" || kind === "mesh");
@@ -111,7 +108,7 @@ export class EquationsView {
    */
   #build(equations, order, words) {
     if (this.#built.same(JSON.stringify(equations), order, words)) return;
-    this.#written = [];
+    this.#written = new Seen();
     this.#note.hidden = order === 0;
     const rows = equations.map((equation, row) => {
       const cells = SIDES.map((side) => make("td", { id: `equation-${row}-${side}` }));

@@ -9,7 +9,6 @@ import { change, inputNow } from "assur/state/change.js";
 
 /**
  * @typedef {import("assur/engine.js").LinkageSummary} Summary
- * @typedef {import("assur/engine.js").Dimension} Dimension
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/model.js").OwnSnapshot<"linkage">} Snapshot
  */
@@ -35,7 +34,7 @@ export class LinkageRail {
   #rows = [];
   /** @type {NumberRow[]} those of further drivers */
   #further = [];
-  #built = "";
+  #built = new Seen();
   #shown = new Seen();
 
   /**
@@ -63,10 +62,7 @@ export class LinkageRail {
     if (this.#shown.same(linkage, summary, words, ...wrong)) return;
     const { drivers, dimensions, rates } = summary;
     const built = JSON.stringify([words.lang, linkage.title, drivers, rates.map(({ field, link, role }) => [field, link, role]), dimensions.map(({ field, name, role }) => [field, name, role])]);
-    if (built !== this.#built) {
-      this.#built = built;
-      this.#build(summary, words);
-    }
+    if (!this.#built.same(built)) this.#build(summary, words);
     const source = sourceOf(linkage, this.#page.engine, words);
     // That of a lesson on a linkage of the catalogue is in English.
     this.#source.lang = linkage.origin && source === linkage.source ? "en" : words.lang;
@@ -106,7 +102,7 @@ export class LinkageRail {
   }
 
   /**
-   * @param {Dimension} dimension
+   * @param {import("assur/engine.js").Dimension} dimension
    * @param {Words} words
    */
   #row({ field, kind, index, name, points, role, min, max, step }, words) {

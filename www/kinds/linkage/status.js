@@ -1,7 +1,6 @@
 // The status line of a linkage: its structure, its assembly, what its crank cannot pass.
 import { StatusLine } from "assur/controls/status.js";
 import { called, calledIn, numbered } from "assur/core/names.js";
-import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { subscript } from "assur/core/symbols.js";
 
@@ -35,7 +34,7 @@ const ENTRIES = Object.freeze({
   "linkage-dead": ({ dead_points: dead }, words, { coordinate }) =>
     dead.map(({ input, kind, links }) => `${coordinate.short(input, words, 2)} ${words.text(`dead.${kind}`)} (${listed(links, words)})`).join("; "),
   "linkage-change": ({ change_points: points }, words, { coordinate }) => points.map((input) => coordinate.short(input, words, 2)).join(", "),
-  "linkage-unsearched": ({ unsearched }, words) => (unsearched ? words.text("status.unsearched_why", counted(unsearched, words)) : ""),
+  "linkage-unsearched": ({ unsearched }, words) => (unsearched ? words.text("status.unsearched_why", { turns: words.numbers.exact(unsearched.turns), most: words.numbers.exact(unsearched.most) }) : ""),
 });
 
 const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
@@ -73,7 +72,7 @@ function coloured(groups, words) {
  * @returns {string} from end to end, for every arc of the motion
  */
 function strokes(outputs, angles, words) {
-  const said = (/** @type {number} */ stroke) => (angles ? angle(stroke, words) : words.length(words.numbers.short(stroke)));
+  const said = (/** @type {number} */ stroke) => (angles ? words.numbers.angle(stroke, 2) : words.length(words.numbers.short(stroke)));
   return outputs.filter(({ name, searched, swing }) => searched && name.endsWith(".angle") === angles && swing.every((one) => one !== null)).map(({ name, swing }) =>
     `${swing.map((one) => said(one?.stroke ?? 0)).join(", ")} (${called(name.replace(/\.angle$/, ""), words)})`,
   ).join("; ");
@@ -87,23 +86,7 @@ function strokes(outputs, angles, words) {
  */
 function worst(transmissions, what, words) {
   const found = transmissions.filter((one) => one.what === what);
-  return found.flatMap((one) => (one.worst === null ? [] : [`${angle(one.worst, words)} (${subscript(one.joint)})`])).join("; ");
-}
-
-/**
- * @param {NonNullable<Summary["unsearched"]>} unsearched
- * @param {Words} words
- */
-function counted({ turns, most }, words) {
-  return { turns: words.numbers.exact(turns), most: words.numbers.exact(most) };
-}
-
-/**
- * @param {number} phi
- * @param {Words} words
- */
-function angle(phi, words) {
-  return `${words.numbers.upTo(degrees(phi), 2)}°`;
+  return found.flatMap((one) => (one.worst === null ? [] : [`${words.numbers.angle(one.worst, 2)} (${subscript(one.joint)})`])).join("; ");
 }
 
 /**

@@ -1,5 +1,5 @@
 // The points that are traced on the links of a linkage, in its rail: where each is on its link, and one less.
-import { NumberBox } from "assur/controls/number-box.js";
+import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
@@ -17,7 +17,7 @@ export class TracedPoints {
   #section = make("section", { "data-of": "linkage" }, [make("h2", { "data-t": "tracers.heading" }), this.#list]);
   /** @type {NumberBox[][]} for each point those of its two numbers */
   #boxes = [];
-  #built = "";
+  #built = new Seen();
   #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -34,8 +34,7 @@ export class TracedPoints {
     if (this.#shown.same(state.document.tracers, summary, words, ...wrong)) return;
     this.#section.hidden = tracers.length === 0;
     const built = JSON.stringify([words.lang, tracers.map(({ name, link }) => [name, link, summary.roles[link]])]);
-    if (built !== this.#built) this.#build(tracers, summary, words);
-    this.#built = built;
+    if (!this.#built.same(built)) this.#build(tracers, summary, words);
     this.#boxes.forEach((boxes, i) => boxes.forEach((box, axis) => {
       const value = tracers[i].at[axis];
       box.show(value, { brief: words.numbers.short(value), full: words.numbers.exact(value) }, wrong.has(`tracers[${i}].at`));
@@ -55,11 +54,9 @@ export class TracedPoints {
       const remove = make("button", {
         id: `traced-remove-${index}`, class: "control icon", type: "button",
         "data-t-label": "tracers.remove_named", "data-t-title": "tracers.remove_named", "data-n": subscript(name),
+        onclick: () => this.#remove(name),
       }, ["×"]);
-      remove.addEventListener("click", () => this.#remove(name));
-      const inputs = AXES.map((axis) => make("input", {
-        id: `traced-${axis}-${index}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "data-t-label": `draw.${axis}`,
-      }));
+      const inputs = AXES.map((axis) => numberField({ id: `traced-${axis}-${index}`, "data-t-label": `draw.${axis}` }));
       this.#boxes.push(inputs.map((input, axis) => new NumberBox(input, `tracers[${index}].at ${axis}`, this.#drafts, (value) => placeTraced(this.#store, name, axis, value))));
       const colour = `--accent: var(--role-${role})`;
       return [

@@ -101,9 +101,8 @@ export class Rail {
    * @param {() => void} choose
    */
   #choice(field, value, choose) {
-    const input = make("input", { id: `${field}-${value}`, type: "radio", name: field, value: String(value) });
+    const input = make("input", { id: `${field}-${value}`, type: "radio", name: field, value: String(value), onchange: choose });
     if (field === "assembly") input.setAttribute("aria-keyshortcuts", String(value));
-    input.addEventListener("change", choose);
     this.#choices.push({ input, field, value });
     return make("label", { class: field === "mesh" ? "choice" : "segment" }, [input, make("span", { "data-t": `${field}.${value}` })]);
   }

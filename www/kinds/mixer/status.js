@@ -5,7 +5,6 @@ import { WHEELS, wheelLink } from "assur/kinds/mixer/wheels.js";
 
 /**
  * @typedef {import("assur/engine.js").MixerSummary} Summary
- * @typedef {import("assur/engine.js").Swing} Swing
  * @typedef {import("assur/state/model.js").OwnSnapshot<"mixer">} Snapshot
  * @typedef {import("assur/state/state.js").State<"mixer">} State
  * @typedef {import("assur/core/words.js").Words} Words
@@ -37,7 +36,7 @@ const ENTRIES = Object.freeze({
   ratio: ({ ratios }, words) => ({ text: ratios.map((ratio) => words.numbers.upTo(ratio, 4)).join("; "), value: ratios[0] }),
   "time-ratio": ({ outputs: [{ time_ratio: ratio }] }, words) => (ratio === null ? null : { text: words.numbers.fixed(ratio, 3), value: ratio }),
   transmission: ({ transmissions: [{ worst }] }, words) => (worst === null ? null : angleEntry(worst, words)),
-  range: ({ cycle }, words) => (cycle.full ? null : { text: cycle.arcs.map((arc) => range(arc, words)).join(", ") }),
+  range: ({ cycle }, words) => (cycle.full ? null : { text: cycle.arcs.map((arc) => arc.map((end) => words.numbers.angle(end, 2)).join("…")).join(", ") }),
   "dead-points": ({ dead_points: points }, words) => anglesEntry(points.map(({ input }) => input), words),
   "change-points": ({ change_points: points }, words) => anglesEntry(points, words),
 });
@@ -57,7 +56,7 @@ export function mixerStatus() {
 }
 
 /**
- * @param {readonly (Swing | null)[]} swings one for every arc of the cycle
+ * @param {readonly (import("assur/engine.js").Swing | null)[]} swings one for every arc of the cycle
  * @param {Words} words
  * @returns {Entry}
  */
@@ -97,14 +96,5 @@ function angleEntry(angle, words) {
  */
 function anglesEntry(angles, words) {
   if (angles.length === 0) return null;
-  return { text: angles.map((angle) => `${words.numbers.upTo(degrees(angle), 2)}°`).join(", ") };
-}
-
-/**
- * @param {readonly [number, number]} arc
- * @param {Words} words
- */
-function range([from, to], words) {
-  const [first, last] = [from, to].map((angle) => `${words.numbers.upTo(degrees(angle), 2)}°`);
-  return `${first}…${last}`;
+  return { text: angles.map((angle) => words.numbers.angle(angle, 2)).join(", ") };
 }

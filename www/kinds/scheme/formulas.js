@@ -64,10 +64,7 @@ function classical(snapshot) {
   return lines;
 }
 
-/**
- * @param {Snapshot} snapshot
- * @returns {string[][]}
- */
+/** @param {Snapshot} snapshot */
 function byLoops(snapshot) {
   const { summary, words } = snapshot;
   const { sections, counts } = summary;

@@ -9,8 +9,6 @@ import { change } from "assur/state/change.js";
 /**
  * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
  * @typedef {Snapshot["summary"]} Summary
- * @typedef {NonNullable<Summary["space"]>} Judged
- * @typedef {import("assur/core/words.js").Words} Words
  */
 
 /** So many ways to mend it are shown at once. */
@@ -45,7 +43,7 @@ export class GeometryView {
 
   /**
    * @param {Summary} summary
-   * @param {Words} words
+   * @param {import("assur/core/words.js").Words} words
    */
   #showMended({ mended }, words) {
     const { list, complete } = mended ?? { list: [], complete: true };
@@ -64,10 +62,7 @@ export class GeometryView {
   }
 }
 
-/**
- * @param {Snapshot} snapshot
- * @returns {string[]}
- */
+/** @param {Snapshot} snapshot */
 function lines(snapshot) {
   const { summary: { plane, space, missing, mobility }, words } = snapshot;
   const { numbers } = words;

@@ -9,7 +9,6 @@ import { edited } from "assur/state/state.js";
 /**
  * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
  * @typedef {NonNullable<Snapshot["summary"]["sections"]>} Sections
- * @typedef {import("assur/core/words.js").Words} Words
  */
 
 /** Between two cuts, in milliseconds: the first has fallen open, and was looked at. */
@@ -17,8 +16,8 @@ const PAUSE = 1600;
 
 export class MethodView {
   #page;
-  #step = make("button", { id: "cut-step", class: "control add", type: "button", "data-t": "method.step" });
-  #join = make("button", { id: "cut-join", class: "control add", type: "button", "data-t": "method.join" });
+  #step = make("button", { id: "cut-step", class: "control add", type: "button", "data-t": "method.step", onclick: () => this.#begin() });
+  #join = make("button", { id: "cut-join", class: "control add", type: "button", "data-t": "method.join", onclick: () => this.#put([]) });
   #said = make("div", { id: "method-said", "aria-live": "polite" });
   /** @type {readonly string[]} cuts that are still to be shown */
   #coming = [];
@@ -30,8 +29,6 @@ export class MethodView {
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
-    this.#step.addEventListener("click", () => this.#begin());
-    this.#join.addEventListener("click", () => this.#put([]));
     section("scheme", "method.heading", "method", [make("div", { class: "buttons" }, [this.#step, this.#join]), this.#said]);
   }
 
@@ -49,10 +46,7 @@ export class MethodView {
     this.#said.replaceChildren(...lines.map((line) => make("p", {}, [line])));
   }
 
-  /**
-   * @param {Snapshot} snapshot
-   * @returns {string[]}
-   */
+  /** @param {Snapshot} snapshot */
   #lines(snapshot) {
     const { state: { document }, summary: { sections, closed, apart, planar, mobility }, words } = snapshot;
     const { numbers } = words;
@@ -121,7 +115,7 @@ function redundant({ loops, removed_spatial: removed, open_spatial: open }, snap
 
 /**
  * @param {number} mobility
- * @param {Words} words
+ * @param {import("assur/core/words.js").Words} words
  */
 function drives(mobility, words) {
   if (mobility < 1) return words.text("method.locked");

@@ -1,6 +1,6 @@
 // The table of pairs: what form each has, which links it joins, whether it is cut, where it is.
 import { CardList } from "assur/controls/card-list.js";
-import { NumberBox } from "assur/controls/number-box.js";
+import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -108,14 +108,10 @@ export class PairsView {
     const boxes = TRIPLES.flatMap(({ part, said }) => said.map((label, k) => {
       const axis = "xyz"[k];
       const field = `pairs[${index}].${part}.${axis}`;
-      const input = make("input", {
-        id: `pair-${part}-${axis}-${n}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
-        "data-t-label": label, "data-n": n,
-      });
-      const box = new NumberBox(input, field, drafts, (value) => {
-        this.#put(index, (pair) => ({ ...pair, [part]: placed(pair[part], k, value, part === "at" && this.#planar.checked) }));
-        return value;
-      });
+      const input = numberField({ id: `pair-${part}-${axis}-${n}`, "data-t-label": label, "data-n": n });
+      const box = new NumberBox(input, field, drafts, (value) => (
+        this.#put(index, (pair) => ({ ...pair, [part]: placed(pair[part], k, value, part === "at" && this.#planar.checked) }))
+      ));
       return { part, k, box, field, element: make("label", { class: "pair-number" }, [make("b", {}, [axis]), input]) };
     }));
     const triples = TRIPLES.map(({ part }) => make("div", { class: "pair-numbers" }, [

@@ -1,5 +1,5 @@
 // Practice: a mechanism that nobody has counted yet. Every step of the method is asked for and checked.
-import { NumberBox } from "assur/controls/number-box.js";
+import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
@@ -30,7 +30,7 @@ const THEN = Object.freeze([
 
 export class PracticeView {
   #page;
-  #new = make("button", { id: "practice-new", class: "control add", type: "button", "data-t": "practice.new" });
+  #new = make("button", { id: "practice-new", class: "control add", type: "button", "data-t": "practice.new", onclick: () => this.#task() });
   #end = make("button", { id: "practice-end", class: "control add", type: "button", "data-t": "practice.end" });
   #said = make("p", { id: "practice-said" });
   #rows = make("div", { id: "practice-rows" });
@@ -49,7 +49,6 @@ export class PracticeView {
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
-    this.#new.addEventListener("click", () => this.#task());
     this.#end.addEventListener("click", () => page.store.update((state) => edited(state, "scheme", () => ({ task: null }))));
     section("scheme", "practice.heading", "practice", [this.#said, this.#rows, make("div", { class: "buttons" }, [this.#new, this.#end])]);
   }
@@ -98,11 +97,10 @@ export class PracticeView {
     }));
     this.#questions = [...FIRST, ...counted, ...THEN].map((question) => {
       const field = `practice.${question.id}`;
-      const input = make("input", { id: `practice-${question.id}`, class: "control number", type: "text", inputmode: "numeric", autocomplete: "off", spellcheck: "false" });
+      const input = numberField({ id: `practice-${question.id}`, inputmode: "numeric" });
       const box = new NumberBox(input, field, this.#page.drafts, (value) => {
         this.#answers.set(question.id, value);
         this.#judge();
-        return value;
       });
       input.addEventListener("input", () => {
         if (input.value.trim() !== "") return;

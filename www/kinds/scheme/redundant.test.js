@@ -8,12 +8,13 @@ import { GeometryView } from "assur/kinds/scheme/geometry.js";
 import { MethodView } from "assur/kinds/scheme/method.js";
 import { Description } from "assur/kinds/scheme/description.js";
 import { ENTRIES } from "assur/kinds/scheme/status.js";
+import { wholePresets } from "assur/lesson/offer.js";
 import { initialState } from "assur/state/state.js";
 import { newEngine } from "assur/tests/engine.js";
 import { snapshotOf } from "assur/tests/shown.js";
 
 const engine = newEngine();
-const PRESETS = JSON.parse(readFileSync(new URL("../../lessons/mobility/presets.json", import.meta.url), "utf8"));
+const PRESETS = wholePresets(JSON.parse(readFileSync(new URL("../../lessons/mobility/presets.json", import.meta.url), "utf8")));
 
 const page = globalThis.document;
 

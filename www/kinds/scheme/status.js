@@ -2,12 +2,9 @@
 import { StatusLine } from "assur/controls/status.js";
 import { actual, symbolOf } from "assur/kinds/scheme/sums.js";
 
-/**
- * @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot
- * @typedef {import("assur/core/words.js").Words} Words
- */
+/** @typedef {import("assur/kinds/scheme/opening.js").Snapshot} Snapshot */
 
-/** @type {Readonly<Record<string, (summary: Snapshot["summary"], words: Words) => import("assur/controls/status.js").Entry | null>>} */
+/** @type {Readonly<Record<string, (summary: Snapshot["summary"], words: import("assur/core/words.js").Words) => import("assur/controls/status.js").Entry | null>>} */
 export const ENTRIES = Object.freeze({
   w: ({ mobility }, { numbers }) => ({ text: numbers.exact(mobility), value: mobility }),
   q: (summary, { numbers }) => {

@@ -1,5 +1,5 @@
 // The conditions and theorems of the paper for one position at its coupler angle, as they are printed, and beside each what is true.
-import { degrees, radians } from "assur/core/angles.js";
+import { radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
@@ -69,7 +69,7 @@ function table({ at, conditions, theorems, pair, ranges, interval }, k, words) {
   const left = pair ? [row(words.text("conditions.pair"), pair.values.map((value) => numbers.short(value)).join("; "), [null, pair.holds], words)] : [];
   const judged = theorems.map(({ number, conditions: asked, truth }) => row(words.text("conditions.theorem", { n: String(number) }), words.text(JUDGED[`${asked} ${truth}`]), [asked, truth], words, asked && !truth));
   const between = (ranges ?? []).map((range, i) => whole(`l${"₂₃"[i]} > 0`, range ? ends("conditions.range", range, words) : words.text("conditions.never")));
-  const name = words.text("conditions.of", { n: String(k), coupler: `${numbers.upTo(degrees(at), 3)}°` });
+  const name = words.text("conditions.of", { n: String(k), coupler: numbers.angle(at, 3) });
   const heads = ["conditions.printed", "conditions.truth"].map((key) => make("th", { scope: "col" }, [words.text(key)]));
   return make("table", { class: "solutions conditions" }, [
     make("caption", {}, [name]),

@@ -1,5 +1,5 @@
 // The cone of the links' directions in one position: the frame's direction must lie inside it, else some length is not positive.
-const SVG = "http://www.w3.org/2000/svg";
+import { makeSvg } from "assur/core/dom.js";
 
 /** The directions as readers meet them, the frame's first. */
 const LOOKS = Object.freeze([["e₀", "ink"], ["e₁", "coupler"], ["e₂", "rocker"], ["e₃", "crank"]]);
@@ -18,16 +18,15 @@ const NEAR = 0.2;
  * @returns {SVGElement}
  */
 export function cone(turns, label) {
-  const picture = element("svg", { viewBox: [-SIZE, -SIZE, 2 * SIZE, 2 * SIZE].join(" "), class: "cone", role: "img", "aria-label": label });
-  picture.append(element("path", { d: sector(turns.slice(1)) }));
+  const picture = makeSvg("svg", { viewBox: [-SIZE, -SIZE, 2 * SIZE, 2 * SIZE].join(" "), class: "cone", role: "img", "aria-label": label });
+  picture.append(makeSvg("path", { d: sector(turns.slice(1)) }));
   for (const [k, turn] of turns.entries()) {
     const [name, role] = LOOKS[k];
     const [x, y] = at(turn, 1);
     const before = turns.slice(0, k).filter((other) => Math.abs(Math.sin((turn - other) / 2)) < NEAR / 2).length;
     const [nameX, nameY] = at(turn, NAME + before * FARTHER);
-    const line = element("line", { x1: 0, y1: 0, x2: x, y2: y });
-    const text = element("text", { x: nameX, y: nameY });
-    text.textContent = name;
+    const line = makeSvg("line", { x1: 0, y1: 0, x2: x, y2: y });
+    const text = makeSvg("text", { x: nameX, y: nameY }, [name]);
     for (const one of [line, text]) one.style.setProperty("--accent", `var(--role-${role})`);
     picture.append(line, text);
   }
@@ -57,14 +56,4 @@ const TURN = 2 * Math.PI;
  */
 function at(turn, far) {
   return [far * Math.cos(turn), -far * Math.sin(turn)];
-}
-
-/**
- * @param {string} name
- * @param {Readonly<Record<string, string | number>>} attributes
- */
-function element(name, attributes) {
-  const made = /** @type {SVGElement} */ (document.createElementNS(SVG, name));
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
-  return made;
 }

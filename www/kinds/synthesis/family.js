@@ -1,17 +1,11 @@
 // What there is to choose from: the family of two positions, a curve to slide along; of more the solutions in the same plane.
 import { NumberRow } from "assur/controls/number-row.js";
-import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { FamilyMap, LOOKS } from "assur/kinds/synthesis/map.js";
 import { section } from "assur/controls/section.js";
 import { change, inputNow } from "assur/state/change.js";
 import { edited } from "assur/state/state.js";
-
-/**
- * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
- * @typedef {import("assur/core/words.js").Words} Words
- */
 
 /** The lengths as readers meet them. */
 const LENGTHS = Object.freeze([
@@ -45,7 +39,7 @@ export class FamilyView {
     section("synthesis", "map.heading", "family", [this.#map.element, this.#legend, this.#row.element, this.#table]);
   }
 
-  /** @param {Snapshot} snapshot */
+  /** @param {import("assur/kinds/synthesis/positions.js").Snapshot} snapshot */
   render(snapshot) {
     const { summary, words, problems } = snapshot;
     const wrong = problems.some(({ field }) => field === "output");
@@ -58,7 +52,7 @@ export class FamilyView {
     const parts = /** @type {(keyof typeof PARTS)[]} */ (Object.keys(PARTS));
     this.#legend.replaceChildren(...parts.filter((part) => family.curve.verdicts.includes(part)).map((part) => entry(part, words)));
     const long = (/** @type {number | null} */ end) => (end === null ? words.text("map.without_end") : words.numbers.short(end));
-    const turned = (/** @type {number} */ end) => `${words.numbers.upTo(degrees(end), 3)}°`;
+    const turned = (/** @type {number} */ end) => words.numbers.angle(end, 3);
     this.#ranges.replaceChildren(
       ...LENGTHS.map(({ symbol, key, role }, i) => range(symbol, words.text(key), role, family.lengths[i].map(long))),
       ...family.couplers.map((ends, k) => range("φ₁", words.text("positions.number", { n: String(k + 1) }), "coupler", ends.map(turned))),
@@ -79,7 +73,7 @@ function range(symbol, name, role, ends) {
 
 /**
  * @param {keyof typeof PARTS} part
- * @param {Words} words
+ * @param {import("assur/core/words.js").Words} words
  */
 function entry(part, words) {
   const { role, dash } = LOOKS[part];

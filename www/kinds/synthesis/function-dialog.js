@@ -1,5 +1,6 @@
 // The dialog of a wanted function: it puts the positions of a synthesis on it. Loaded when it is asked for.
 import { functionPositions } from "assur/pkg/assur_web.js";
+import { numberField } from "assur/controls/number-box.js";
 import { sentence } from "assur/controls/problems.js";
 import { radians } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
@@ -14,7 +15,6 @@ import { alone, edited } from "assur/state/state.js";
  * @typedef {import("assur/kinds/synthesis/function.js").Wanted} Wanted
  * @typedef {import("assur/state/state.js").Documents["synthesis"]} Document
  * @typedef {import("assur/core/problem.js").Problem} Problem
- * @typedef {import("assur/core/words.js").Words} Words
  */
 
 /** What the dialog begins with: three positions meet it to 0.2 % of its range. */
@@ -78,7 +78,7 @@ function made(form, { engine, store }) {
 
 /**
  * @param {Document} document
- * @param {Words} words
+ * @param {import("assur/core/words.js").Words} words
  */
 function makeForm(document, words) {
   const { of, ...ends } = document.function ?? USUAL;
@@ -90,9 +90,7 @@ function makeForm(document, words) {
     box.value = value;
     return box;
   };
-  const box = (/** @type {string} */ id, /** @type {string} */ by, /** @type {string} */ value) => make("input", {
-    id, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", size: "6", "aria-labelledby": by, value,
-  });
+  const box = (/** @type {string} */ id, /** @type {string} */ by, /** @type {string} */ value) => numberField({ id, size: "6", "aria-labelledby": by, value });
 
   const [kind, inner] = typeof of === "string" ? [of, null] : /** @type {["power" | "table", unknown]} */ (Object.entries(of)[0]);
   const chosen = select("function-of", [

@@ -2,18 +2,15 @@
 // loaded when it is asked for.
 import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";
-import { make, write } from "assur/core/dom.js";
+import { make, makeSvg, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { edited } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
  * @typedef {NonNullable<import("assur/state/state.js").Documents["synthesis"]["function"]>} Wanted
  * @typedef {import("assur/types/web.js").FunctionSummary} Error
  * @typedef {import("assur/core/words.js").Words} Words
  */
-
-const SVG = "http://www.w3.org/2000/svg";
 
 /** How wide and high the plot is, in units of its own; it is stretched. */
 const [WIDE, HIGH] = [100, 30];
@@ -21,7 +18,7 @@ const [WIDE, HIGH] = [100, 30];
 export class FunctionView {
   #model;
   #said = make("p", { id: "function-said" });
-  #plot = document.createElementNS(SVG, "svg");
+  #plot = makeSvg("svg", { class: "function-plot", viewBox: `0 0 ${WIDE} ${HIGH}`, preserveAspectRatio: "none", "aria-hidden": "true" });
   #ends = make("p", { class: "function-ends" });
   #there;
   #shown = new Seen();
@@ -41,15 +38,11 @@ export class FunctionView {
       page.store.update((state) => edited(state, "synthesis", () => ({ function: null })));
       open.focus();
     });
-    this.#plot.setAttribute("class", "function-plot");
-    this.#plot.setAttribute("viewBox", `0 0 ${WIDE} ${HIGH}`);
-    this.#plot.setAttribute("preserveAspectRatio", "none");
-    this.#plot.setAttribute("aria-hidden", "true");
     this.#there = make("div", { id: "function" }, [this.#said, this.#plot, this.#ends, remove]);
     this.element = make("div", {}, [open, this.#there]);
   }
 
-  /** @param {Snapshot} snapshot */
+  /** @param {import("assur/kinds/synthesis/positions.js").Snapshot} snapshot */
   render({ state: { document: { function: wanted } }, summary: { function: error }, words }) {
     const { document } = this.#model.good;
     // What is drawn may have come of positions on another function, where those on this one have no linkage.
@@ -113,8 +106,7 @@ function curve({ curve: samples }, [from, to], most) {
  * @param {string} role of its colour
  */
 function path(d, role) {
-  const made = document.createElementNS(SVG, "path");
-  made.setAttribute("d", d);
+  const made = makeSvg("path", { d });
   made.style.setProperty("--accent", `var(--role-${role})`);
   return made;
 }

@@ -4,8 +4,6 @@ import { make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/types/web.js").PlaneSummary} Shade
- * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {readonly number[]} Place the length to the right and that upwards
  */
 
@@ -30,7 +28,7 @@ export class Plane {
 
   /**
    * @param {string} id
-   * @param {Theme} theme
+   * @param {import("assur/canvas/theme.js").Theme} theme
    * @param {readonly [string, string]} symbols of the length to the right and of that upwards
    * @param {() => void} repaint what is painted in it
    */
@@ -44,7 +42,7 @@ export class Plane {
   /**
    * Lines and numbers, and nothing else; what comes next is painted between them.
    * @param {number} frame its length
-   * @param {Words} words
+   * @param {import("assur/core/words.js").Words} words
    * @returns {boolean} whether there is anything to paint on
    */
   begin(frame, words) {

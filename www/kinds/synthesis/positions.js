@@ -1,6 +1,6 @@
 // What is wanted: the frame, and the positions of output and input that the linkage is to pass through.
 import { CardList } from "assur/controls/card-list.js";
-import { NumberBox } from "assur/controls/number-box.js";
+import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { NumberRow } from "assur/controls/number-row.js";
 import { degrees, radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
@@ -66,7 +66,7 @@ export class PositionsView {
     this.#list = new CardList({ ...POSITIONS, another: (snapshot) => this.#another(snapshot) }, page);
     this.#function = new FunctionView(page);
     this.#couplers.addEventListener("change", () => {
-      if (this.#snapshot) edit({ positions: this.#couplers.checked ? withCouplers(this.#snapshot) : this.#snapshot.state.document.positions.map(withoutCoupler) });
+      if (this.#snapshot) edit({ positions: this.#couplers.checked ? withCouplers(this.#snapshot) : this.#snapshot.state.document.positions.map(({ output_deg, input_deg, weight }) => ({ output_deg, input_deg, weight })) });
     });
     this.#free.addEventListener("change", () => edit({ free: this.#free.checked }));
     section("synthesis", "positions.frame", "frame", this.#frame.map(({ row }) => row.element));
@@ -125,24 +125,13 @@ function withCouplers({ state: { document: { positions } }, summary: { wanted } 
   });
 }
 
-/** @param {Position} position */
-function withoutCoupler({ output_deg, input_deg, weight }) {
-  return { output_deg, input_deg, weight };
-}
-
 /** @type {import("assur/controls/card-list.js").ListKind<"synthesis", Position>["build"]} */
 function card(index, put, drafts, remove) {
   const n = String(index + POSITIONS.first);
   const boxes = PARTS.map(({ part, symbol, role, unit }) => {
     const field = `positions[${index}].${part}`;
-    const input = make("input", {
-      id: `field-${part.replace("_deg", "")}-${n}`, class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false",
-      "data-t-label": `field.positions.${part}`, "data-n": n,
-    });
-    const box = new NumberBox(input, field, drafts, (value) => {
-      put({ [part]: value });
-      return value;
-    });
+    const input = numberField({ id: `field-${part.replace("_deg", "")}-${n}`, "data-t-label": `field.positions.${part}`, "data-n": n });
+    const box = new NumberBox(input, field, drafts, (value) => put({ [part]: value }));
     const label = make("label", { class: `position-part ${part}`, style: `--accent: var(--role-${role})` }, [make("b", {}, [symbol]), input]);
     return { part, field, unit, box, label };
   });

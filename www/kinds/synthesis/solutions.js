@@ -39,10 +39,8 @@ export class SolutionsView {
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
-    const send = make("button", { id: "synthesis-send", class: "control add", type: "button", "data-t": "solutions.send" });
-    send.addEventListener("click", () => this.#send());
-    const save = make("button", { id: "synthesis-csv", class: "control add", type: "button", "data-t": "solutions.csv" });
-    save.addEventListener("click", () => this.#save());
+    const send = make("button", { id: "synthesis-send", class: "control add", type: "button", "data-t": "solutions.send", onclick: () => this.#send() });
+    const save = make("button", { id: "synthesis-csv", class: "control add", type: "button", "data-t": "solutions.csv", onclick: () => this.#save() });
     const table = make("table", { class: "solutions", "data-t-label": "solutions.heading" }, [this.#body]);
     const equation = make("details", { id: "main-equation", "data-field": "main-equation" }, [make("summary", { "data-t": "solutions.equation" }), this.#equation]);
     section("synthesis", "solutions.heading", "solutions", [this.#said, table, this.#printed, this.#weighted, send, save]);
@@ -76,7 +74,7 @@ export class SolutionsView {
     box.checked = n === chosen;
     box.addEventListener("change", () => this.#page.store.update((state) => edited(state, "synthesis", () => ({ solution: n, trial: null }))));
     const lengths = solution.lengths.map((length, i) => `l${"₁₂₃"[i]} = ${numbers.short(length)}`).join("; ");
-    const turned = solution.starts.some((start) => start !== 0) ? solution.starts.map((start, i) => `φ${"₂₃"[i]}₀ = ${angle(start, words)}`) : [];
+    const turned = solution.starts.some((start) => start !== 0) ? solution.starts.map((start, i) => `φ${"₂₃"[i]}₀ = ${words.numbers.angle(start, 3)}`) : [];
     const label = make("label", { for: box.id }, [box, ` ${[lengths, ...turned].join("; ")}`]);
     return make("tr", {}, [make("td", {}, [label, make("small", {}, [verdict(solution, words)])])]);
   }
@@ -135,9 +133,9 @@ function verdict({ verdict: one, gap, output_error: off, at_bound: bound }, word
     words.text(`grashof.${one.grashof}`),
     `${words.text("verdict.passage")} ${words.text(`verdict.${one.passage}`)}`,
     `${words.text("verdict.order")} ${words.text(`verdict.${one.order}`)}`,
-    `μ ≥ ${angle(one.transmission, words)}`,
+    `μ ≥ ${words.numbers.angle(one.transmission, 3)}`,
     ...(bound ? [words.text("verdict.at_bound")] : []),
-    ...(off === null ? [] : [`${words.text("verdict.output_error")} ${angle(off, words)}`]),
+    ...(off === null ? [] : [`${words.text("verdict.output_error")} ${words.numbers.angle(off, 3)}`]),
     open,
   ].join("; ");
 }
@@ -152,11 +150,11 @@ function verdict({ verdict: one, gap, output_error: off, at_bound: bound }, word
 function mainEquation(k, { output, input, error, at, open, equation: [left, constant, byInput, byOutput] }, frame, words) {
   const said = (/** @type {number} */ value) => words.numbers.fixed(value, 5);
   const lines = [
-    `${words.text("positions.number", { n: String(k) })}: φ₂ = ${angle(output, words)}, φ₃ = ${angle(input, words)}`,
+    `${words.text("positions.number", { n: String(k) })}: φ₂ = ${words.numbers.angle(output, 3)}, φ₃ = ${words.numbers.angle(input, 3)}`,
     "e₂·e₃ = Z + e₀·e₂ / z₃ + e₀·e₃ / z₂",
     `${said(left)} = ${said(constant)} + (${said(byInput)}) + (${said(byOutput)})`,
     `${said(left)} ${Math.abs(error) < EXACT ? "=" : "≠"} ${said(constant + byInput + byOutput)}`,
-    `φ₁ = ${angle(at, words)}: |l₁e₁ + l₂e₂ + l₃e₃ − l₀e₀| = ${length(open, words)} (${words.numbers.upTo((100 * (open < EXACT ? 0 : open)) / frame, 1)} %)`,
+    `φ₁ = ${words.numbers.angle(at, 3)}: |l₁e₁ + l₂e₂ + l₃e₃ − l₀e₀| = ${length(open, words)} (${words.numbers.upTo((100 * (open < EXACT ? 0 : open)) / frame, 1)} %)`,
   ];
   return make("p", {}, lines.flatMap((line, i) => (i > 0 ? [make("br"), line] : [line])));
 }
@@ -168,12 +166,4 @@ function mainEquation(k, { output, input, error, at, open, equation: [left, cons
  */
 function length(open, words) {
   return words.numbers.upTo(open < EXACT ? 0 : open, 4);
-}
-
-/**
- * @param {number} value radians
- * @param {Words} words
- */
-function angle(value, words) {
-  return `${words.numbers.upTo(degrees(value), 3)}°`;
 }

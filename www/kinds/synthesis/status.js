@@ -2,20 +2,16 @@
 import { StatusLine } from "assur/controls/status.js";
 import { degrees } from "assur/core/angles.js";
 
-/**
- * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
- * @typedef {import("assur/types/web.js").SynthesisSummary["drawn"]} Solution
- * @typedef {import("assur/core/words.js").Words} Words
- */
+/** @typedef {import("assur/types/web.js").SynthesisSummary["drawn"]} Solution */
 
 /** @typedef {NonNullable<Solution["verdict"]>} Verdict */
 
-/** @type {Readonly<Record<string, (verdict: Verdict, words: Words, solution: Solution) => import("assur/controls/status.js").Entry>>} */
+/** @type {Readonly<Record<string, (verdict: Verdict, words: import("assur/core/words.js").Words, solution: Solution) => import("assur/controls/status.js").Entry>>} */
 const ENTRIES = Object.freeze({
   grashof: ({ grashof }, words) => ({ text: words.text(`grashof.${grashof}`) }),
   passage: ({ passage }, words) => ({ text: words.text(`verdict.${passage}`) }),
   order: ({ order }, words) => ({ text: words.text(`verdict.${order}`) }),
-  transmission: ({ transmission }, words) => ({ text: `${words.numbers.upTo(degrees(transmission), 2)}°`, value: degrees(transmission) }),
+  transmission: ({ transmission }, words) => ({ text: words.numbers.angle(transmission, 2), value: degrees(transmission) }),
   ratio: ({ size_ratio: ratio }, words) => ({ text: words.numbers.upTo(ratio, 2), value: ratio }),
   gap: (_, words, { gap }) => ({ text: words.numbers.upTo(gap, 4), value: gap }),
 });
@@ -24,7 +20,7 @@ const TITLES = Object.freeze({
   grashof: "status.grashof", passage: "verdict.passage", order: "verdict.order", transmission: "status.transmission", ratio: "verdict.ratio", gap: "verdict.gap",
 });
 
-/** @returns {StatusLine<Snapshot>} */
+/** @returns {StatusLine<import("assur/kinds/synthesis/positions.js").Snapshot>} */
 export function synthesisStatus() {
   return new StatusLine("synthesis", Object.entries(ENTRIES).map(([name, say]) => ({
     name: `synthesis-${name}`,

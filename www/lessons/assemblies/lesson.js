@@ -103,7 +103,6 @@ function range({ cycle: { full, arcs } }) {
 /**
  * How many circuits a four-bar has follows from its links, of how many branches they are from the driver.
  * @param {Summary} summary
- * @returns {string | undefined}
  */
 function circuits({ four_bars: [bar, ...more], cycle }) {
   if (!bar || more.length > 0 || bar.grashof === "change_point") return undefined;

@@ -1,11 +1,11 @@
 // The analogue ψ″ over a turn, exact, and as differences of positions with a step that the reader sets: what the combined method is compared with.
 import { radians } from "assur/core/angles.js";
-import { make, write } from "assur/core/dom.js";
+import { make, makeSvg, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 
 /**
- * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/lesson/panel.js").Figure} Figure
+ * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/engine.js").LinkageSummary} Summary
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {readonly [number, number]} Pair of ψ′ and ψ″
@@ -17,18 +17,18 @@ const EXPONENTS = Object.freeze({ least: -60, most: 15, first: 13 });
 const SIZE = Object.freeze({ width: 320, height: 180 });
 const PLACES = 144;
 const DOTTED = 3;
-const NAMESPACE = "http://www.w3.org/2000/svg";
 
 /** @implements {Figure} */
 export class Differences {
   #engine;
   #step = make("input", {
     id: "differences-step", type: "range", min: String(EXPONENTS.least), max: String(EXPONENTS.most), value: String(EXPONENTS.first),
+    oninput: () => this.#draw(),
   });
   #name = make("span");
   #legend = make("p", { class: "note" });
   #errors = make("p", { id: "differences-errors" });
-  #plot = drawn("svg", { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, class: "lesson-plot", role: "img" });
+  #plot = makeSvg("svg", { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, class: "lesson-plot", role: "img" });
   /** @type {Summary | null} of which the exact curve is */
   #summary = null;
   /** @type {{ at: number, exact: Pair }[]} */
@@ -40,7 +40,6 @@ export class Differences {
   /** @param {Pick<import("assur/engine.js").Engine, "plotted">} engine */
   constructor(engine) {
     this.#engine = engine;
-    this.#step.addEventListener("input", () => this.#draw());
     this.element = make("figure", {}, [make("label", {}, [this.#name, this.#step]), this.#plot, this.#legend, this.#errors]);
   }
 
@@ -93,18 +92,14 @@ export class Differences {
     const y = (/** @type {number} */ one) => SIZE.height * (1 - (one - least + room) / (most - least + 2 * room));
     const curve = all.map(({ at, exact }) => `${x(at).toFixed(1)},${y(exact[1]).toFixed(1)}`).join(" ");
     const zero = y(0).toFixed(1);
-    const ends = [most, least].map((value) => {
-      const text = drawn("text", { x: "2", y: (y(value) + (value > 0 ? -4 : 12)).toFixed(1) });
-      write(text, numbers.short(value));
-      return text;
-    });
+    const ends = [most, least].map((value) => makeSvg("text", { x: "2", y: (y(value) + (value > 0 ? -4 : 12)).toFixed(1) }, [numbers.short(value)]));
     const dots = all.flatMap(({ at, found }, i) => (found && i % DOTTED === 0 ? [[x(at), y(found[1])]] : []));
     const seen = dots.filter(([, top]) => top >= 0 && top <= SIZE.height);
     this.#plot.replaceChildren(
-      drawn("line", { x1: "0", x2: String(SIZE.width), y1: zero, y2: zero, class: "axis" }),
-      ...[most, least].map((value) => drawn("line", { x1: "0", x2: String(SIZE.width), y1: y(value).toFixed(1), y2: y(value).toFixed(1), class: "axis" })),
-      drawn("polyline", { points: curve }),
-      ...seen.map(([left, top]) => drawn("circle", { cx: left.toFixed(1), cy: top.toFixed(1), r: "2" })),
+      makeSvg("line", { x1: "0", x2: String(SIZE.width), y1: zero, y2: zero, class: "axis" }),
+      ...[most, least].map((value) => makeSvg("line", { x1: "0", x2: String(SIZE.width), y1: y(value).toFixed(1), y2: y(value).toFixed(1), class: "axis" })),
+      makeSvg("polyline", { points: curve }),
+      ...seen.map(([left, top]) => makeSvg("circle", { cx: left.toFixed(1), cy: top.toFixed(1), r: "2" })),
       ...ends,
     );
   }
@@ -118,14 +113,4 @@ export class Differences {
 export function differences([before, here, after], h) {
   if (before === undefined || here === undefined || after === undefined) return null;
   return [(after - before) / (2 * h), (after - 2 * here + before) / (h * h)];
-}
-
-/**
- * @param {string} tag
- * @param {Readonly<Record<string, string>>} attributes
- */
-function drawn(tag, attributes) {
-  const element = document.createElementNS(NAMESPACE, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
 }

@@ -74,7 +74,6 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
   },
   {
     id: "ratios",
-    formula: "",
     relations: ["003.L", "003.(3)", "003.(4)", "003.(5)"],
     shows: [{ preset: PRESET, ...SIXTY, overlays: ["traces", "loop_vectors"] }],
     question: { choices: ["both", "turn", "stretch"], answer: () => "both" },
@@ -132,7 +131,6 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
   },
   {
     id: "divisors",
-    formula: "",
     relations: ["003.chain"],
     shows: [{ name: "drawn", preset: PRESET, ...SIXTY }, { name: "equal", preset: "equal", overlays: ["traces", "loop_vectors"] }],
     question: { choices: ["x_eb", "lambda", "ratio"], answer: () => "ratio" },

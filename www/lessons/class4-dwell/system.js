@@ -4,9 +4,7 @@ import { attempt } from "assur/core/problem.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 
 /**
- * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/lesson/panel.js").Figure} Figure
- * @typedef {import("assur/engine.js").Relation} Relation
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  */
 
@@ -31,12 +29,12 @@ export class System {
 
   /**
    * @param {Snapshot} snapshot
-   * @param {Words} words
+   * @param {import("assur/core/words.js").Words} words
    */
   render({ input, stale }, words) {
     write(this.#caption, words.text("derivatives.figure.system"));
     if (stale) return;
-    const relations = attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value ?? [];
+    const relations = attempt(() => this.#engine.ask((simulator) => /** @type {import("assur/engine.js").Relation[]} */ (simulator.relations(input)))).value ?? [];
     const values = new Map(relations.map(({ item, name, value }) => [`${item} ${name}`, value]));
     const number = (/** @type {string} */ key) => {
       const value = values.get(key);

@@ -37,7 +37,6 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
   },
   {
     id: "superposition",
-    formula: "",
     relations: ["004.(4)", "004.(5)", "004.(6)", "004.(7)"],
     shows: [{ name: "sun", preset: "ring_held", play: true }, { name: "ring", preset: "ring_alone", play: true }, { name: "both", preset: "driven", play: true }],
     controls: ["wheels"],
@@ -58,7 +57,6 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
   },
   {
     id: "ratios",
-    formula: "",
     relations: ["004.(8)", "004.(9)", "004.(10)"],
     shows: [{ preset: "ring_held", play: true }],
     controls: ["ratios"],
@@ -110,7 +108,6 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
 /**
  * @param {Summary["ratios"]} ratios
  * @param {string} name as 1/3(4)
- * @returns {number | undefined}
  */
 function valueOf(ratios, name) {
   return ratios.find((ratio) => ratio.name === name)?.value;

@@ -46,7 +46,7 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
     formula: "K = Δφ₁ / (360° − Δφ₁)",
     shows: [{ preset: "mixer-a", play: true, overlays: ["traces", "vectors"] }],
     readouts: ["rocker.angle", "rocker.angle′", "rocker.angle″"],
-    question: { hides: ["time-ratio"], unit: "°", within: 0.5, answer: slowStroke },
+    question: { hides: ["time-ratio"], unit: "°", within: 0.5, answer: ({ outputs: [{ time_ratio: ratio }] }) => (ratio === null ? undefined : (360 * ratio) / (1 + ratio)) },
   },
   {
     id: "transmission",
@@ -57,21 +57,18 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
   },
   {
     id: "triangles",
-    formula: "",
     relations: ["002.(1)", "002.(2)", "002.(4)", "002.(5)", "002.(6)"],
     shows: [{ preset: "mixer-a", at: () => Math.PI / 3, overlays: ["loop_vectors"] }],
     question: { choices: ["diagonal", "coupler", "rocker"], answer: () => "diagonal" },
   },
   {
     id: "contour",
-    formula: "",
     relations: ["002.(7)", "002.(8)", "002.(9)", "002.(10)", "002.(11)", "002.(13)phi3", "002.(13)phi2"],
     shows: [{ preset: "mixer-a", at: () => Math.PI / 3, overlays: ["loop_vectors"] }],
     question: { choices: ["coupler", "rocker", "crank"], answer: () => "coupler" },
   },
   {
     id: "centres",
-    formula: "",
     relations: ["002.(14)", "002.(18)", "002.(19)", "002.(20)", "002.(22)", "002.(23)"],
     shows: [{ preset: "mixer-a", at: () => Math.PI / 3, overlays: ["traces", "centres"] }],
     question: { choices: ["to_a", "from_a", "across"], answer: () => "to_a" },
@@ -83,14 +80,6 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
     question: { choices: ["a", "b", "c"], answer: () => "c" },
   },
 ] });
-
-/**
- * @param {Summary} summary
- * @returns {number | undefined} what the slow stroke takes of the crank's turn, degrees
- */
-function slowStroke({ outputs: [{ time_ratio: ratio }] }) {
-  return ratio === null ? undefined : (360 * ratio) / (1 + ratio);
-}
 
 /**
  * @param {Summary} summary

@@ -64,7 +64,6 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
   },
   {
     id: "direct",
-    formula: "",
     relations: ["000.(31)", "000.(34)", "000.T5"],
     shows: [{ preset: "direct", at: first }],
     controls: ["conditions"],
@@ -88,7 +87,6 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
   },
   {
     id: "continuity",
-    formula: "",
     shows: [{ preset: "continuity", at: first }],
     readouts: ["synthesis-grashof"],
     question: { choices: ["same", "apart"], answer: ({ drawn: { verdict } }) => (verdict ? (verdict.passage === "continuous" ? "same" : "apart") : undefined) },
