@@ -47,10 +47,10 @@ fn track(body: usize, line: BodyPoint) -> Track {
     }
 }
 
-/// A point of a dyad with its first two derivatives by the crank angle.
-fn place(step: &Step, angle: f64, sign: Sign, point: BodyPoint) -> [[f64; 2]; 3] {
+/// A point of a dyad with its first two derivatives by the crank angle, at a right angle.
+fn place(step: &Step, sign: Sign, point: BodyPoint) -> [[f64; 2]; 3] {
     let mut state: State<3> = State::new(4, 1, 0, 10.0);
-    let input = Jet::linear(angle, 1.0);
+    let input = Jet::linear(FRAC_PI_2, 1.0);
     state.pin(BodyId::at(1), input, at(0, 0.0, 0.0), Vector::zeros());
     let orientations = state.orientations();
     let near = Nearby {
@@ -94,83 +94,23 @@ fn places_and_derivatives() {
     // A line at a distance of 2 from the pivot of the crank meets the x axis at 2 / sin φ.
     let tracks = [track(2, at(0, 0.0, 0.0)), track(3, at(1, 0.0, -2.0))];
     let prp = Step::from(Prp { tracks });
-    let right = FRAC_PI_2;
-    let yoke = 4_f64.atan2(3.0);
-    let [c, x] = [at(3, 4.0, 0.0), at(3, 0.0, 0.0)];
-    let on_i = at(2, 5.0, 0.0);
-    let none = [f64::NAN; 2];
+    let [c, x, on_i] = [at(3, 4.0, 0.0), at(3, 0.0, 0.0), at(2, 5.0, 0.0)];
+    // Second derivatives of some are not given.
+    let n = f64::NAN;
     let cases = [
-        (
-            "RRR",
-            &rrr,
-            right,
-            Plus,
-            c,
-            [[1.8, 3.4], [-0.36, -0.48], none],
-        ),
-        (
-            "RRR",
-            &rrr,
-            right,
-            Minus,
-            c,
-            [[1.8, -1.4], [-0.36, 0.48], none],
-        ),
-        (
-            "RRP",
-            &rrp,
-            right,
-            Plus,
-            x,
-            [[4.0, 0.0], [-3.0, 0.0], [2.25, 0.0]],
-        ),
-        (
-            "RRP",
-            &rrp,
-            right,
-            Minus,
-            x,
-            [[-4.0, 0.0], [-3.0, 0.0], [-2.25, 0.0]],
-        ),
-        (
-            "RPR",
-            &rpr,
-            right,
-            Plus,
-            on_i,
-            [[4.0, 0.0], [-1.92, 1.44], none],
-        ),
-        (
-            "RPR",
-            &rpr,
-            right,
-            Minus,
-            on_i,
-            [[-4.0, 6.0], [-4.08, -1.44], none],
-        ),
-        (
-            "RPP",
-            &rpp,
-            yoke,
-            Plus,
-            x,
-            [[3.0, 0.0], [-4.0, 0.0], [-3.0, 0.0]],
-        ),
-        (
-            "PRP",
-            &prp,
-            right,
-            Plus,
-            x,
-            [[2.0, 0.0], [0.0, 0.0], [2.0, 0.0]],
-        ),
+        (&rrr, Plus, c, [1.8, 3.4, -0.36, -0.48, n, n]),
+        (&rrr, Minus, c, [1.8, -1.4, -0.36, 0.48, n, n]),
+        (&rrp, Plus, x, [4.0, 0.0, -3.0, 0.0, 2.25, 0.0]),
+        (&rrp, Minus, x, [-4.0, 0.0, -3.0, 0.0, -2.25, 0.0]),
+        (&rpr, Plus, on_i, [4.0, 0.0, -1.92, 1.44, n, n]),
+        (&rpr, Minus, on_i, [-4.0, 6.0, -4.08, -1.44, n, n]),
+        (&rpp, Plus, x, [0.0, 0.0, -5.0, 0.0, 0.0, 0.0]),
+        (&prp, Plus, x, [2.0, 0.0, 0.0, 0.0, 2.0, 0.0]),
     ];
-    for (dyad, step, angle, sign, point, expected) in cases {
-        let found = place(step, angle, sign, point);
-        for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
-            // Second derivatives of some are not given.
-            let is_near = expected.is_nan() || (found - expected).abs() < 1e-14;
-            assert!(is_near, "{dyad} {sign:?}: {found}, not {expected}");
-        }
+    for (step, sign, point, expected) in cases {
+        let found = place(step, sign, point);
+        let mut both = found.as_flattened().iter().zip(expected);
+        let is_near = both.all(|(a, b)| b.is_nan() || (a - b).abs() < 1e-14);
+        assert!(is_near, "{sign:?}: {found:?}, not {expected:?} by {step:?}");
     }
 }
