@@ -1,6 +1,7 @@
 //! The mixer's numbers that the paper's conclusions rest on, to the digits of
 //! 40-digit arithmetic, and extrema and classes of known linkages.
 
+use assur::gears::Mesh;
 use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
 use assur::motion::{Features, InputRate, Kind, features};
@@ -31,6 +32,23 @@ fn swings_of_fig_4() {
             let travel = mixer.linkage.travels(assembly)[0].to_degrees();
             assert_near(travel, 2.0 * rocker, 1e-13, "there and back");
         }
+    }
+}
+
+/// W = 1, with the idler of the mesh as printed, too.
+#[test]
+fn one_freedom_with_every_mesh() {
+    for (mesh, expected) in [
+        (Mesh::External, [4, 5, 1]),
+        (Mesh::Internal, [4, 5, 1]),
+        (Mesh::AsPrinted, [5, 6, 2]),
+    ] {
+        let mut dimensions = Case::A.dimensions();
+        dimensions.mesh = mesh;
+        let motion = Mixer::new(&dimensions).unwrap().motion().unwrap();
+        let counts = motion.mechanism().counts();
+        let found = [counts.links, counts.lower_pairs, counts.higher_pairs];
+        assert_eq!((found, counts.mobility), (expected, 1), "{mesh:?}");
     }
 }
 
