@@ -11,6 +11,7 @@ use assur::mechanism::{
 };
 use assur::motion::{Column, DeadPointKind, Motion, OutputProfile};
 use assur::{Assembly, FourBar, Point, Vector};
+use assur_tests::Rocker;
 
 /// A ladder between floor and wall, with its foot driven over a range.
 pub(crate) fn ladder(range: [f64; 2]) -> LinkageSpec {

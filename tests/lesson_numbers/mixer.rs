@@ -6,6 +6,7 @@ use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
 use assur::motion::{Extremum, Features, InputRate, Kind};
 use assur::{Assembly, FourBar, Grashof, Link, Offset};
+use assur_tests::Rocker;
 use assur_tests::files::source;
 
 use super::{LANGUAGES, Lesson};

@@ -5,6 +5,7 @@ mod hands;
 mod parts;
 
 use assur::mixer::{Case, Mixer};
+use assur_tests::{Rocker, scaled_swing};
 use serde_json::json;
 use thirtyfour::prelude::*;
 
@@ -87,10 +88,10 @@ async fn six_questions_answered_by_mouse() {
     let limits = a.linkage.limits(a.assembly);
     let [low, high] = [limits[0], limits[1]];
     assert!(low.rocker < high.rocker);
-    let swing = c.linkage.swings(c.assembly)[0].scaled(c.gears.pairs()[0].ratio());
+    let swing = scaled_swing(c.linkage.swings(c.assembly)[0], c.gears.pairs()[0].ratio());
     let slow = a.linkage.time_ratio(a.assembly).unwrap();
     let numbers = [
-        ((a.graph().links - 1) as f64, 0.0),
+        (4.0, 0.0),
         (a.gears.pairs()[0].ratio(), 0.005),
         (high.crank.to_degrees(), 0.5),
         (swing.stroke().unwrap().to_degrees(), 0.5),

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use assur::Point;
 use assur::gears::Mate;
 use assur::mixer::{Case, Dimensions, Mixer};
-use assur_tests::assert_near;
+use assur_tests::{Rocker, assert_near, scaled_swing};
 use thirtyfour::prelude::*;
 
 use crate::browser::Page;
@@ -47,7 +47,10 @@ async fn check(page: &Page, wheels: &[(f64, f64)]) {
             };
             assert_near(shown, expected, 1e-9, &name);
         }
-        let stroke = swing.scaled(pair.ratio()).stroke().unwrap().to_degrees();
+        let stroke = scaled_swing(swing, pair.ratio())
+            .stroke()
+            .unwrap()
+            .to_degrees();
         let shown = page.value(&format!("out-swing-{name}")).await;
         assert_near(shown, stroke, 1e-9, &name);
         let turned = format!("{:.3}", travel * pair.ratio().abs() / TAU);

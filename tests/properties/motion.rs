@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use assur::mechanism::Quantity;
 use assur::motion::{Extremum, InputRate, features};
 use assur::{Assembly, FourBar, Grashof, Swing};
-use assur_tests::scaled;
+use assur_tests::{Rocker, scaled};
 use proptest::prelude::*;
 
 use super::draw::{config, linkage};

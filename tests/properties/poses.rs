@@ -1,7 +1,7 @@
 //! What holds of every single pose.
 
 use assur::{FourBar, Pose, Unsolved};
-use assur_tests::scaled;
+use assur_tests::{Rocker, scaled};
 use proptest::prelude::*;
 
 use super::draw::{config, lengths, posed};

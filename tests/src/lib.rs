@@ -1,8 +1,10 @@
 //! What several tests share: golden tables and how to compare with them, files of the project, counts of random input.
 
 pub mod files;
+mod rocker;
 mod scale;
 
+pub use rocker::{Rocker, scaled_swing};
 pub use scale::{exhaustive, scaled, seed};
 
 use std::f64::consts::{PI, TAU};

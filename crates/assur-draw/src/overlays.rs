@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use assur::{JetPoint, Point, Vector};
+use assur::{JetPoint, Point, Vector, perpendicular};
 
 use crate::list::{List, Look, Role};
 use crate::parts;
@@ -173,7 +173,7 @@ pub(crate) fn distance(list: &mut List, [a, b]: [Point; 2], name: usize, unit: f
     if length <= 0.0 {
         return;
     }
-    let across = Vector::new(-way.y, way.x) / length;
+    let across = perpendicular(way) / length;
     list.polyline(Role::Accent3, Look::Thin, &[a, b]);
     for end in [a, b] {
         let stroke = across * (1.5 * unit);

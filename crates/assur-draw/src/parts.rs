@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur::{Point, Vector, nearest};
+use assur::{Point, Vector, nearest, perpendicular};
 
 use crate::list::{List, Look, Role};
 use assur::sorting::sort_by;
@@ -85,7 +85,7 @@ pub(crate) const HEAD: f64 = 2.6;
 /// The head of an arrow, from its neck to its tip.
 pub(crate) fn head(list: &mut List, role: Role, neck: Point, tip: Point) {
     let along = tip - neck;
-    let across = Vector::new(-along.y, along.x) * 0.36;
+    let across = perpendicular(along) * 0.36;
     list.polygons(
         role,
         Look::Solid,

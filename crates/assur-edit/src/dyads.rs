@@ -1,6 +1,6 @@
 //! Assur groups that are added whole: the five dyads and a triad.
 
-use assur::{Point, Vector, nearest};
+use assur::{Point, Vector, nearest, perpendicular};
 use assur_file::LinkageProblem;
 
 use crate::draw::Drawing;
@@ -48,7 +48,7 @@ pub(crate) fn dyad(drawing: &mut Drawing, outer: &[Outer; 2], inner: Inner) -> D
             let guide = Guide::of(drawing, slide)?;
             let at = drawing.at(&from)?;
             let base = guide.at + guide.direction * (at - guide.at).dot(&guide.direction);
-            let across = Vector::new(-guide.direction.y, guide.direction.x);
+            let across = perpendicular(guide.direction);
             let off = (at - base).dot(&across);
             let off = if off.abs() > 1e-6 * drawing.size() {
                 off * BEYOND
@@ -157,7 +157,7 @@ impl Guide {
 /// A place beside two others, above their line.
 fn beside(a: Point, b: Point) -> Point {
     let along = b - a;
-    let across = Vector::new(-along.y, along.x);
+    let across = perpendicular(along);
     let up = if across.y < 0.0 { -across } else { across };
     a + along / 2.0 + up * OFF
 }

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
 
-use assur::Vector;
+use assur::{Vector, perpendicular};
 use assur_file::LinkageProblem;
 use nalgebra::{DMatrix, DVector};
 
@@ -359,8 +359,7 @@ impl Held {
                     // As a length: of the shorter side's end.
                     let arm = from.norm().min(to.norm());
                     off[row] = arm * turned;
-                    let across =
-                        |way: Vector| Vector::new(-way.y, way.x) * (arm / way.norm_squared());
+                    let across = |way: Vector| perpendicular(way) * (arm / way.norm_squared());
                     add(*a, -across(from));
                     add(*c, across(to));
                     add(*b, across(from) - across(to));

@@ -6,6 +6,7 @@ pub mod train;
 
 use std::f64::consts::PI;
 
+use crate::tolerance::LENGTH;
 use crate::{Dimension, Fault, Invalid, Jet, Vector};
 pub use set::{GearSet, Mate};
 
@@ -14,9 +15,6 @@ pub const TEETH: (f64, f64) = (3.0, 1000.0);
 
 /// Height of a tooth above the pitch circle, in modules.
 const ADDENDUM: f64 = 1.0;
-
-/// Minimum and maximum module, in the unit of the lengths.
-const MODULE: (f64, f64) = (1e-9, 1e9);
 
 /// How two wheels engage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +72,7 @@ impl GearPair {
         let mut reasons = Vec::new();
         let driver = count(Dimension::DriverTeeth, teeth[0]).map_err(|e| reasons.push(e));
         let driven = count(Dimension::DrivenTeeth(0), teeth[1]).map_err(|e| reasons.push(e));
-        if let Err(e) = Invalid::check_positive(Dimension::Module, module, MODULE) {
+        if let Err(e) = Invalid::check_positive(Dimension::Module, module, LENGTH) {
             reasons.push(e);
         }
         if !centre_line.is_finite() {

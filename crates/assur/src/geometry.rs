@@ -8,6 +8,11 @@ pub type Point = nalgebra::Point2<f64>;
 /// A displacement in the plane.
 pub type Vector = nalgebra::Vector2<f64>;
 
+/// A vector turned a quarter turn to the left.
+pub fn perpendicular(vector: Vector) -> Vector {
+    Vector::new(-vector.y, vector.x)
+}
+
 /// The point of a segment nearest to a point; the segment may have length 0.
 pub fn nearest(place: Point, from: Point, to: Point) -> Point {
     let along = to - from;

@@ -71,28 +71,28 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// The value if its absolute value is at most a maximum.
-    pub(crate) fn check_size(value: f64, max_size: f64) -> Result<f64, Self> {
-        let (min, max) = (-max_size, max_size);
+    /// The value if it is in a range.
+    pub(crate) fn check_within(value: f64, (min, max): (f64, f64)) -> Result<f64, Self> {
         if !value.is_finite() {
             Err(Self::NotFinite)
-        } else if value.abs() > max_size {
+        } else if value < min || value > max {
             Err(Self::OutOfRange { value, min, max })
         } else {
             Ok(value)
         }
     }
 
+    /// The value if its absolute value is at most a maximum.
+    pub(crate) fn check_size(value: f64, max_size: f64) -> Result<f64, Self> {
+        Self::check_within(value, (-max_size, max_size))
+    }
+
     /// The value if it is in a positive range.
-    pub(crate) fn check_positive(value: f64, (min, max): (f64, f64)) -> Result<f64, Self> {
-        if !value.is_finite() {
-            Err(Self::NotFinite)
-        } else if value <= 0.0 {
+    pub(crate) fn check_positive(value: f64, range: (f64, f64)) -> Result<f64, Self> {
+        if value.is_finite() && value <= 0.0 {
             Err(Self::NotPositive { value })
-        } else if value < min || value > max {
-            Err(Self::OutOfRange { value, min, max })
         } else {
-            Ok(value)
+            Self::check_within(value, range)
         }
     }
 

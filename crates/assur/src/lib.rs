@@ -20,7 +20,7 @@
 //! | `four_bar` ([`FourBar`]), [`gears`], [`mixer`] | four-bars in closed form; gear pairs and epicyclic trains; the mixer |
 //! | [`mobility`], [`synthesis`], [`dynamics`] | mobility and redundant constraints; four-bars from positions, dwell; a differential with magnetic couplings under load |
 //! | `combined_method`, `relation` | the equations of the source papers in numbers, as printed and as they hold |
-//! | `jet`, `geometry`, `angle`, `index`, `tolerance` | derivatives, points and vectors, whole turns, typed ids, levels of tolerance |
+//! | `jet`, `geometry`, `index`, `numeric` | derivatives; points and vectors; typed ids; roots, linear equations, whole turns, levels of tolerance |
 //!
 //! ```
 //! use assur::{Assembly, FourBar};
@@ -31,7 +31,6 @@
 //! assert!((pose.rocker.derivative(1) - 0.5448).abs() < 1e-4); // φ₃′
 //! ```
 
-mod angle;
 pub mod centres;
 pub mod circuits;
 mod combined_method;
@@ -55,14 +54,15 @@ mod relation;
 pub mod sorting;
 pub mod structure;
 pub mod synthesis;
-mod tolerance;
+
+use numeric::{angle, tolerance};
 
 pub use angle::Angle;
 pub use combined_method::CombinedMethod;
 pub use four_bar::{
     Assembly, ChangePoint, Cycle, FourBar, Grashof, Limit, Link, Offset, Pose, Swing, Unsolved,
 };
-pub use geometry::{JetPoint, Point, Vector, nearest};
+pub use geometry::{JetPoint, Point, Vector, nearest, perpendicular};
 pub use invalid::{Dimension, Fault, Invalid};
 pub use jet::Jet;
 pub use relation::Relation;

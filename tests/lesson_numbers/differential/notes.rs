@@ -84,7 +84,10 @@ fn efficiency() {
         let recording = Recording::new(run, document.span_s);
         let reading = recording.at(recording.end()).reading();
         assert!(Mesh::ALL.iter().all(|mesh| reading.mesh(*mesh).synchronous));
-        let power = |body| reading.body(body).drive_power().unwrap();
+        let power = |body| {
+            let body = reading.body(body);
+            body.drive_torque.unwrap() * body.speed
+        };
         let taken = -power(Body::Carrier);
         let driven = power(Body::Sun) + power(Body::Ring);
         says(&format!("{place}{:.3}", taken / driven));

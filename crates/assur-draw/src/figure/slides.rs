@@ -2,7 +2,7 @@
 
 use assur::mechanism::{DriverSpec, LinkId, LinkOrFrame, Mechanism, PointId, Pose, SlideSpec};
 use assur::sorting::extremes;
-use assur::{Point, Vector, nearest};
+use assur::{Point, Vector, nearest, perpendicular};
 
 use super::View;
 use super::layout::{self, Layout};
@@ -254,7 +254,7 @@ impl Guide {
         if (self.point - self.middle).norm() > 0.1 * u {
             parts::bar(list, self.role, self.point, self.middle, 0.9 * u);
         }
-        let across = Vector::new(-self.direction.y, self.direction.x);
+        let across = perpendicular(self.direction);
         let half = [self.direction * (BLOCK[0] * u), across * (BLOCK[1] * u)];
         let corners = parts::rectangle(self.middle, half);
         list.polygons(Role::Paper, Look::Solid, std::slice::from_ref(&corners));

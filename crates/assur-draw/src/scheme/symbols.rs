@@ -1,7 +1,7 @@
 //! The standard symbols of pairs (ISO 3952, GOST 2.770), turned as their axes are.
 
-use assur::Point;
 use assur::mobility::{Pair, PairKind, Point3, Vector3};
+use assur::{Point, perpendicular};
 
 use super::opening::Displacement;
 use crate::list::{List, Look, Role};
@@ -62,7 +62,7 @@ impl<'a> Pen<'a> {
     fn flat(&self, along: f64, across: f64) -> Point {
         let axis = self.projection.direction(self.frame[0]);
         let along_it = axis.try_normalize(1e-9).unwrap_or_else(assur::Vector::x);
-        let left = assur::Vector::new(-along_it.y, along_it.x);
+        let left = perpendicular(along_it);
         self.projection.place(self.at) + (along_it * along + left * across) * self.unit
     }
 

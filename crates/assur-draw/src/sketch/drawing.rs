@@ -1,6 +1,7 @@
 //! Frame, links, blocks, wheels and points of a sketch.
 
 use super::*;
+use assur::perpendicular;
 
 impl Sketch {
     pub(super) fn draw_frame(&mut self) {
@@ -96,7 +97,7 @@ impl Sketch {
                 continue;
             };
             let along = (to - from).normalize();
-            let across = Vector::new(-along.y, along.x);
+            let across = perpendicular(along);
             let middle = from + along * (at - from).dot(&along);
             let half = [
                 along * (BLOCK[0] * self.unit),
@@ -175,6 +176,6 @@ impl Sketch {
         let second = points.get(1).and_then(|name| self.place(name));
         let along = second.map_or(Vector::x(), |second| second - first);
         let along = along.try_normalize(0.0)?;
-        Some(first + along * at.x + Vector::new(-along.y, along.x) * at.y)
+        Some(first + along * at.x + perpendicular(along) * at.y)
     }
 }

@@ -1,6 +1,6 @@
 //! Arrows of forces and of the field as filled shapes, many to one record.
 
-use assur::{Point, Vector};
+use assur::{Point, Vector, perpendicular};
 
 /// The half width of a shaft, and the length and half width of a head, in units.
 const SHAFT: f64 = 0.32;
@@ -14,7 +14,7 @@ pub(super) fn arrow(from: Point, to: Point, unit: f64) -> Option<Vec<Point>> {
         return None;
     }
     let along = (to - from) / length;
-    let across = Vector::new(-along.y, along.x);
+    let across = perpendicular(along);
     // A small arrow is small in all.
     let size = (0.5 * length / (HEAD[0] * unit)).min(1.0) * unit;
     let neck = to - along * (HEAD[0] * size);

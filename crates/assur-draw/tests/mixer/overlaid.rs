@@ -100,10 +100,8 @@ fn paths_of_joints_are_drawn_once() {
     let crank = f32::from(Role::Crank as u8);
     assert_eq!(b[..], [3.0, crank, DASHED, 0.0, 0.0, 0.37]);
     assert_eq!(c[..3], [2.0, f32::from(Role::Rocker as u8), DASHED]);
-    let swings = drawn.mixer.linkage.swings(drawn.mixer.assembly);
-    let [assur::Swing::Between { min, max }] = swings[..] else {
-        panic!("{swings:?}");
-    };
+    let limits = drawn.mixer.linkage.limits(drawn.mixer.assembly);
+    let [min, max] = [limits[0].rocker, limits[1].rocker];
     let d = Point::new(0.85, 0.0);
     for (at, angle) in [(&c[4..6], min), (&c[c.len() - 2..], max)] {
         let exact = d + Vector::new(angle.cos(), angle.sin()) * 0.55;

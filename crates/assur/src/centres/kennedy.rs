@@ -2,18 +2,10 @@
 
 use super::projective::{Place, at, towards};
 use super::{InstantCentre, Source};
-use crate::Vector;
 use crate::index::{BodyId, PointId};
 use crate::mechanism::{Joint, Mechanism, Pose};
+use crate::perpendicular;
 use crate::tolerance;
-
-/// Relative error of a centre given by a pair.
-const EXACT: f64 = tolerance::EXACT;
-/// Maximum error of an intersection that is accepted at once, in the order of the links; others are taken only if there
-/// are none of these, the best first.
-const CLEAR: f64 = tolerance::NEGLIGIBLE;
-/// Maximum error of an intersection; beyond, the lines are nearly parallel and are not used.
-const VAGUE: f64 = tolerance::DOUBLE_ROOT;
 
 /// A known centre, of length 1, with a bound on its error.
 #[derive(Clone, Copy)]
@@ -27,8 +19,9 @@ impl Known {
     fn joined(self, other: Self) -> Option<Self> {
         let product = self.place.cross(&other.place);
         let sine = product.norm();
-        let off = (self.off + other.off + EXACT) / sine;
-        (off < VAGUE).then(|| Self {
+        let off = (self.off + other.off + tolerance::EXACT) / sine;
+        // Beyond, the lines are nearly parallel and are not used.
+        (off < tolerance::DOUBLE_ROOT).then(|| Self {
             place: product / sine,
             off,
         })
@@ -63,7 +56,7 @@ pub(super) fn centres<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>) -> 
                     continue;
                 }
                 match table.crossing(bodies) {
-                    Some((by, place)) if place.off <= CLEAR => {
+                    Some((by, place)) if place.off <= tolerance::NEGLIGIBLE => {
                         table.add(bodies, place, Source::Kennedy(by));
                     }
                     Some((by, place)) if best.is_none_or(|(.., best)| place.off < best.off) => {
@@ -115,7 +108,14 @@ impl Table<'_> {
             let place = place.normalize();
             // For bodies with two joints the first one counts.
             if place.norm_squared().is_finite() && self.of(bodies).is_none() {
-                self.add(bodies, Known { place, off: EXACT }, Source::Joint);
+                self.add(
+                    bodies,
+                    Known {
+                        place,
+                        off: tolerance::EXACT,
+                    },
+                    Source::Joint,
+                );
             }
         };
         match joint {
@@ -128,7 +128,7 @@ impl Table<'_> {
             }
             Joint::Slide { bodies, line, .. } => {
                 if let Some(along) = mechanism.heading(pose, bodies[0], *line) {
-                    let across = Vector::new(-along.y, along.x);
+                    let across = perpendicular(along);
                     tell(*bodies, towards(across));
                 }
             }
@@ -164,7 +164,7 @@ impl Table<'_> {
                 if best.is_none_or(|(_, best)| place.off < best.off) {
                     best = Some(([*by, *also], place));
                 }
-                if place.off <= CLEAR {
+                if place.off <= tolerance::NEGLIGIBLE {
                     return best;
                 }
             }

@@ -3,12 +3,10 @@
 //! is the intersection of two lines.
 
 use crate::Vector;
+use crate::tolerance;
 
 /// A point or a line; multiples are equal.
 pub(super) type Place = nalgebra::Vector3<f64>;
-
-/// Distance beyond which a point is at infinity.
-const FARTHEST: f64 = 1e9;
 
 /// A point in the plane.
 pub(super) fn at(place: Vector) -> Place {
@@ -23,7 +21,7 @@ pub(super) fn towards(direction: Vector) -> Place {
 /// Position of a point in the plane, or its direction if it is at infinity.
 pub(super) fn affine(place: Place) -> Result<Vector, Vector> {
     let way = Vector::new(place.x, place.y);
-    if way.norm() < FARTHEST * place.z.abs() {
+    if tolerance::COINCIDENT * way.norm() < place.z.abs() {
         Ok(way / place.z)
     } else {
         Err(way.normalize())

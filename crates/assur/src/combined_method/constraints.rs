@@ -1,7 +1,7 @@
 //! The constraint equations (1) and (2), the ratios (3) to (5) of the rigid triangles, the crank.
 
 use super::places::{Places, Way, product};
-use crate::{Relation, Vector};
+use crate::{Relation, Vector, perpendicular};
 
 /// (1) to (5) with the differences and the letters of fig. 1.
 pub(super) fn relations(places: &Places) -> Vec<Relation> {
@@ -12,7 +12,7 @@ pub(super) fn relations(places: &Places) -> Vec<Relation> {
     all.extend(ratios(places));
     let [place, rate, bend] = places.b;
     for (names, value, printed) in [
-        (["x′_B", "y′_B"], rate, Vector::new(-place.y, place.x)),
+        (["x′_B", "y′_B"], rate, perpendicular(place)),
         (["x″_B", "y″_B"], bend, -place),
     ] {
         all.extend(Relation::both("003.B", names, value, printed));

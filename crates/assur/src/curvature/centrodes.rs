@@ -4,7 +4,7 @@ use super::along::along;
 use crate::index::LinkId;
 use crate::mechanism::Pose;
 use crate::motion::Motion;
-use crate::{Point, Vector};
+use crate::{Point, Vector, perpendicular};
 
 /// Distance beyond which a curve is at infinity, in sizes of the mechanism.
 const FARTHEST: f64 = 100.0;
@@ -43,7 +43,7 @@ impl Centrodes {
 fn rolling_at(motion: &Motion, pose: &Pose<2>, link: LinkId, input: f64) -> Option<(Rolling, f64)> {
     let mechanism = motion.mechanism();
     let (velocity, spin) = mechanism.twist(pose, mechanism.body_of(Some(link)));
-    let pole = Vector::new(-velocity.y, velocity.x) / spin;
+    let pole = perpendicular(velocity) / spin;
     // Without rotation the quotient is NaN or infinite, and not near either.
     let is_near = pole.norm() < FARTHEST;
     if !is_near {

@@ -48,3 +48,29 @@ fn derived(jet: &Jet<5>, order: usize) -> Jet<3> {
         jet.derivative(order + further)
     }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The parabola y = x²/2 with x as the input: R = (1 + x²)^(3/2), R′ = 3x (1 + x²)^(1/2).
+    #[test]
+    fn radius_along_a_parabola() {
+        for (x, radius) in [
+            (0.0, [1.0, 0.0, 3.0]),
+            (1.0, [8_f64.sqrt(), 18_f64.sqrt(), 4.5 * 2_f64.sqrt()]),
+        ] {
+            let point = JetPoint {
+                x: Jet::of_derivatives([x, 1.0, 0.0, 0.0, 0.0]),
+                y: Jet::of_derivatives([0.5 * x * x, x, 1.0, 0.0, 0.0]),
+            };
+            let circle = CircleOfCurvature::of(&point, 1.0).unwrap();
+            for (order, value) in radius.into_iter().enumerate() {
+                assert!(
+                    (circle.radius.derivative(order) - value).abs() < 1e-14,
+                    "{circle:?}"
+                );
+            }
+        }
+    }
+}

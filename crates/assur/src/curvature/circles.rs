@@ -1,11 +1,10 @@
 //! Curvature in the whole plane of a link at an instant: pole, pole tangent, inflection circle, return circle, Ball's
 //! point.
 
-use super::left;
 use crate::index::BodyId;
 use crate::mechanism::{Mechanism, Pose};
 use crate::tolerance;
-use crate::{Point, Vector};
+use crate::{Point, Vector, perpendicular};
 
 /// The circles of a body that moves relative to the frame, at an instant at which it turns.
 ///
@@ -48,10 +47,11 @@ impl Circles {
         }
         // p = z + i z′/θ′ of any point z of the body, differentiated twice.
         let (w2, w3) = (w * w, w * w * w);
-        let pole = middle + left(v) / w;
-        let p1 = v + left(a / w - v * (e / w2));
-        let p2 = a + left(j / w - a * (2.0 * e / w2) - v * (f / w2) + v * (2.0 * e * e / w3));
-        let diameter = -left(p1) / w;
+        let pole = middle + perpendicular(v) / w;
+        let p1 = v + perpendicular(a / w - v * (e / w2));
+        let p2 =
+            a + perpendicular(j / w - a * (2.0 * e / w2) - v * (f / w2) + v * (2.0 * e * e / w3));
+        let diameter = -perpendicular(p1) / w;
         let finite = [pole.coords, p1, diameter]
             .iter()
             .all(|v| v.norm().is_finite());
@@ -61,7 +61,7 @@ impl Circles {
             spin: w,
             diameter,
             ball: (diameter.norm() > tolerance::NEGLIGIBLE * size)
-                .then(|| ball(pole, diameter, p1 * (e / w) - p2 - left(p1) * w))
+                .then(|| ball(pole, diameter, p1 * (e / w) - p2 - perpendicular(p1) * w))
                 .flatten(),
         })
     }
@@ -69,11 +69,6 @@ impl Circles {
     /// The inflection circle: its centre and radius.
     pub fn inflection(&self) -> (Point, f64) {
         (self.pole + self.diameter / 2.0, self.diameter.norm() / 2.0)
-    }
-
-    /// The return circle: its centre and radius.
-    pub fn turning_back(&self) -> (Point, f64) {
-        (self.pole - self.diameter / 2.0, self.diameter.norm() / 2.0)
     }
 
     /// Centre of curvature for the body's point at a position, by Euler and Savary: on the ray from the pole through

@@ -16,10 +16,7 @@ pub use circles::Circles;
 pub use evolute::Evolute;
 
 use crate::tolerance;
-use crate::{JetPoint, Point, Vector};
-
-/// Radius above which a path is straight, relative to the size of the drawing.
-const STRAIGHT: f64 = 1e9;
+use crate::{JetPoint, Point, Vector, perpendicular};
 
 /// Curvature of a path at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,8 +52,8 @@ impl Curvature {
             return None;
         }
         let at = point.place();
-        let bends = curvature.abs() * STRAIGHT * size > 1.0;
-        let centre = bends.then(|| at + left(tangent) / curvature);
+        let bends = curvature.abs() * size > tolerance::COINCIDENT;
+        let centre = bends.then(|| at + perpendicular(tangent) / curvature);
         Some(Self {
             at,
             tangent,
@@ -79,11 +76,62 @@ impl Curvature {
     /// Derivative of the centre's position along the evolute with respect to the length of the path: along the normal
     /// of the path, zero if the curvature is stationary. None if the path is straight.
     pub fn evolute(&self) -> Option<Vector> {
-        self.radius_rate().map(|rate| left(self.tangent) * rate)
+        self.radius_rate()
+            .map(|rate| perpendicular(self.tangent) * rate)
     }
 }
 
-/// A quarter turn to the left.
-fn left(v: Vector) -> Vector {
-    Vector::new(-v.y, v.x)
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Jet;
+
+    fn point(x: [f64; 4], y: [f64; 4]) -> JetPoint<4> {
+        let [x, y] = [x, y].map(Jet::of_derivatives);
+        JetPoint { x, y }
+    }
+
+    /// A circle of radius 2, and the parabola y = x²/2 at x = 0 and at x = 1, where κ = 2^(−3/2) and dκ/ds = −3/8.
+    #[test]
+    fn circle_and_parabola() {
+        let eighth = 8_f64.sqrt().recip();
+        for (x, y, curvature, rate, centre) in [
+            (
+                [2.0, 0.0, -2.0, 0.0],
+                [0.0, 2.0, 0.0, -2.0],
+                0.5,
+                0.0,
+                [0.0, 0.0],
+            ),
+            (
+                [0.0, 1.0, 0.0, 0.0],
+                [0.0, 0.0, 1.0, 0.0],
+                1.0,
+                0.0,
+                [0.0, 1.0],
+            ),
+            (
+                [1.0, 1.0, 0.0, 0.0],
+                [0.5, 1.0, 1.0, 0.0],
+                eighth,
+                -0.375,
+                [-1.0, 2.5],
+            ),
+        ] {
+            let found = Curvature::of(&point(x, y), 1.0).unwrap();
+            assert!((found.curvature - curvature).abs() < 1e-15, "{found:?}");
+            assert!((found.rate - rate).abs() < 1e-15, "{found:?}");
+            assert!((found.centre.unwrap() - Point::from(centre)).norm() < 2e-15);
+        }
+    }
+
+    #[test]
+    fn straight_and_at_rest() {
+        let straight = point([0.0, 1.0, 0.0, 0.0], [0.0; 4]);
+        assert_eq!(Curvature::of(&straight, 1.0).unwrap().radius(), None);
+        assert_eq!(
+            Curvature::of(&point([1.0, 0.0, 1.0, 0.0], [0.0; 4]), 1.0),
+            None
+        );
+    }
 }

@@ -3,6 +3,7 @@
 use super::{Body, Mesh, Parameters, Shaft};
 use super::{Drive, Load, Poles};
 use crate::Fault;
+use crate::tolerance::FARTHEST;
 
 /// A defect.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,9 +81,7 @@ const PLATES: (f64, f64) = (1.0, 1000.0);
 /// Range of numbers of satellites.
 const SATELLITES: (f64, f64) = (1.0, 12.0);
 /// Range of positive quantities, in their units.
-const POSITIVE: (f64, f64) = (1e-12, 1e9);
-/// Maximum absolute value of quantities that may be zero, in their units.
-const MOST: f64 = 1e9;
+const POSITIVE: (f64, f64) = (1e-12, FARTHEST);
 /// Maximum speed, rad/s.
 pub(super) const SPEED: f64 = 1e5;
 /// Maximum ratio of tied shafts.
@@ -149,7 +148,7 @@ impl Defects {
     }
 
     fn load(&mut self, body: Body, load: &Load) {
-        self.size(Quantity::Constant(body), load.constant, MOST);
+        self.size(Quantity::Constant(body), load.constant, FARTHEST);
         self.not_negative(Quantity::Friction(body), load.friction);
         self.not_negative(Quantity::Fan(body), load.fan);
         if load.friction != 0.0 {
@@ -160,7 +159,7 @@ impl Defects {
     fn drive(&mut self, parameters: &Parameters, shaft: Shaft) {
         match &parameters.shaft(shaft).drive {
             Drive::Torque(profile) => {
-                self.size(Quantity::DriveTorque(shaft), profile.greatest(), MOST);
+                self.size(Quantity::DriveTorque(shaft), profile.greatest(), FARTHEST);
             }
             Drive::Speed(profile) => {
                 self.size(Quantity::DriveSpeed(shaft), profile.greatest(), SPEED);
@@ -181,30 +180,24 @@ impl Defects {
     }
 
     fn positive(&mut self, quantity: Quantity, value: f64) {
-        if value.is_finite() && value <= 0.0 {
-            self.push(quantity, Fault::NotPositive { value });
-        } else {
-            self.within(quantity, value, POSITIVE);
-        }
+        self.take(quantity, Fault::check_positive(value, POSITIVE));
     }
 
     fn not_negative(&mut self, quantity: Quantity, value: f64) {
-        self.within(quantity, value, (0.0, MOST));
+        self.within(quantity, value, (0.0, FARTHEST));
     }
 
     fn size(&mut self, quantity: Quantity, value: f64, most: f64) {
-        self.within(quantity, value, (-most, most));
+        self.take(quantity, Fault::check_size(value, most));
     }
 
-    fn within(&mut self, quantity: Quantity, value: f64, (min, max): (f64, f64)) {
-        if !value.is_finite() {
-            self.push(quantity, Fault::NotFinite);
-        } else if value < min || value > max {
-            self.push(quantity, Fault::OutOfRange { value, min, max });
+    fn within(&mut self, quantity: Quantity, value: f64, range: (f64, f64)) {
+        self.take(quantity, Fault::check_within(value, range));
+    }
+
+    fn take(&mut self, quantity: Quantity, checked: Result<f64, Fault>) {
+        if let Err(fault) = checked {
+            self.0.push(Defect::Value { quantity, fault });
         }
-    }
-
-    fn push(&mut self, quantity: Quantity, fault: Fault) {
-        self.0.push(Defect::Value { quantity, fault });
     }
 }

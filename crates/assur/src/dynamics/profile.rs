@@ -1,9 +1,8 @@
 //! A quantity given over time.
 
 use crate::Fault;
-
-/// Maximum time, seconds.
-const TIME: f64 = 1e9;
+use crate::numeric::max_abs;
+use crate::tolerance::FARTHEST;
 
 /// A piecewise linear function of time, constant before its first knot and after its last.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,14 +51,8 @@ impl Profile {
             faults.push(ProfileFault::Empty);
         }
         for (at, (time, value)) in knots.iter().enumerate() {
-            if !time.is_finite() {
-                faults.push(ProfileFault::Time(at, Fault::NotFinite));
-            } else if time.abs() > TIME {
-                let (value, min, max) = (*time, -TIME, TIME);
-                faults.push(ProfileFault::Time(
-                    at,
-                    Fault::OutOfRange { value, min, max },
-                ));
+            if let Err(fault) = Fault::check_size(*time, FARTHEST) {
+                faults.push(ProfileFault::Time(at, fault));
             }
             if !value.is_finite() {
                 faults.push(ProfileFault::Value(at));
@@ -109,8 +102,7 @@ impl Profile {
 
     /// The greatest absolute value.
     pub(super) fn greatest(&self) -> f64 {
-        let sizes = self.knots.iter().map(|(_, value)| value.abs());
-        sizes.fold(0.0, f64::max)
+        max_abs(self.knots.iter().map(|(_, value)| *value))
     }
 }
 

@@ -108,18 +108,6 @@ impl Energy {
     }
 }
 
-impl BodyReading {
-    /// Power of its drive, W; none if it has none of its own.
-    pub fn drive_power(&self) -> Option<f64> {
-        self.drive_torque.map(|torque| torque * self.speed)
-    }
-
-    /// Power taken by its load, W.
-    pub fn load_power(&self) -> f64 {
-        -self.load_torque * self.speed
-    }
-}
-
 impl Reading {
     /// Angles, speeds and accelerations of the bodies.
     pub fn turned(&self) -> Turned {

@@ -38,3 +38,22 @@ impl FourBar {
             .collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A parallelogram is in line at 0 and at π. With links 1, 2, 3, 2 it is at 0 alone, but its motion takes two turns.
+    #[test]
+    fn in_line() {
+        for (lengths, expected) in [
+            ([1.0, 2.0, 1.0, 2.0], vec![0.0, PI]),
+            ([1.0, 2.0, 3.0, 2.0], vec![0.0, TAU]),
+            ([1.0, 2.0, 3.0, 3.0], vec![]),
+        ] {
+            let points = FourBar::new(lengths).unwrap().change_points();
+            let cranks: Vec<f64> = points.iter().map(|point| point.crank).collect();
+            assert_eq!(cranks, expected, "{lengths:?}");
+        }
+    }
+}

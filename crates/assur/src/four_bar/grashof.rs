@@ -59,3 +59,27 @@ impl FourBar {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Links of 1, 2, 3, 3: s + l = 4 < 5. Links of 2, 2, 3, 4: 6 > 5. Links of 1, 2, 2, 3: 4 = 4.
+    #[test]
+    fn types() {
+        for (lengths, expected) in [
+            ([1.0, 2.0, 3.0, 3.0], Grashof::CrankRocker),
+            ([2.0, 1.0, 3.0, 3.0], Grashof::DoubleRocker),
+            ([2.0, 3.0, 1.0, 3.0], Grashof::RockerCrank),
+            ([2.0, 3.0, 3.0, 1.0], Grashof::DoubleCrank),
+            ([2.0, 2.0, 3.0, 4.0], Grashof::TripleRocker),
+            ([1.0, 2.0, 3.0, 2.0], Grashof::ChangePoint),
+        ] {
+            assert_eq!(
+                FourBar::new(lengths).unwrap().grashof(),
+                expected,
+                "{lengths:?}"
+            );
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Limit positions of the rocker, its swing and the time ratio.
 
-use crate::sorting::{extremes, sort_by};
+use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};
 
 use super::{Assembly, FourBar};
@@ -34,17 +34,6 @@ impl Swing {
         match self {
             Self::Turns => None,
             Self::Between { min, max } => Some(max - min),
-        }
-    }
-
-    /// The swing multiplied by a ratio.
-    pub fn scaled(self, ratio: f64) -> Self {
-        match self {
-            Self::Turns => Self::Turns,
-            Self::Between { min, max } => Self::Between {
-                min: (min * ratio).min(max * ratio),
-                max: (min * ratio).max(max * ratio),
-            },
         }
     }
 }
@@ -101,84 +90,28 @@ impl FourBar {
         }
         found
     }
+}
 
-    /// The rocker's swing on each arc of the cycle in this assembly: between limit positions, or the ends of the arc if
-    /// the crank does not turn fully.
-    pub fn swings(&self, assembly: Assembly) -> Vec<Swing> {
-        let cycle = self.cycle();
-        let rocker = |crank| Some(self.pose::<1>(assembly, crank).ok()?.rocker.value());
-        if let (true, [start, end]) = (cycle.is_full(), cycle.axis()) {
-            // Any angle except a deltoid's undetermined one.
-            let (before, after) = (rocker(start + 1.0), rocker(end + 1.0));
-            if before.zip(after).is_some_and(|(a, b)| (b - a).abs() > PI) {
-                return vec![Swing::Turns];
-            }
-        }
-        let turnings = self.turnings(assembly);
-        let between = |[from, to]: &[f64; 2]| {
-            let of_arc = turnings
-                .iter()
-                .filter(|crank| (*from..=*to).contains(*crank));
-            let angles = of_arc.filter_map(|crank| rocker(*crank));
-            let [min, max] = extremes(angles);
-            Swing::Between { min, max }
-        };
-        cycle.arcs().iter().map(between).collect()
-    }
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::FRAC_PI_2;
 
-    /// The rocker's total travel on each arc of the cycle in this assembly: over the whole cycle, or over the arc and
-    /// back.
-    pub fn travels(&self, assembly: Assembly) -> Vec<f64> {
-        let cycle = self.cycle();
-        let rocker = |crank: f64| Some(self.pose::<1>(assembly, crank).ok()?.rocker.value());
-        let turnings = self.turnings(assembly);
-        let travel = |[from, to]: &[f64; 2]| {
-            // A full cycle may begin anywhere except at a deltoid's undetermined angle.
-            let (shift, ways) = if cycle.is_full() {
-                (1.0, 1.0)
-            } else {
-                (0.0, 2.0)
-            };
-            let [start, end] = [from + shift, to + shift];
-            let inside = |crank: &f64| {
-                let before = cycle.is_full() && *crank < start;
-                if before { crank + (to - from) } else { *crank }
-            };
-            // Between successive reversals the rocker moves in one direction.
-            let (mut at, mut last, mut sum) = (start, rocker(start), 0.0);
-            while at < end {
-                let ahead = turnings.iter().map(inside).filter(|crank| *crank > at);
-                at = ahead.fold(end, f64::min);
-                let next = rocker(at).or(last);
-                sum += next
-                    .zip(last)
-                    .map_or(0.0, |(next, last)| (next - last).abs());
-                last = next;
-            }
-            ways * sum
-        };
-        cycle.arcs().iter().map(travel).collect()
-    }
+    use super::*;
 
-    /// Candidates for the rocker's reversals: limit positions, angles with all links in line, dead points.
-    fn turnings(&self, assembly: Assembly) -> Vec<f64> {
-        let limits = self.limits(assembly).into_iter().map(|limit| limit.crank);
-        let in_line = self.change_points().into_iter().map(|point| point.crank);
-        limits.chain(in_line).chain(self.dead_points()).collect()
-    }
-
-    /// The time ratio K ≥ 1 of slow to quick stroke at constant crank speed; none if the crank does not turn fully or
-    /// the rocker does not oscillate once per turn.
-    pub fn time_ratio(&self, assembly: Assembly) -> Option<f64> {
-        let cycle = self.cycle();
-        let [start, end] = cycle.axis();
-        match self.limits(assembly)[..] {
-            [first, second] if cycle.is_full() && end - start < 1.5 * TAU => {
-                let one = second.crank - first.crank;
-                let other = end - start - one;
-                Some(one.max(other) / one.min(other))
-            }
-            _ => None,
+    /// Crank 1, coupler 4, rocker 3, frame 4. Outstretched, crank and coupler are the hypotenuse 5 over rocker and
+    /// frame; folded, they make a triangle of 3, 3 and 4 with them.
+    #[test]
+    fn right_triangle() {
+        let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();
+        let expected = [
+            [0.75_f64.atan(), FRAC_PI_2],
+            [PI + (2.0_f64 / 3.0).acos(), (-2.0_f64 / 3.0).acos()],
+        ];
+        let limits = linkage.limits(Assembly::First);
+        assert_eq!(limits.len(), 2);
+        for (limit, [crank, rocker]) in limits.iter().zip(expected) {
+            assert!((limit.crank - crank).abs() < 1e-14, "{limit:?}");
+            assert!((limit.rocker - rocker).abs() < 1e-14, "{limit:?}");
         }
     }
 }

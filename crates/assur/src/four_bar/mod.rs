@@ -32,6 +32,8 @@ pub use grashof::Grashof;
 pub use limits::{Limit, Swing};
 pub use pose::{Offset, Pose, Unsolved};
 
+use crate::sorting::extremes;
+use crate::tolerance::{COINCIDENT, FARTHEST, LENGTH};
 use crate::{Dimension, Fault, Invalid};
 
 /// A link of the four-bar.
@@ -84,11 +86,6 @@ pub struct FourBar {
 }
 
 impl FourBar {
-    /// Shortest and longest link, in any unit.
-    const LENGTH: (f64, f64) = (1e-9, 1e9);
-    /// Minimum ratio of the shortest to the longest link.
-    const RATIO: f64 = 1e-9;
-
     /// The linkage with lengths l₁ … l₄ (crank, coupler, rocker, frame), all in
     /// the same unit.
     ///
@@ -99,9 +96,9 @@ impl FourBar {
     pub fn new(lengths: [f64; 4]) -> Result<Self, Vec<Invalid>> {
         let longest = lengths
             .into_iter()
-            .filter(|length| length.is_finite() && *length <= Self::LENGTH.1)
+            .filter(|length| length.is_finite() && *length <= FARTHEST)
             .fold(0.0, f64::max);
-        let range = (Self::LENGTH.0.max(longest * Self::RATIO), Self::LENGTH.1);
+        let range = (LENGTH.0.max(COINCIDENT * longest), FARTHEST);
         let mut reasons: Vec<Invalid> = Dimension::LENGTHS
             .into_iter()
             .zip(lengths)
@@ -200,8 +197,7 @@ impl Dimension {
 
 /// 8 ε (s + l): sums of lengths closer than this are equal.
 fn tolerance(lengths: &[f64; 4]) -> f64 {
-    let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
-    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    let [shortest, longest] = extremes(lengths.iter().copied());
     8.0 * f64::EPSILON * (shortest + longest)
 }
 

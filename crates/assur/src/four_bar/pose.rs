@@ -323,3 +323,40 @@ enum Fold {
     /// It is negative: the triangle does not close.
     Beyond,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Crank 1 at 180°, coupler 4, rocker 3, frame 4: the diagonal is 5, so C is at the right angle of a triangle 3-4-5,
+    /// 2.4 from the diagonal.
+    #[test]
+    fn right_triangle() {
+        let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();
+        for (assembly, height) in [(Assembly::First, 2.4), (Assembly::Second, -2.4)] {
+            let pose = linkage.pose::<2>(assembly, PI).unwrap();
+            let [a, b, c, d] = linkage.joints(&pose).map(|joint| joint.place());
+            assert_eq!(a, Point::origin());
+            assert!((b - Point::new(-1.0, 0.0)).norm() < 1e-15);
+            assert!((c - Point::new(2.2, height)).norm() < 1e-14, "{c}");
+            assert_eq!(d, Point::new(4.0, 0.0));
+            // B and C have equal velocities along the coupler, which C's is along: 1 · 3/5 = 3 |φ₃′|.
+            let rate = pose.rocker.derivative(1);
+            assert!((rate.abs() - 0.2).abs() < 1e-14, "{rate}");
+        }
+        assert_eq!(
+            linkage.pose::<1>(Assembly::First, f64::NAN),
+            Err(Unsolved::NotAnAngle)
+        );
+    }
+
+    /// Crank 4, frame 4, coupler 1, rocker 2: at 180° the joints are 8 apart, 5 more than coupler and rocker reach.
+    #[test]
+    fn out_of_reach() {
+        let linkage = FourBar::new([4.0, 1.0, 2.0, 4.0]).unwrap();
+        let Err(Unsolved::Apart { crank, by }) = linkage.pose::<1>(Assembly::First, PI) else {
+            panic!("closes")
+        };
+        assert!(crank == PI && (by - 5.0).abs() < 1e-14, "{by}");
+    }
+}

@@ -35,3 +35,20 @@ impl FourBar {
             })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Coupler 4 and rocker 3 over a diagonal of 3, 4 and 5: cos μ = (16 + 9 − d²)/24.
+    #[test]
+    fn law_of_cosines() {
+        let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();
+        for (cos_crank, cosine) in [(1.0_f64, 2.0 / 3.0), (0.125, 0.375), (-1.0, 0.0)] {
+            let angle = linkage.transmission_angle(cos_crank.acos()).unwrap();
+            assert!((angle.cos() - cosine).abs() < 1e-14, "{angle}");
+        }
+        let (worst, crank) = linkage.worst_transmission();
+        assert!((worst.cos() - 2.0 / 3.0).abs() < 1e-14 && crank == 0.0);
+    }
+}

@@ -123,7 +123,7 @@ impl GearSet {
             }
         });
         let middle = widest.map_or(0.0, |[from, to]| 0.5 * (from + to));
-        middle - TAU * (middle / TAU).round()
+        crate::angle::nearest_to(middle, 0.0)
     }
 }
 

@@ -227,7 +227,7 @@ impl Train {
     /// The equation of the three shafts.
     pub fn differential(&self) -> Differential {
         // With a single wheel, z₂ = z₂′, this leaves z₁ and z₄.
-        let common = greatest_common_divisor(self.satellite, self.step);
+        let common = num_integer::gcd(self.satellite, self.step);
         Differential::of(
             self.sun * (self.step / common),
             self.ring * (self.satellite / common),
@@ -311,13 +311,5 @@ fn teeth<const N: usize>(members: [(Member, f64); N]) -> Result<[u32; N], Vec<Tr
         Ok(teeth)
     } else {
         Err(reasons)
-    }
-}
-
-fn greatest_common_divisor(a: u32, b: u32) -> u32 {
-    if b == 0 {
-        a
-    } else {
-        greatest_common_divisor(b, a % b)
     }
 }

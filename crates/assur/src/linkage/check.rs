@@ -5,11 +5,7 @@ use std::collections::BTreeSet;
 use super::spec::{Defect, DriverSpec, FRAME, GearSpec, LinkageSpec, PointSpec, SlideSpec, extent};
 use super::tracer;
 use crate::gears::{Mesh, TEETH};
-
-/// Maximum absolute value of a coordinate or length.
-pub const FARTHEST: f64 = 1e9;
-/// Maximum distance, relative to the size of the drawing, of two points of a link that coincide.
-pub(crate) const CLOSEST: f64 = 1e-9;
+use crate::tolerance::{self, FARTHEST};
 
 /// All defects; none if references and numbers are sound.
 pub(crate) fn defects(spec: &LinkageSpec) -> Vec<Defect> {
@@ -130,7 +126,7 @@ fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<
             }
             _ => ((spec.place(a), spec.place(b)), spec.size()),
         };
-        matches!(ends, (Some(a), Some(b)) if (a - b).norm() <= CLOSEST * size)
+        matches!(ends, (Some(a), Some(b)) if (a - b).norm() <= tolerance::COINCIDENT * size)
     };
     for (k, point) in points.iter().enumerate() {
         for other in &points[..k] {
@@ -200,7 +196,7 @@ fn guided(spec: &LinkageSpec, slide: &SlideSpec, found: &mut Vec<Defect>) {
         found.push(Defect::WithItself(slide.link.clone()));
     }
     if let [Some(a), Some(b)] = slide.line.each_ref().map(|name| spec.place(name))
-        && (a - b).norm() <= CLOSEST * spec.size()
+        && (a - b).norm() <= tolerance::COINCIDENT * spec.size()
     {
         let (link, points) = (slide.on.clone(), slide.line.clone());
         found.push(Defect::Coincident { link, points });

@@ -1,10 +1,10 @@
 //! Assembly of a linkage by its dimensions alone, whatever its drawing shows.
 
 use crate::Vector;
-use crate::linkage::check::CLOSEST;
 use crate::linkage::spec::{Defect, LinkSpec, LinkageSpec, extent};
 use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Mechanism, check};
+use crate::tolerance::COINCIDENT;
 
 impl Mechanism {
     /// The linkage of a specification, drawn in one of its assemblies at an input (radians, or the coordinate of a
@@ -51,7 +51,7 @@ impl LinkageSpec {
             let mut neighbours = self.links.iter().filter(has).flat_map(|link| &link.points);
             let near = |name: &String| {
                 let other = self.place(name).filter(|_| *name != point.name);
-                other.is_some_and(|other| (other - point.at).norm() <= CLOSEST * size)
+                other.is_some_and(|other| (other - point.at).norm() <= COINCIDENT * size)
             };
             if neighbours.any(near) {
                 let (y, x) = (index as f64).sin_cos();

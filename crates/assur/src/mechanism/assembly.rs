@@ -111,7 +111,7 @@ impl Mechanism {
 
     fn rebase_at(&mut self, drawn_input: f64) -> bool {
         let before = self.steps.clone();
-        let turned = TAU * ((self.drawn_input - drawn_input) / TAU).round();
+        let turned = crate::angle::whole_turns(self.drawn_input - drawn_input);
         let mut state: State<1> = self.blank_state();
         for step in before.ids() {
             // If φ₁ passes a change point, a whole turn leads to the other assembly.

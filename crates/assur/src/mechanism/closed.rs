@@ -33,7 +33,7 @@ impl DrivenFourBar<'_> {
         let cycle = self.linkage.cycle();
         let crank = input + self.angle_offset;
         let near = |[from, to]: &[f64; 2]| {
-            let turns = TAU * ((crank - 0.5 * (from + to)) / TAU).round();
+            let turns = crate::angle::whole_turns(crank - 0.5 * (from + to));
             let arc = [from + turns, to + turns];
             let off = (arc[0] - crank).max(crank - arc[1]).max(0.0);
             (off, arc.map(|end| end - self.angle_offset))

@@ -1,8 +1,6 @@
 //! Dimensions of a linkage: single numbers that can be read and set, by sliders, by dragging on the drawing and by
 //! searches.
 
-use std::f64::consts::{PI, TAU};
-
 use crate::index::{BodyId, LinkId, PointId, SlideId};
 use crate::linkage::spec::{DriverSpec, LinkSpec, LinkageSpec, SlideSpec};
 use crate::mechanism::{DoubledLink, Mechanism, Part, Setting};
@@ -113,7 +111,7 @@ impl Mechanism {
     /// The equivalent of a value nearest to the current one: an angle changes by at most half a turn.
     pub fn nearest(&self, dimension: Dimension, value: f64) -> f64 {
         match (dimension, self.value(dimension)) {
-            (Dimension::Corner(..), Some(from)) => from + (value - from + PI).rem_euclid(TAU) - PI,
+            (Dimension::Corner(..), Some(from)) => crate::angle::nearest_to(value, from),
             _ => value,
         }
     }

@@ -89,11 +89,7 @@ fn denominator(ratio: f64) -> Option<usize> {
 
 /// Least common multiple; None beyond [`NEVER`].
 fn common(a: usize, b: usize) -> Option<usize> {
-    let (mut divisor, mut rest) = (a, b);
-    while rest > 0 {
-        (divisor, rest) = (rest, divisor % rest);
-    }
-    let multiple = (a / divisor.max(1)).checked_mul(b)?;
+    let multiple = (a / num_integer::gcd(a, b).max(1)).checked_mul(b)?;
     (multiple < NEVER).then_some(multiple)
 }
 

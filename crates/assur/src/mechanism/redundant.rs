@@ -163,7 +163,7 @@ impl Mechanism {
                 [&slide.point, &slide.line[0], &slide.line[1]].map(of)
             {
                 let way = (to - from).normalize();
-                let across = Vector::new(-way.y, way.x);
+                let across = crate::perpendicular(way);
                 rows.push((slide.point.clone(), along(at, across, [body, on])));
                 rows.push((slide.point.clone(), turns(&[(body, 1.0), (on, -1.0)])));
             }

@@ -15,7 +15,6 @@ pub use motion::Unmoved;
 pub use tracer::{Carrier, Tracer};
 
 use crate::gears::{GearSet, Mate, Mesh};
-use crate::structure::{Graph, Pair};
 use crate::{Assembly, FourBar, Invalid};
 
 /// The three cases of fig. 4. Lengths are in metres.
@@ -114,28 +113,6 @@ impl Mixer {
                 let reasons = [linkage.err(), gears.err(), tracers.err()];
                 Err(reasons.into_iter().flatten().flatten().collect())
             }
-        }
-    }
-
-    /// The graph of links and pairs: 0 is the frame, 1 the crank, 2 the coupler, 3 the rocker with wheel 4, which are
-    /// one link; then the other wheels, each on its own hinge and in mesh with the one before it in its train.
-    pub fn graph(&self) -> Graph {
-        let hinges = [[0, 1], [1, 2], [2, 3], [3, 0]];
-        let mut pairs: Vec<Pair> = hinges.map(|two| Pair::Revolute(two.to_vec())).to_vec();
-        let mut links = 4;
-        for gears in self.gears.pairs() {
-            let mut driver = 3;
-            for _ in gears.idler().into_iter().chain([gears.driven_wheel()]) {
-                pairs.push(Pair::Revolute(vec![0, links]));
-                pairs.push(Pair::Gear([driver, links]));
-                driver = links;
-                links += 1;
-            }
-        }
-        Graph {
-            links,
-            ground: 0,
-            pairs,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Traced points of the mixer's bodies (coupler curves).
 
 use super::Mixer;
+use crate::tolerance::FARTHEST;
 use crate::{Dimension, Fault, Invalid, Jet, JetPoint, Point, Pose};
 
 /// A moving body that can carry a traced point.
@@ -31,9 +32,6 @@ pub struct Tracer {
 impl Tracer {
     /// Maximum number of traced points.
     pub const MOST: usize = 6;
-
-    /// Maximum coordinate, in the unit of the lengths.
-    const FARTHEST: f64 = 1e9;
 }
 
 /// Checks that these points are on bodies of a mixer with this number of peripheral wheels.
@@ -60,7 +58,7 @@ pub(super) fn check(tracers: &[Tracer], wheels: usize) -> Result<(), Vec<Invalid
             (Dimension::TracerX(index), tracer.x),
             (Dimension::TracerY(index), tracer.y),
         ] {
-            reasons.extend(Invalid::check_size(dimension, value, Tracer::FARTHEST).err());
+            reasons.extend(Invalid::check_size(dimension, value, FARTHEST).err());
         }
     }
     if reasons.is_empty() {

@@ -1,5 +1,6 @@
 //! The constraints of a whole scheme, row by row.
 
+use crate::numeric::max_abs;
 use crate::tolerance;
 use std::collections::BTreeSet;
 
@@ -84,9 +85,7 @@ impl Constraints {
 
     /// The pairs with a nonzero stress.
     pub(super) fn stressed(&self, stress: &[f64]) -> Vec<usize> {
-        let greatest = stress
-            .iter()
-            .fold(0.0, |most: f64, value| most.max(value.abs()));
+        let greatest = max_abs(stress.iter().copied());
         let bears = |pair: &usize| {
             let own = &stress[self.starts[*pair]..self.starts[pair + 1]];
             own.iter()

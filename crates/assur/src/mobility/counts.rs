@@ -70,3 +70,49 @@ impl Counts {
         applies.then_some(5 * loops - 2 * loops)
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::mobility::{PairKind, PairSpec, SchemeSpec};
+
+    /// A contour of these pairs from the ground over links 1, 2, … back to the ground.
+    pub(in crate::mobility) fn contour(planar: bool, kinds: &[PairKind]) -> Scheme {
+        let link = |number: usize| (number % kinds.len()).to_string();
+        let pairs = kinds.iter().enumerate().map(|(at, kind)| PairSpec {
+            name: format!("P{at}"),
+            kind: *kind,
+            links: vec![link(at), link(at + 1)],
+            place: None,
+            axis: None,
+            second: None,
+        });
+        let spec = SchemeSpec {
+            ground: "0".to_owned(),
+            planar,
+            pairs: pairs.collect(),
+        };
+        Scheme::new(&spec).unwrap()
+    }
+
+    /// Four-bar 3·3 − 2·4 and 6·3 − 5·4; five-bar 3·4 − 2·5 and 6·4 − 5·5; two spheres in a contour with two hinges
+    /// 6·3 − 5 − 3 − 3 − 5, of which one freedom is the coupler's own rotation.
+    #[test]
+    fn contours() {
+        use PairKind::{Revolute, Spherical};
+        for (planar, kinds, in_plane, spatial) in [
+            (true, &[Revolute; 4][..], Some(1), -2),
+            (true, &[Revolute; 5], Some(2), -1),
+            (false, &[Revolute, Spherical, Spherical, Revolute], None, 2),
+        ] {
+            let counts = contour(planar, kinds).counts();
+            assert_eq!((counts.planar, counts.spatial), (in_plane, spatial));
+            assert_eq!(counts.links, kinds.len() - 1);
+        }
+        let four_bar = contour(true, &[Revolute; 4]).counts();
+        assert_eq!(
+            (four_bar.redundant(1), four_bar.redundant_by_plane()),
+            (3, Some(3))
+        );
+    }
+}

@@ -5,14 +5,13 @@ use super::displaced::{Displaced, Placement};
 use super::elimination::System;
 use super::screw::{Form, Screw};
 use super::{NoRank, Scheme, Space};
+use crate::numeric::max_abs;
+use crate::numeric::newton::MAX_STEPS_FROM_DRAWING;
 use crate::sorting::sort_by_key;
 use crate::tolerance;
 
 /// Steps from the drawn pose, angles and displacements relative to the size.
 const STEPS: [f64; 3] = [0.05, 0.02, 0.005];
-
-/// Maximum number of corrections that close the gaps.
-const CORRECTIONS: usize = 40;
 
 /// Mobility by rank away from the drawn pose.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,7 +61,7 @@ impl Scheme {
                 .collect();
             if let Some((placements, forms)) = self.closed(&drawn, start, space) {
                 let distances = placements.iter().map(Placement::distance);
-                if distances.fold(0.0, f64::max) > step / 10.0 {
+                if max_abs(distances) > step / 10.0 {
                     let mobility =
                         space.freedoms() * (self.links().len() - 1) - self.rank_of(&forms, space);
                     return Ok(Generic::At { mobility });
@@ -79,7 +78,10 @@ impl Scheme {
             .eliminated(None);
         let width = space.freedoms();
         let way = motions.mixture(|_| true);
-        let scale = 1.0 / greatest(&way);
+        let scale = match max_abs(way.iter().copied()) {
+            0.0 => 1.0,
+            greatest => 1.0 / greatest,
+        };
         let twists = way
             .chunks_exact(width)
             .map(|values| twist(values, space) * scale);
@@ -94,10 +96,10 @@ impl Scheme {
         mut placements: Vec<Placement>,
         space: Space,
     ) -> Option<(Vec<Placement>, Vec<Form>)> {
-        for _ in 0..CORRECTIONS {
+        for _ in 0..MAX_STEPS_FROM_DRAWING {
             let halves = self.halves(drawn, &placements);
             let gaps = halves.iter().flatten().flat_map(|half| &half.gaps);
-            let worst = gaps.fold(0.0, |worst: f64, gap| worst.max(gap.abs()));
+            let worst = max_abs(gaps.copied());
             if worst < tolerance::NEGLIGIBLE {
                 let forms = halves
                     .into_iter()
@@ -183,14 +185,6 @@ impl Scheme {
         solution.truncate(moving * width);
         Some(solution)
     }
-}
-
-/// The greatest absolute value; 1 if all are zero.
-fn greatest(values: &[f64]) -> f64 {
-    let greatest = values
-        .iter()
-        .fold(0.0, |most: f64, value| most.max(value.abs()));
-    if greatest > 0.0 { greatest } else { 1.0 }
 }
 
 /// A twist from its components in a space.

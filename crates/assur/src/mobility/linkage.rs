@@ -7,7 +7,7 @@ use crate::gears::{GearPair, Wheel};
 use crate::mechanism::{
     Defect, FRAME, GearSpec, LinkSpec, LinkageSpec, Mechanism, PointSpec, Pose, SlideSpec,
 };
-use crate::{Point, Vector};
+use crate::{Point, Vector, perpendicular};
 
 /// Name of a contact of wheels in mesh: P, as the pitch point in textbooks.
 const PITCH_POINT: &str = "P";
@@ -211,7 +211,7 @@ impl Parts<'_> {
 fn contact([one, other]: [Point; 2], ratio: f64) -> (Point, Vector) {
     let line = other - one;
     let along = line.normalize();
-    let tangent = Vector::new(-along.y, along.x);
+    let tangent = perpendicular(along);
     let (sin, cos) = PRESSURE_ANGLE.sin_cos();
     (
         one + line * (ratio / (ratio - 1.0)),

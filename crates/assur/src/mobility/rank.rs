@@ -4,6 +4,7 @@ use super::constraints::Constraints;
 use super::elimination::Eliminated;
 use super::screw::Form;
 use super::{PairKind, Scheme};
+use crate::numeric::graph::Partition;
 use crate::sorting::sort_by_key;
 
 /// Space of the motions.
@@ -109,7 +110,7 @@ impl Scheme {
     /// Self-stresses in independent parts; two belong to one part if they stress a common pair.
     fn redundancies(&self, constraints: &Constraints, equilibrium: &Eliminated) -> Vec<Redundancy> {
         let count = self.pairs().len();
-        let mut parts = Parts::new(count);
+        let mut parts = Partition::new(count);
         // A generic combination of the stresses of a part stresses a pair of another part only if the two are one.
         let mut apart = false;
         while !apart {
@@ -118,7 +119,7 @@ impl Scheme {
                 let own = |free: usize| parts.representative(constraints.pair_of(free)) == pair;
                 if parts.representative(pair) == pair && equilibrium.free().any(own) {
                     let stressed = constraints.stressed(&equilibrium.mixture(own));
-                    apart &= !parts.join(&stressed);
+                    apart &= !parts.join(stressed);
                 }
             }
         }
@@ -146,32 +147,5 @@ impl Scheme {
     fn pair_names(&self, pairs: &[usize]) -> Vec<&str> {
         let names = pairs.iter().map(|pair| self.pairs()[*pair].name.as_str());
         names.collect()
-    }
-}
-
-/// Partition of the pairs: each refers to another one of its part, a representative to itself.
-struct Parts(Vec<usize>);
-
-impl Parts {
-    fn new(count: usize) -> Self {
-        Self((0..count).collect())
-    }
-
-    fn representative(&self, mut pair: usize) -> usize {
-        while self.0[pair] != pair {
-            pair = self.0[pair];
-        }
-        pair
-    }
-
-    /// Merges the parts of these pairs; true if they were different.
-    fn join(&mut self, pairs: &[usize]) -> bool {
-        let mut joined = false;
-        for two in pairs.windows(2) {
-            let [one, other] = [two[0], two[1]].map(|pair| self.representative(pair));
-            self.0[one.max(other)] = one.min(other);
-            joined |= one != other;
-        }
-        joined
     }
 }

@@ -4,6 +4,8 @@
 //! if exactly as many constraints are removed as are redundant and every self-stress loses some. Each added freedom is
 //! a linear form on the self-stresses (the power of their wrench on its twist), and these forms must be independent.
 
+use crate::numeric::linear::remainder;
+use crate::numeric::max_abs;
 use crate::sorting::sort_by_key;
 use crate::tolerance;
 use std::f64::consts::PI;
@@ -14,6 +16,9 @@ use super::{NoRank, Pair, PairKind, Scheme, SchemeSpec, Space, Vector3};
 
 /// Maximum number of products of forms in a search.
 const WORK: usize = 20_000_000;
+
+/// Power of a freedom for each self-stress.
+type PowerForm = nalgebra::DVector<f64>;
 
 /// A set of pairs replaced by others with more freedoms.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +74,7 @@ impl Scheme {
                     let bears = &bears;
                     wanted.iter().map(move |twist| {
                         let powers = bears.iter().map(|wrenches| wrenches[joint].dot(twist));
-                        powers.collect::<Vec<f64>>()
+                        PowerForm::from_iterator(bears.len(), powers)
                     })
                 });
                 // Forms must be independent: existing freedoms give none, and a change that relieves no self-stress
@@ -184,7 +189,7 @@ impl Change {
 /// A change with the linear forms on the self-stresses that it adds, orthonormal.
 struct Raise {
     change: Change,
-    forms: Vec<Vec<f64>>,
+    forms: Vec<PowerForm>,
 }
 
 /// Search for sets of raises.
@@ -204,7 +209,7 @@ struct Search {
 impl Search {
     /// Raises the given number of `pairs`, from index `from` on, so that `missing` forms are added, independent of
     /// those taken. False if there are more results than wanted, or the work is exhausted.
-    fn choose(&mut self, from: usize, pairs: usize, missing: usize, taken: &[Vec<f64>]) -> bool {
+    fn choose(&mut self, from: usize, pairs: usize, missing: usize, taken: &[PowerForm]) -> bool {
         if pairs == 0 {
             if missing > 0 {
                 return true;
@@ -250,33 +255,18 @@ impl Search {
 }
 
 /// Orthonormal basis of the forms relative to those taken.
-fn independent(taken: &[Vec<f64>], forms: impl Iterator<Item = Vec<f64>>) -> Vec<Vec<f64>> {
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let mut new: Vec<Vec<f64>> = vec![];
-    for mut form in forms {
-        // Twice, to remove the rounding errors of the first pass.
-        for _ in 0..2 {
-            for unit in taken.iter().chain(&new) {
-                let part = dot(unit, &form);
-                form.iter_mut()
-                    .zip(unit)
-                    .for_each(|(value, unit)| *value -= part * unit);
-            }
-        }
-        let length = dot(&form, &form).sqrt();
-        if length > tolerance::TRIPLE_ROOT {
-            form.iter_mut().for_each(|value| *value /= length);
-            new.push(form);
-        }
+fn independent(taken: &[PowerForm], forms: impl Iterator<Item = PowerForm>) -> Vec<PowerForm> {
+    let mut new: Vec<PowerForm> = vec![];
+    for form in forms {
+        let rest = remainder(form, taken.iter().chain(&new));
+        new.extend(rest.try_normalize(tolerance::TRIPLE_ROOT));
     }
     new
 }
 
 /// The values relative to the greatest absolute value.
 fn scaled(mut values: Vec<f64>) -> Vec<f64> {
-    let greatest = values
-        .iter()
-        .fold(0.0, |most: f64, value| most.max(value.abs()));
+    let greatest = max_abs(values.iter().copied());
     if greatest > 0.0 {
         values.iter_mut().for_each(|value| *value /= greatest);
     }

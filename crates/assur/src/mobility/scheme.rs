@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::screw::{Form, across};
 use super::{PairKind, PairSpec, Point3, SchemeDefect, SchemeSpec, Vector3};
+use crate::numeric::graph::Partition;
 
 /// Maximum coordinate: squares and products remain finite.
 const RANGE: f64 = 1e60;
@@ -352,27 +353,12 @@ fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefec
     }
 }
 
-/// Links that are not connected to the ground.
+/// Links that are not connected to the ground, number 0.
 fn apart(spec: &SchemeSpec, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
-    let mut leader: Vec<usize> = (0..numbers.len()).collect();
-    fn representative(leader: &mut [usize], mut link: usize) -> usize {
-        while leader[link] != link {
-            leader[link] = leader[leader[link]];
-            link = leader[link];
-        }
-        link
-    }
+    let mut parts = Partition::new(numbers.len());
     for pair in &spec.pairs {
-        let mut links = pair.links.iter().map(|link| numbers[link.as_str()]);
-        let Some(first) = links.next() else { continue };
-        for other in links {
-            let ends = [first, other].map(|link| representative(&mut leader, link));
-            // The smaller number is the representative, so the ground, number 0, is that of its part.
-            leader[ends[0].max(ends[1])] = ends[0].min(ends[1]);
-        }
+        parts.join(pair.links.iter().map(|link| numbers[link.as_str()]));
     }
     let links = 0..numbers.len();
-    links
-        .filter(|link| representative(&mut leader, *link) != 0)
-        .collect()
+    links.filter(|link| !parts.joins(0, *link)).collect()
 }

@@ -7,12 +7,14 @@
 use std::f64::consts::TAU;
 
 use super::{PairKind, Vector3};
+use crate::numeric::linear::remainder;
+use crate::tolerance;
 
 /// A twist or a wrench: the angular components, then the linear ones.
 pub(super) type Screw = nalgebra::Vector6<f64>;
 
 /// Tolerance for screws of length about 1.
-pub(super) const ZERO: f64 = 1e-9;
+pub(super) const ZERO: f64 = tolerance::COINCIDENT;
 
 /// Components of a screw in the plane: ω_z, v_x, v_y.
 pub(super) const IN_PLANE: [usize; 3] = [2, 3, 4];
@@ -142,7 +144,7 @@ pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
         if basis.len() == 6 {
             return basis;
         }
-        let rest = without(&basis, screw);
+        let rest = remainder(screw, basis.iter());
         let length = rest.norm();
         if length > CLEAR {
             basis.push(rest / length);
@@ -154,7 +156,7 @@ pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
     loop {
         doubtful
             .iter_mut()
-            .for_each(|rest| *rest = without(&basis, *rest));
+            .for_each(|rest| *rest = remainder(*rest, basis.iter()));
         let longest = doubtful.iter().max_by(|a, b| a.norm().total_cmp(&b.norm()));
         match longest.map(|longest| (longest, longest.norm())) {
             Some((longest, length)) if length > ZERO => basis.push(longest / length),
@@ -163,13 +165,27 @@ pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
     }
 }
 
-/// A screw without its components along orthonormal ones.
-fn without(others: &[Screw], mut screw: Screw) -> Screw {
-    // Twice, to remove the rounding errors of the first pass.
-    for _ in 0..2 {
-        for unit in others {
-            screw -= unit * unit.dot(&screw);
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Freedoms and constraints of a pair are reciprocal, independent, and six together.
+    #[test]
+    fn reciprocal() {
+        for kind in PairKind::forms(0.5) {
+            let form = Form::new(kind, Vector3::new(0.3, -0.2, 0.1), Vector3::z(), None);
+            let (freedoms, constraints) = (form.freedoms(), form.constraints());
+            assert_eq!(freedoms.len(), usize::from(kind.freedoms()));
+            assert_eq!(freedoms.len() + constraints.len(), 6);
+            assert_eq!(basis(freedoms.iter().copied()).len(), freedoms.len());
+            assert_eq!(basis(constraints.iter().copied()).len(), constraints.len());
+            let products = freedoms
+                .iter()
+                .flat_map(|a| constraints.iter().map(|b| a.dot(b)));
+            assert!(
+                products.into_iter().all(|product| product.abs() < 1e-15),
+                "{kind:?}"
+            );
         }
     }
-    screw
 }

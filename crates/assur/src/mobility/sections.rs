@@ -274,3 +274,25 @@ impl Open {
         first.into_iter().chain(meeting).chain(last).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::mobility::counts::tests::contour;
+    use crate::mobility::{CutError, PairKind};
+
+    /// A four-bar opened at one hinge: 3 freedoms less 2 constraints in the plane, 3 less 5 in space; without places of
+    /// the pairs λ is 3.
+    #[test]
+    fn one_contour() {
+        let four_bar = contour(true, &[PairKind::Revolute; 4]);
+        let sections = four_bar.sections(&four_bar.automatic()).unwrap();
+        assert_eq!([sections.open, sections.removed], [3, 2]);
+        assert_eq!([sections.open_spatial, sections.removed_spatial], [3, 5]);
+        assert_eq!(
+            [sections.mobility, sections.redundant, sections.by_loops()],
+            [1, 3, 1]
+        );
+        let closed = four_bar.sections(&[]);
+        assert!(matches!(closed, Err(CutError::Closed { pairs }) if pairs.len() == 4));
+    }
+}

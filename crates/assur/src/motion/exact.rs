@@ -196,8 +196,8 @@ impl System {
                             let v = place(column(s)) - place(column(r));
                             residuals[row] += sign * u.perp(&v);
                             add(b, Vector::new(v.y, -v.x));
-                            add(a, Vector::new(-v.y, v.x));
-                            add(s, Vector::new(-u.y, u.x));
+                            add(a, crate::perpendicular(v));
+                            add(s, crate::perpendicular(u));
                             add(r, Vector::new(u.y, -u.x));
                         }
                         Constant::Dot([a, b, r, s]) => {
@@ -230,7 +230,7 @@ impl System {
             let v = place(now) - place(pivot);
             residuals[row] = turned.perp(&v);
             for (column, gradient) in [
-                (now, Vector::new(-turned.y, turned.x)),
+                (now, crate::perpendicular(turned)),
                 (
                     then,
                     Vector::new(cos * v.y - sin * v.x, -sin * v.y - cos * v.x),

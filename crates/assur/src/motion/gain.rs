@@ -1,7 +1,5 @@
 //! Growth of angles over a full cycle: whole turns, times the gear ratio for driven wheels.
 
-use std::f64::consts::TAU;
-
 use super::Motion;
 use crate::index::LinkId;
 use crate::mechanism::{Pose, Quantity};
@@ -61,6 +59,6 @@ impl Seam<'_> {
             .each_ref()
             .map(|pose| mechanism.angle(pose, multiple.of));
         let end = before.value() + before.derivative(1) * 2.0 * offset;
-        multiple.factor * TAU * ((end - after.value()) / TAU).round()
+        multiple.factor * crate::angle::whole_turns(end - after.value())
     }
 }

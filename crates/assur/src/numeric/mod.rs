@@ -1,4 +1,25 @@
 //! Numerical methods that several parts of the engine use.
+//!
+//! | file | subject |
+//! |---|---|
+//! | `tolerance` | levels of relative tolerance; limits of dimensions |
+//! | `roots` | roots of a function of one variable in a bracket |
+//! | `polynomial` | real roots of polynomials |
+//! | `newton` | Newton's method |
+//! | `linear` | linear equations, least squares, rank, null space, orthogonal remainder |
+//! | `graph` | connected parts |
+//! | `angle` | whole turns |
 
+pub(crate) mod angle;
+pub(crate) mod graph;
+pub(crate) mod linear;
 pub(crate) mod newton;
+pub(crate) mod polynomial;
 pub(crate) mod roots;
+pub(crate) mod tolerance;
+
+/// The greatest absolute value; 0 if there is none.
+pub(crate) fn max_abs(values: impl IntoIterator<Item = f64>) -> f64 {
+    let sizes = values.into_iter().map(f64::abs);
+    sizes.fold(0.0, f64::max)
+}

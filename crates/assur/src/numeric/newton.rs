@@ -37,9 +37,33 @@ pub(crate) fn is_exact(change: f64, last: f64) -> bool {
     last.is_finite() && change * (change / last).powi(2) <= NEGLIGIBLE_STEP
 }
 
+/// Repeats steps from a state as long as each reduces the residual; `step` returns the next state and its residual, or
+/// none if it is undefined. The result is the last state and its residual.
+pub(crate) fn descended<T>(
+    mut state: T,
+    mut residual: f64,
+    step: impl Fn(&T) -> Option<(T, f64)>,
+) -> (T, f64) {
+    for _ in 0..MAX_STEPS_FROM_DRAWING {
+        match step(&state) {
+            Some((next, then)) if then < residual => (state, residual) = (next, then),
+            _ => break,
+        }
+    }
+    (state, residual)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{MAX_STEPS, is_exact, newton};
+    use super::{MAX_STEPS, descended, is_exact, newton};
+
+    /// A step that does not help, or is none, is not taken.
+    #[test]
+    fn steps_that_reduce_the_residual() {
+        let halved = |x: &f64| Some((0.5 * x, (0.5 * x - 1.0).abs()));
+        assert_eq!(descended(8.0, 7.0, halved), (1.0, 0.0));
+        assert_eq!(descended(3.0, 7.0, |_| None), (3.0, 7.0));
+    }
 
     /// √2 from 1 by steps ½, 1/12, 1/408, 1/470832: the error after the fourth is rounding.
     #[test]

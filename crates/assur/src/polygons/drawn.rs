@@ -6,7 +6,7 @@ use crate::index::{BodyId, StepId};
 use crate::mechanism::{Mechanism, Pose};
 use crate::motion::InputRate;
 use crate::position::Step;
-use crate::{JetPoint, Vector};
+use crate::{JetPoint, Vector, perpendicular};
 
 /// A pose, with the derivative wanted and the rate of the input.
 struct Sheet<'a, const N: usize> {
@@ -43,11 +43,6 @@ pub(super) fn polygon<const N: usize>(
         stages,
         largest,
     }
-}
-
-/// A quarter turn to the left.
-fn left(v: Vector) -> Vector {
-    Vector::new(-v.y, v.x)
 }
 
 /// The direction of a vector; x for a zero vector.
@@ -187,12 +182,19 @@ impl<const N: usize> Sheet<'_, N> {
             By::Turning(body) => {
                 let arm = to.place() - from.place();
                 let [speed, acceleration] = spins(body);
-                let (along, across) = (direction(arm), direction(left(arm)));
+                let (along, across) = (direction(arm), direction(perpendicular(arm)));
                 match self.order {
-                    Order::Velocity => add(Kind::Turning, left(arm) * speed, across, false),
+                    Order::Velocity => {
+                        add(Kind::Turning, perpendicular(arm) * speed, across, false)
+                    }
                     Order::Acceleration => {
                         add(Kind::Normal, -arm * speed * speed, along, true);
-                        add(Kind::Tangential, left(arm) * acceleration, across, false);
+                        add(
+                            Kind::Tangential,
+                            perpendicular(arm) * acceleration,
+                            across,
+                            false,
+                        );
                     }
                 }
                 body
@@ -205,10 +207,10 @@ impl<const N: usize> Sheet<'_, N> {
                     Order::Velocity => add(Kind::Sliding, slides, along, false),
                     Order::Acceleration => {
                         let [speed, _] = spins(body);
-                        let coriolis = left(slides) * (2.0 * speed);
+                        let coriolis = perpendicular(slides) * (2.0 * speed);
                         // Sliding on the frame has no Coriolis acceleration.
                         if body != BodyId::FRAME {
-                            add(Kind::Coriolis, coriolis, left(along), true);
+                            add(Kind::Coriolis, coriolis, perpendicular(along), true);
                         }
                         let rest = along * apart(2).dot(&along);
                         add(Kind::Relative, rest, along, false);

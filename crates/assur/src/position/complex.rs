@@ -62,7 +62,7 @@ impl<const N: usize> Complex<N> {
 
     /// The product with i: a quarter turn to the left.
     pub(crate) fn left(self) -> Self {
-        Self(self.0.map(left))
+        Self(self.0.map(crate::perpendicular))
     }
 
     pub(crate) fn norm_squared(self) -> Jet<N> {
@@ -88,7 +88,7 @@ impl<const N: usize> Complex<N> {
     /// other vector is short, these two conditions lose no digits of the derivatives, as the closed forms do.
     pub(super) fn of_constant_length(value: Vector, other: Self, product: Jet<N>) -> Self {
         let along = value.normalize();
-        let across = left(along);
+        let across = crate::perpendicular(along);
         let mut found = Self::constant(value);
         for order in 1..N {
             let (mut square, mut rest) = (0.0, product.coefficient(order));
@@ -172,11 +172,6 @@ pub(crate) fn quotient(v: Vector, divisor: Vector) -> Vector {
 /// The product of two constant vectors as complex numbers.
 pub(crate) fn product(v: Vector, w: Vector) -> Vector {
     Vector::new(v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x)
-}
-
-/// The product of a constant vector with i: a quarter turn to the left.
-fn left(v: Vector) -> Vector {
-    Vector::new(-v.y, v.x)
 }
 
 pub(crate) fn conjugate(v: Vector) -> Vector {

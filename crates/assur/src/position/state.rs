@@ -1,7 +1,5 @@
 //! The pose of all bodies while the steps of the plan are solved in order; angles continue from the last pose.
 
-use std::f64::consts::TAU;
-
 use super::group::KnownTerm;
 use super::group::Work;
 use super::{Arm, BodyPoint, Complex, SmoothRoot, Track, conjugate, product, quotient};
@@ -195,7 +193,7 @@ impl<const N: usize> State<N> {
             Angle::Known(angle) => angle.value(),
             Angle::Turned => {
                 let angle = turn.y.atan2(turn.x);
-                angle + TAU * ((body.near.angle - angle) / TAU).round()
+                crate::angle::nearest_to(angle, body.near.angle)
             }
         };
         Orientation { angle, turn }

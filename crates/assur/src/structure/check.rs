@@ -2,6 +2,7 @@
 
 use super::pebbles::{BODY, Pebbles, Surplus};
 use super::{Driver, Fault, Graph, Pair};
+use crate::numeric::graph::Partition;
 
 /// The freedoms, all spent except those of the whole in the plane, and the parts with surplus constraints.
 ///
@@ -118,27 +119,15 @@ fn driven(graph: &Graph, drivers: &[Driver]) -> Vec<Fault> {
 
 /// For each link, true if pairs join it to the ground; and all nodes joined so: links, and the points of their pairs.
 fn joined_to_ground(graph: &Graph) -> (Vec<bool>, Vec<usize>) {
-    let mut links = vec![false; graph.links];
-    let mut nodes = vec![];
-    let mut found = vec![graph.ground];
-    links[graph.ground] = true;
-    let mut used = vec![false; graph.pairs.len()];
-    while let Some(link) = found.pop() {
-        nodes.push(link);
-        for (pair, joined) in graph.pairs.iter().enumerate() {
-            if !used[pair] && joined.links().contains(&link) {
-                used[pair] = true;
-                if matches!(joined, Pair::Revolute(_)) {
-                    nodes.push(graph.links + pair);
-                }
-                for &other in joined.links() {
-                    if !links[other] {
-                        links[other] = true;
-                        found.push(other);
-                    }
-                }
-            }
-        }
+    let mut parts = Partition::new(graph.links);
+    for pair in &graph.pairs {
+        parts.join(pair.links().iter().copied());
     }
+    let links = (0..graph.links).map(|link| parts.joins(graph.ground, link));
+    let links: Vec<bool> = links.collect();
+    let hinges = (0..graph.pairs.len())
+        .filter(|pair| matches!(&graph.pairs[*pair], Pair::Revolute(joined) if links[joined[0]]));
+    let nodes = (0..graph.links).filter(|link| links[*link]);
+    let nodes = nodes.chain(hinges.map(|pair| graph.links + pair)).collect();
     (links, nodes)
 }

@@ -2,8 +2,9 @@
 
 use super::pebbles::Pebbles;
 use super::{Depends, Driver, Fault, Graph, Pair, contour};
+use crate::numeric::graph::Partition;
 use crate::sorting::sort;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// An Assur group.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -157,32 +158,28 @@ impl Group {
 
     /// Checks that prismatic pairs alone do not determine the angle of a body twice.
     fn check_sliding(&self, graph: &Graph) -> Result<(), Fault> {
-        let sliding: Vec<BTreeSet<usize>> = self
-            .inner
-            .iter()
-            .copied()
-            .chain(self.outer.iter().map(|outer| outer.pair))
-            .filter(|&pair| matches!(graph.pairs[pair], Pair::Prismatic(_)))
+        let outer = self.outer.iter().map(|outer| outer.pair);
+        let pairs = self.inner.iter().copied().chain(outer);
+        let sliding = pairs.filter(|&pair| matches!(graph.pairs[pair], Pair::Prismatic(_)));
+        // Bodies of the group at the ends of each: one for an outer pair.
+        let sliding: Vec<Vec<usize>> = sliding
             .map(|pair| {
                 let links = graph.pairs[pair].links().iter();
                 links.filter_map(|&link| self.body_of(link)).collect()
             })
             .collect();
         // Sets of bodies with a common angle.
-        let mut parts: Vec<BTreeSet<usize>> = vec![];
+        let mut parts = Partition::new(self.bodies.len());
         for ends in &sliding {
-            let mut part = ends.clone();
-            while let Some(i) = parts.iter().position(|other| !other.is_disjoint(&part)) {
-                part.extend(parts.swap_remove(i));
-            }
-            parts.push(part);
+            parts.join(ends.iter().copied());
         }
-        parts.retain(|part| {
-            let here = sliding.iter().filter(|ends| ends.is_subset(part));
+        let determined_twice = |body: usize| {
+            let part = (0..self.bodies.len()).filter(|other| parts.joins(body, *other));
+            let here = sliding.iter().filter(|ends| parts.joins(body, ends[0]));
             let (outer, inner): (Vec<_>, Vec<_>) = here.partition(|ends| ends.len() == 1);
-            inner.len() >= part.len() || outer.len() > 1
-        });
-        let bodies = parts.into_iter().flatten();
+            inner.len() >= part.count() || outer.len() > 1
+        };
+        let bodies = (0..self.bodies.len()).filter(|body| determined_twice(*body));
         let mut links: Vec<usize> = bodies.flat_map(|body| self.bodies[body].clone()).collect();
         sort(&mut links);
         if links.is_empty() {

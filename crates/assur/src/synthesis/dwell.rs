@@ -101,10 +101,9 @@ pub struct Search {
     progress: Progress,
 }
 
-/// First and minimum step relative to the range of a dimension.
-const FIRST: f64 = 1.0 / 16.0;
-const LEAST: f64 = 1e-7;
-/// Minimum singularity margin of a candidate.
+/// First step, relative to the range of a dimension.
+const FIRST_STEP: f64 = 1.0 / 16.0;
+/// Minimum singularity margin of a candidate: nearer to a singular pose forces grow a thousandfold.
 const SINGULARITY_MARGIN: f64 = 1e-3;
 
 impl Search {
@@ -157,7 +156,7 @@ impl Search {
             target,
             output,
             values,
-            steps: widths.map(|width| FIRST * width).collect(),
+            steps: widths.map(|width| FIRST_STEP * width).collect(),
             variables: variables.to_vec(),
             next: 0,
             motion,
@@ -199,7 +198,7 @@ impl Search {
 
     /// The next value to try of the dimension `self.next`; none if no steps are left.
     fn candidate(&mut self) -> Option<f64> {
-        let live = |k: usize| self.steps[k].abs() > LEAST * self.variables[k].width();
+        let live = |k: usize| self.steps[k].abs() > tolerance::DISTINCT * self.variables[k].width();
         let count = self.variables.len();
         let mut idle = 0;
         while idle < count {

@@ -158,3 +158,30 @@ impl Differential {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sun of 20 and ring of 40 teeth: ω₁ + 2 ω₄ = 3 ω₃, torques 1 : 2 : −3.
+    #[test]
+    fn sun_of_20_ring_of_40() {
+        let differential = Differential::planar([20.0, 40.0]).unwrap();
+        let weights = [Shaft::Sun, Shaft::Ring, Shaft::Carrier];
+        let weights = weights.map(|shaft| differential.weight(shaft));
+        assert_eq!(weights, [20, 40, -60]);
+        let torques = differential.torques(Shaft::Sun, 5.0).unwrap();
+        assert_eq!(
+            [torques.sun, torques.ring, torques.carrier],
+            [5.0, 10.0, -15.0]
+        );
+        let (sun, ring) = (9.0, 3.0);
+        let carrier = (sun + 2.0 * ring) / 3.0;
+        let speeds = Shafts { sun, carrier, ring };
+        assert_eq!((torques.sum(), torques.powers(&speeds).sum()), (0.0, 0.0));
+        // Willis: (9 − 5)/(3 − 5) = −40/20.
+        let relative = speeds.relative_to(Shaft::Carrier);
+        assert_eq!((relative.sun, relative.ring), (4.0, -2.0));
+        assert!(Differential::planar([40.0, 20.0]).is_err());
+    }
+}

@@ -2,7 +2,8 @@
 
 use super::{Counts, Coupling, Kind, Member, Train, TrainError};
 use crate::Fault;
-use crate::gears::{ADDENDUM, MODULE};
+use crate::gears::ADDENDUM;
+use crate::tolerance::LENGTH;
 
 /// A train with its satellites at equal angles, in lengths; always valid.
 ///
@@ -32,11 +33,11 @@ impl Layout {
     ) -> Result<Self, Vec<TrainError>> {
         let mut reasons = Vec::new();
         let counts = Counts::new(satellites).map_err(|error| reasons.push(error));
-        if let Err(fault) = Fault::check_positive(module, MODULE) {
+        if let Err(fault) = Fault::check_positive(module, LENGTH) {
             reasons.push(TrainError::Module { fault });
         }
         // Up to one module per tooth of the largest wheel.
-        let range = (MODULE.0, 1e3 * MODULE.1);
+        let range = (LENGTH.0, 1e3 * LENGTH.1);
         if let Some(Err(fault)) = axis_distance.map(|given| Fault::check_positive(given, range)) {
             reasons.push(TrainError::AxisDistance { fault });
         }

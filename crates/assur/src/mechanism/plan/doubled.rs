@@ -2,7 +2,6 @@
 //! it.
 
 use crate::index::{BodyId, Id, LinkId, PointId};
-use crate::linkage::check::CLOSEST;
 use crate::linkage::spec::{Defect, LinkageSpec, extent};
 use crate::mechanism::dimension::along_axis;
 use crate::mechanism::plan::body::Bodies;
@@ -10,6 +9,7 @@ use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Mechanism, Part};
 use crate::position::{conjugate, product};
 use crate::structure::subscript;
+use crate::tolerance::COINCIDENT;
 use crate::{Point, Vector};
 
 /// A link that is one body with another, or with the frame, by shared points.
@@ -132,7 +132,7 @@ impl Resolved<'_> {
 impl Doubling {
     /// None unless the bodies share two points that are apart, and every shared point has the same place on both.
     fn of(bodies: &Bodies, [body, base]: [BodyId; 2]) -> Option<Self> {
-        let closest = CLOSEST * extent(bodies.of(body).iter().map(|(_, own)| *own));
+        let closest = COINCIDENT * extent(bodies.of(body).iter().map(|(_, own)| *own));
         let (mut shared, mut others) = (Vec::new(), Vec::new());
         for (point, own) in bodies.of(body) {
             match bodies.local(base, *point) {

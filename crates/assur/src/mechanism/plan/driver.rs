@@ -1,7 +1,5 @@
 //! Drivers: their coordinates in the drawing, and the steps that place the driven bodies.
 
-use std::f64::consts::TAU;
-
 use crate::Vector;
 use crate::index::{BodyId, SlideId};
 use crate::linkage::spec::Defect;
@@ -133,7 +131,7 @@ impl Placed<'_> {
             None if base == BodyId::FRAME => drawn,
             None => 0.0,
         };
-        let turned = TAU * ((near - drawn) / TAU).round();
+        let turned = crate::angle::whole_turns(near - drawn);
         if link == BodyId::FRAME {
             self.orientations[base].angle -= turned;
         } else {

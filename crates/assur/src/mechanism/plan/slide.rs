@@ -2,7 +2,6 @@
 
 use crate::Vector;
 use crate::index::{BodyId, SlideId};
-use crate::linkage::check::CLOSEST;
 use crate::linkage::spec::{Defect, extent};
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
@@ -44,7 +43,9 @@ impl Bodies {
         let [start, to] = [on_link(slide.on, from)?, on_link(slide.on, end)?];
         let point = on_link(slide.link, slide.point)?;
         let places = self.of(spec.body(slide.on)).iter();
-        if (to - start).norm() <= CLOSEST * extent(places.map(|(_, local)| *local)) {
+        if (to - start).norm()
+            <= crate::tolerance::COINCIDENT * extent(places.map(|(_, local)| *local))
+        {
             return Err(spec.coincident(slide.on, slide.line));
         }
         let heading = (to - start).normalize();
@@ -115,7 +116,7 @@ impl Slide {
         if body == self.bodies[0] {
             (self.start, self.heading)
         } else {
-            let left = Vector::new(-self.direction.y, self.direction.x);
+            let left = crate::perpendicular(self.direction);
             (self.point - left * self.off, self.direction)
         }
     }

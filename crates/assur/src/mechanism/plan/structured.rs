@@ -5,6 +5,7 @@ use crate::linkage::spec::Defect;
 use crate::mechanism::counts::counts;
 use crate::mechanism::plan::body::{Bodies, Gear};
 use crate::mechanism::plan::resolved::Resolved;
+use crate::numeric::graph::Partition;
 use crate::structure::{self, Fault, Graph, Pair, Structure, decompose, decompose_redundant};
 
 /// A structure with surplus constraints; geometry decides if they are redundant.
@@ -89,26 +90,16 @@ fn contradicting(bodies: &Bodies, graph: &Graph, drivers: &[structure::Driver]) 
         let mut without = graph.clone();
         let mesh = without.pairs.iter().rposition(|pair| *pair == joined);
         mesh.map(|mesh| without.pairs.remove(mesh));
-        closes_ring(&bodies.gears, gear) && decompose(&without, drivers).is_ok()
+        closes_ring(graph.links, &bodies.gears, gear) && decompose(&without, drivers).is_ok()
     })
 }
 
 /// True if the wheels of a gear coupling are joined by others as well.
-fn closes_ring(gears: &[Gear], closing: &Gear) -> bool {
-    let mut reached = vec![closing.bodies[0]];
-    let mut next = 0;
-    while let Some(wheel) = reached.get(next).copied() {
-        for gear in gears.iter().filter(|gear| !std::ptr::eq(*gear, closing)) {
-            let mate = match gear.bodies {
-                [a, b] if a == wheel => b,
-                [a, b] if b == wheel => a,
-                _ => continue,
-            };
-            if !reached.contains(&mate) {
-                reached.push(mate);
-            }
-        }
-        next += 1;
+fn closes_ring(count: usize, gears: &[Gear], closing: &Gear) -> bool {
+    let mut parts = Partition::new(count);
+    for gear in gears.iter().filter(|gear| !std::ptr::eq(*gear, closing)) {
+        parts.join(gear.bodies.map(BodyId::index));
     }
-    reached.contains(&closing.bodies[1])
+    let [a, b] = closing.bodies.map(BodyId::index);
+    parts.joins(a, b)
 }

@@ -65,15 +65,10 @@ impl Equation {
         sum.0.retain(|(_, by)| *by != 0);
         let divisor = sum
             .terms()
-            .fold(0, |divisor, (_, by)| greatest(divisor, by));
+            .fold(0, |divisor, (_, by)| num_integer::gcd(divisor, by));
         sum.0.iter_mut().for_each(|(_, by)| *by /= divisor);
         Some(sum)
     }
-}
-
-/// The greatest common divisor.
-fn greatest(a: i128, b: i128) -> i128 {
-    if b == 0 { a.abs() } else { greatest(b, a % b) }
 }
 
 /// Independent equations, each solved for a body of its own.

@@ -175,7 +175,7 @@ impl Mechanism {
         let origin: JetPoint<N> = pose.state.bodies[body].origin.into();
         let spin = pose.state.angle(body).derivative(1);
         let at = origin.place().coords;
-        let velocity = origin.derivative(1) - spin * Vector::new(-at.y, at.x);
+        let velocity = origin.derivative(1) - spin * crate::perpendicular(at);
         (velocity / self.scale_of_places(), spin)
     }
 

@@ -1,8 +1,6 @@
 //! Knots: samples of a motion, between which the initial guess of Newton's method for groups is interpolated. A sample
 //! that the interpolation between its neighbours reproduces is not kept.
 
-use std::f64::consts::TAU;
-
 use super::hermite::{Taylor, interpolated};
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::AssemblySigns;
@@ -191,7 +189,7 @@ impl Knots {
         // Rounded to whole turns: near a singular pose the two differ in the last digits. An idle wheel may have turned
         // by a fraction; its angle is computed from the wheel that drives it.
         let pairs = last.orientations.iter().zip(first.orientations.iter());
-        let gains = pairs.map(|(b, a)| TAU * ((b.angle - a.angle) / TAU).round());
+        let gains = pairs.map(|(b, a)| crate::angle::whole_turns(b.angle - a.angle));
         let gains: Vec<f64> = gains.collect();
         let delay = |knot: &mut Knot, periods: f64| {
             knot.input += period * periods;

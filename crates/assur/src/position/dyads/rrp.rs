@@ -1,6 +1,5 @@
 //! The dyad RRP: a link hinged on a solved point and on a link that slides along a solved line.
 
-use crate::Vector;
 use crate::index::{BodyId, StepId};
 use crate::position::complex::Complex;
 use crate::position::{
@@ -53,7 +52,7 @@ impl Solvable for Rrp {
         let to_c = cell.point_at(from, line, at).minus(&b);
         let [direction, rate] =
             [0, 1].map(|order| product(from.bodies[line].turn[order], track.heading));
-        let left = |v: Vector| Vector::new(-v.y, v.x);
+        let left = crate::perpendicular;
         let rise = left(direction).dot(&to_c.at);
         let rise_rate = left(direction).dot(&to_c.rate) + left(rate).dot(&to_c.at);
         let (max_turn_rate, speed) = (cell.max_turn_rate(from, line), cell.max_speed(&to_c));

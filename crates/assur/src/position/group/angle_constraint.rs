@@ -1,8 +1,6 @@
 //! Gear meshes and driven pairs on links of a group: the terms of their equations that follow from solved bodies and
 //! from the input. The angles of wheels count whole turns.
 
-use std::f64::consts::TAU;
-
 use crate::Jet;
 use crate::index::BodyId;
 use crate::position::{Cause, DriveLaw, Nearby, Orientation, State};
@@ -90,7 +88,7 @@ impl AngleConstraint {
             // Of the driven angles that differ by whole turns, the one nearby.
             if let [link, base] = self.turning[..] {
                 let [link, base] = [link, base].map(|body| near.orientations[body].angle);
-                angle = angle + -TAU * ((link - base + angle.value()) / TAU).round();
+                angle = angle + -crate::angle::whole_turns(link - base + angle.value());
             }
         }
         Ok(KnownAngle {

@@ -177,7 +177,7 @@ impl Equation {
                 let [u, v] = [axis, vector].map(value);
                 // u × v = u · (v turned to the right) = v · (u turned to the left).
                 gradients[0] = Vector::new(v.y, -v.x);
-                gradients[1] = Vector::new(-u.y, u.x);
+                gradients[1] = crate::perpendicular(u);
             }
             Self::Along { axis, vector, .. } => {
                 [gradients[0], gradients[1]] = [vector, axis].map(value);
@@ -188,7 +188,7 @@ impl Equation {
                     gradients.iter_mut().zip(turns.into_iter().flatten())
                 {
                     let u = value(form);
-                    *gradient = Vector::new(-u.y, u.x) * (factor / u.norm_squared());
+                    *gradient = crate::perpendicular(u) * (factor / u.norm_squared());
                 }
             }
         }

@@ -16,7 +16,6 @@ mod work;
 pub(crate) use angle_constraint::{AngleConstraint, Drive};
 pub(crate) use elimination::power_of_two;
 pub(crate) use equation::{Equation, Form};
-use std::f64::consts::TAU;
 use std::ops::Range;
 pub(super) use work::Work;
 
@@ -232,7 +231,7 @@ impl Group {
         for constraint in &mut self.angle_constraints {
             let known = constraint.known.iter().map(|(body, factor)| {
                 let angle = state.angle(*body).value() - drawn[*body].angle;
-                factor * TAU * (angle / TAU).round()
+                factor * crate::angle::whole_turns(angle)
             });
             constraint.turned = known.sum();
         }

@@ -1,7 +1,6 @@
 //! Closure of the loop by the coupler: the gap that output and input leave for it, for least squares.
 
 use crate::sorting::sort_by;
-use std::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
 
@@ -81,7 +80,38 @@ pub(super) fn dot(a: Complex<f64>, b: Complex<f64>) -> f64 {
     a.re * b.re + a.im * b.im
 }
 
-/// An angle shifted by whole turns to be nearest to another.
-pub(super) fn near(angle: f64, to: f64) -> f64 {
-    to + (angle - to + PI).rem_euclid(TAU) - PI
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::four_bar::{Frame, Position, Solution};
+
+    /// Frame 1, output 3 at 90° and input 3 at 180° leave r = (4, −3) to a coupler of 5.
+    #[test]
+    fn right_triangle() {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let position = Position::new(90_f64.to_radians(), 180_f64.to_radians());
+        let task = Task::new(frame, &[position], Task::RATIOS).unwrap();
+        let proportions = |coupler| Proportions {
+            coupler,
+            output: 3.0,
+            input: 3.0,
+        };
+        for (coupler, residual) in [(5.0, 0.0), (4.5, 0.5), (6.0, -1.0)] {
+            let closure = Solution::new(&task, proportions(coupler)).closures[0];
+            assert!((closure.residual - residual).abs() < 1e-14, "{closure:?}");
+            assert!(
+                (closure.coupler + 0.75_f64.atan()).abs() < 1e-15,
+                "{closure:?}"
+            );
+        }
+        // 1 + z₃ = ±4 for a coupler of 5; one of 2 does not reach across the output's 3.
+        let [input] = task.closing_inputs(0, 5.0, 3.0)[..] else {
+            panic!("not one")
+        };
+        assert!((input - 3.0).abs() < 1e-14);
+        assert!(task.closing_inputs(0, 2.0, 3.0).is_empty());
+    }
 }

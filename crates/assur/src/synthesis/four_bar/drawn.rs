@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use nalgebra::Rotation2;
 
-use super::closure::near;
 use super::{Solution, Task};
+use crate::angle::nearest_to;
 use crate::mechanism::{LinkageSpec, PointSpec};
 use crate::{Assembly, FourBar, Invalid, Point, Pose, Unsolved, Vector};
 
@@ -101,7 +101,7 @@ impl Solution {
         let rocker = at.output + self.output_start - frame + PI;
         let [first, second] = Assembly::ALL.map(|assembly| linkage.pose::<1>(assembly, crank));
         let (first, second) = (first?, second?);
-        let off = |pose: &Pose<1>| near(pose.rocker.value() - rocker, 0.0).abs();
+        let off = |pose: &Pose<1>| nearest_to(pose.rocker.value() - rocker, 0.0).abs();
         Ok(if off(&second) < off(&first) {
             second
         } else {

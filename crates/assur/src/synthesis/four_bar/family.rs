@@ -3,8 +3,10 @@
 use crate::sorting::sort_by;
 use std::f64::consts::FRAC_PI_2;
 
-use super::closure::{Direction, near};
+use super::closure::Direction;
 use super::{Line, Proportions, Solution, Task, ranges};
+use crate::angle::nearest_to;
+use crate::tolerance;
 
 /// Linkages through two positions.
 #[derive(Clone, Debug, PartialEq)]
@@ -246,7 +248,7 @@ impl Family {
         directions.map(|direction| {
             let [from, to] = ranges::coupler_angle(&self.shape, &direction);
             let middle = 0.5 * (from + to) + frame;
-            let turns = near(middle, 0.0) - middle + frame;
+            let turns = nearest_to(middle, 0.0) - middle + frame;
             [from + turns, to + turns]
         })
     }
@@ -356,6 +358,6 @@ impl Family {
         } = self.line;
         let off = a / output + b / input - right;
         let size = a.abs() / output + b.abs() / input + right.abs();
-        (off.abs() <= 1e-9 * size).then(|| self.parameter(output, input))
+        (off.abs() <= tolerance::COINCIDENT * size).then(|| self.parameter(output, input))
     }
 }

@@ -14,7 +14,9 @@ use crate::tolerance;
 use nalgebra::Complex;
 
 use super::closure::dot;
-use super::{Proportions, Solution, Task, linear, polynomial};
+use super::{Proportions, Solution, Task};
+use crate::numeric::newton::descended;
+use crate::numeric::{linear, max_abs, polynomial};
 
 /// Reasons why positions with free starts have no finite number of exact linkages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,8 +31,6 @@ pub enum StartsError {
     /// Special positions, such as those of a parallelogram: they have infinitely many linkages.
     Degenerate,
 }
-
-type Unknowns = [f64; 7];
 
 /// The linkages through all five positions of a task. φ₂ and φ₃ of the task are measured from starting angles, which
 /// are found with the lengths. All are listed, at most three, by increasing size.
@@ -63,11 +63,11 @@ pub(super) fn of(task: &Task, five: [usize; 5]) -> Result<Vec<Started>, StartsEr
     });
     let rows = turns.map(|[a, b]| {
         let c = a * b.conj();
-        vec![1.0, -a.re, a.im, -b.re, b.im, c.re, -c.im]
+        [1.0, -a.re, a.im, -b.re, b.im, c.re, -c.im]
     });
-    let [x, y] = linear::plane::<7>(rows.to_vec()).ok_or(StartsError::Degenerate)?;
-    let [x, y] = orthonormal(x, y);
-    let parts = |v: &Unknowns| [1, 3, 5].map(|k| Complex::new(v[k], v[k + 1]));
+    // An orthonormal basis, so that no root t is far off.
+    let [x, y] = linear::null_plane(&rows).ok_or(StartsError::Degenerate)?;
+    let parts = |v: &[f64; 7]| [1, 3, 5].map(|k| Complex::new(v[k], v[k + 1]));
     let ([x2, x3, xm], [y2, y3, ym]) = (parts(&x), parts(&y));
     // (Xₘ + tYₘ) times the conjugate of (X₂ + tY₂)(X₃ + tY₃)̄ is real.
     let product = [
@@ -82,7 +82,7 @@ pub(super) fn of(task: &Task, five: [usize; 5]) -> Result<Vec<Started>, StartsEr
         imaginary(xm, product[2]) + imaginary(ym, product[1]),
         imaginary(ym, product[2]),
     ];
-    if cubic.iter().all(|c| c.abs() < 1e-14) {
+    if max_abs(cubic) < tolerance::CONVERGED {
         return Err(StartsError::Degenerate);
     }
     let mut found: Vec<Started> = Vec::new();
@@ -114,55 +114,33 @@ fn same(a: &Started, b: &Started) -> bool {
         ]
     });
     let off = (0..2).map(|k| (points[0][k] - points[1][k]).norm());
-    off.fold(0.0, f64::max) <= 1e-9 * size(a).max(size(b))
+    max_abs(off) <= tolerance::COINCIDENT * size(a).max(size(b))
 }
-
-/// Orthonormal basis of the same plane, so that no root t is far off.
-fn orthonormal(x: Unknowns, y: Unknowns) -> [Unknowns; 2] {
-    let dot = |a: &Unknowns, b: &Unknowns| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let unit = |v: Unknowns| {
-        let size = dot(&v, &v).sqrt();
-        v.map(|value| value / size)
-    };
-    let x = unit(x);
-    let along = dot(&x, &y);
-    let y = std::array::from_fn(|k| y[k] - along * x[k]);
-    [x, unit(y)]
-}
-
-/// Maximum number of Newton steps; more do not improve the result.
-const STEPS: usize = 20;
 
 /// Polishes w₂, w₃ and z₁ by Newton's method on the closure equations; none if they do not close.
 fn polished(turns: &[[Complex<f64>; 2]; 5], start: [Complex<f64>; 2]) -> Option<Started> {
-    let [mut w2, mut w3] = start;
+    let [w2, w3] = start;
     let gap = |k: usize, w2, w3| Complex::new(1.0, 0.0) - turns[k][0] * w2 - turns[k][1] * w3;
-    let open = |w2: Complex<f64>, w3: Complex<f64>, z: f64| {
+    let open = |w2: Complex<f64>, w3: Complex<f64>, z: f64| -> [f64; 5] {
         std::array::from_fn(|k| gap(k, w2, w3).norm() - z)
     };
-    let worst = |open: &[f64; 5]| open.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    let mut z = (0..5).map(|k| gap(k, w2, w3).norm()).sum::<f64>() / 5.0;
+    let worst = |w2, w3, z| max_abs(open(w2, w3, z));
+    let z = (0..5).map(|k| gap(k, w2, w3).norm()).sum::<f64>() / 5.0;
     if !(w2.norm() > 0.0 && w3.norm() > 0.0 && z > 0.0 && z.is_finite()) {
         return None;
     }
-    let mut left: [f64; 5] = open(w2, w3, z);
-    for _ in 0..STEPS {
+    let step = |&(w2, w3, z): &(Complex<f64>, Complex<f64>, f64)| {
         let jacobian = std::array::from_fn(|k| {
             let r = gap(k, w2, w3);
             let [a, b] = turns[k].map(|turn| turn * r.conj() / r.norm());
             [-a.re, a.im, -b.re, b.im, -1.0]
         });
-        let Some([a, b, c, d, e]) = linear::solve(jacobian, left) else {
-            break;
-        };
-        let next = (w2 - Complex::new(a, b), w3 - Complex::new(c, d), z - e);
-        let then = open(next.0, next.1, next.2);
-        if worst(&then).is_nan() || worst(&then) >= worst(&left) {
-            break;
-        }
-        ((w2, w3, z), left) = (next, then);
-    }
-    let closes = worst(&left) <= tolerance::NEGLIGIBLE * (1.0 + w2.norm() + w3.norm());
+        let [a, b, c, d, e] = linear::solve(jacobian, open(w2, w3, z))?;
+        let (w2, w3, z) = (w2 - Complex::new(a, b), w3 - Complex::new(c, d), z - e);
+        Some(((w2, w3, z), worst(w2, w3, z)))
+    };
+    let ((w2, w3, z), left) = descended((w2, w3, z), worst(w2, w3, z), step);
+    let closes = left <= tolerance::NEGLIGIBLE * (1.0 + w2.norm() + w3.norm());
     let proportions = Proportions {
         coupler: z,
         output: w2.norm(),

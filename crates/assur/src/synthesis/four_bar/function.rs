@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::closure::near;
 use super::{Position, Solution, Task};
+use crate::angle::nearest_to;
 use crate::{Assembly, FourBar};
 
 /// The linear mappings of x and y to angles.
@@ -236,7 +236,7 @@ impl<'a> Branch<'a> {
         let off = |assembly: Assembly| {
             let output = branch.output(assembly, first.input);
             output.map_or(f64::INFINITY, |output| {
-                near(output - first.output, 0.0).abs()
+                nearest_to(output - first.output, 0.0).abs()
             })
         };
         if off(Assembly::Second) < off(Assembly::First) {
@@ -276,7 +276,7 @@ impl<'a> Branch<'a> {
             .filter(|[from, to]| (*from..=*to).contains(&input));
         let output = within.and_then(|_| self.output(self.assembly, input));
         let generated = output.map(|output| {
-            let output = near(output, mapped(mapping.y, mapping.output, wanted));
+            let output = nearest_to(output, mapped(mapping.y, mapping.output, wanted));
             mapped(mapping.output, mapping.y, output)
         });
         ErrorSample {

@@ -1,6 +1,7 @@
 //! Equal gaps in two positions: a straight line in (1/z₂, 1/z₃).
 
 use super::Task;
+use crate::tolerance;
 
 /// Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), u = 1/z₂, v = 1/z₃, angles from the frame: |r| is equal in two positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,9 +14,6 @@ pub struct Line {
     pub right: f64,
 }
 
-/// Differences of cosines up to this count as zero.
-const NOTHING: f64 = 16.0 * f64::EPSILON;
-
 impl Line {
     /// The line of two positions of a task, counted from 0.
     pub(super) fn new(task: &Task, [j, k]: [usize; 2]) -> Self {
@@ -24,7 +22,7 @@ impl Line {
         // cos x − cos y without cancellation; zero if the angles differ by rounding only.
         let difference = |x: f64, y: f64| {
             let product = -2.0 * (0.5 * (x + y)).sin() * (0.5 * (x - y)).sin();
-            if product.abs() <= NOTHING {
+            if product.abs() <= tolerance::CONVERGED {
                 0.0
             } else {
                 product
@@ -41,12 +39,47 @@ impl Line {
     pub(super) fn meet(self, other: Self) -> Option<[f64; 2]> {
         let det = self.output * other.input - self.input * other.output;
         let size = self.output.hypot(self.input) * other.output.hypot(other.input);
-        if det.abs() <= NOTHING * size {
+        if det.abs() <= tolerance::CONVERGED * size {
             return None;
         }
         Some([
             (self.right * other.input - self.input * other.right) / det,
             (self.output * other.right - self.right * other.output) / det,
         ])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::four_bar::{Frame, Position};
+
+    /// φ₃ from 0° to 90° and φ₂ from 90° to 60°: differences of cosines 1, −1/2 and −√3/2.
+    #[test]
+    fn two_positions() {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let positions = [[90.0_f64, 0.0_f64], [60.0, 90.0]];
+        let positions =
+            positions.map(|[output, input]| Position::new(output.to_radians(), input.to_radians()));
+        let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
+        let line = Line::new(&task, [0, 1]);
+        assert!((line.output - 1.0).abs() < 1e-15 && (line.input + 0.5).abs() < 1e-15);
+        assert!((line.right + 0.75_f64.sqrt()).abs() < 1e-15);
+    }
+
+    /// u + v = 3 and u − v = 1 meet in (2, 1).
+    #[test]
+    fn intersection() {
+        let line = |output, input, right| Line {
+            output,
+            input,
+            right,
+        };
+        let (rising, falling) = (line(1.0, -1.0, 1.0), line(1.0, 1.0, 3.0));
+        assert_eq!(rising.meet(falling), Some([2.0, 1.0]));
+        assert_eq!(rising.meet(line(2.0, -2.0, 1.0)), None);
     }
 }

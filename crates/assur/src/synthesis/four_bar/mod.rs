@@ -27,14 +27,10 @@ mod five;
 mod function;
 mod least_squares;
 mod line;
-mod linear;
-
 mod options;
 mod output_error;
-mod polynomial;
 mod ranges;
 mod ranking;
-
 mod task;
 pub mod theorems;
 mod three;
@@ -54,6 +50,8 @@ pub use task::{Frame, Position, Task, TaskError};
 pub use three::ThreePositions;
 pub use verdict::{Order, Passage, Verdict};
 
+use crate::numeric::max_abs;
+use crate::sorting::extremes;
 use crate::{Assembly, FourBar, Invalid};
 
 /// The lengths of a four-bar relative to that of its frame.
@@ -83,9 +81,8 @@ impl Proportions {
 
     /// Ratio of the longest to the shortest of the four lengths.
     pub fn size_ratio(&self) -> f64 {
-        let lengths = self.lengths(1.0);
-        let least = lengths.into_iter().fold(f64::INFINITY, f64::min);
-        lengths.into_iter().fold(0.0, f64::max) / least
+        let [least, greatest] = extremes(self.lengths(1.0).into_iter());
+        greatest / least
     }
 }
 
@@ -135,8 +132,7 @@ impl Solution {
 
     /// The greatest |residual| of a position, in lengths of the frame.
     pub fn worst_residual(&self) -> f64 {
-        let residuals = self.closures.iter().map(|closure| closure.residual.abs());
-        residuals.fold(0.0, f64::max)
+        max_abs(self.closures.iter().map(|closure| closure.residual))
     }
 
     /// The assembly in which it passes through all positions; none if there is none.

@@ -4,11 +4,8 @@ use crate::tolerance;
 use std::cmp::Ordering;
 
 use super::closure::{Direction, dot};
-use super::linear::least_squares;
 use super::{Minimum, Proportions, Solution, Task};
-
-/// Minimum number of positions for a least-squares estimate.
-const OVERDETERMINED: usize = 4;
+use crate::numeric::linear::least_squares;
 
 impl Direction {
     /// |Δφ₂|: error of the output's angle at the given input, in the nearer assembly. With d = e₀ − z₃e₃ from B to D,
@@ -71,16 +68,19 @@ impl Task {
     /// cos φ₃/z₂ + cos φ₂/z₃ + c = cos(φ₂ − φ₃), by least squares over at least four positions, then has a negative z₂,
     /// and with every φ₂ turned by 180° z₁, z₂ and z₃ are within the ratios of the task.
     pub fn output_is_turned(&self) -> bool {
-        if self.positions().len() < OVERDETERMINED {
+        // Three positions determine the three unknowns without a defect.
+        if self.positions().len() <= 3 {
             return false;
         }
         let rows = self.directions([0.0; 2]).zip(self.positions());
         let rows = rows.map(|(direction, position)| {
             let Direction { output, input, .. } = direction;
-            let row = [input.re, output.re, 1.0, dot(output, input)];
-            row.map(|term| term * position.weight.sqrt()).to_vec()
+            let weight = position.weight.sqrt();
+            let row = [input.re, output.re, 1.0].map(|term| term * weight);
+            (row, dot(output, input) * weight)
         });
-        let Some([u, v, c]) = least_squares::<3>(rows.collect()) else {
+        let rows: Vec<_> = rows.collect();
+        let Some([u, v, c]) = least_squares(&rows) else {
             return false;
         };
         let [z2, z3] = [-u.recip(), v.recip()];

@@ -4,9 +4,12 @@
 use crate::sorting::sort_by;
 use nalgebra::Complex;
 
-use super::closure::{Direction, cross, dot, near};
+use crate::angle::nearest_to;
+
+use super::closure::{Direction, cross, dot};
 use super::family::{Family, Range, Shape};
-use super::polynomial::positive_roots;
+use crate::numeric::newton::descended;
+use crate::numeric::polynomial::positive_roots;
 
 /// The ranges of z₂ and z₃.
 pub(super) fn lengths(shape: &Shape) -> [Range; 2] {
@@ -134,22 +137,19 @@ pub(super) fn with_coupler(family: &Family, coupler: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Maximum number of Newton steps along a family; one or two restore the digits that the polynomial has lost.
-const STEPS: usize = 4;
-
-/// The member of a family near these z₂ and z₃ with |r| = z₁.
-fn polished(shape: &Shape, at: &Direction, coupler: f64, mut lengths: [f64; 2]) -> [f64; 2] {
+/// The member of a family near these z₂ and z₃ with |r| = z₁: Newton's method along the family restores the digits that
+/// the polynomial has lost. At a double root, where the step is not finite, the lengths stay.
+fn polished(shape: &Shape, at: &Direction, coupler: f64, lengths: [f64; 2]) -> [f64; 2] {
     let open = |[output, input]: [f64; 2]| at.gap(output, input).norm() - coupler;
-    for _ in 0..STEPS {
-        let [output, input] = lengths;
+    let step = |&[output, input]: &[f64; 2]| {
         let r = at.gap(output, input);
         // Tangent of the family, and the derivative of |r| along it.
         let way = match *shape {
             Shape::Directions { a, b, .. } => [b * output * output, -a * input * input],
-            Shape::Sizes { .. } => lengths,
+            Shape::Sizes { .. } => [output, input],
         };
         let slope = -(dot(r, at.output) * way[0] + dot(r, at.input) * way[1]) / r.norm();
-        let step = open(lengths) / slope;
+        let step = open([output, input]) / slope;
         let by_output = way[0].abs() > way[1].abs();
         let next = match (*shape, by_output) {
             (Shape::Directions { a, b, .. }, true) => {
@@ -162,14 +162,9 @@ fn polished(shape: &Shape, at: &Direction, coupler: f64, mut lengths: [f64; 2]) 
             }
             (Shape::Sizes { .. }, _) => way.map(|length| length - step * length),
         };
-        // Stops at a double root, where the step is not finite, and when a step improves nothing.
-        let better = open(next).abs() < open(lengths).abs();
-        if !better {
-            break;
-        }
-        lengths = next;
-    }
-    lengths
+        Some((next, open(next).abs()))
+    };
+    descended(lengths, open(lengths).abs(), step).0
 }
 
 /// The range of arg r at a position, continuous along the family. Between axis crossings r stays in one quadrant, where
@@ -204,7 +199,7 @@ pub(super) fn coupler_angle(shape: &Shape, at: &Direction) -> [f64; 2] {
     let [mut least, mut greatest] = [angle; 2];
     let inner = places.into_iter().map(|x| value(gap, x));
     for next in inner.chain([end]) {
-        angle = near(next.arg(), angle);
+        angle = nearest_to(next.arg(), angle);
         [least, greatest] = [least.min(angle), greatest.max(angle)];
     }
     [least, greatest]

@@ -3,6 +3,7 @@
 use nalgebra::Complex;
 
 use super::closure::Direction;
+use crate::tolerance;
 
 /// The frame of the four-bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,8 +76,7 @@ impl Task {
     /// Default bounds of the lengths of coupler, output and input relative to the frame's.
     pub const RATIOS: [f64; 2] = [0.1, 10.0];
     /// Bounds of the length of a frame.
-    pub const LENGTH: [f64; 2] = [1e-9, 1e9];
-    const SAME: f64 = 1e-12;
+    pub const LENGTH: [f64; 2] = [tolerance::LENGTH.0, tolerance::LENGTH.1];
 
     /// The task with these positions. `ratios` are the bounds of z in [`Search`](super::Search): without a minimum it
     /// would always end with a linkage of zero size, as ΣJ tends to zero with z₂ and z₃ for z₁ = 1. Exact solutions are
@@ -112,7 +112,8 @@ impl Task {
             let weight = position.weight > 0.0 && position.weight.is_finite();
             check(weight, TaskError::Weight(k));
             for (j, earlier) in taken[..k].iter().enumerate() {
-                let same = |a: f64, b: f64| (0.5 * (a - b)).sin().abs() <= 0.5 * Self::SAME;
+                let same =
+                    |a: f64, b: f64| (0.5 * (a - b)).sin().abs() <= 0.5 * tolerance::NEGLIGIBLE;
                 let equal =
                     same(position.output, earlier.output) && same(position.input, earlier.input);
                 check(!equal, TaskError::Equal([j, k]));

@@ -1,6 +1,8 @@
 //! Three positions: Freudenstein's equation, two lines in (1/z₂, 1/z₃) and their intersection.
 
 use super::{Line, Proportions, Solution, Task, TwoPositions};
+use crate::numeric::max_abs;
+use crate::tolerance;
 
 /// Exact linkages through three positions.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,5 +81,38 @@ fn same([a, b]: [Line; 2]) -> bool {
     let [x, y] = [a, b].map(|line| [line.output, line.input, line.right]);
     let size = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
     let off = (0..3).map(|k| x[k] * y[(k + 1) % 3] - x[(k + 1) % 3] * y[k]);
-    off.fold(0.0, |most: f64, off| most.max(off.abs())) <= 1e-13 * size(x) * size(y)
+    max_abs(off) <= tolerance::NEGLIGIBLE * size(x) * size(y)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use super::*;
+    use crate::synthesis::four_bar::{Frame, Position};
+
+    /// Three poses of crank 1, coupler 4, rocker 3, frame 4 by triangles: outstretched 3-4-5, folded 3-3-4, and crank
+    /// against the frame with the diagonal 5. φ₂ points from the rocker's joint to its pivot.
+    #[test]
+    fn from_triangles() {
+        let poses = [
+            (0.75_f64.atan(), FRAC_PI_2),
+            (PI + (2.0_f64 / 3.0).acos(), (-2.0_f64 / 3.0).acos()),
+            (PI, PI - (4.0_f64 / 3.0).atan()),
+        ];
+        let positions = poses.map(|(input, rocker)| Position::new(rocker + PI, input));
+        let frame = Frame {
+            length: 4.0,
+            angle: 0.0,
+        };
+        let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
+        let Some(ThreePositions::One(found)) = ThreePositions::new(&task) else {
+            panic!("not one")
+        };
+        let lengths = found.proportions.lengths(4.0);
+        for (length, expected) in lengths.into_iter().zip([1.0, 4.0, 3.0, 4.0]) {
+            assert!((length - expected).abs() < 1e-13, "{lengths:?}");
+        }
+        assert!(found.worst_residual() < 1e-14);
+    }
 }

@@ -58,9 +58,6 @@ pub enum Order {
     Mixed,
 }
 
-/// Sides smaller than this, relative to their terms, count as zero: coupler and output in line.
-const IN_LINE: f64 = 1e-11;
-
 /// The verdict on a linkage, with the directions of output and input relative to the frame's.
 ///
 /// # Errors
@@ -173,7 +170,7 @@ fn assembly(
     input: &mut f64,
 ) -> Option<Assembly> {
     let side = direction.side(z3);
-    if side.abs() <= IN_LINE * (1.0 + z3) {
+    if side.abs() <= tolerance::NEGLIGIBLE * (1.0 + z3) {
         return None;
     }
     let assembly_at = |input: f64| {

@@ -2,7 +2,8 @@
 //! lengths.
 
 use super::objective::{Objective, Point, Value};
-use crate::synthesis::four_bar::linear;
+use crate::numeric::linear::solve_positive_definite;
+use crate::numeric::max_abs;
 use crate::tolerance;
 
 /// A descent.
@@ -15,14 +16,12 @@ pub(super) struct Descent<const N: usize> {
     pub(super) over: bool,
 }
 
-/// Initial damping, damping below which it becomes zero, and maximum damping, at which the descent ends.
-const FIRST: f64 = 1e-3;
-const LEAST: f64 = 1e-14;
-const MOST: f64 = 1e14;
+/// Initial damping, relative to the matrix.
+const FIRST_DAMPING: f64 = 1e-3;
 /// Maximum number of steps.
-const STEPS: usize = 200;
+const MAX_STEPS: usize = 200;
 /// Maximum change of a logarithm or an angle in a step.
-const REACH: f64 = 0.5;
+const MAX_CHANGE: f64 = 0.5;
 
 impl<const N: usize> Descent<N> {
     pub(super) fn new(objective: &Objective, mut x: Point<N>) -> Self {
@@ -33,7 +32,7 @@ impl<const N: usize> Descent<N> {
         Self {
             here: objective.at(&x),
             x,
-            damping: FIRST,
+            damping: FIRST_DAMPING,
             tried: 0,
             over: false,
         }
@@ -51,17 +50,17 @@ impl<const N: usize> Descent<N> {
         let bounds = objective.bounds();
         let held: [bool; N] = std::array::from_fn(|k| self.held(bounds, k));
         let slope = |k: usize| if held[k] { 0.0 } else { self.here.gradient[k] };
-        let steepest = (0..N).map(|k| slope(k).abs()).fold(0.0, f64::max);
+        let steepest = max_abs((0..N).map(slope));
         self.tried += 1;
         if steepest <= tolerance::EXACT
             || self.here.value <= f64::MIN_POSITIVE
-            || self.tried > STEPS
+            || self.tried > MAX_STEPS
         {
             self.over = true;
             return;
         }
         let mut matrix = self.here.hessian;
-        let size = (0..N).map(|k| matrix[k][k].abs()).fold(0.0, f64::max);
+        let size = max_abs((0..N).map(|k| matrix[k][k]));
         for i in 0..N {
             for j in 0..N {
                 if held[i] || held[j] {
@@ -75,15 +74,11 @@ impl<const N: usize> Descent<N> {
             };
         }
         let right = std::array::from_fn(|k| -slope(k));
-        let step = positive_definite(&matrix)
-            .then(|| linear::solve(matrix, right))
-            .flatten();
-        let Some(step) = step else {
+        let Some(step) = solve_positive_definite(matrix, right) else {
             self.damp();
             return;
         };
-        let longest = step.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
-        let part = (REACH / longest).min(1.0);
+        let part = (MAX_CHANGE / max_abs(step)).min(1.0);
         let [least, greatest] = bounds;
         let next: Point<N> = std::array::from_fn(|k| {
             let to = self.x[k] + part * step[k];
@@ -94,7 +89,8 @@ impl<const N: usize> Descent<N> {
             let moved = (0..N).any(|k| (next[k] - self.x[k]).abs() > 4.0 * f64::EPSILON);
             self.over = !moved;
             (self.x, self.here) = (next, then);
-            self.damping = if self.damping <= LEAST {
+            // Damping below the rounding of the matrix becomes zero.
+            self.damping = if self.damping <= tolerance::CONVERGED {
                 0.0
             } else {
                 0.1 * self.damping
@@ -105,27 +101,8 @@ impl<const N: usize> Descent<N> {
     }
 
     fn damp(&mut self) {
-        self.damping = (8.0 * self.damping).max(1e-6);
-        self.over = self.damping > MOST;
+        self.damping = (8.0 * self.damping).max(tolerance::TRIPLE_ROOT);
+        // Then a step is below the rounding of the point.
+        self.over = self.damping > 1.0 / tolerance::CONVERGED;
     }
-}
-
-/// True if Cholesky's factors exist.
-fn positive_definite<const N: usize>(matrix: &[[f64; N]; N]) -> bool {
-    let mut factor = [[0.0; N]; N];
-    for i in 0..N {
-        for j in 0..=i {
-            let known: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
-            let left = matrix[i][j] - known;
-            if i == j {
-                if left <= 0.0 || left.is_nan() {
-                    return false;
-                }
-                factor[i][i] = left.sqrt();
-            } else {
-                factor[i][j] = left / factor[j][j];
-            }
-        }
-    }
-    true
 }

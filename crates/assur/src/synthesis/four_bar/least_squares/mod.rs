@@ -12,8 +12,8 @@ mod weighted_difference;
 use crate::sorting::sort_by;
 use std::f64::consts::TAU;
 
-use super::closure::near;
 use super::{Proportions, Solution, Task};
+use crate::angle::nearest_to;
 use minimiser::Descent;
 use objective::{Objective, Point};
 pub use surface::Surface;
@@ -172,8 +172,9 @@ struct Found<const N: usize> {
     paths: Vec<Vec<Proportions>>,
 }
 
-/// Ends of descents closer than this are the same.
-const SAME: f64 = 1e-5;
+/// Maximum difference of two ends of descents at one minimum. ΣJ is flat there: rounding of its value leaves half of the
+/// digits of a point, and a long valley some of them less.
+const SAME_END: f64 = 1e-5;
 
 impl<const N: usize> Descents<N> {
     fn new(task: &Task, starts: Vec<Point<N>>) -> Self {
@@ -257,7 +258,7 @@ impl<const N: usize> Descents<N> {
                 *end = proportions;
             }
             let angles = if N == 4 {
-                [found.x[2], found.x[3]].map(|angle| near(angle, 0.0))
+                [found.x[2], found.x[3]].map(|angle| nearest_to(angle, 0.0))
             } else {
                 [0.0; 2]
             };
@@ -279,7 +280,7 @@ fn same<const N: usize>(a: &Point<N>, b: &Point<N>) -> bool {
     (0..N).all(|k| {
         let off = (a[k] - b[k]).abs();
         let off = if k < 2 { off } else { off % TAU };
-        off < SAME || k >= 2 && TAU - off < SAME
+        off < SAME_END || k >= 2 && TAU - off < SAME_END
     })
 }
 

@@ -6,7 +6,8 @@
 //! minima are zero, at the same linkage. For more positions the weights differ little from position to position if J is
 //! small, and the two minima differ by the order of J.
 
-use crate::synthesis::four_bar::{Proportions, Task, linear};
+use crate::numeric::linear::least_squares;
+use crate::synthesis::four_bar::{Proportions, Task};
 
 /// The proportions with the least sum of squares, with the weights of the task: a linear problem in Z, 1/z₃ and 1/z₂.
 /// None if a length is not positive or the positions do not determine it.
@@ -15,11 +16,11 @@ pub fn weighted_difference(task: &Task) -> Option<Proportions> {
     let rows = equations.map(|(at, position)| {
         let value = (at.output * at.input.conj()).re;
         let weight = position.weight.sqrt();
-        [1.0, at.output.re, at.input.re, value]
-            .map(|x| x * weight)
-            .to_vec()
+        let row = [1.0, at.output.re, at.input.re].map(|x| x * weight);
+        (row, value * weight)
     });
-    let [z, v, u] = linear::least_squares(rows.collect())?;
+    let rows: Vec<_> = rows.collect();
+    let [z, v, u] = least_squares(&rows)?;
     let [output, input] = [u.recip(), v.recip()];
     let square = 1.0 + output * output + input * input + 2.0 * output * input * z;
     let sound = |x: f64| x > 0.0 && x.is_finite();

@@ -1,8 +1,7 @@
 //! The functional (3) and the linear system (5) of its minimum.
 
-use super::super::linear;
 use super::Angles;
-use crate::tolerance;
+use crate::numeric::linear::{rank, solve};
 
 /// J = |z₁e₁ + z₂e₂ + z₃e₃ − e₀|² of one position, z in the order z₁, z₂, z₃.
 pub fn functional(angles: &Angles, z: [f64; 3]) -> f64 {
@@ -90,7 +89,7 @@ impl System {
     /// many.
     pub fn minimum(&self) -> Option<[f64; 3]> {
         (self.rank == 3)
-            .then(|| linear::solve(self.matrix, self.right))
+            .then(|| solve(self.matrix, self.right))
             .flatten()
     }
 
@@ -114,7 +113,7 @@ impl System {
                 }
             }
             let full = rank(matrix) == 3;
-            let Some(z) = full.then(|| linear::solve(matrix, right)).flatten() else {
+            let Some(z) = full.then(|| solve(matrix, right)).flatten() else {
                 continue;
             };
             let value = self.value(z);
@@ -124,23 +123,4 @@ impl System {
         }
         best
     }
-}
-
-/// Rank of a positive semidefinite matrix, by elimination with the largest diagonal element as pivot.
-fn rank(mut matrix: [[f64; 3]; 3]) -> usize {
-    let size = (0..3).map(|k| matrix[k][k]).fold(0.0, f64::max);
-    for rank in 0..3 {
-        let pivot = (0..3).max_by(|a, b| matrix[*a][*a].total_cmp(&matrix[*b][*b]));
-        let pivot = pivot.unwrap_or(0);
-        let (row, value) = (matrix[pivot], matrix[pivot][pivot]);
-        if value <= tolerance::NEGLIGIBLE * size {
-            return rank;
-        }
-        for i in 0..3 {
-            for j in 0..3 {
-                matrix[i][j] -= row[i] * row[j] / value;
-            }
-        }
-    }
-    3
 }

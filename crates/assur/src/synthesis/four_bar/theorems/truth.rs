@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::super::closure::near;
 use super::{Angles, Unknown};
+use crate::angle::nearest_to;
 use crate::tolerance;
 
 /// The z₁ > 0 for which z₂ > 0 and z₃ > 0 close the loop.
@@ -70,7 +70,7 @@ impl Angles {
     /// φᵢ − φ₀ of coupler, output and input, from −π to π.
     fn off_frame(&self) -> [f64; 3] {
         let turns = [self.coupler, self.output, self.input];
-        turns.map(|turn| near(turn, self.frame) - self.frame)
+        turns.map(|turn| nearest_to(turn, self.frame) - self.frame)
     }
 }
 

@@ -1,7 +1,7 @@
 //! All real roots of polynomials of low degree.
 
-use crate::numeric::roots::root;
-use crate::tolerance;
+use super::roots::root;
+use super::tolerance;
 
 /// Value of a polynomial with ascending coefficients.
 fn value(coefficients: &[f64], x: f64) -> f64 {
@@ -45,7 +45,7 @@ fn roots_within(coefficients: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
 
 /// All positive roots of a polynomial with ascending coefficients. Roots beyond 1 are found from the reversed
 /// polynomial, which separates them however large they are.
-pub(super) fn positive_roots(coefficients: &[f64]) -> Vec<f64> {
+pub(crate) fn positive_roots(coefficients: &[f64]) -> Vec<f64> {
     let mut found = roots_within(coefficients, [0.0, 1.0]);
     let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();
     let beyond = roots_within(&reversed, [0.0, 1.0]).into_iter().rev();
@@ -56,7 +56,7 @@ pub(super) fn positive_roots(coefficients: &[f64]) -> Vec<f64> {
 
 /// All real roots t = y/x of a form in (x, y) with coefficients ascending in y, each as (x, y) with the larger of them
 /// ±1.
-pub(super) fn directions(coefficients: &[f64]) -> Vec<[f64; 2]> {
+pub(crate) fn directions(coefficients: &[f64]) -> Vec<[f64; 2]> {
     let flat = roots_within(coefficients, [-1.0, 1.0]).into_iter();
     let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();
     let steep = roots_within(&reversed, [-1.0, 1.0]).into_iter();

@@ -1,5 +1,5 @@
-//! Angles that keep their digits over any number of turns, for gear trains over time. The angles of a linkage are
-//! continued in `position::state`.
+//! Whole turns, and angles that keep their digits over any number of them, for gear trains over time. The angles of a
+//! linkage are continued in `position::state`.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Sub;
@@ -87,6 +87,16 @@ pub(crate) fn combination(factors: [i64; 4], angles: &[Angle; 4]) -> (i64, f64) 
     (turns.saturating_add(more as i64), rest.clamp(-PI, PI))
 }
 
+/// The whole turns nearest to an angle, radians.
+pub(crate) fn whole_turns(angle: f64) -> f64 {
+    TAU * (angle / TAU).round()
+}
+
+/// An angle shifted by whole turns to be nearest to another.
+pub(crate) fn nearest_to(angle: f64, other: f64) -> f64 {
+    angle - whole_turns(angle - other)
+}
+
 /// A sum and its rounding error (Knuth, *The Art of Computer Programming* 2, 4.2.2, theorem B).
 pub(crate) fn sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -118,6 +128,19 @@ mod tests {
             angle.add(-step);
         }
         assert_eq!((angle.turns(), angle.part()), (0, 0.25));
+    }
+
+    #[test]
+    fn shifted_by_whole_turns() {
+        for (angle, other, turns) in [
+            (0.5, 0.0, 0.0),
+            (7.0, 0.0, 1.0),
+            (-4.0, 0.0, -1.0),
+            (1.0, 20.0, -3.0),
+        ] {
+            assert_eq!(whole_turns(angle - other), turns * TAU);
+            assert_eq!(nearest_to(angle, other), angle - turns * TAU);
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Relative tolerances in a few levels, each with where it comes from. A double has 15.95 decimal digits (ε = 2.2e-16); a
 //! level is compared with what has been divided by its size. A tolerance that is none of these stands beside what it is
-//! used for, with its reason.
+//! used for, with its reason. At the end limits of dimensions.
 
 /// Rounding of one or two operations: two computations of the same number.
 pub(crate) const EXACT: f64 = 1e-15;
@@ -24,3 +24,10 @@ pub(crate) const DISTINCT: f64 = 1e-7;
 
 /// A third of the digits, ∛ε rounded down: the step of a difference, and the level to which a triple root is known.
 pub(crate) const TRIPLE_ROOT: f64 = 1e-6;
+
+/// Maximum absolute value of a length, a coordinate, a time or a load, in any unit: cubes of their ratios are far from
+/// overflow, and their sums keep half of the digits.
+pub const FARTHEST: f64 = 1e9;
+
+/// Range of a positive length, in any unit.
+pub(crate) const LENGTH: (f64, f64) = (1.0 / FARTHEST, FARTHEST);

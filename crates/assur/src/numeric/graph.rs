@@ -1,0 +1,55 @@
+//! Connected parts of a graph.
+
+/// A partition of the numbers below a count into sets, which can be joined (Galler and Fischer, *An improved equivalence
+/// algorithm*, 1964). The least number of a set represents it.
+pub(crate) struct Partition(Vec<usize>);
+
+impl Partition {
+    /// A set for each number.
+    pub(crate) fn new(count: usize) -> Self {
+        Self((0..count).collect())
+    }
+
+    /// The least number of the set of a number.
+    pub(crate) fn representative(&self, mut number: usize) -> usize {
+        while self.0[number] != number {
+            number = self.0[number];
+        }
+        number
+    }
+
+    /// True if two numbers are in one set.
+    pub(crate) fn joins(&self, a: usize, b: usize) -> bool {
+        self.representative(a) == self.representative(b)
+    }
+
+    /// Joins the sets of these numbers; true if they were different.
+    pub(crate) fn join(&mut self, numbers: impl IntoIterator<Item = usize>) -> bool {
+        let mut numbers = numbers.into_iter();
+        let Some(first) = numbers.next() else {
+            return false;
+        };
+        let mut joined = false;
+        for other in numbers {
+            let [a, b] = [first, other].map(|number| self.representative(number));
+            self.0[a.max(b)] = a.min(b);
+            joined |= a != b;
+        }
+        joined
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Partition;
+
+    #[test]
+    fn joined_sets() {
+        let mut parts = Partition::new(6);
+        assert!(parts.join([4, 2]) && parts.join([5, 4]) && parts.join([0, 1]));
+        assert!(!parts.join([2, 5]) && !parts.join([3]) && !parts.join([]));
+        let representatives: Vec<usize> = (0..6).map(|k| parts.representative(k)).collect();
+        assert_eq!(representatives, [0, 0, 2, 3, 2, 2]);
+        assert!(parts.joins(2, 5) && !parts.joins(1, 3));
+    }
+}
