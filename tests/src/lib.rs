@@ -2,6 +2,8 @@
 
 pub mod files;
 mod scale;
+#[cfg(not(target_family = "wasm"))]
+pub mod types;
 
 pub use scale::{exhaustive, scaled, seed};
 

@@ -71,11 +71,6 @@ impl Circles {
         (self.pole + self.diameter / 2.0, self.diameter.norm() / 2.0)
     }
 
-    /// The return circle: its centre and radius.
-    pub fn turning_back(&self) -> (Point, f64) {
-        (self.pole - self.diameter / 2.0, self.diameter.norm() / 2.0)
-    }
-
     /// Centre of curvature for the body's point at a position, by Euler and Savary: on the ray from the pole through
     /// it, PA²/AW beyond it, with W the intersection of the ray and the inflection circle. None at the pole and on that
     /// circle.

@@ -14,10 +14,10 @@
 mod construction;
 mod drawn;
 
+use crate::Vector;
 use crate::index::{BodyId, PointId, StepId};
 use crate::mechanism::{Mechanism, Pose};
 use crate::motion::InputRate;
-use crate::{Point, Vector};
 
 /// The derivative by time of a polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,10 +114,5 @@ impl Mechanism {
         input: InputRate,
     ) -> Polygon {
         drawn::polygon(self, pose, order, input)
-    }
-
-    /// Place in the drawing of a point of a polygon.
-    pub fn node_place<const N: usize>(&self, pose: &Pose<N>, node: Node) -> Point {
-        self.place(pose, node.point).place()
     }
 }
