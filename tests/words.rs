@@ -109,8 +109,7 @@ fn names(source_name: &str, word: &str) -> bool {
         })
     };
     let number = word.parse::<u8>().is_ok();
-    let variant = ["Problem {\n", "enum LeftOut {\n"];
-    let variant = variant.iter().any(|start| text.contains(start));
+    let variant = text.contains("tag = \"code\"");
     quoted(text, '"').contains(word)
         || (number && alone(word))
         || (variant && alone(&pascal(word)))

@@ -142,15 +142,7 @@ projector: boolean,
  * Language of the page.
  */
 lang: string, };
-export type OpenLesson = { 
-/**
- * Its name: that of its folder.
- */
-id: string, 
-/**
- * The step, counted from 1.
- */
-step: number, };
+export type Axes = "analogues" | "physical";
 export type Against = { 
 /**
  * The abscissa; `input` is the input.
@@ -161,77 +153,17 @@ x: string,
  */
 y: string, };
 export type Only = "all" | "value" | "first" | "second";
-export type Axes = "analogues" | "physical";
 export type SpeedUnit = "rad_per_s" | "per_min";
-export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
+export type OpenLesson = { 
+/**
+ * Its name: that of its folder.
+ */
+id: string, 
+/**
+ * The step, counted from 1.
+ */
+step: number, };
 export type Document = { "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
-export type MixerDocument = { 
-/**
- * What its lengths are in; without it metres.
- */
-unit?: LengthUnit | null, 
-/**
- * Crank AB.
- */
-l1: number, 
-/**
- * Coupler BC.
- */
-l2: number, 
-/**
- * Rocker DC.
- */
-l3: number, 
-/**
- * Frame AD.
- */
-l4: number, 
-/**
- * Teeth of the wheel on the rocker's shaft.
- */
-z4: number, 
-/**
- * The peripheral wheels it drives: wheel 5, 6, …
- */
-wheels: Array<WheelDocument>, 
-/**
- * `external`, `internal` or `as_printed`.
- */
-mesh: MeshDocument, 
-/**
- * Module of the wheels.
- */
-module: number, 
-/**
- * 1 or 2.
- */
-assembly: 1 | 2, 
-/**
- * The points traced: P₁, P₂, …
- */
-tracers: Array<MixerTracerDocument>, };
-export type WheelDocument = { 
-/**
- * Its teeth.
- */
-z: number, 
-/**
- * Direction from the shaft of wheel 4 to its own, degrees.
- */
-centre_line_deg: number, };
-export type MixerTracerDocument = { 
-/**
- * What carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
- */
-link: string, 
-/**
- * Along the link from its first joint.
- */
-x: number, 
-/**
- * Across it, to the left.
- */
-y: number, };
 export type LinkageDocument = { 
 /**
  * What it is called.
@@ -304,16 +236,6 @@ band?: number | null,
  * and files of before name one: an assembly is saved as its drawing.
  */
 assembly?: number | null, };
-export type DraftDocument = LinkageDocument;
-export type PointDocument = { 
-/**
- * Its name.
- */
-name: string, 
-/**
- * Where it is drawn: x, y.
- */
-at: [number, number], };
 export type LinkDocument = { 
 /**
  * Its name.
@@ -343,23 +265,29 @@ centre_of_mass?: string | null,
  * Its mass, kilograms.
  */
 mass_kg?: number | null, };
-export type SlideDocument = { 
+export type PointDocument = { 
 /**
- * The link that slides.
+ * Its name.
+ */
+name: string, 
+/**
+ * Where it is drawn: x, y.
+ */
+at: [number, number], };
+export type TracerDocument = { 
+/**
+ * Its name, unlike that of any point.
+ */
+name: string, 
+/**
+ * The link that carries it.
  */
 link: string, 
 /**
- * Its point that stays at its drawn distance from the line.
+ * Its place on the link: x from the link's first point towards its second, y
+ * to the left.
  */
-point: string, 
-/**
- * The link that has the line, or `frame`.
- */
-on: string, 
-/**
- * Two points of that link.
- */
-line: [string, string], };
+at: [number, number], };
 export type GearDocument = { 
 /**
  * The two links.
@@ -399,20 +327,24 @@ range?: [number, number] | null,
  * Rate of a further driver's coordinate by that of the first; 1 by default.
  */
 rate?: number | null, };
-export type TracerDocument = { 
+export type SlideDocument = { 
 /**
- * Its name, unlike that of any point.
- */
-name: string, 
-/**
- * The link that carries it.
+ * The link that slides.
  */
 link: string, 
 /**
- * Its place on the link: x from the link's first point towards its second, y
- * to the left.
+ * Its point that stays at its drawn distance from the line.
  */
-at: [number, number], };
+point: string, 
+/**
+ * The link that has the line, or `frame`.
+ */
+on: string, 
+/**
+ * Two points of that link.
+ */
+line: [string, string], };
+export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
 export type SchemeDocument = { 
 /**
  * What it is called.
@@ -537,24 +469,6 @@ trial?: [number, number, number] | null,
  * The function with which the shown linkage is compared, wherever the positions come from.
  */
 function?: FunctionDocument | null, };
-export type PositionDocument = { 
-/**
- * φ₂, from the joint with the coupler to the fixed pivot.
- */
-output_deg: number, 
-/**
- * φ₃, from the fixed pivot to the joint with the coupler.
- */
-input_deg: number, 
-/**
- * What it counts where not all can be met.
- */
-weight: number, 
-/**
- * φ₁ at which the conditions of the paper are evaluated; without it that of the linkage
- * that is shown.
- */
-coupler_deg?: number | null, };
 export type FunctionDocument = { 
 /**
  * f.
@@ -573,6 +487,25 @@ input_deg: [number, number],
  */
 output_deg: [number, number], };
 export type FormulaDocument = "log10" | "exp" | "sin" | { "power": number } | { "table": Array<[number, number]> };
+export type PositionDocument = { 
+/**
+ * φ₂, from the joint with the coupler to the fixed pivot.
+ */
+output_deg: number, 
+/**
+ * φ₃, from the fixed pivot to the joint with the coupler.
+ */
+input_deg: number, 
+/**
+ * What it counts where not all can be met.
+ */
+weight: number, 
+/**
+ * φ₁ at which the conditions of the paper are evaluated; without it that of the linkage
+ * that is shown.
+ */
+coupler_deg?: number | null, };
+export type DraftDocument = LinkageDocument;
 export type GearTrainDocument = { 
 /**
  * What it is called.
@@ -654,10 +587,25 @@ magnets: MagnetsDocument,
  * The bodies in the order of their numbers 1, 2, 3, 4.
  */
 bodies: BodiesDocument, };
-export type FormDocument = "planar" | "stepped" | "bevel";
-export type CouplingDocument = "magnetic" | "contact";
-export type ShaftDocument = "sun" | "carrier" | "ring";
-export type ObserverDocument = "ground" | "sun" | "carrier" | "ring";
+export type MembersDocument = { 
+/**
+ * 7: on the shaft of each satellite.
+ */
+satellite?: MemberDocument | null, 
+/**
+ * 8: on the carrier.
+ */
+carrier?: MemberDocument | null, };
+export type MemberDocument = { 
+/**
+ * What it is.
+ */
+kind: MemberKind, 
+/**
+ * What it takes at the speed that its shaft has while nothing slips, N·m: one of several.
+ */
+torque: number, };
+export type MemberKind = "fan" | "brush" | "stirrer" | "scraper" | "blade" | "propeller" | "road_wheel";
 export type DriveDocument = { 
 /**
  * Which.
@@ -679,25 +627,23 @@ to?: ShaftDocument | null,
  * Its speed relative to that of the shaft to which it is tied.
  */
 factor: number, };
-export type MembersDocument = { 
+export type ShaftDocument = "sun" | "carrier" | "ring";
+export type FormDocument = "planar" | "stepped" | "bevel";
+export type ObserverDocument = "ground" | "sun" | "carrier" | "ring";
+export type BodiesDocument = { 
 /**
- * 7: on the shaft of each satellite.
+ * Moments of inertia with what is on the shafts, kg·m².
  */
-satellite?: MemberDocument | null, 
+inertia: [number, number, number, number], 
 /**
- * 8: on the carrier.
+ * Mass of a satellite, kg.
  */
-carrier?: MemberDocument | null, };
-export type MemberDocument = { 
+mass: number, 
 /**
- * What it is.
+ * Viscous damping in the bearings, N·m·s.
  */
-kind: MemberKind, 
-/**
- * What it takes at the speed that its shaft has while nothing slips, N·m: one of several.
- */
-torque: number, };
-export type MemberKind = "fan" | "brush" | "stirrer" | "scraper" | "blade" | "propeller" | "road_wheel";
+damping: [number, number, number, number], };
+export type CouplingDocument = "magnetic" | "contact";
 export type MagnetsDocument = { 
 /**
  * Which poles the plates show.
@@ -712,19 +658,73 @@ peak: [number, number],
  */
 damping: [number, number], };
 export type PolesDocument = "alike" | "alternating";
-export type BodiesDocument = { 
+export type MixerDocument = { 
 /**
- * Moments of inertia with what is on the shafts, kg·m².
+ * What its lengths are in; without it metres.
  */
-inertia: [number, number, number, number], 
+unit?: LengthUnit | null, 
 /**
- * Mass of a satellite, kg.
+ * Crank AB.
  */
-mass: number, 
+l1: number, 
 /**
- * Viscous damping in the bearings, N·m·s.
+ * Coupler BC.
  */
-damping: [number, number, number, number], };
+l2: number, 
+/**
+ * Rocker DC.
+ */
+l3: number, 
+/**
+ * Frame AD.
+ */
+l4: number, 
+/**
+ * Teeth of the wheel on the rocker's shaft.
+ */
+z4: number, 
+/**
+ * The peripheral wheels it drives: wheel 5, 6, …
+ */
+wheels: Array<WheelDocument>, 
+/**
+ * `external`, `internal` or `as_printed`.
+ */
+mesh: MeshDocument, 
+/**
+ * Module of the wheels.
+ */
+module: number, 
+/**
+ * 1 or 2.
+ */
+assembly: 1 | 2, 
+/**
+ * The points traced: P₁, P₂, …
+ */
+tracers: Array<MixerTracerDocument>, };
+export type MixerTracerDocument = { 
+/**
+ * What carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
+ */
+link: string, 
+/**
+ * Along the link from its first joint.
+ */
+x: number, 
+/**
+ * Across it, to the left.
+ */
+y: number, };
+export type WheelDocument = { 
+/**
+ * Its teeth.
+ */
+z: number, 
+/**
+ * Direction from the shaft of wheel 4 to its own, degrees.
+ */
+centre_line_deg: number, };
 export type LessonDocument = { 
 /**
  * What it is called.

@@ -55,7 +55,7 @@ impl Subject {
                     Defect::Open { .. }
                         | Defect::Singular { .. }
                         | Defect::CoincidentHinges { .. }
-                        | Defect::BeyondRange { .. }
+                        | Defect::DrawnBeyondRange { .. }
                         | Defect::Misdrawn { .. }
                 )
             };

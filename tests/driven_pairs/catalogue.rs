@@ -77,7 +77,7 @@ fn drives(
                 matches!(
                     defect,
                     Defect::NotHinged { .. }
-                        | Defect::WithItself(_)
+                        | Defect::WithItself { .. }
                         | Defect::Locked { .. }
                         | Defect::Underdriven { .. }
                 )

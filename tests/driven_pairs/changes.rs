@@ -93,7 +93,12 @@ fn what_cannot_be_driven_is_named() {
     let mut own = arm().bar("w", &["A", "B"]);
     own.links[3].fixed_to = Some("a".to_owned());
     let own = turned(turned(own.crank("a"), "w", "a", 1.0), "c", "b", 1.0);
-    assert_eq!(named(&own), [Defect::WithItself("w".to_owned())]);
+    assert_eq!(
+        named(&own),
+        [Defect::WithItself {
+            link: "w".to_owned()
+        }]
+    );
     // A coupler against its crank, and the crank as well: too many.
     let mut closed = arm().crank("a");
     closed.frame.push("D".to_owned());

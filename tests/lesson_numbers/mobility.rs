@@ -176,7 +176,7 @@ fn four_bar_in_space() {
 fn moving_contour() {
     let moving = scheme("moving");
     let names = ["C", "D", "E", "F"];
-    let Err(CutError::Closed { mut pairs }) = moving.sections(&cut(&moving, &["Q"])) else {
+    let Err(CutError::StillClosed { mut pairs }) = moving.sections(&cut(&moving, &["Q"])) else {
         panic!("nothing is closed");
     };
     pairs.sort_unstable();

@@ -45,22 +45,23 @@ fn drawings_that_do_not_begin_are_named() {
     };
     assert_eq!(refused(&on_the_hinge), [coincident]);
     let foot = "foot".to_owned();
-    let reversed = Defect::Range {
+    let reversed = Defect::RangeReversed {
         link: foot.clone(),
-        range: [2.0, 1.0],
+        from: 2.0,
+        to: 1.0,
     };
     assert_eq!(refused(&ladder([2.0, 1.0])), [reversed]);
-    let empty = Defect::Range {
+    let empty = Defect::RangeEmpty {
         link: foot.clone(),
-        range: [2.0, 2.0],
+        at: 2.0,
     };
     assert_eq!(refused(&ladder([2.0, 2.0])), [empty]);
-    let endless = [Defect::NotFinite(foot.clone())];
+    let endless = [Defect::NotFinite { name: foot.clone() }];
     assert_eq!(refused(&ladder([1.0, f64::INFINITY])), endless);
-    let Defect::BeyondRange { link, at, range } = &refused(&ladder([0.1, 0.3]))[0] else {
+    let Defect::DrawnBeyondRange { link, at, from, to } = &refused(&ladder([0.1, 0.3]))[0] else {
         panic!("{:?}", refused(&ladder([0.1, 0.3])));
     };
-    assert_eq!((link, *range), (&foot, [0.1, 0.3]));
+    assert_eq!((link, [*from, *to]), (&foot, [0.1, 0.3]));
     assert!((at - 1.5).abs() < 1e-15, "{at}");
 }
 

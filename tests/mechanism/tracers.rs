@@ -104,11 +104,13 @@ fn bad_tracers_are_named() {
     assert_eq!(
         Mechanism::new(&draft).unwrap_err(),
         [
-            Defect::NotFinite(name("T")),
-            Defect::Twice(name("T")),
-            Defect::Unknown(name("shaft")),
-            Defect::Twice(name("A")),
-            Defect::NotFinite(name("A")),
+            Defect::NotFinite { name: name("T") },
+            Defect::Twice { name: name("T") },
+            Defect::UnknownName {
+                name: name("shaft")
+            },
+            Defect::Twice { name: name("A") },
+            Defect::NotFinite { name: name("A") },
         ]
     );
     // A link cannot be hinged at one.
@@ -117,6 +119,6 @@ fn bad_tracers_are_named() {
         .bar("bar", &["T", "A"]);
     assert_eq!(
         Mechanism::new(&hinged).unwrap_err(),
-        [Defect::Unknown(name("T"))]
+        [Defect::UnknownName { name: name("T") }]
     );
 }

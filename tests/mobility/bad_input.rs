@@ -30,24 +30,28 @@ fn every_defect_of_a_draft_is_told_at_once() {
         [1.0, 0.0, 0.0],
     ));
     let (a, c, d) = ("A".to_owned(), "C".to_owned(), "D".to_owned());
-    let freedoms = |pair: &str, freedoms| SchemeDefect::Freedoms {
+    let freedoms = |pair: &str, freedoms| SchemeDefect::FreedomsOfPair {
         pair: pair.to_owned(),
         freedoms,
     };
     assert_eq!(
         defects(&draft),
         [
-            SchemeDefect::SameName(a.clone()),
-            SchemeDefect::Geometry(a),
-            SchemeDefect::JoinsItself {
+            SchemeDefect::SamePair { pair: a.clone() },
+            SchemeDefect::PairGeometry { pair: a },
+            SchemeDefect::PairWithItself {
                 pair: c,
                 link: "2".to_owned()
             },
-            SchemeDefect::LinkCount { pair: d, links: 1 },
+            SchemeDefect::LinksOfPair { pair: d, count: 1 },
             freedoms("S", 3),
             freedoms("T", 0),
-            SchemeDefect::OutOfPlane("U".to_owned()),
-            SchemeDefect::NoGround("base".to_owned()),
+            SchemeDefect::OutOfPlane {
+                pair: "U".to_owned()
+            },
+            SchemeDefect::NoGround {
+                link: "base".to_owned()
+            },
         ]
     );
 }
@@ -56,8 +60,13 @@ fn every_defect_of_a_draft_is_told_at_once() {
 fn links_apart_from_the_ground_are_named() {
     let mut draft = four_bar();
     draft.pairs.push(hinge("X", "8 9", [0.0, 3.0]));
-    assert_eq!(defects(&draft), [SchemeDefect::Apart(text(&["8", "9"]))]);
-    assert_eq!(defects(&planar([])), [SchemeDefect::Empty]);
+    assert_eq!(
+        defects(&draft),
+        [SchemeDefect::SchemeApart {
+            links: text(&["8", "9"])
+        }]
+    );
+    assert_eq!(defects(&planar([])), [SchemeDefect::NoPairs]);
 }
 
 #[test]
@@ -66,9 +75,9 @@ fn only_what_many_can_meet_in_has_three_links() {
     let pair_name = "P".to_owned();
     assert_eq!(
         defects(&spatial([slide])),
-        [SchemeDefect::LinkCount {
+        [SchemeDefect::LinksOfPair {
             pair: pair_name,
-            links: 3
+            count: 3
         }]
     );
     assert!(Scheme::new(&spatial([pair("P", Spherical, "0 1 2")])).is_ok());
@@ -106,14 +115,18 @@ fn geometry_that_is_none_is_refused_by_name() {
     for broken in broken {
         assert_eq!(
             defects(&spatial([broken])),
-            [SchemeDefect::Geometry("G".to_owned())]
+            [SchemeDefect::PairGeometry {
+                pair: "G".to_owned()
+            }]
         );
     }
     let mut along = placed(pair("G", Universal, "0 1"), [0.0; 3], [1.0, 2.0, 0.0]);
     along.second = Some(Vector3::new(2.0, 4.0, 0.0));
     assert_eq!(
         defects(&spatial([along])),
-        [SchemeDefect::Geometry("G".to_owned())]
+        [SchemeDefect::PairGeometry {
+            pair: "G".to_owned()
+        }]
     );
 }
 
@@ -124,23 +137,33 @@ fn cuts_that_do_not_open_are_answered_with_names() {
         let cuts: Result<Vec<_>, _> = names.iter().map(|name| scheme.cut_named(name)).collect();
         scheme.sections(&cuts?)
     };
-    let closed = |pairs: &[&str]| CutError::Closed { pairs: text(pairs) };
+    let closed = |pairs: &[&str]| CutError::StillClosed { pairs: text(pairs) };
     assert_eq!(cut(&["Q"]).unwrap_err(), closed(&["C", "D", "E", "F"]));
     assert_eq!(cut(&["F"]).unwrap_err(), closed(&["A", "B", "C", "D", "Q"]));
     assert_eq!(
         cut(&["Q", "D", "Q"]).unwrap_err(),
-        CutError::Twice("Q".to_owned())
+        CutError::CutTwice {
+            pair: "Q".to_owned()
+        }
     );
-    assert_eq!(cut(&["X"]).unwrap_err(), CutError::NoPair("X".to_owned()));
-    let links = |names: &[&str]| CutError::Apart { links: text(names) };
+    assert_eq!(
+        cut(&["X"]).unwrap_err(),
+        CutError::NoSuchPair {
+            pair: "X".to_owned()
+        }
+    );
+    let links = |names: &[&str]| CutError::CutOff { links: text(names) };
     assert_eq!(cut(&["C", "E", "F"]).unwrap_err(), links(&["5"]));
     let (pair, link) = ("A".to_owned(), "5".to_owned());
-    assert_eq!(cut(&["A:5"]).unwrap_err(), CutError::NoLink { pair, link });
+    assert_eq!(
+        cut(&["A:5"]).unwrap_err(),
+        CutError::NotOfPair { pair, link }
+    );
     let six_bar = Scheme::new(&six_bar()).unwrap();
     let all = ["D", "Q", "A"].map(|name| six_bar.cut_named(name).unwrap());
     assert_eq!(
         six_bar.sections(&all).unwrap_err(),
-        CutError::Apart {
+        CutError::CutOff {
             links: text(&["1", "2", "3", "4", "5"])
         }
     );
@@ -153,11 +176,15 @@ fn of_a_compound_hinge_the_link_must_be_told() {
     let scheme = Scheme::new(&draft).unwrap();
     assert_eq!(
         scheme.cut_named("C").unwrap_err(),
-        CutError::WhichLink("C".to_owned())
+        CutError::WhichLink {
+            pair: "C".to_owned()
+        }
     );
     let again = ["C:2", "C:2"].map(|name| scheme.cut_named(name).unwrap());
     assert_eq!(
         scheme.sections(&again).unwrap_err(),
-        CutError::Twice("C:2".to_owned())
+        CutError::CutTwice {
+            pair: "C:2".to_owned()
+        }
     );
 }

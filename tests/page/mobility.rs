@@ -101,7 +101,7 @@ async fn cuts_are_judged() {
     let scheme = scheme("mobility-4");
     let page = open(&with_cuts("mobility-4", &["Q"])).await;
     let only_q = [scheme.cut_named("Q").unwrap()];
-    let Err(CutError::Closed { pairs }) = scheme.sections(&only_q) else {
+    let Err(CutError::StillClosed { pairs }) = scheme.sections(&only_q) else {
         panic!("nothing is closed");
     };
     let said = page.text("method-said").await;

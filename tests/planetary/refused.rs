@@ -43,7 +43,7 @@ fn equal_ratios_determine_nothing() {
             .at_rate(rate);
         assert_eq!(
             refused(&draft),
-            [Defect::Undetermined {
+            [Defect::TrainUndetermined {
                 links: links.clone()
             }],
             "{rate}"

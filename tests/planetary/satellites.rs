@@ -119,7 +119,7 @@ fn chains_of_satellites() {
 #[test]
 fn one_that_contradicts_is_named() {
     let contradiction = |draft| match &Mechanism::new(draft).unwrap_err()[..] {
-        [Defect::Contradiction { links }] => links.clone(),
+        [Defect::MeshContradicts { links }] => links.clone(),
         defects => panic!("{defects:?}"),
     };
     let teeth = [[24, 24], [24, 24], [24, 23]];

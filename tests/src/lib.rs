@@ -3,6 +3,8 @@
 pub mod files;
 mod rocker;
 mod scale;
+#[cfg(not(target_family = "wasm"))]
+pub mod types;
 
 pub use rocker::{Rocker, scaled_swing};
 pub use scale::{exhaustive, scaled, seed};

@@ -99,6 +99,7 @@ pub(super) const BUILT: [(&str, &[&str]); 64] = [
     (
         "problem.",
         &[
+            "crates/assur/src/linkage/spec.rs",
             "crates/assur-file/src/kinds/linkage/problem.rs",
             "crates/assur-file/src/problem.rs",
             "crates/assur-file/src/lesson/problem.rs",

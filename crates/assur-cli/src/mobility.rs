@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use assur::mobility::{Cut, Generic, RankReport, Scheme, Sections, Space};
-use assur_file::{KindDocument, Problem, SchemeProblem};
+use assur_file::{KindDocument, Problem};
 use serde_json::{Map, Value, json};
 
 use crate::Failure;
@@ -49,7 +49,7 @@ pub(crate) fn write(
     as_json: bool,
 ) -> Result<(), Failure> {
     let Schemed { scheme, cuts } = schemed(name)?;
-    let refuse = |error| refused(name, &[Problem::from(SchemeProblem::from(error))]);
+    let refuse = |error| refused(name, &[Problem::from(error)]);
     let cuts: Vec<Cut> = match cut {
         Some(names) => {
             // Nothing between commas is no cut.

@@ -5,10 +5,10 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 
 use assur::circuits::NoAssembly;
-use assur::mechanism::{FRAME, LinkId, Mechanism, Quantity};
+use assur::mechanism::{Defect, FRAME, LinkId, Mechanism, Quantity};
 use assur::mobility::{Cut, Scheme, SchemeSpec};
 use assur::motion::Motion;
-use assur_file::{Document, LinkageDocument, LinkageProblem, Problem, SchemeProblem};
+use assur_file::{Document, LinkageDocument, LinkageProblem, Problem};
 use assur_import::Imported;
 use serde::Serialize;
 
@@ -257,12 +257,12 @@ pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
         Err(problems) => {
             document.check().map_err(refuse)?;
             let draft = SchemeSpec::of_drawing(&document.spec());
-            let draft = draft.map_err(|defects| refuse(LinkageProblem::all(defects)))?;
+            let draft = draft.map_err(|defects| refuse(Problem::all(defects)))?;
             unmoved(name, &problems)?;
             draft
         }
     };
-    let defective = |defects| refuse(SchemeProblem::all(defects));
+    let defective = |defects| refuse(Problem::all(defects));
     let scheme = Scheme::new(&draft).map_err(defective)?;
     let cuts = Vec::new();
     Ok(Schemed { scheme, cuts })
@@ -274,7 +274,9 @@ fn unmoved(name: &Name, problems: &[Problem]) -> Result<(), Failure> {
     for problem in problems {
         let undriven = matches!(
             problem,
-            Problem::Linkage(LinkageProblem::NoDriver | LinkageProblem::Underdriven { .. })
+            Problem::Linkage(LinkageProblem::Defect(
+                Defect::NoDriver | Defect::Underdriven { .. }
+            ))
         );
         if !undriven {
             // With standard error gone there is nobody left to tell.

@@ -199,11 +199,12 @@ pub(crate) fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assur_file::{LinkageProblem, Problem};
+    use assur::mechanism::Defect;
+    use assur_file::Problem;
 
     #[test]
     fn places_are_filled() {
-        let locked = LinkageProblem::Locked {
+        let locked = Defect::Locked {
             mobility: -1,
             links: ["crank", "third rocker"].map(str::to_owned).to_vec(),
         };
@@ -228,7 +229,7 @@ mod tests {
         let long = "é".repeat(1 << 20);
         let file = format!(r#"{{"points": "{long}", "links": []}}"#);
         let problems = assur_file::document_of(&file).unwrap_err();
-        let unknown = LinkageProblem::UnknownName { name: long };
+        let unknown = Defect::UnknownName { name: long };
         for problem in problems.into_iter().chain([unknown.into()]) {
             let said = words.sentence(&problem).unwrap();
             assert!(

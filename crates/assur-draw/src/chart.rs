@@ -100,6 +100,15 @@ pub struct Settings {
     pub differenced: bool,
 }
 
+impl Settings {
+    /// Of a motion by time alone.
+    pub const BY_TIME: Self = Self {
+        input: InputRate::ANALOGUES,
+        physical: true,
+        differenced: false,
+    };
+}
+
 /// One plot: where it stands, in pixels of the reader, and what its axes span.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
@@ -166,11 +175,7 @@ impl Chart {
     /// The chart of quantities of one kind by time, from samples over a span of it with derivatives
     /// by time.
     pub fn by_time(span: [f64; 2], kind: Kind, series: Vec<Series>, samples: Vec<At>) -> Self {
-        let settings = Settings {
-            input: InputRate::ANALOGUES,
-            physical: true,
-            differenced: false,
-        };
+        let settings = Settings::BY_TIME;
         Self {
             axis: span,
             turns: false,

@@ -13,18 +13,19 @@ mod numbers;
 mod overlaid;
 mod paths;
 mod plots;
+mod posed;
 mod roles;
 mod slides;
 mod wheels;
 
-use assur::mechanism::{LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
+use assur::mechanism::{LinkId, PointId, Pose, Quantity, Unsolved};
 use assur::motion::Motion;
 use assur::{Point, Vector};
 
 use crate::annotations::{Annotations, Tag};
 use crate::list::{List, Look, Role};
 use crate::overlays::{self, Overlays};
-use crate::parts;
+use crate::parts::{self, BAR};
 use given::Given;
 use layout::Layout;
 pub use lines::Lines;
@@ -32,11 +33,10 @@ use names::Names;
 use numbers::Number;
 use overlaid::Overlaid;
 use paths::Path;
+use posed::Posed;
 use slides::Guide;
 use wheels::Gearing;
 
-/// Half the width of a link's bar, in units.
-const BAR: f64 = 1.15;
 /// A name beyond a link's end stands at least this angle off the other links there.
 const ASIDE: f64 = 0.7;
 
@@ -110,25 +110,27 @@ impl Figure {
     pub fn new(motion: &Motion, view: &View) -> Result<Self, Unsolved> {
         let mechanism = motion.mechanism();
         let home = motion.pose::<1>(motion.drawn_input())?;
-        let layout = Layout::new(mechanism, &home, view);
-        let gearing = Gearing::new(&layout, mechanism, &home, view);
+        let posed = |pose| Posed { mechanism, pose };
+        let home = posed(&home);
+        let layout = Layout::new(home, view);
+        let gearing = Gearing::new(&layout, home, view);
         let mut names = Names::new(mechanism);
         let tags = view.annotations.tags.iter().filter_map(|tag| {
             let link = mechanism.link(&tag.link)?;
             Some((link, tag.clone(), names.add(tag.text.clone())))
         });
         let tags = tags.collect();
-        let mut overlaid = Overlaid::new(motion, &layout, &home, view, &mut names);
+        let mut overlaid = Overlaid::new(motion, &layout, home, view, &mut names);
         let mut lines = lines::Drawn::new(mechanism, &layout, view, &mut names);
         let numbers = if view.overlays.numbers {
-            numbers::numbers(mechanism, &layout, &home, view, &mut names)
+            numbers::numbers(home, &layout, view, &mut names)
         } else {
             Vec::new()
         };
         let given = Given::new(&view.annotations.given, &mut names);
 
         let runs = paths::sampled(motion);
-        let guides = slides::guides(&layout, mechanism, &home, &runs, view);
+        let guides = slides::guides(&layout, home, &runs, view);
         let path = |point: PointId| (point, paths::path(motion, &layout, &runs, point));
         let points = mechanism.point_ids();
         let (tracers, listed): (Vec<PointId>, Vec<PointId>) =
@@ -146,22 +148,21 @@ impl Figure {
             .flat_map(Path::reach);
         let fixed = fixed.into_iter();
         let fixed: Vec<PointId> = fixed.filter(|point| layout.is_drawn(*point)).collect();
-        let place = |point: &PointId| mechanism.place(&home, *point).place();
         let poses = runs.iter().flatten();
-        let wheels = poses.flat_map(|(_, pose)| gearing.reach(mechanism, pose));
+        let wheels = poses.flat_map(|(_, pose)| gearing.reach(posed(pose)));
         let rails = guides.iter().flat_map(Guide::on_frame);
         let base = bounds::around(
             joints
                 .chain(wheels)
                 .chain(rails)
                 .chain(given.reach())
-                .chain(fixed.iter().map(place)),
+                .chain(fixed.iter().map(|point| home.place(*point))),
         );
         let size = bounds::size(base);
         let unit = size / 100.0;
         let supports = mechanism.point_ids().filter_map(|point| {
             let size = layout.support(point)?;
-            Some(parts::support_reach(place(&point), size * unit))
+            Some(parts::support_reach(home.place(point), size * unit))
         });
         let symbols = supports.flatten();
         let symbols = symbols.chain(guides.iter().flat_map(|guide| guide.reach(unit)));
@@ -193,7 +194,7 @@ impl Figure {
             .map(|point| (point, paths::path(motion, &figure.layout, &runs, point)))
             .chain(traced)
             .collect();
-        figure.draw(&home, &guides, ground, &seen, view);
+        figure.draw(home, &guides, ground, &seen, view);
         Ok(figure)
     }
 
@@ -232,7 +233,7 @@ impl Figure {
         self.layout.drawn_role(link)
     }
 
-    /// The roles of drivers, Assur groups and doubled links, in the order of [`Mechanism::terms`].
+    /// The roles of drivers, Assur groups and doubled links, in the order of [`Mechanism::terms`](assur::mechanism::Mechanism::terms).
     pub fn term_roles(&self) -> impl Iterator<Item = Role> {
         roles::of_terms(self.motion.mechanism())
     }
@@ -246,14 +247,14 @@ impl Figure {
 
     /// The same with other assemblies dashed under the names.
     pub fn frame_beside<const N: usize>(&self, pose: &Pose<N>, others: &[Pose<1>]) -> Vec<f32> {
-        let mechanism = self.motion.mechanism();
+        let posed = self.posed(pose);
         let mut list = List::default();
         for other in others {
-            beside::draw(&mut list, &self.layout, mechanism, other);
+            beside::draw(&mut list, &self.layout, self.posed(other));
         }
-        self.label(&mut list, mechanism, pose);
-        self.overlaid.draw(&mut list, mechanism, pose, self.unit);
-        self.lines.draw(&mut list, mechanism, pose, self.unit);
+        self.label(&mut list, posed);
+        self.overlaid.draw(&mut list, posed, self.unit);
+        self.lines.draw(&mut list, posed, self.unit);
         let mut numbers = self.bodies(pose);
         numbers.extend(list.numbers());
         numbers
@@ -261,12 +262,11 @@ impl Figure {
 
     /// Where the bodies are in a pose, as a frame begins: `n, x₀, y₀, θ₀, …`.
     pub fn bodies<const N: usize>(&self, pose: &Pose<N>) -> Vec<f32> {
-        let mechanism = self.motion.mechanism();
+        let posed = self.posed(pose);
+        let links = posed.mechanism.link_ids();
         let mut poses = vec![(Point::origin(), 0.0)];
-        for link in mechanism.link_ids() {
-            poses.push(layout::body(mechanism, pose, Some(link)));
-        }
-        poses.extend(self.gearing.idlers(mechanism, pose));
+        poses.extend(links.map(|link| posed.body(Some(link))));
+        poses.extend(self.gearing.idlers(posed));
         let count = [poses.len() as f32];
         let poses = poses.iter().flat_map(|(at, angle)| [at.x, at.y, *angle]);
         count.into_iter().chain(poses.map(|x| x as f32)).collect()
@@ -274,13 +274,13 @@ impl Figure {
 
     fn draw(
         &mut self,
-        home: &Pose<1>,
+        home: Posed<'_, 1>,
         guides: &[Guide],
         ground: Option<[Point; 3]>,
         seen: &[Ways],
         view: &View,
     ) {
-        let (u, mechanism) = (self.unit, self.motion.mechanism());
+        let (u, mechanism) = (self.unit, home.mechanism);
         let mut list = List::default();
         for (point, paths) in seen {
             let link = self.layout.carrier(*point);
@@ -303,7 +303,7 @@ impl Figure {
         let points = mechanism.point_ids();
         for point in points.clone() {
             if let Some(size) = self.layout.support(point) {
-                parts::support(&mut list, mechanism.place(home, point).place(), size * u);
+                parts::support(&mut list, home.place(point), size * u);
             }
         }
         for centre in self.gearing.fixed_idlers() {
@@ -334,7 +334,7 @@ impl Figure {
         for point in points.filter(|point| self.layout.is_drawn(*point)) {
             let link = self.layout.link_of(point);
             list.body(layout::number(link));
-            let at = layout::local(mechanism, home, link, point);
+            let at = home.local(link, point);
             let role = link.map_or(Role::Secondary, |link| self.layout.drawn_role(link));
             if self.layout.is_joint(point) {
                 parts::hinge(&mut list, at, 1.1 * u);

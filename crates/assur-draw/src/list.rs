@@ -14,32 +14,44 @@
 
 use assur::Point;
 
-/// What is drawn; the painter has a colour for each, the same in drawing and
-/// plots. (`Paper` is the background.)
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "a role is its name")]
-pub enum Role {
-    Ink,
-    Secondary,
-    Line,
-    Crank,
-    Coupler,
-    Rocker,
-    Accent1,
-    Accent2,
-    Idler,
-    Paper,
-    Velocity,
-    Acceleration,
-    X,
-    Y,
-    Accent3,
-    Accent4,
-    Accent5,
-    Accent6,
-    Accent7,
-    Loose,
-    Locked,
+/// Roles with their names, in the order of their numbers.
+macro_rules! roles {
+    ($($role:ident = $name:literal,)+) => {
+        /// What is drawn; the painter has a colour for each, the same in drawing and
+        /// plots. (`Paper` is the background.)
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[expect(missing_docs, reason = "a role is its name")]
+        pub enum Role {
+            $($role,)+
+        }
+
+        /// The names of the roles in the order of their numbers.
+        pub const ROLES: [&str; [$($name),+].len()] = [$($name),+];
+    };
+}
+
+roles! {
+    Ink = "ink",
+    Secondary = "secondary",
+    Line = "line",
+    Crank = "crank",
+    Coupler = "coupler",
+    Rocker = "rocker",
+    Accent1 = "accent1",
+    Accent2 = "accent2",
+    Idler = "idler",
+    Paper = "paper",
+    Velocity = "velocity",
+    Acceleration = "acceleration",
+    X = "x",
+    Y = "y",
+    Accent3 = "accent3",
+    Accent4 = "accent4",
+    Accent5 = "accent5",
+    Accent6 = "accent6",
+    Accent7 = "accent7",
+    Loose = "loose",
+    Locked = "locked",
 }
 
 impl Role {
@@ -49,29 +61,14 @@ impl Role {
     }
 }
 
-/// The names of the roles in the order of their numbers.
-pub const ROLES: [&str; 21] = [
-    "ink",
-    "secondary",
-    "line",
-    "crank",
-    "coupler",
-    "rocker",
-    "accent1",
-    "accent2",
-    "idler",
-    "paper",
-    "velocity",
-    "acceleration",
-    "x",
-    "y",
-    "accent3",
-    "accent4",
-    "accent5",
-    "accent6",
-    "accent7",
-    "loose",
-    "locked",
+/// Colours in turn of links that are not driven, or of Assur groups.
+pub(crate) const IN_TURN: [Role; 6] = [
+    Role::Coupler,
+    Role::Rocker,
+    Role::Accent2,
+    Role::Accent3,
+    Role::Accent5,
+    Role::Accent6,
 ];
 
 /// How it is drawn.

@@ -10,6 +10,31 @@ use assur::sorting::sort_by;
 /// Points on a half circle of a rounded end.
 const ARC: usize = 10;
 
+/// Half the width of a link's bar, in units.
+pub(crate) const BAR: f64 = 1.15;
+/// Half length and half width of a block, in units.
+pub(crate) const BLOCK: [f64; 2] = [2.6, 1.7];
+
+/// A block that slides along a direction, with an arm to the point of its link where that is aside.
+pub(crate) fn block(
+    list: &mut List,
+    role: Role,
+    [point, middle]: [Point; 2],
+    along: Vector,
+    unit: f64,
+) {
+    if (point - middle).norm() > 0.1 * unit {
+        bar(list, role, point, middle, 0.9 * unit);
+    }
+    let across = Vector::new(-along.y, along.x);
+    let corners = rectangle(
+        middle,
+        [along * (BLOCK[0] * unit), across * (BLOCK[1] * unit)],
+    );
+    list.polygons(Role::Paper, Look::Solid, std::slice::from_ref(&corners));
+    list.polygons(role, Look::Pale, &[corners]);
+}
+
 /// A bar with round ends between two places.
 pub(crate) fn bar(list: &mut List, role: Role, from: Point, to: Point, half_width: f64) {
     list.polygons(role, Look::Solid, &[capsule(from, to, half_width)]);

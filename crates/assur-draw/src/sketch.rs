@@ -5,14 +5,11 @@ mod drawing;
 use assur::mechanism::{FRAME, LinkSpec, LinkageSpec, SlideSpec};
 use assur::{Point, Vector};
 
-use crate::list::{List, Look, Role};
-use crate::parts;
+use crate::list::{IN_TURN, List, Look, Role};
+use crate::parts::{self, BAR, BLOCK};
 
-/// Half the width of a link's bar, half the sides of a block, in units, as of a linkage that moves.
-const BAR: f64 = 1.15;
 /// Half the width of a ring's rim where it is pressed, relative to its radius.
 const RIM: f64 = 0.05;
-const BLOCK: [f64; 2] = [2.6, 1.7];
 /// The sheet of an empty drawing: left, bottom, right, top, in the unit of lengths.
 const SHEET: [f64; 4] = [-6.0, -4.0, 6.0, 4.0];
 /// Free room around what is drawn, for what comes next, relative to its size.
@@ -21,16 +18,6 @@ const ROOM: f64 = 0.15;
 const LEAST: f64 = 1e-3;
 /// A wheel that is in no mesh yet, in units.
 const WHEEL: f64 = 5.0;
-
-/// Colours of links in turn.
-const ROLES: [Role; 6] = [
-    Role::Coupler,
-    Role::Rocker,
-    Role::Accent2,
-    Role::Accent3,
-    Role::Accent5,
-    Role::Accent6,
-];
 
 /// What is said of links in colour, and how large an empty sheet is.
 #[derive(Clone, Debug)]
@@ -217,7 +204,7 @@ fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
             .iter()
             .any(|driver| draft.driven(driver) == Some(name))
     };
-    let mut turn = ROLES.into_iter().cycle();
+    let mut turn = IN_TURN.into_iter().cycle();
     let role = |link: &LinkSpec| {
         let own = if driven(&link.name) {
             Role::Crank

@@ -1,7 +1,7 @@
 //! What keeps a drawing from moving, and which edits would let it.
 
 use assur::mechanism::{Defect, Mechanism};
-use assur_file::{LinkageDocument, LinkageProblem, Problem};
+use assur_file::{LinkageDocument, Problem};
 use serde::Serialize;
 
 use crate::{Edit, checked, edited};
@@ -81,7 +81,7 @@ impl Advice {
         let (mut loose, mut locked) = (Vec::new(), Vec::new());
         for defect in &defects {
             match defect {
-                Defect::Loose(links) | Defect::Underdriven { links, .. } => {
+                Defect::Loose { links } | Defect::Underdriven { links, .. } => {
                     loose.extend(links.iter().cloned());
                 }
                 Defect::Locked { links, .. } | Defect::Instant { links } => {
@@ -95,7 +95,7 @@ impl Advice {
             loose,
             locked,
             mends: mends(document),
-            problems: LinkageProblem::all(defects),
+            problems: Problem::all(defects),
         }))
     }
 }

@@ -1,6 +1,6 @@
 //! What is added to a drawing: points, links, slides, what is traced and weighs.
 
-use assur::mechanism::FRAME;
+use assur::mechanism::{Defect, FRAME};
 use assur::{Point, Vector, nearest};
 use assur_file::{
     LinkDocument, LinkageDocument, LinkageProblem, PointDocument, SlideDocument, TracerDocument,
@@ -61,7 +61,7 @@ impl Drawing {
             }
             Edit::Slide { link, along } => {
                 let first = self.linked(link)?.points.first().cloned();
-                let unmade = || LinkageProblem::Bare { link: link.clone() };
+                let unmade = || Defect::Bare { link: link.clone() };
                 self.slide(link, &first.ok_or_else(unmade)?, along)
             }
             Edit::Dyad { outer, inner } => dyads::dyad(self, outer, *inner),
@@ -214,7 +214,7 @@ impl Drawing {
         let own = &self.linked(link)?.points;
         if own.iter().any(|one| one == point) {
             let (link, point) = (link.to_owned(), point.to_owned());
-            return Err(LinkageProblem::Repeated { link, point });
+            return Err(Defect::Repeated { link, point }.into());
         }
         for one in own {
             self.apart(&[one.clone(), point.to_owned()])?;
@@ -252,7 +252,7 @@ impl Drawing {
         let (on, line) = self.line(point, along)?;
         if on == link {
             let link = on;
-            return Err(LinkageProblem::WithItself { link });
+            return Err(Defect::WithItself { link }.into());
         }
         self.document.slides.push(SlideDocument {
             link: link.to_owned(),
@@ -330,7 +330,7 @@ impl Drawing {
     pub(crate) fn on_link(&self, link: &str, at: Point) -> Result<[f64; 2], LinkageProblem> {
         let points = &self.linked(link)?.points;
         let mut places = points.iter().map(|point| self.at(point));
-        let bare = || LinkageProblem::Bare {
+        let bare = || Defect::Bare {
             link: link.to_owned(),
         };
         let first = places.next().ok_or_else(bare)??;
@@ -346,5 +346,5 @@ impl Drawing {
 /// Nothing has this name.
 pub(crate) fn unknown(name: &str) -> LinkageProblem {
     let name = name.to_owned();
-    LinkageProblem::UnknownName { name }
+    Defect::UnknownName { name }.into()
 }

@@ -1,6 +1,6 @@
 //! What is driven, meshes, and is fixed to the frame or to a link.
 
-use assur::mechanism::FRAME;
+use assur::mechanism::{Defect, FRAME};
 use assur_file::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
     SlideDocument,
@@ -44,7 +44,7 @@ impl Drawing {
         let frame = carries(&self.document.frame).then(|| FRAME.to_owned());
         let carrier = frame.or(carrier.map(|link| link.name.clone()));
         let links = links.clone();
-        carrier.ok_or(LinkageProblem::NotHinged { links })
+        carrier.ok_or(Defect::NotHinged { links }.into())
     }
 
     /// Drives a link, or lets it go. Where there are drivers enough, the last one gives way.
@@ -79,7 +79,7 @@ impl Drawing {
                 let base = self.document.links.iter().find(shares);
                 let links = || [link.to_owned(), FRAME.to_owned()];
                 Some(
-                    base.ok_or_else(|| LinkageProblem::NotHinged { links: links() })?
+                    base.ok_or_else(|| Defect::NotHinged { links: links() })?
                         .name
                         .clone(),
                 )

@@ -29,8 +29,8 @@ pub use advice::{Advice, Mend};
 pub use edit::{Edit, End, Inner, Line, Outer};
 pub use selection::selected;
 
-use assur::mechanism::FARTHEST;
-use assur_file::{LinkageDocument, LinkageProblem, Problem};
+use assur::mechanism::{Defect, FARTHEST};
+use assur_file::{LinkageDocument, Problem};
 
 use draw::Drawing;
 
@@ -95,7 +95,7 @@ fn checked(document: &LinkageDocument) -> Result<(), Vec<Problem>> {
     match points.find(|point| point.at.iter().any(far)) {
         Some(point) => {
             let name = point.name.clone();
-            Err(vec![LinkageProblem::NotFinite { name }.into()])
+            Err(vec![Defect::NotFinite { name }.into()])
         }
         None => Ok(()),
     }

@@ -1,6 +1,6 @@
 //! Names of points and links: free ones, and those that are given up.
 
-use assur::mechanism::FRAME;
+use assur::mechanism::{Defect, FRAME};
 use assur_file::{LinkageDocument, LinkageProblem};
 
 /// The longest name that is made of the names of points.
@@ -185,12 +185,12 @@ pub(crate) fn rename(
     if name == to {
         return Ok(());
     }
-    let taken = || LinkageProblem::Twice {
+    let taken = || Defect::Twice {
         name: to.to_owned(),
     };
     if is_point(document, name) {
         if is_point(document, to) {
-            return Err(taken());
+            return Err(taken().into());
         }
         let before = called_by_points(document);
         rename_point(document, name, to);
@@ -198,12 +198,12 @@ pub(crate) fn rename(
         Ok(())
     } else if name != FRAME && is_link(document, name) {
         if is_link(document, to) {
-            return Err(taken());
+            return Err(taken().into());
         }
         rename_link(document, name, to);
         Ok(())
     } else {
         let name = name.to_owned();
-        Err(LinkageProblem::UnknownName { name })
+        Err(Defect::UnknownName { name }.into())
     }
 }

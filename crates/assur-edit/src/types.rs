@@ -1,32 +1,12 @@
 //! The shapes of edits, as the scripts of the page know them: `types.d.ts` of this crate is
 //! written by this test where `ASSUR_WRITE_TYPES` is set, and compared else.
 
-use std::{env, fs};
+use assur_tests::types::assert_declared;
 
-use ts_rs::{Config, TS};
-
-use crate::{Edit, End, Inner, Line, Mend, Outer};
+use crate::{Edit, Mend, Outer};
 
 #[test]
 fn the_scripts_know_what_can_be_edited() {
-    let config = Config::new().with_large_int("number");
-    let types = [
-        Edit::decl(&config),
-        End::decl(&config),
-        Line::decl(&config),
-        Outer::decl(&config),
-        Inner::decl(&config),
-        Mend::decl(&config),
-    ];
-    let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n\
-                 import { LinkageDocument } from \"assur/types/file.js\";\n";
-    let text: String = types
-        .map(|declared| format!("export {declared}\n"))
-        .concat();
-    let text = [first, &text].concat();
-    let place = concat!(env!("CARGO_MANIFEST_DIR"), "/types.d.ts");
-    if env::var_os("ASSUR_WRITE_TYPES").is_some() {
-        fs::write(place, &text).unwrap();
-    }
-    assert_eq!(fs::read_to_string(place).unwrap(), text);
+    let head = "import { LinkageDocument } from \"assur/types/file.js\";\n";
+    assert_declared::<(Edit, Outer, Mend)>(env!("CARGO_MANIFEST_DIR"), head);
 }

@@ -2,7 +2,7 @@
 
 mod changes;
 
-use assur::mechanism::Mechanism;
+use assur::mechanism::{Defect, Mechanism};
 use assur::motion::Motion;
 use assur_edit::{Advice, Edit, Edited, End, Inner, Line, Mend, Outer, edited, selected};
 use assur_file::{LinkageDocument, LinkageProblem, Problem};
@@ -114,7 +114,8 @@ fn what_is_rigid_is_told_by_its_count() {
     let advice = Advice::of(&rigid).unwrap().unwrap();
     assert_eq!(advice.mobility, Some(0));
     assert_eq!(advice.locked, ["AB", "BC"]);
-    let [Problem::Linkage(LinkageProblem::Locked { mobility: 0, .. })] = &advice.problems[..]
+    let [Problem::Linkage(LinkageProblem::Defect(Defect::Locked { mobility: 0, .. }))] =
+        &advice.problems[..]
     else {
         panic!("{:?}", advice.problems);
     };
@@ -210,7 +211,7 @@ fn links_are_called_by_their_points() {
             to: text("A"),
         },
     );
-    assert_eq!(taken, LinkageProblem::Twice { name: text("A") });
+    assert_eq!(taken, Defect::Twice { name: text("A") }.into());
 }
 
 #[test]

@@ -236,10 +236,16 @@ pub fn document(name: &str) -> Option<Result<Document, Vec<Problem>>> {
         return Some(Ok(mixer(*case)));
     }
     if let Some((id, text)) = SCHEMES.iter().find(|(one, _)| *one == name) {
-        return Some(scheme(id, text).map(Document::Scheme));
+        return Some(whole(text).map(|mut document: SchemeDocument| {
+            document.origin = Some((*id).to_owned());
+            Document::Scheme(document)
+        }));
     }
     if let Some((id, text)) = TRAINS.iter().find(|(one, _)| *one == name) {
-        return Some(train(id, text).map(Document::GearTrain));
+        return Some(whole(text).map(|mut document: GearTrainDocument| {
+            document.origin = Some((*id).to_owned());
+            Document::GearTrain(document)
+        }));
     }
     Some(linkage(file(name)?).map(Document::Linkage))
 }
@@ -268,18 +274,6 @@ fn mixer(case: Case) -> Document {
 fn linkage(file: &File) -> Result<LinkageDocument, Vec<Problem>> {
     let mut document = from_text(file.text)?;
     document.origin = Some(file.name.to_owned());
-    Ok(document)
-}
-
-fn scheme(name: &str, text: &str) -> Result<SchemeDocument, Vec<Problem>> {
-    let mut document: SchemeDocument = whole(text)?;
-    document.origin = Some(name.to_owned());
-    Ok(document)
-}
-
-fn train(name: &str, text: &str) -> Result<GearTrainDocument, Vec<Problem>> {
-    let mut document: GearTrainDocument = whole(text)?;
-    document.origin = Some(name.to_owned());
     Ok(document)
 }
 

@@ -5,6 +5,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use crate::kinds::Document;
+use crate::problem::Problems;
 use crate::state::{State, part, within};
 use crate::view::View;
 use crate::{FORMAT, Problem};
@@ -13,7 +14,7 @@ mod problem;
 mod varied;
 
 pub use problem::LessonProblem;
-use problem::{NUMBER, Problems};
+use problem::NUMBER;
 pub use varied::VariedDocument;
 
 /// How many steps a lesson may have, options a choice.
@@ -43,7 +44,7 @@ pub struct LessonDocument {
 
 /// A step: a text, what it shows, what is asked.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct StepDocument {
     /// What it is called.
@@ -56,11 +57,9 @@ pub struct StepDocument {
     pub formula: String,
     /// What it shows; none: what the step before shows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub shows: Option<ShownDocument>,
     /// What is asked, if anything is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub question: Option<QuestionDocument>,
 }
 
@@ -83,7 +82,7 @@ pub struct ShownDocument {
 
 /// A question: exactly one of a number, a choice and a state to be reached.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct QuestionDocument {
     /// What is asked.
@@ -94,34 +93,28 @@ pub struct QuestionDocument {
     pub hint: String,
     /// A number is the answer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub number: Option<NumberDocument>,
     /// One of several options is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub choice: Option<ChoiceDocument>,
     /// The mechanism is to be brought somewhere.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub reach: Option<ReachDocument>,
 }
 
 /// An answer that is a number: a quantity of what the step shows, or a fixed value.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct NumberDocument {
     /// Its name, such as `rocker.angle` or `C.x′`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub quantity: Option<String>,
     /// The input at which it is asked for, as readers count; none: where the step shows it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub at: Option<f64>,
     /// The answer itself, if it is no quantity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub value: Option<f64>,
     /// What is written beside a value.
     #[serde(default, skip_serializing_if = "String::is_empty")]

@@ -38,9 +38,7 @@ pub use kinds::linkage::{
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 pub use kinds::numbers::NumberField;
-pub use kinds::scheme::{
-    EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument, SchemeProblem,
-};
+pub use kinds::scheme::{EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument};
 pub use kinds::synthesis::function::{FormulaDocument, FunctionDocument, Wanted};
 pub use kinds::synthesis::{PositionDocument, Synthesis, SynthesisDocument, SynthesisProblem};
 pub use kinds::{Document, Kind, Moved};

@@ -3,6 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::problem::Problems;
 use crate::{Field, Problem};
 
 /// How an image begins: a picture of one of these types, as text.
@@ -60,51 +61,27 @@ pub enum PictureProblem {
     PictureDamaged { field: Field },
 }
 
-impl From<PictureProblem> for Problem {
-    fn from(problem: PictureProblem) -> Self {
-        Self::Picture(problem)
-    }
-}
-
 impl PictureDocument {
     /// Checks the image, and where it lies.
     ///
     /// # Errors
     /// Every problem at once, each naming its field.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
-        let mut problems: Vec<Problem> = self
-            .image_problem()
-            .map(Problem::from)
-            .into_iter()
-            .collect();
-        let [x, y] = self.at;
-        let least = f64::MIN_POSITIVE;
-        for (field, value, [min, max]) in [
-            ("picture.at", x, [-NUMBER, NUMBER]),
-            ("picture.at", y, [-NUMBER, NUMBER]),
-            ("picture.width", self.width, [least, NUMBER]),
-            ("picture.turn_deg", self.turn_deg, [-360.0, 360.0]),
-            ("picture.opacity", self.opacity, [PALEST, 1.0]),
-        ] {
-            let field = field.into();
-            if !value.is_finite() {
-                problems.push(Problem::NotANumber { field });
-            } else if min == least && value < min {
-                problems.push(Problem::NotPositive { field, value });
-            } else if !(min..=max).contains(&value) {
-                problems.push(Problem::OutOfRange {
-                    field,
-                    value,
-                    min,
-                    max,
-                });
-            }
+        let mut problems = Problems::default();
+        problems.0.extend(self.image_problem().map(Problem::from));
+        for at in self.at {
+            problems.range("picture.at", at, [-NUMBER, NUMBER]);
         }
-        if problems.is_empty() {
-            Ok(())
+        let value = self.width;
+        if value.is_finite() && value < f64::MIN_POSITIVE {
+            let field = "picture.width".into();
+            problems.add(Problem::NotPositive { field, value });
         } else {
-            Err(problems)
+            problems.range("picture.width", value, [f64::MIN_POSITIVE, NUMBER]);
         }
+        problems.range("picture.turn_deg", self.turn_deg, [-360.0, 360.0]);
+        problems.range("picture.opacity", self.opacity, [PALEST, 1.0]);
+        problems.end()
     }
 
     fn image_problem(&self) -> Option<PictureProblem> {

@@ -3,13 +3,12 @@
 
 use std::borrow::Cow;
 
+use assur::mechanism::Defect;
+use assur::mobility::{CutError, SchemeDefect};
 use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
 
-use crate::{
-    GearTrainProblem, LessonProblem, LinkageProblem, PictureProblem, SchemeProblem,
-    SynthesisProblem,
-};
+use crate::{GearTrainProblem, LessonProblem, LinkageProblem, PictureProblem, SynthesisProblem};
 
 /// The saved name of a field, with the place in its list: `l1`, `wheels[2].z`.
 pub type Field = Cow<'static, str>;
@@ -63,6 +62,8 @@ pub enum Problem {
     InCompared,
     /// The text is no JSON.
     NotJson { detail: String },
+    /// A scheme has no motion.
+    NoMotion,
     /// What is wrong with a linkage.
     #[serde(untagged)]
     Linkage(LinkageProblem),
@@ -71,7 +72,10 @@ pub enum Problem {
     Synthesis(SynthesisProblem),
     /// What is wrong with a scheme of links and pairs.
     #[serde(untagged)]
-    Scheme(SchemeProblem),
+    Scheme(SchemeDefect),
+    /// What is wrong with the cuts of a scheme.
+    #[serde(untagged)]
+    Cut(CutError),
     /// What is wrong with a lesson.
     #[serde(untagged)]
     Lesson(LessonProblem),
@@ -83,16 +87,78 @@ pub enum Problem {
     GearTrain(GearTrainProblem),
 }
 
-impl From<LinkageProblem> for Problem {
-    fn from(problem: LinkageProblem) -> Self {
-        Self::Linkage(problem)
+/// Makes a problem of those of its parts.
+macro_rules! of_parts {
+    ($($variant:ident($part:ty),)+) => {
+        $(impl From<$part> for Problem {
+            fn from(part: $part) -> Self {
+                Self::$variant(part)
+            }
+        })+
+    };
+}
+
+of_parts! {
+    Linkage(LinkageProblem),
+    Synthesis(SynthesisProblem),
+    Scheme(SchemeDefect),
+    Cut(CutError),
+    Lesson(LessonProblem),
+    Picture(PictureProblem),
+    GearTrain(GearTrainProblem),
+}
+
+/// Problems found so far.
+#[derive(Default)]
+pub(crate) struct Problems(pub(crate) Vec<Problem>);
+
+impl Problems {
+    pub(crate) fn add(&mut self, problem: impl Into<Problem>) {
+        self.0.push(problem.into());
+    }
+
+    /// Adds what is wrong with a number of this range.
+    pub(crate) fn range(&mut self, field: impl Into<Field>, value: f64, [min, max]: [f64; 2]) {
+        let field = field.into();
+        if !value.is_finite() {
+            self.add(Problem::NotANumber { field });
+        } else if !(min..=max).contains(&value) {
+            self.add(Problem::OutOfRange {
+                field,
+                value,
+                min,
+                max,
+            });
+        }
+    }
+
+    /// Adds what is wrong with a title or source of at most so many characters.
+    pub(crate) fn text(&mut self, path: &str, text: Option<&String>, max: usize) {
+        if text.is_some_and(|text| !is_plain(text, max)) {
+            let path = path.to_owned();
+            self.add(LinkageProblem::BadText { path, max });
+        }
+    }
+
+    pub(crate) fn end(self) -> Result<(), Vec<Problem>> {
+        if self.0.is_empty() {
+            Ok(())
+        } else {
+            Err(self.0)
+        }
     }
 }
 
-impl From<Invalid> for Problem {
-    fn from(invalid: Invalid) -> Self {
-        let field = field(invalid.dimension);
-        match invalid.fault {
+/// True if a text has at most so many characters and no control character.
+pub(crate) fn is_plain(text: &str, longest: usize) -> bool {
+    text.chars().count() <= longest && !text.contains(char::is_control)
+}
+
+impl Problem {
+    /// The fault of a field.
+    pub(crate) fn of_fault(field: impl Into<Field>, fault: Fault) -> Self {
+        let field = field.into();
+        match fault {
             Fault::NotFinite => Self::NotANumber { field },
             Fault::NotPositive { value } => Self::NotPositive { field, value },
             Fault::OutOfRange { value, min, max } => Self::OutOfRange {
@@ -107,6 +173,23 @@ impl From<Invalid> for Problem {
             Fault::BothSides => Self::MixedWheels { field },
             Fault::Absent => Self::UnknownChoice { field },
         }
+    }
+
+    /// Defects as problems.
+    pub fn all(defects: Vec<impl Into<Self>>) -> Vec<Self> {
+        defects.into_iter().map(Into::into).collect()
+    }
+}
+
+impl From<Defect> for Problem {
+    fn from(defect: Defect) -> Self {
+        LinkageProblem::from(defect).into()
+    }
+}
+
+impl From<Invalid> for Problem {
+    fn from(invalid: Invalid) -> Self {
+        Self::of_fault(field(invalid.dimension), invalid.fault)
     }
 }
 

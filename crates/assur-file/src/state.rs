@@ -6,6 +6,7 @@ use serde_json::Value;
 
 use crate::kinds::{Document, Moved};
 use crate::lesson::LessonDocument;
+use crate::problem::Problems;
 use crate::text::json;
 use crate::view::{OpenLesson, View};
 use crate::{LinkageDocument, PictureDocument, Problem};
@@ -142,22 +143,19 @@ impl State {
     /// # Errors
     /// Every problem at once, each naming its field.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
-        let Self { format, .. } = *self;
-        let format = (format != FORMAT).then_some(Problem::UnknownFormat { format });
-        let view = self.view.check().err().into_iter().flatten();
-        let lesson = self.lesson.iter();
-        let lesson = lesson.filter_map(|lesson| lesson.check().err()).flatten();
-        let picture = self.picture.iter();
-        let picture = picture
-            .filter_map(|picture| picture.check().err())
-            .flatten();
-        let problems = format.into_iter().chain(view).chain(lesson).chain(picture);
-        let problems: Vec<Problem> = problems.collect();
-        if problems.is_empty() {
-            Ok(())
-        } else {
-            Err(problems)
+        let mut problems = Problems::default();
+        let format = self.format;
+        if format != FORMAT {
+            problems.add(Problem::UnknownFormat { format });
         }
+        let lesson = self.lesson.as_ref().map(LessonDocument::check);
+        let picture = self.picture.as_ref().map(PictureDocument::check);
+        for checked in [Some(self.view.check()), lesson, picture] {
+            problems
+                .0
+                .extend(checked.and_then(Result::err).into_iter().flatten());
+        }
+        problems.end()
     }
 }
 

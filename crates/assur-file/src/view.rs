@@ -4,6 +4,7 @@ use assur::motion::InputRate;
 use serde::{Deserialize, Serialize};
 
 use crate::Problem;
+use crate::problem::Problems;
 
 /// The largest crank angle, in degrees, that still has all its digits after the point; the
 /// farthest way of a driven slide, in the unit of the lengths; the longest time, seconds.
@@ -21,7 +22,7 @@ const NAME_LIMIT: usize = 64;
 
 /// How the mechanism is looked at; nothing here changes the mechanism.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub struct View {
     /// Where the input is, if it is an angle: the crank angle, degrees.
     pub phi_deg: f64,
@@ -92,7 +93,6 @@ pub struct View {
     pub plot: String,
     /// What is plotted against each other instead, if anything is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub against: Option<Against>,
     /// Which of the plots is shown alone, if one is.
     #[serde(default)]
@@ -120,7 +120,6 @@ pub struct View {
     pub differenced: bool,
     /// The lesson that is open, if one is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub lesson: Option<OpenLesson>,
     /// Large text, thick lines, high contrast.
     #[serde(default)]
@@ -270,48 +269,36 @@ impl View {
     /// # Errors
     /// Every problem at once, each naming its field.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
-        let mut problems = Vec::new();
-        let Self { omega, epsilon, .. } = *self;
+        let mut problems = Problems::default();
         for (field, value, limit) in [
             ("phi_deg", self.phi_deg, INPUT_LIMIT),
             ("s", self.s, INPUT_LIMIT),
             ("t", self.t, INPUT_LIMIT),
-            ("omega", omega, OMEGA_LIMIT),
-            ("epsilon", epsilon, EPSILON_LIMIT),
+            ("omega", self.omega, OMEGA_LIMIT),
+            ("epsilon", self.epsilon, EPSILON_LIMIT),
         ] {
-            let field = field.into();
-            if !value.is_finite() {
-                problems.push(Problem::NotANumber { field });
-            } else if value.abs() > limit {
-                problems.push(Problem::OutOfRange {
-                    field,
-                    value,
-                    min: -limit,
-                    max: limit,
-                });
-            }
+            problems.range(field, value, [-limit, limit]);
         }
-        if self.true_time && omega == 0.0 {
-            problems.push(Problem::AtRest {
-                field: "omega".into(),
-            });
+        if self.true_time && self.omega == 0.0 {
+            let field = "omega".into();
+            problems.add(Problem::AtRest { field });
         }
         if self.direction.abs() != 1.0 {
-            problems.push(Problem::UnknownChoice {
-                field: "direction".into(),
-            });
+            let field = "direction".into();
+            problems.add(Problem::UnknownChoice { field });
         }
-        problems.extend(speed_problem(self.speed));
-        if !self.lesson.as_ref().is_none_or(OpenLesson::is_sound) {
-            problems.push(Problem::UnknownChoice {
-                field: "lesson".into(),
-            });
-        }
-        if problems.is_empty() {
-            Ok(())
+        let value = self.speed;
+        if value.is_finite() && value <= 0.0 {
+            let field = "speed".into();
+            problems.add(Problem::NotPositive { field, value });
         } else {
-            Err(problems)
+            problems.range("speed", value, [0.0, SPEED_LIMIT]);
         }
+        if !self.lesson.as_ref().is_none_or(OpenLesson::is_sound) {
+            let field = "lesson".into();
+            problems.add(Problem::UnknownChoice { field });
+        }
+        problems.end()
     }
 }
 
@@ -321,26 +308,5 @@ impl OpenLesson {
         let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         let length = self.id.len();
         (1..=NAME_LIMIT).contains(&length) && self.id.chars().all(plain) && self.step > 0
-    }
-}
-
-fn speed_problem(speed: f64) -> Option<Problem> {
-    let field = "speed".into();
-    if !speed.is_finite() {
-        Some(Problem::NotANumber { field })
-    } else if speed <= 0.0 {
-        Some(Problem::NotPositive {
-            field,
-            value: speed,
-        })
-    } else if speed > SPEED_LIMIT {
-        Some(Problem::OutOfRange {
-            field,
-            value: speed,
-            min: 0.0,
-            max: SPEED_LIMIT,
-        })
-    } else {
-        None
     }
 }

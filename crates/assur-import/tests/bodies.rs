@@ -1,5 +1,6 @@
 //! Which links of PMKS+ are one body: welded parts, what the frame holds, and the slides of both.
 
+use assur::mechanism::Defect;
 use assur::motion::Motion;
 use assur_file::{LinkageDocument, LinkageProblem, Problem};
 use assur_import::{Imported, LeftOut, read};
@@ -100,7 +101,9 @@ fn a_third_link_at_welded_parts_is_hinged() {
     );
     let problems = imported.document.motion().unwrap_err();
     let freedoms = problems.iter().find_map(|problem| match problem {
-        Problem::Linkage(LinkageProblem::Underdriven { mobility, .. }) => Some(*mobility),
+        Problem::Linkage(LinkageProblem::Defect(Defect::Underdriven { mobility, .. })) => {
+            Some(*mobility)
+        }
         _ => None,
     });
     assert_eq!(freedoms, Some(2), "{problems:?}");

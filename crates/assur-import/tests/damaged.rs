@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use allocation_counter::measure;
 use assur::Swing;
+use assur::mechanism::Defect;
 use assur::motion::{Column, Grid, OutputProfile};
 use assur_file::{LinkageDocument, LinkageProblem, Problem, from_text};
 use assur_import::{ImportProblem, Imported, read, recognised};
@@ -74,11 +75,13 @@ fn sound(Imported { document, .. }: &Imported) {
             Problem::Linkage(
                 LinkageProblem::BadName { .. }
                     | LinkageProblem::BadText { .. }
-                    | LinkageProblem::Twice { .. }
-                    | LinkageProblem::UnknownName { .. }
-                    | LinkageProblem::Bare { .. }
-                    | LinkageProblem::Repeated { .. }
-                    | LinkageProblem::NotOnLink { .. }
+                    | LinkageProblem::Defect(
+                        Defect::Twice { .. }
+                            | Defect::UnknownName { .. }
+                            | Defect::Bare { .. }
+                            | Defect::Repeated { .. }
+                            | Defect::NotOnLink { .. }
+                    )
                     | LinkageProblem::BadDriver { .. }
                     | LinkageProblem::NothingToTrace { .. }
             )

@@ -22,8 +22,11 @@ pub(crate) trait Capabilities {
     /// What is said of it as a whole; it says by `moves` whether anything does.
     fn summary(&self) -> JsValue;
 
-    /// What stands still in its drawing.
-    fn rigid(&self) -> Rigid<'_>;
+    /// What stands still in its drawing: that of its linkage, where it is one.
+    fn rigid(&self) -> Rigid<'_> {
+        let figure = self.linkage().map(Moving::figure);
+        figure.map(Rigid::from).unwrap_or_default()
+    }
 
     /// The place of what never moves, as of [`crate::Simulator::at`], where what falls open has
     /// done so by a share of its way; of what moves none.
@@ -33,7 +36,7 @@ pub(crate) trait Capabilities {
 
     /// What moves, is read, listed and plotted, where anything is.
     fn moves(&self) -> Option<&dyn Moves> {
-        None
+        self.linkage().map(|moving| moving as &dyn Moves)
     }
 
     /// The linkage that moves, where it is one.
@@ -155,6 +158,7 @@ pub(crate) trait Moves {
 }
 
 /// What stands still in a drawing.
+#[derive(Default)]
 pub(crate) struct Rigid<'a> {
     /// What the numbers of labels stand for.
     pub(crate) names: &'a [String],

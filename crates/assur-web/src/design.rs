@@ -47,7 +47,9 @@ pub(crate) struct StepSummary {
     judged: usize,
     accepted: bool,
     before: f64,
-    reached: ReachedSummary,
+    #[serde(with = "ReachedSummary")]
+    #[cfg_attr(test, ts(as = "ReachedSummary"))]
+    reached: Evaluation,
     #[cfg_attr(test, ts(type = "\"fulfilled\" | \"settled\" | null"))]
     end: Option<&'static str>,
     #[cfg_attr(test, ts(type = "Partial<LinkageDocument> | null"))]
@@ -56,6 +58,7 @@ pub(crate) struct StepSummary {
 
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(remote = "Evaluation")]
 pub(crate) struct ReachedSummary {
     arc: f64,
     stroke: f64,
@@ -97,7 +100,7 @@ impl Design {
             judged,
             accepted,
             before: self.before,
-            reached: evaluation.into(),
+            reached: evaluation,
             end: end.map(|end| match end {
                 End::Fulfilled => "fulfilled",
                 End::Settled => "settled",
@@ -152,22 +155,5 @@ impl Design {
     /// The document with the best linkage so far.
     fn redrawn(&self) -> Redrawn {
         Redrawn::of(self.search.mechanism().spec())
-    }
-}
-
-impl From<Evaluation> for ReachedSummary {
-    fn from(reached: Evaluation) -> Self {
-        let Evaluation {
-            arc,
-            stroke,
-            residual,
-            singularity_margin,
-        } = reached;
-        Self {
-            arc,
-            stroke,
-            residual,
-            singularity_margin,
-        }
     }
 }

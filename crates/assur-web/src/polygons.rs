@@ -36,18 +36,15 @@ pub(crate) struct PolygonPictureHere {
 
 /// One step: a vector equation, or points that follow.
 #[derive(Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub(crate) struct PolygonStepHere {
     /// The pole, an equation, points by the image of their link, points of a group that is no dyad.
     #[cfg_attr(test, ts(type = "\"pole\" | \"equation\" | \"image\" | \"group\""))]
     kind: &'static str,
     /// The unknown point of an equation and its reference point.
-    #[cfg_attr(test, ts(optional = nullable))]
     target: Option<String>,
-    #[cfg_attr(test, ts(optional = nullable))]
     from: Option<String>,
     /// The number of the link that has both, or the line; 0 of the frame.
-    #[cfg_attr(test, ts(optional = nullable))]
     link: Option<String>,
     /// What is added to its velocity, and to its acceleration.
     legs: [Vec<LegHere>; 2],

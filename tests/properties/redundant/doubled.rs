@@ -167,6 +167,8 @@ fn a_driver_of_the_frame_is_named() {
     let mut draft = doubled(&mut random, ["A", "D"]);
     draft.drivers.clear();
     let draft = draft.crank("double");
-    let said = [Defect::WithItself("double".to_owned())];
+    let said = [Defect::WithItself {
+        link: "double".to_owned(),
+    }];
     assert_eq!(Mechanism::new(&draft).unwrap_err(), said);
 }

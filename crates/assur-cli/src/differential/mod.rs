@@ -346,7 +346,7 @@ fn conditions(all: &[Condition]) -> Value {
             "relation": words::relation(condition.relation),
             "right": condition.right,
         });
-        (words::condition(condition.kind).to_owned(), told)
+        (condition.kind.code().to_owned(), told)
     });
     Value::Object(named.collect())
 }

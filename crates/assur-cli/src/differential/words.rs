@@ -1,7 +1,7 @@
 //! What is said of trains that are none, and the names of conditions.
 
 use assur::Fault;
-use assur::gears::train::{ConditionKind, InputError, Member, Relation, Shaft, TrainError};
+use assur::gears::train::{InputError, Member, Relation, Shaft, TrainError};
 
 pub(super) const NO_CONTACT: &str = "z4 - z1 is odd or too small for gears in contact, z2 = (z4 - z1)/2: give z2, \
      without which the satellite's speed is unknown";
@@ -93,18 +93,6 @@ fn number(name: &str, fault: Fault) -> String {
             format!("{name} must be from {min} to {max}, not {value}")
         }
         _ => format!("{name} is not a finite number"),
-    }
-}
-
-/// The name of a condition.
-pub(super) fn condition(kind: ConditionKind) -> &'static str {
-    match kind {
-        ConditionKind::Coaxiality => "coaxiality",
-        ConditionKind::Room => "room",
-        ConditionKind::SunGap => "sun_gap",
-        ConditionKind::RingGap => "ring_gap",
-        ConditionKind::Assembly => "assembly",
-        ConditionKind::Neighbours => "neighbours",
     }
 }
 

@@ -233,13 +233,8 @@ pub(super) fn printed(task: &Task, couplers: &[f64], lengths: Option<Proportions
             for one in theorems(&angles).into_iter().flatten() {
                 told[format!("theorem_{}", one.number)] = words::asked(one.conditions, one.truth);
             }
-            if let Some(Proportions {
-                coupler,
-                output,
-                input,
-            }) = lengths
-            {
-                let open = functional(&angles, [coupler, output, input]).sqrt();
+            if let Some(proportions) = lengths {
+                let open = functional(&angles, proportions.z()).sqrt();
                 told["open"] = json!(open * frame.length);
             }
             told

@@ -1,22 +1,18 @@
 //! Another assembly, dashed beside the one that is drawn.
 
 use assur::Point;
-use assur::mechanism::{Mechanism, PointId, Pose};
+use assur::mechanism::PointId;
 
 use super::layout::Layout;
+use super::posed::Posed;
 use crate::list::{List, Look};
 
 /// Each link by lines between its joints, in its colour.
-pub(super) fn draw<const N: usize>(
-    list: &mut List,
-    layout: &Layout,
-    mechanism: &Mechanism,
-    pose: &Pose<N>,
-) {
-    for link in mechanism.link_ids() {
-        let joints = mechanism.points_of(link).iter();
+pub(super) fn draw<const N: usize>(list: &mut List, layout: &Layout, posed: Posed<'_, N>) {
+    for link in posed.mechanism.link_ids() {
+        let joints = posed.mechanism.points_of(link).iter();
         let joints = joints.filter(|point| layout.is_drawn(**point));
-        let place = |point: &PointId| mechanism.place(pose, *point).place();
+        let place = |point: &PointId| posed.place(*point);
         let mut corners: Vec<Point> = joints.map(place).collect();
         if corners.len() > 2 {
             corners.push(corners[0]);

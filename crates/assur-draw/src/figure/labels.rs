@@ -4,24 +4,18 @@ use super::*;
 
 impl Figure {
     /// The names of the points, away from the links that meet there, and of wheels.
-    pub(super) fn label<const N: usize>(
-        &self,
-        list: &mut List,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
-    ) {
-        let place = |point: PointId| mechanism.place(pose, point).place();
-        let points = mechanism.point_ids();
+    pub(super) fn label<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>) {
+        let points = posed.mechanism.point_ids();
         for point in points.filter(|point| self.layout.is_drawn(*point)) {
-            let at = place(point);
-            let toward = |other: &PointId| at - place(*other);
+            let at = posed.place(point);
+            let toward = |other: &PointId| at - posed.place(*other);
             let off = if self.layout.is_tracer(point) {
                 [1.2, 0.9]
             } else if self.layout.is_support(point) {
                 [-1.5, -0.2]
             } else if let Some(pivot) = self.layout.end_of(point) {
                 let others = self.layout.neighbours(point).iter();
-                let others = others.map(|other| place(*other) - at);
+                let others = others.map(|other| posed.place(*other) - at);
                 self.beyond(point, clear_of(others, toward(&pivot)))
             } else {
                 let near = self.layout.neighbours(point).iter().map(toward);
@@ -36,7 +30,7 @@ impl Figure {
             list.name(Role::Ink, point.index(), at, off);
         }
         for (link, tag, name) in &self.tags {
-            if let Some(at) = self.gearing.tagged(mechanism, pose, *link, tag) {
+            if let Some(at) = self.gearing.tagged(posed, *link, tag) {
                 list.name(Role::Ink, *name, at, [0.0, 0.0]);
             }
         }

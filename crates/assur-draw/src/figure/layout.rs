@@ -1,8 +1,9 @@
 //! Which points are joints, which links are drawn how.
 
-use assur::mechanism::{FRAME, LinkId, LinkOrFrame, Mechanism, PointId, Pose, SlideSpec};
+use assur::mechanism::{FRAME, LinkId, LinkOrFrame, Mechanism, PointId, SlideSpec};
 use assur::{Point, Vector};
 
+use super::posed::Posed;
 use super::{View, roles};
 use crate::list::Role;
 use crate::parts;
@@ -49,9 +50,10 @@ struct Pinned {
 }
 
 impl Layout {
-    pub(super) fn new(mechanism: &Mechanism, home: &Pose<1>, view: &View) -> Self {
+    pub(super) fn new(home: Posed<'_, 1>, view: &View) -> Self {
+        let mechanism = home.mechanism;
         let points = mechanism.point_ids();
-        let points = points.map(|point| pinned(mechanism, home, view, point));
+        let points = points.map(|point| pinned(home, view, point));
         let roles = roles::own(mechanism, &view.annotations);
         let links = mechanism.spec().links.iter();
         let mut layout = Self {
@@ -70,14 +72,15 @@ impl Layout {
             let joints = mechanism.points_of(link).iter();
             let joints = joints.filter(|point| layout.is_joint(**point)).count();
             layout.bars.push(joints > 1);
-            layout.outlines.push(layout.outlined(mechanism, home, link));
+            layout.outlines.push(layout.outlined(home, link));
         }
         layout
     }
 
     /// The corners of a link: two of a bar, three and more of a plate; none of
     /// one that lies on what it is fixed to.
-    fn outlined(&self, mechanism: &Mechanism, home: &Pose<1>, link: LinkId) -> Vec<Point> {
+    fn outlined(&self, home: Posed<'_, 1>, link: LinkId) -> Vec<Point> {
+        let mechanism = home.mechanism;
         let own = mechanism.points_of(link).iter();
         let own: Vec<PointId> = own
             .copied()
@@ -88,9 +91,7 @@ impl Layout {
         if fixed && own.iter().all(listed) {
             return Vec::new();
         }
-        let places = own
-            .iter()
-            .map(|point| local(mechanism, home, Some(link), *point));
+        let places = own.iter().map(|point| home.local(Some(link), *point));
         parts::hull(places.collect())
     }
 
@@ -218,7 +219,8 @@ impl Layout {
     }
 }
 
-fn pinned(mechanism: &Mechanism, home: &Pose<1>, view: &View, point: PointId) -> Pinned {
+fn pinned(home: Posed<'_, 1>, view: &View, point: PointId) -> Pinned {
+    let mechanism = home.mechanism;
     let draft = mechanism.spec();
     let mut links = lists(mechanism, point);
     let mut bodies: Vec<LinkOrFrame> = Vec::new();
@@ -267,7 +269,7 @@ fn pinned(mechanism: &Mechanism, home: &Pose<1>, view: &View, point: PointId) ->
         bodies,
         link: first,
         shaft,
-        end: pivot.is_some_and(|(link, pivot)| is_end(mechanism, home, link, pivot, point)),
+        end: pivot.is_some_and(|(link, pivot)| is_end(home, link, pivot, point)),
         pivot,
         neighbours,
     }
@@ -312,18 +314,11 @@ fn pivot_of(mechanism: &Mechanism, link: LinkId) -> Option<PointId> {
 }
 
 /// Whether nothing of a link is beyond a point of it, seen from another.
-fn is_end(
-    mechanism: &Mechanism,
-    home: &Pose<1>,
-    link: LinkId,
-    from: PointId,
-    point: PointId,
-) -> bool {
-    let place = |point: PointId| mechanism.place(home, point).place();
-    let (at, outward) = (place(point), place(point) - place(from));
-    let mut others = mechanism.points_of(link).iter();
+fn is_end(home: Posed<'_, 1>, link: LinkId, from: PointId, point: PointId) -> bool {
+    let (at, outward) = (home.place(point), home.place(point) - home.place(from));
+    let mut others = home.mechanism.points_of(link).iter();
     others.all(|other| {
-        let off = place(*other) - at;
+        let off = home.place(*other) - at;
         *other == point || off.dot(&outward) < BEYOND.cos() * off.norm() * outward.norm()
     })
 }
@@ -336,30 +331,6 @@ pub(super) fn body_of(mechanism: &Mechanism, link: LinkOrFrame) -> LinkOrFrame {
 /// The number of what is drawn on a link, or on the frame, in a display list.
 pub(super) fn number(link: LinkOrFrame) -> usize {
     link.map_or(0, |link| link.index() + 1)
-}
-
-/// Where a link's own coordinates are: its first point and its angle.
-pub(super) fn body<const N: usize>(
-    mechanism: &Mechanism,
-    pose: &Pose<N>,
-    link: LinkOrFrame,
-) -> (Point, f64) {
-    let first = link.and_then(|link| Some((link, *mechanism.points_of(link).first()?)));
-    first.map_or((Point::origin(), 0.0), |(link, point)| {
-        let angle = mechanism.angle(pose, link).value();
-        (mechanism.place(pose, point).place(), angle)
-    })
-}
-
-/// Where a point is in the coordinates of a link.
-pub(super) fn local<const N: usize>(
-    mechanism: &Mechanism,
-    pose: &Pose<N>,
-    link: LinkOrFrame,
-    point: PointId,
-) -> Point {
-    let (origin, angle) = body(mechanism, pose, link);
-    Point::origin() + turned(mechanism.place(pose, point).place() - origin, -angle)
 }
 
 pub(super) fn turned(v: Vector, angle: f64) -> Vector {

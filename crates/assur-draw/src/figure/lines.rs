@@ -2,12 +2,13 @@
 
 use assur::centres::{Centre, InstantCentre, Source};
 use assur::curvature::{Centrodes, Circles, Curvature, Evolute};
-use assur::mechanism::{BodyId, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
+use assur::mechanism::{BodyId, LinkId, LinkOrFrame, Mechanism, PointId};
 use assur::motion::Motion;
 use assur::{JetPoint, Point, Vector};
 
 use super::layout::{self, Layout};
 use super::names::Names;
+use super::posed::Posed;
 use super::{Figure, View, bounds};
 use crate::list::{List, Look, Role};
 
@@ -142,24 +143,18 @@ impl Drawn {
     }
 
     /// What changes from pose to pose; circles of one with three derivatives, at a dead point centres by places alone.
-    pub(super) fn draw<const N: usize>(
-        &self,
-        list: &mut List,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
-        unit: f64,
-    ) {
+    pub(super) fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         if self.lines.centres {
-            self.centres(list, mechanism, pose, unit);
+            self.centres(list, posed, unit);
         }
         if N >= 4 && self.lines.curvature {
-            self.circles(list, mechanism, pose, unit);
+            self.circles(list, posed, unit);
         }
         let Some(link) = self.link.filter(|_| self.lines.centrodes) else {
             return;
         };
-        let about = [BodyId::FRAME, mechanism.body_of(Some(link))];
-        let centres = all(mechanism, pose);
+        let about = [BodyId::FRAME, posed.mechanism.body_of(Some(link))];
+        let centres = all(posed);
         let pole = centres.iter().find(|centre| centre.bodies == about);
         if let Some(Centre::At(pole)) = pole.map(|pole| pole.centre) {
             self.mark(list, pole, self.symbols[0], unit);
@@ -174,21 +169,16 @@ impl Drawn {
         }
     }
 
-    fn centres<const N: usize>(
-        &self,
-        list: &mut List,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
-        unit: f64,
-    ) {
-        let centres = all(mechanism, pose);
+    fn centres<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
+        let centres = all(posed);
         let of = |[a, b]: [BodyId; 2]| {
             let bodies = [a.min(b), a.max(b)];
             let found = centres.iter().find(|centre| centre.bodies == bodies);
             found.map(|found| found.centre)
         };
         let asked = self.link.and_then(|link| {
-            let [a, b] = [Some(link), self.lines.against].map(|link| mechanism.body_of(link));
+            let about = [Some(link), self.lines.against];
+            let [a, b] = about.map(|link| posed.mechanism.body_of(link));
             let about = [a.min(b), a.max(b)];
             centres.iter().find(|centre| centre.bodies == about)
         });
@@ -249,13 +239,8 @@ impl Drawn {
         list.polyline(Role::Velocity, Look::Thin, &line);
     }
 
-    fn circles<const N: usize>(
-        &self,
-        list: &mut List,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
-        unit: f64,
-    ) {
+    fn circles<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
+        let Posed { mechanism, pose } = posed;
         let [pole_name, inflection_pole, centre_name] = self.symbols;
         let circles = self
             .link
@@ -307,7 +292,7 @@ impl Figure {
 }
 
 /// All centres of a pose; where it has no derivatives those that places tell.
-fn all<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>) -> Vec<InstantCentre> {
+fn all<const N: usize>(Posed { mechanism, pose }: Posed<'_, N>) -> Vec<InstantCentre> {
     if N >= 2 {
         mechanism.instant_centres(pose)
     } else {

@@ -3,17 +3,19 @@
 use assur::Point;
 use assur::mechanism::{LinkId, Pose};
 
-use super::{BAR, Figure, layout};
-use crate::parts;
+use super::posed::Posed;
+use super::{Figure, layout};
+use crate::parts::{self, BAR};
 
 impl Figure {
     /// The link drawn nearest to a place in a pose: what a point put there is on.
     /// Bars and plates lie over wheels; of what is fixed to a link that link is
     /// meant. With how far off it is; none where no link moves.
     pub fn link_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<(LinkId, f64)> {
-        let mechanism = self.motion.mechanism();
+        let posed = self.posed(pose);
+        let mechanism = posed.mechanism;
         let bar = |link: LinkId| {
-            let (origin, angle) = layout::body(mechanism, pose, Some(link));
+            let (origin, angle) = posed.body(Some(link));
             let at = Point::origin() + layout::turned(place - origin, -angle);
             let off = match self.layout.outline(link) {
                 [from, to] => parts::distance(at, *from, *to),
@@ -24,14 +26,20 @@ impl Figure {
             Some(((off - BAR * self.unit).max(0.0), link))
         };
         let bars = mechanism.link_ids().filter_map(bar);
-        let wheels = self.gearing.distances(mechanism, pose, place);
+        let wheels = self.gearing.distances(posed, place);
         bars.chain(wheels)
             .filter_map(|(off, link)| Some((mechanism.root_of(link)?, off)))
             .reduce(|best, next| if next.1 < best.1 { next } else { best })
     }
 
+    /// The mechanism in a pose.
+    pub(super) fn posed<'a, const N: usize>(&'a self, pose: &'a Pose<N>) -> Posed<'a, N> {
+        let mechanism = self.motion.mechanism();
+        Posed { mechanism, pose }
+    }
+
     /// The wheel that a place is on in a pose, a ring by its rim alone; of several the smallest.
     pub fn wheel_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<LinkId> {
-        self.gearing.wheel_at(self.motion.mechanism(), pose, place)
+        self.gearing.wheel_at(self.posed(pose), place)
     }
 }

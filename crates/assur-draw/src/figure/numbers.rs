@@ -1,12 +1,13 @@
 //! The numbers of the links; the frame is 0.
 
 use assur::Point;
-use assur::mechanism::{LinkId, LinkOrFrame, Mechanism, Pose};
+use assur::mechanism::{LinkId, LinkOrFrame};
 use assur::sorting::sort_by;
 
 use super::View;
 use super::layout::{self, Layout};
 use super::names::Names;
+use super::posed::Posed;
 use crate::list::{List, Look, Role};
 use crate::parts;
 
@@ -48,12 +49,12 @@ enum Place {
 /// The numbers of links that are no parts of others, in the order of the document, or as it notes
 /// them. Wheels that have theirs by their rims are passed over.
 pub(super) fn numbers(
-    mechanism: &Mechanism,
+    home: Posed<'_, 1>,
     layout: &Layout,
-    home: &Pose<1>,
     view: &View,
     names: &mut Names,
 ) -> Vec<Number> {
+    let mechanism = home.mechanism;
     let notes = &view.annotations;
     let bodies = mechanism
         .link_ids()
@@ -66,14 +67,14 @@ pub(super) fn numbers(
         }
         let noted = notes.numbers.iter().find(|(name, _)| name == own);
         let text = noted.map_or_else(|| (index + 1).to_string(), |(_, number)| number.clone());
-        let Some(at) = place(mechanism, layout, home, link) else {
+        let Some(at) = place(home, layout, link) else {
             continue;
         };
         let (link, name) = (Some(link), names.add(text));
         numbers.push(Number { link, at, name });
     }
     let supports = mechanism.point_ids().filter_map(|point| {
-        let at = mechanism.place(home, point).place();
+        let at = home.place(point);
         Some(Place::Support(at, layout.support(point)?))
     });
     let name = names.add("0".to_owned());
@@ -87,7 +88,8 @@ pub(super) fn numbers(
 
 /// Where a link has its number: at the middle of a plate, and of the longest part of a bar that
 /// has no hinge.
-fn place(mechanism: &Mechanism, layout: &Layout, home: &Pose<1>, link: LinkId) -> Option<Place> {
+fn place(home: Posed<'_, 1>, layout: &Layout, link: LinkId) -> Option<Place> {
+    let mechanism = home.mechanism;
     let outline = layout.outline(link);
     let [from, to] = outline else {
         let middle = parts::centroid(outline).map(Place::On);
@@ -95,7 +97,7 @@ fn place(mechanism: &Mechanism, layout: &Layout, home: &Pose<1>, link: LinkId) -
     };
     let along = (to - from).normalize();
     let points = mechanism.points_of(link).iter();
-    let places = points.map(|point| layout::local(mechanism, home, Some(link), *point));
+    let places = points.map(|point| home.local(Some(link), *point));
     let mut ways: Vec<f64> = places.map(|at| (at - from).dot(&along)).collect();
     sort_by(&mut ways, f64::total_cmp);
     let parts = ways.windows(2).map(|part| [part[0], part[1]]);

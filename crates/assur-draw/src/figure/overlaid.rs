@@ -11,6 +11,7 @@ use assur::{JetPoint, Point, Vector};
 use super::View;
 use super::layout::{self, Layout};
 use super::names::Names;
+use super::posed::Posed;
 use crate::list::{List, Look, Role};
 use crate::overlays::{self, Scales};
 use crate::parts;
@@ -66,7 +67,7 @@ impl Overlaid {
     pub(super) fn new(
         motion: &Motion,
         layout: &Layout,
-        home: &Pose<1>,
+        home: Posed<'_, 1>,
         view: &View,
         names: &mut Names,
     ) -> Self {
@@ -156,17 +157,11 @@ impl Overlaid {
 
     /// The arc of the input, loops, transmission angles and, of a pose that has them,
     /// derivatives.
-    pub(super) fn draw<const N: usize>(
-        &self,
-        list: &mut List,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
-        unit: f64,
-    ) {
+    pub(super) fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         if let Some(arc) = &self.input {
-            arc.draw(list, mechanism, pose, unit);
+            arc.draw(list, posed, unit);
         }
-        let place = |point: PointId| mechanism.place(pose, point).place();
+        let place = |point: PointId| posed.place(point);
         for (ends, name) in &self.loop_vectors {
             overlays::loop_vector(list, ends.map(place), *name, unit);
         }
@@ -185,8 +180,8 @@ impl Overlaid {
                     overlays::corner(list, points.map(place), *name, unit);
                 }
                 Quantity::Between(links) => {
-                    let angles = links.map(|link| mechanism.angle(pose, link).value());
-                    let centre = meeting(mechanism, *links).map(place);
+                    let angles = links.map(|link| posed.angle(link));
+                    let centre = meeting(posed.mechanism, *links).map(place);
                     if let Some(centre) = centre {
                         overlays::between(list, centre, angles, *name, unit);
                     }
@@ -198,7 +193,8 @@ impl Overlaid {
             return;
         };
         for (point, names) in &self.vectors {
-            overlays::vectors(list, &mechanism.place(pose, *point), *names, scales, unit);
+            let place = posed.mechanism.place(posed.pose, *point);
+            overlays::vectors(list, &place, *names, scales, unit);
         }
     }
 }
@@ -207,7 +203,7 @@ impl InputArc {
     fn new(
         motion: &Motion,
         layout: &Layout,
-        home: &Pose<1>,
+        home: Posed<'_, 1>,
         view: &View,
         names: &mut Names,
     ) -> Option<Self> {
@@ -219,9 +215,8 @@ impl InputArc {
         let (link, base) = (mechanism.link(link)?, mechanism.link(base));
         let [body, on] = [Some(link), base].map(|link| layout::body_of(mechanism, link));
         let pivot = layout.hinge(mechanism, body, on)?;
-        let place = |point: PointId| mechanism.place(home, point).place();
         let arms = mechanism.points_of(link).iter();
-        let mut arms = arms.map(|point| (place(*point) - place(pivot)).norm());
+        let mut arms = arms.map(|point| (home.place(*point) - home.place(pivot)).norm());
         Some(Self {
             link,
             base,
@@ -234,17 +229,10 @@ impl InputArc {
     }
 
     /// An arrow from the base's direction to the link's, with the name at its middle.
-    fn draw<const N: usize>(
-        &self,
-        list: &mut List,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
-        unit: f64,
-    ) {
-        let angle = |link: LinkId| mechanism.angle(pose, link).value();
-        let from = self.base.map_or(0.0, angle);
-        let turn = self.least + (angle(self.link) - from - self.least).rem_euclid(TAU);
-        let centre = mechanism.place(pose, self.pivot).place();
+    fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
+        let from = self.base.map_or(0.0, |base| posed.angle(base));
+        let turn = self.least + (posed.angle(self.link) - from - self.least).rem_euclid(TAU);
+        let centre = posed.place(self.pivot);
         let along = |angle: f64| Vector::new(angle.cos(), angle.sin());
         let radius = self.radius.min(LARGEST * unit);
         let at = |share: f64| centre + along(from + turn * share) * radius;

@@ -4,17 +4,7 @@ use assur::mechanism::{LinkId, LinkSpec, Mechanism};
 use assur::structure::{Step, Structure};
 
 use crate::annotations::Annotations;
-use crate::list::Role;
-
-/// Colours of links that are not driven, or of Assur groups, in turn.
-const ROLES: [Role; 6] = [
-    Role::Coupler,
-    Role::Rocker,
-    Role::Accent2,
-    Role::Accent3,
-    Role::Accent5,
-    Role::Accent6,
-];
+use crate::list::{IN_TURN, Role};
 
 /// The colour that is noted for a link; else the driven link is a crank by its
 /// colour, the others take theirs in turn, and what is fixed to a link has its.
@@ -28,7 +18,7 @@ pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role>
         let mut roles = annotations.roles.iter();
         roles.find(|(link, _)| link == name).map(|(_, role)| *role)
     };
-    let mut turn = ROLES.into_iter().cycle();
+    let mut turn = IN_TURN.into_iter().cycle();
     let mut first = |link: &LinkSpec| {
         noted(&link.name).unwrap_or_else(|| {
             if link.fixed_to.is_some() {
@@ -59,7 +49,7 @@ pub(super) fn of_terms(mechanism: &Mechanism) -> impl Iterator<Item = Role> {
 
 /// The colours of drivers and Assur groups, in the order of the structure.
 fn of_steps(structure: &Structure) -> impl Iterator<Item = Role> {
-    let mut turn = ROLES.into_iter().cycle();
+    let mut turn = IN_TURN.into_iter().cycle();
     structure.steps.iter().map(move |step| match step {
         Step::Driver { .. } => Role::Crank,
         Step::Group(_) => turn.next().unwrap_or(Role::Coupler),

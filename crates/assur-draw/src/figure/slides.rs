@@ -7,11 +7,10 @@ use assur::{Point, Vector, nearest, perpendicular};
 use super::View;
 use super::layout::{self, Layout};
 use super::paths::Run;
+use super::posed::Posed;
 use crate::list::{List, Look, Role};
-use crate::parts;
+use crate::parts::{self, BLOCK};
 
-/// Half length and half width of a block, in units.
-const BLOCK: [f64; 2] = [2.6, 1.7];
 /// So far a way goes on beyond the middle of a block at either end of its stroke, in units.
 const BEYOND: f64 = 5.0;
 /// Half the width of what is around a slot, in units.
@@ -60,13 +59,8 @@ enum Way {
 }
 
 /// The prismatic pairs of a mechanism, with the ways that are used over the motion.
-pub(super) fn guides(
-    layout: &Layout,
-    mechanism: &Mechanism,
-    home: &Pose<1>,
-    runs: &[Run],
-    view: &View,
-) -> Vec<Guide> {
+pub(super) fn guides(layout: &Layout, home: Posed<'_, 1>, runs: &[Run], view: &View) -> Vec<Guide> {
+    let mechanism = home.mechanism;
     let driver = match mechanism.spec().drivers.first() {
         Some(DriverSpec::Slide { slide, .. }) if view.annotations.input.is_some() => Some(*slide),
         _ => None,
@@ -77,11 +71,11 @@ pub(super) fn guides(
         let point = mechanism.point(&slide.point)?;
         let [from, to] = [&slide.line[0], &slide.line[1]].map(|point| mechanism.point(point));
         let [from, to] = [from?, to?];
-        let [start, end] = [from, to].map(|k| layout::local(mechanism, home, on, k));
+        let [start, end] = [from, to].map(|k| home.local(on, k));
         let along = (end - start).normalize();
         let way = |pose: &Pose<1>| {
-            let at = layout::local(mechanism, pose, on, point);
-            (at - start).dot(&along)
+            let posed = Posed { mechanism, pose };
+            (posed.local(on, point) - start).dot(&along)
         };
         let ways = runs.iter().flatten().map(|(_, pose)| way(pose));
         let [low, high] = extremes(ways);
@@ -99,10 +93,10 @@ pub(super) fn guides(
             // Of a link the rod begins where the link is drawn.
             (Way::Rod, [low.min(length), high.max(0.0)])
         };
-        let (_, on_angle) = layout::body(mechanism, home, on);
-        let (_, angle) = layout::body(mechanism, home, Some(link));
-        let at = layout::local(mechanism, home, Some(link), point);
-        let off = layout::local(mechanism, home, on, point) - (start + along * way(home));
+        let (_, on_angle) = home.body(on);
+        let (_, angle) = home.body(Some(link));
+        let at = home.local(Some(link), point);
+        let off = home.local(on, point) - (start + along * way(home.pose));
         Some(Guide {
             on,
             on_role: on.map_or(Role::Secondary, |on| layout.drawn_role(on)),
@@ -251,15 +245,10 @@ impl Guide {
 
     pub(super) fn draw_block(&self, list: &mut List, u: f64) {
         list.body(layout::number(Some(self.link)));
-        if (self.point - self.middle).norm() > 0.1 * u {
-            parts::bar(list, self.role, self.point, self.middle, 0.9 * u);
-        }
-        let across = perpendicular(self.direction);
-        let half = [self.direction * (BLOCK[0] * u), across * (BLOCK[1] * u)];
-        let corners = parts::rectangle(self.middle, half);
-        list.polygons(Role::Paper, Look::Solid, std::slice::from_ref(&corners));
-        list.polygons(self.role, Look::Pale, &[corners]);
+        let ends = [self.point, self.middle];
+        parts::block(list, self.role, ends, self.direction, u);
         if self.driven {
+            let across = perpendicular(self.direction);
             let free = match self.way {
                 Way::Line(side) => -side.dot(&self.across()).signum(),
                 _ => 1.0,

@@ -2,11 +2,12 @@
 //! mesh. A wheel is drawn on its link; an idler is a body of its own.
 
 use assur::gears::{GearPair, Mesh, Wheel};
-use assur::mechanism::{GearSpec, LinkId, LinkOrFrame, Mechanism, PointId, Pose};
+use assur::mechanism::{GearSpec, LinkId, LinkOrFrame, PointId};
 use assur::{Point, Vector};
 
 use super::View;
 use super::layout::{self, Layout};
+use super::posed::Posed;
 use crate::annotations::Tag;
 use crate::gear::Teeth;
 use crate::list::{List, Look, Role};
@@ -74,14 +75,15 @@ impl Drawn {
 }
 
 impl Gearing {
-    pub(super) fn new(layout: &Layout, mechanism: &Mechanism, home: &Pose<1>, view: &View) -> Self {
+    pub(super) fn new(layout: &Layout, home: Posed<'_, 1>, view: &View) -> Self {
+        let mechanism = home.mechanism;
         let draft = mechanism.spec();
         let mut gearing = Self {
             links: draft.links.len(),
             ..Self::default()
         };
         for gear in &draft.gears {
-            gearing.add(layout, mechanism, home, gear);
+            gearing.add(layout, home, gear);
         }
         // A link may hold several wheels: blades are on one of them.
         for (name, count) in &view.annotations.blades {
@@ -95,13 +97,8 @@ impl Gearing {
     }
 
     /// Adds what is not there yet of a coupling; none where it cannot be drawn.
-    fn add(
-        &mut self,
-        layout: &Layout,
-        mechanism: &Mechanism,
-        home: &Pose<1>,
-        gear: &GearSpec,
-    ) -> Option<()> {
+    fn add(&mut self, layout: &Layout, home: Posed<'_, 1>, gear: &GearSpec) -> Option<()> {
+        let mechanism = home.mechanism;
         let link = |name: &String| mechanism.link(name);
         let [first, second] = [link(&gear.links[0])?, link(&gear.links[1])?];
         let carrier = link(&gear.carrier);
@@ -110,7 +107,7 @@ impl Gearing {
             layout.hinge(mechanism, mechanism.root_of(wheel), on)
         };
         let hinges = [hinge(first)?, hinge(second)?];
-        let [from, to] = hinges.map(|point| layout::local(mechanism, home, carrier, point));
+        let [from, to] = hinges.map(|point| home.local(carrier, point));
         let between = to - from;
         let line = between.y.atan2(between.x);
         // The module that makes the wheels meet: as many times that of one.
@@ -121,8 +118,8 @@ impl Gearing {
         let [driver, driven] = [train.first()?, train.last()?];
 
         // Angles seen from the carrier.
-        let (_, turn) = layout::body(mechanism, home, carrier);
-        let seen = |link: LinkId| mechanism.angle(home, link).value() - turn;
+        let (_, turn) = home.body(carrier);
+        let seen = |link: LinkId| home.angle(link) - turn;
         let lead = |link: LinkId, wheel: &Wheel| {
             let same = |drawn: &&Drawn| drawn.is(link, wheel, module);
             self.wheels.iter().find(same).map(|drawn| drawn.lead)
@@ -150,7 +147,7 @@ impl Gearing {
                 self.wheels.push(Drawn {
                     link,
                     role: layout.drawn_role(link),
-                    centre: layout::local(mechanism, home, Some(link), hinges[k]),
+                    centre: home.local(Some(link), hinges[k]),
                     hinge: hinges[k],
                     lead: leads[k],
                     teeth: wheel.teeth,
@@ -183,16 +180,10 @@ impl Gearing {
     }
 
     /// Corners of the squares around the wheels and idlers in a pose.
-    pub(super) fn reach<const N: usize>(
-        &self,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
-    ) -> impl Iterator<Item = Point> {
-        let wheels = self.wheels.iter().map(|drawn| {
-            let at = mechanism.place(pose, drawn.hinge).place();
-            (at, drawn.rim())
-        });
-        let idlers = self.idlers(mechanism, pose).zip(&self.idlers);
+    pub(super) fn reach<const N: usize>(&self, posed: Posed<'_, N>) -> impl Iterator<Item = Point> {
+        let wheels = self.wheels.iter();
+        let wheels = wheels.map(move |drawn| (posed.place(drawn.hinge), drawn.rim()));
+        let idlers = self.idlers(posed).zip(&self.idlers);
         let idlers = idlers.map(|((at, _), idler)| {
             let rim = 0.5 * f64::from(idler.wheel.teeth) + 1.0;
             (at, rim * idler.module)
@@ -206,12 +197,11 @@ impl Gearing {
     /// How far a place is from each wheel, and the wheel's link.
     pub(super) fn distances<const N: usize>(
         &self,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
+        posed: Posed<'_, N>,
         place: Point,
     ) -> impl Iterator<Item = (f64, LinkId)> {
         self.wheels.iter().map(move |drawn| {
-            let off = (place - mechanism.place(pose, drawn.hinge).place()).norm();
+            let off = (place - posed.place(drawn.hinge)).norm();
             let beyond = (off - drawn.rim()).max(0.0);
             let inner = (0.5 * f64::from(drawn.teeth) - 1.0) * drawn.module;
             let distance = if drawn.ring {
@@ -226,11 +216,10 @@ impl Gearing {
     /// The smallest wheel that a place is on: on the disc of a plain one, on the rim of a ring, where its teeth are.
     pub(super) fn wheel_at<const N: usize>(
         &self,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
+        posed: Posed<'_, N>,
         place: Point,
     ) -> Option<LinkId> {
-        let distances = self.distances(mechanism, pose, place);
+        let distances = self.distances(posed, place);
         let wheels = self.wheels.iter().zip(distances);
         let hit = wheels.filter(|(_, (off, _))| *off <= 0.0);
         let (smallest, _) = hit.min_by(|(one, _), (other, _)| one.rim().total_cmp(&other.rim()))?;
@@ -240,8 +229,7 @@ impl Gearing {
     /// Where the number of a wheel stands.
     pub(super) fn tagged<const N: usize>(
         &self,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
+        posed: Posed<'_, N>,
         link: LinkId,
         tag: &Tag,
     ) -> Option<Point> {
@@ -249,20 +237,19 @@ impl Gearing {
         let outward = if drawn.ring { 1.0 } else { 0.84 };
         let radius = 0.5 * outward * f64::from(drawn.teeth) * drawn.module;
         let (sin, cos) = tag.direction.sin_cos();
-        let at = mechanism.place(pose, drawn.hinge).place();
+        let at = posed.place(drawn.hinge);
         Some(at + Vector::new(cos, sin) * radius)
     }
 
     /// Where the idlers are.
     pub(super) fn idlers<const N: usize>(
         &self,
-        mechanism: &Mechanism,
-        pose: &Pose<N>,
+        posed: Posed<'_, N>,
     ) -> impl Iterator<Item = (Point, f64)> {
-        self.idlers.iter().map(|idler| {
-            let (origin, turn) = layout::body(mechanism, pose, idler.carrier);
+        self.idlers.iter().map(move |idler| {
+            let (origin, turn) = posed.body(idler.carrier);
             let at = origin + layout::turned(idler.centre.coords, turn);
-            let driver = mechanism.angle(pose, idler.driver).value() - turn + idler.lead;
+            let driver = posed.angle(idler.driver) - turn + idler.lead;
             (at, turn + idler.wheel.ratio * driver + idler.wheel.mounting)
         })
     }

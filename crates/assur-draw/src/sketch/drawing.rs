@@ -97,20 +97,9 @@ impl Sketch {
                 continue;
             };
             let along = (to - from).normalize();
-            let across = perpendicular(along);
             let middle = from + along * (at - from).dot(&along);
-            let half = [
-                along * (BLOCK[0] * self.unit),
-                across * (BLOCK[1] * self.unit),
-            ];
-            let corners = parts::rectangle(middle, half);
             let role = self.role(&slide.link);
-            if (at - middle).norm() > 0.1 * self.unit {
-                parts::bar(&mut self.list, role, at, middle, 0.9 * self.unit);
-            }
-            self.list
-                .polygons(Role::Paper, Look::Solid, std::slice::from_ref(&corners));
-            self.list.polygons(role, Look::Pale, &[corners]);
+            parts::block(&mut self.list, role, [at, middle], along, self.unit);
         }
     }
 

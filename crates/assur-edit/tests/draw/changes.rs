@@ -44,7 +44,7 @@ fn what_cannot_be_is_refused_by_name() {
         }
     );
     let unknown = refused(&drawn, &Edit::Fix { point: text("Z") });
-    assert_eq!(unknown, LinkageProblem::UnknownName { name: text("Z") });
+    assert_eq!(unknown, Defect::UnknownName { name: text("Z") }.into());
     for no in [f64::NAN, f64::INFINITY, -1e10] {
         let far = refused(
             &drawn,
@@ -53,7 +53,7 @@ fn what_cannot_be_is_refused_by_name() {
                 at: [no, 0.0],
             },
         );
-        assert_eq!(far, LinkageProblem::NotFinite { name: text("B") });
+        assert_eq!(far, Defect::NotFinite { name: text("B") }.into());
     }
 }
 
@@ -333,7 +333,7 @@ fn what_is_too_far_is_not_drawn() {
     far.points[2].at[0] = 1e300;
     let told = Advice::of(&far).unwrap_err();
     let name = text("C");
-    assert_eq!(told, [LinkageProblem::NotFinite { name }.into()]);
+    assert_eq!(told, [Defect::NotFinite { name }.into()]);
 }
 
 #[test]

@@ -18,6 +18,7 @@ pub use problem::GearTrainProblem;
 
 use super::Kind;
 use super::numbers::{self, NumberField};
+use crate::problem::Problems;
 use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 
 /// The longest text, in characters.
@@ -34,20 +35,17 @@ const MOST_KNOTS: usize = 100;
 
 /// A train of sun 1, satellites 2, carrier 3 and ring 4.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct GearTrainDocument {
     /// What it is called.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub title: Option<String>,
     /// Where it comes from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub source: Option<String>,
     /// The mechanism of the catalogue that it was made from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub origin: Option<String>,
     /// How the wheels stand.
     #[serde(default)]
@@ -58,7 +56,6 @@ pub struct GearTrainDocument {
     pub z2: f64,
     /// Those of a stepped satellite where it meets the ring.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub z2_step: Option<f64>,
     /// Those of the ring.
     pub z4: f64,
@@ -73,7 +70,6 @@ pub struct GearTrainDocument {
     pub module_mm: f64,
     /// Of magnets: how far the satellites' axes are from the main one; without it gaps are equal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub axis_distance_mm: Option<f64>,
     /// What turns two of the three shafts.
     pub drives: Vec<DriveDocument>,
@@ -161,7 +157,7 @@ pub enum ObserverDocument {
 
 /// What turns a shaft: a speed, or a tie to another shaft.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct DriveDocument {
     /// Which.
@@ -174,7 +170,6 @@ pub struct DriveDocument {
     pub start_s: f64,
     /// The shaft to which it is tied.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub to: Option<ShaftDocument>,
     /// Its speed relative to that of the shaft to which it is tied.
     #[serde(default = "one")]
@@ -289,48 +284,28 @@ impl GearTrainDocument {
 
     /// Checks what the engine does not ask about.
     fn check(&self) -> Vec<Problem> {
-        let mut problems = Vec::new();
-        for (path, text) in [("title", &self.title), ("source", &self.source)] {
-            let fits = |text: &str| {
-                text.chars().count() <= LONGEST_TEXT && !text.contains(char::is_control)
-            };
-            if !text.as_deref().is_none_or(fits) {
-                let (path, max) = (path.to_owned(), LONGEST_TEXT);
-                problems.push(LinkageProblem::BadText { path, max }.into());
-            }
-        }
-        let mut within = |field: String, value: f64, [min, max]: [f64; 2]| {
-            let field = field.into();
-            if !value.is_finite() {
-                problems.push(Problem::NotANumber { field });
-            } else if value < min || value > max {
-                problems.push(Problem::OutOfRange {
-                    field,
-                    value,
-                    min,
-                    max,
-                });
-            }
-        };
+        let mut problems = Problems::default();
+        problems.text("title", self.title.as_ref(), LONGEST_TEXT);
+        problems.text("source", self.source.as_ref(), LONGEST_TEXT);
         let longest = if self.loaded { LONGEST_RUN } else { SPANS[1] };
-        within("span_s".to_owned(), self.span_s, [SPANS[0], longest]);
+        problems.range("span_s", self.span_s, [SPANS[0], longest]);
         for (k, drive) in self.drives.iter().enumerate() {
             // What is not in use is a number all the same; the engine looks at the other.
             let most = [-Turning::FASTEST, Turning::FASTEST];
             match drive.to {
                 Some(_) => {
-                    within(format!("drives[{k}].rpm"), drive.rpm, most);
+                    problems.range(format!("drives[{k}].rpm"), drive.rpm, most);
                     let start = [0.0, Turning::LONGEST_RISE];
-                    within(format!("drives[{k}].start_s"), drive.start_s, start);
+                    problems.range(format!("drives[{k}].start_s"), drive.start_s, start);
                 }
-                None => within(format!("drives[{k}].factor"), drive.factor, most),
+                None => problems.range(format!("drives[{k}].factor"), drive.factor, most),
             }
         }
         if self.load.len() > MOST_KNOTS {
             let (path, max) = ("load".to_owned(), MOST_KNOTS);
-            problems.push(LinkageProblem::TooMany { path, max }.into());
+            problems.add(LinkageProblem::TooMany { path, max });
         }
-        problems
+        problems.0
     }
 }
 

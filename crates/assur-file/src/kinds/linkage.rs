@@ -19,24 +19,20 @@ pub use problem::{LinkageProblem, dimension_field, in_field, of_field, rate_fiel
 /// A linkage: things name each other, lengths are in one unit. A key that it
 /// does not know is refused: what is misspelt would be a part left out.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct LinkageDocument {
     /// What it is called.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub title: Option<String>,
     /// Where its dimensions are from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub source: Option<String>,
     /// The mechanism of the catalogue that it was made from, by name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub origin: Option<String>,
     /// What its lengths are in; without it only their proportions count.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub unit: Option<LengthUnit>,
     /// Every point with its place in the drawing.
     pub points: Vec<PointDocument>,
@@ -73,17 +69,14 @@ pub struct LinkageDocument {
     pub locks: Vec<Vec<String>>,
     /// The height of the ground that it stands on, where it is drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub ground: Option<f64>,
     /// The full width of the band within which the first quantity that is plotted
     /// counts as dwelling: degrees of an angle, else in the unit of the lengths.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub band: Option<f64>,
     /// Which of its assemblies moves, from 1; without it the drawn one. Only links
     /// and files of before name one: an assembly is saved as its drawing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub assembly: Option<usize>,
 }
 
@@ -114,7 +107,7 @@ pub struct TracerDocument {
 
 /// A moving link.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct LinkDocument {
     /// Its name.
@@ -123,23 +116,18 @@ pub struct LinkDocument {
     pub points: Vec<String>,
     /// The distance of its two points, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub length: Option<f64>,
     /// The places of its points on the link, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub shape: Option<Vec<[f64; 2]>>,
     /// The link that it turns as one with.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub fixed_to: Option<String>,
     /// Its centre of mass, one of its points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub centre_of_mass: Option<String>,
     /// Its mass, kilograms.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub mass_kg: Option<f64>,
 }
 
@@ -189,28 +177,23 @@ pub enum MeshDocument {
 /// A driven pair: a crank with what it turns on, or a slide with its range.
 /// (Two kinds in one, so that an error's path ends at the field at fault.)
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct DriverDocument {
     /// The link that is turned.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub crank: Option<String>,
     /// The link that it is turned against; without it the frame.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub base: Option<String>,
     /// Which of the slides is moved, from 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub slide: Option<usize>,
     /// Its least and greatest coordinate along the line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub range: Option<[f64; 2]>,
     /// Rate of a further driver's coordinate by that of the first; 1 by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub rate: Option<f64>,
 }
 

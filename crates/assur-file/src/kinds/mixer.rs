@@ -14,12 +14,11 @@ use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 /// which points are traced. Numbers are taken as they come;
 /// [`MixerDocument::mixer`] checks them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(try_from = "AnyDocument")]
 pub struct MixerDocument {
     /// What its lengths are in; without it metres.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub unit: Option<LengthUnit>,
     /// Crank AB.
     pub l1: f64,
@@ -167,10 +166,6 @@ impl Kind for MixerDocument {
         true
     }
 
-    fn origin(&self) -> Option<&str> {
-        None
-    }
-
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         let mut document =
             LinkageDocument::of_mixer(&self.mixer()?).map_err(|problem| vec![problem])?;
@@ -186,7 +181,7 @@ impl Kind for MixerDocument {
     fn motion(&self) -> Result<Motion, Vec<Problem>> {
         self.mixer()?.motion().map_err(|unmoved| match unmoved {
             Unmoved::Unsolved(unsolved) => vec![unsolved.into()],
-            Unmoved::Defects(defects) => LinkageProblem::all(defects),
+            Unmoved::Defects(defects) => Problem::all(defects),
             Unmoved::Unjoinable(_) => vec![LinkageProblem::Unreached.into()],
         })
     }

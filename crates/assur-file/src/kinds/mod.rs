@@ -9,6 +9,8 @@ pub(crate) mod numbers;
 pub(crate) mod scheme;
 pub(crate) mod synthesis;
 
+use std::ops::Deref;
+
 use assur::mechanism::Quantity;
 use assur::motion::Motion;
 use serde::Serialize;
@@ -27,7 +29,9 @@ use synthesis::SynthesisDocument;
 /// What the document of every kind can be asked.
 pub trait Kind {
     /// The mechanism of the catalogue that it came from, by name.
-    fn origin(&self) -> Option<&str>;
+    fn origin(&self) -> Option<&str> {
+        None
+    }
 
     /// The linkage that it describes.
     ///
@@ -53,7 +57,7 @@ pub trait Kind {
         Ok(Vec::new())
     }
 
-    /// The motion of what it describes.
+    /// The motion of what it describes; a mixer's over every arc of its crank.
     ///
     /// # Errors
     /// Every problem for which it does not move.
@@ -122,8 +126,13 @@ macro_rules! kinds {
                     }),
                 }
             }
+        }
 
-            fn kind(&self) -> &dyn Kind {
+        /// A document is asked what its kind can be asked.
+        impl Deref for Document {
+            type Target = dyn Kind;
+
+            fn deref(&self) -> &Self::Target {
                 match self {
                     $(Self::$kind(document) => document,)+
                 }
@@ -148,50 +157,11 @@ kinds! {
 }
 
 impl Document {
-    /// The mechanism of the catalogue that it came from, by name.
-    pub fn origin(&self) -> Option<&str> {
-        self.kind().origin()
-    }
-
-    /// What its lengths are in.
-    pub fn unit(&self) -> LengthUnit {
-        self.kind().unit()
-    }
-
-    /// Whether a document of its kind may say so itself.
-    pub fn chooses_unit(&self) -> bool {
-        self.kind().chooses_unit()
-    }
-
-    /// Its numbers that a lesson may vary.
-    ///
-    /// # Errors
-    /// Every problem for which it is not known what numbers it has.
-    pub fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {
-        self.kind().numbers()
-    }
-
-    /// The linkage that it describes, whatever its kind.
-    ///
-    /// # Errors
-    /// Every problem for which it describes none.
-    pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
-        self.kind().linkage()
-    }
-
-    /// The motion of what it describes; a mixer's over every arc of its crank.
-    ///
-    /// # Errors
-    /// Every problem for which it does not move.
-    pub fn motion(&self) -> Result<Motion, Vec<Problem>> {
-        self.kind().motion()
-    }
-
     /// Its motion, with the quantities that a choice of the page names.
     ///
     /// # Errors
     /// Every problem for which it does not move; a choice of which there is nothing.
     pub fn moved(&self, plot: &str) -> Result<Moved, Vec<Problem>> {
-        Moved::over(self.linkage()?, self.kind().motion()?, plot)
+        Moved::over(self.linkage()?, self.motion()?, plot)
     }
 }

@@ -1,13 +1,11 @@
 //! Links and pairs without motion, as they are saved: what mobility is counted of.
 
+use assur::mechanism::Defect;
 use assur::mobility::{Cut, PairKind, PairSpec, Point3, Scheme, SchemeSpec, Vector3};
 use serde::{Deserialize, Serialize};
 
-mod problem;
-
-pub use problem::SchemeProblem;
-
 use super::Kind;
+use crate::problem::{Problems, is_plain};
 use crate::{LinkageDocument, LinkageProblem, Problem};
 
 /// More pairs are not drawn so that they could be told apart.
@@ -19,20 +17,17 @@ const LONGEST_TEXT: usize = 400;
 
 /// A scheme of links and pairs, and which of the pairs are cut.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct SchemeDocument {
     /// What it is called.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub title: Option<String>,
     /// Where it comes from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub source: Option<String>,
     /// The mechanism of the catalogue that it was made from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub origin: Option<String>,
     /// Whether all motion is in one plane.
     #[serde(default)]
@@ -53,7 +48,6 @@ pub struct SchemeDocument {
     pub look_deg: [f64; 2],
     /// The number of the task that it is; what is asked is then not told.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub task: Option<u32>,
 }
 
@@ -63,7 +57,7 @@ fn from_the_front() -> [f64; 2] {
 
 /// A pair.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct PairDocument {
     /// Its name.
@@ -74,23 +68,18 @@ pub struct PairDocument {
     pub links: Vec<String>,
     /// Where it is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub at: Option<PlaceDocument>,
     /// The direction of its axis or normal, of any length.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub axis: Option<[f64; 3]>,
     /// The second axis of a universal pair, or the line along which two surfaces touch.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub second: Option<[f64; 3]>,
     /// The way of a screw with every turn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub pitch: Option<f64>,
     /// How many freedoms a pair of no certain form leaves.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub freedoms: Option<u8>,
 }
 
@@ -248,11 +237,11 @@ impl SchemeDocument {
             planar: self.planar,
             pairs: self.pairs.iter().map(PairDocument::spec).collect(),
         };
-        let scheme = Scheme::new(&draft).map_err(SchemeProblem::all)?;
+        let scheme = Scheme::new(&draft).map_err(Problem::all)?;
         let mut strangers = self.ends.iter().map(|end| &end.link);
         if let Some(link) = strangers.find(|link| !scheme.links().contains(link)) {
             let name = link.clone();
-            return Err(vec![LinkageProblem::UnknownName { name }.into()]);
+            return Err(vec![Defect::UnknownName { name }.into()]);
         }
         Ok(scheme)
     }
@@ -264,7 +253,7 @@ impl SchemeDocument {
     pub fn cuts(&self, scheme: &Scheme) -> Result<Vec<Cut>, Vec<Problem>> {
         let cuts = self.cut.iter().map(|name| scheme.cut_named(name));
         let cuts: Result<_, _> = cuts.collect();
-        cuts.map_err(|error| vec![SchemeProblem::from(error).into()])
+        cuts.map_err(|error| vec![error.into()])
     }
 
     /// Where an end is.
@@ -275,40 +264,28 @@ impl SchemeDocument {
 
     /// Checks what the engine does not ask about.
     fn check(&self) -> Result<(), Vec<Problem>> {
-        let mut problems: Vec<Problem> = Vec::new();
+        let mut problems = Problems::default();
         if self.pairs.len() > MOST_PAIRS {
             let (path, max) = ("pairs".to_owned(), MOST_PAIRS);
-            problems.push(LinkageProblem::TooMany { path, max }.into());
+            problems.add(LinkageProblem::TooMany { path, max });
         }
-        let fits = |text: &str, max: usize| {
-            text.chars().count() <= max && !text.contains(char::is_control)
-        };
-        for (path, text) in [("title", &self.title), ("source", &self.source)] {
-            if !text.as_deref().is_none_or(|text| fits(text, LONGEST_TEXT)) {
-                let (path, max) = (path.to_owned(), LONGEST_TEXT);
-                problems.push(LinkageProblem::BadText { path, max }.into());
-            }
-        }
+        problems.text("title", self.title.as_ref(), LONGEST_TEXT);
+        problems.text("source", self.source.as_ref(), LONGEST_TEXT);
         for (index, pair) in self.pairs.iter().enumerate() {
-            let names = pair.links.iter().chain([&pair.name]);
+            let mut names = pair.links.iter().chain([&pair.name]);
             // A colon parts a hinge from the link that is taken off it.
-            let good = |name: &String| fits(name, LONGEST_NAME) && !name.contains([':', ',']);
-            if !names.clone().all(good) {
+            if !names.all(|name| is_plain(name, LONGEST_NAME) && !name.contains([':', ','])) {
                 let (path, max) = (format!("pairs[{index}]"), LONGEST_NAME);
-                problems.push(LinkageProblem::BadName { path, max }.into());
+                problems.add(LinkageProblem::BadName { path, max });
             }
         }
         let ends = self.ends.iter().map(|end| end.at.point());
         let numbers = ends.flat_map(|at| [at.x, at.y, at.z]);
         if !numbers.chain(self.look_deg).all(f64::is_finite) {
             let field = "look_deg".into();
-            problems.push(Problem::NotANumber { field });
+            problems.add(Problem::NotANumber { field });
         }
-        if problems.is_empty() {
-            Ok(())
-        } else {
-            Err(problems)
-        }
+        problems.end()
     }
 }
 
@@ -318,6 +295,6 @@ impl Kind for SchemeDocument {
     }
 
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
-        Err(vec![SchemeProblem::NoMotion.into()])
+        Err(vec![Problem::NoMotion])
     }
 }

@@ -2,7 +2,6 @@
 
 pub(crate) mod function;
 
-use assur::motion::Motion;
 use assur::synthesis::four_bar::{
     DraftError, Family, Frame, MemberError, NoOptions, Options, Position, Proportions, Solution,
     Task, TaskError,
@@ -17,12 +16,11 @@ use function::FunctionDocument;
 /// What is wanted of a four-bar, and which of those that do it is meant. Angles in degrees from
 /// the x-axis, lengths in one unit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct SynthesisDocument {
     /// What the lengths are in; without it only their proportions count.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub unit: Option<LengthUnit>,
     /// l₀.
     pub frame: f64,
@@ -37,26 +35,22 @@ pub struct SynthesisDocument {
     /// Which member of a family: l₂, and l₃ for one whose members all have the same l₂. Where
     /// the family does not go so far, its nearest end is meant.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub member: Option<[f64; 2]>,
     /// Which of several solutions, from 1, by ascending ΣJ; without it, of those that are not held by the bounds of
     /// the search, the one whose output is off by least.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub solution: Option<usize>,
     /// Lengths l₁, l₂, l₃ that are shown instead of a solution.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub trial: Option<[f64; 3]>,
     /// The function with which the shown linkage is compared, wherever the positions come from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub function: Option<FunctionDocument>,
 }
 
 /// A position of output and input that belong together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct PositionDocument {
     /// φ₂, from the joint with the coupler to the fixed pivot.
@@ -69,7 +63,6 @@ pub struct PositionDocument {
     /// φ₁ at which the conditions of the paper are evaluated; without it that of the linkage
     /// that is shown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
     pub coupler_deg: Option<f64>,
 }
 
@@ -115,12 +108,6 @@ impl SynthesisProblem {
     fn equal_ends(field: &'static str) -> Self {
         let field = field.into();
         Self::EqualEnds { field }
-    }
-}
-
-impl From<SynthesisProblem> for Problem {
-    fn from(problem: SynthesisProblem) -> Self {
-        Self::Synthesis(problem)
     }
 }
 
@@ -359,18 +346,10 @@ impl Kind for SynthesisDocument {
         true
     }
 
-    fn origin(&self) -> Option<&str> {
-        None
-    }
-
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         let mut document = self.synthesis()?.drawn()?;
         document.unit = self.unit;
         Ok(document)
-    }
-
-    fn motion(&self) -> Result<Motion, Vec<Problem>> {
-        self.linkage()?.motion()
     }
 
     fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use crate::{Field, Problem};
+use crate::Problem;
+use crate::problem::Problems;
 
 /// The greatest number that a lesson may hold.
 pub(super) const NUMBER: f64 = 1e9;
@@ -27,60 +28,24 @@ pub enum LessonProblem {
     LessonShowsNothing,
 }
 
-impl From<LessonProblem> for Problem {
-    fn from(problem: LessonProblem) -> Self {
-        Self::Lesson(problem)
-    }
-}
-
-/// What is found at fault.
-#[derive(Default)]
-pub(super) struct Problems(Vec<Problem>);
-
 impl Problems {
-    pub(super) fn add(&mut self, problem: LessonProblem) {
-        self.0.push(problem.into());
-    }
-
     pub(super) fn characters(&mut self, field: &'static str, text: &str, most: usize) {
         self.count(field, text.chars().count(), 0, most);
     }
 
     #[expect(clippy::cast_precision_loss, reason = "counts are small")]
     pub(super) fn count(&mut self, field: &'static str, count: usize, least: usize, most: usize) {
-        self.range(field, count as f64, least as f64, most as f64);
+        self.range(field, count as f64, [least, most].map(|count| count as f64));
     }
 
     pub(super) fn number(&mut self, field: &'static str, value: f64, least: f64) {
-        self.range(field, value, least, NUMBER);
-    }
-
-    fn range(&mut self, field: &'static str, value: f64, min: f64, max: f64) {
-        let field: Field = field.into();
-        if !value.is_finite() {
-            self.0.push(Problem::NotANumber { field });
-        } else if !(min..=max).contains(&value) {
-            self.0.push(Problem::OutOfRange {
-                field,
-                value,
-                min,
-                max,
-            });
-        }
+        self.range(field, value, [least, NUMBER]);
     }
 
     pub(super) fn whole(&mut self, field: &'static str, value: f64) {
         let field = field.into();
         if value.fract() != 0.0 {
-            self.0.push(Problem::NotWhole { field, value });
-        }
-    }
-
-    pub(super) fn end(self) -> Result<(), Vec<Problem>> {
-        if self.0.is_empty() {
-            Ok(())
-        } else {
-            Err(self.0)
+            self.add(Problem::NotWhole { field, value });
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::problem::{LessonProblem, NUMBER, Problems};
+use super::problem::{LessonProblem, NUMBER};
 use super::{ShownDocument, TITLE};
+use crate::problem::Problems;
 
 /// How many numbers may vary in a step.
 const VARIED: usize = 12;

@@ -13,24 +13,11 @@ fn state() -> State {
         document: Document::Mixer(MixerDocument::new(&Case::A.dimensions())),
         view: View {
             phi_deg: 62.0,
-            s: 0.0,
-            t: 0.0,
             playing: true,
-            direction: 1.0,
-            speed: 1.0,
-            traces: true,
-            centres: false,
             vectors: true,
-            loop_vectors: false,
             transmission: true,
             groups: true,
-            numbers: false,
-            all_assemblies: false,
-            others: false,
-            polygons: false,
-            instant_centres: false,
             centrodes: true,
-            curvature: false,
             about: "coupler".to_owned(),
             relative_to: "rocker".to_owned(),
             measures: vec!["A-C.distance".to_owned()],
@@ -45,11 +32,11 @@ fn state() -> State {
             omega_unit: SpeedUnit::PerMin,
             epsilon: 0.5,
             true_time: true,
-            drawing: false,
             differenced: true,
             lesson: Some(lesson()),
             projector: true,
             lang: "en".to_owned(),
+            ..View::default()
         },
         lesson: None,
         compared: None,
@@ -239,21 +226,14 @@ fn older_views_say_less() {
     }
     let mut expected = state();
     expected.view = View {
-        vectors: false,
-        transmission: false,
-        plot: "angles".to_owned(),
-        measures: Vec::new(),
-        against: None,
-        only: Only::All,
-        axes: Axes::Analogues,
-        omega: 1.0,
-        omega_unit: SpeedUnit::RadPerS,
-        epsilon: 0.0,
-        true_time: false,
-        differenced: false,
-        lesson: None,
-        projector: false,
-        ..expected.view
+        phi_deg: 62.0,
+        playing: true,
+        groups: true,
+        centrodes: true,
+        about: expected.view.about,
+        relative_to: expected.view.relative_to,
+        lang: expected.view.lang,
+        ..View::default()
     };
     assert_eq!(State::parse(&older.to_string()).unwrap(), expected);
 }

@@ -7,7 +7,7 @@ pub(crate) mod summary;
 use assur::Relation;
 use assur_draw::{TrainFigure, TrainView, WorkingMember};
 use assur_file::{GearTrainDocument, MemberDocument, MemberKind, Problem, State};
-use serde::Serialize;
+use serde_json::json;
 use wasm_bindgen::prelude::JsValue;
 
 use crate::capabilities::{Capabilities, Edited, Moves, Rigid, unknown};
@@ -81,12 +81,6 @@ impl Capabilities for GearTrain {
     }
 }
 
-/// The load, where it is another.
-#[derive(Serialize)]
-struct Loads {
-    load: Vec<[f64; 2]>,
-}
-
 /// Parts of the span at which a load is put on where there is none yet: it begins, it is all there, it is lifted, it is off.
 const LOADED: [f64; 4] = [0.15, 0.5, 0.7, 0.75];
 
@@ -110,7 +104,7 @@ impl Edited for GearTrain {
             }]);
         }
         let most = summary::greatest(&self.document.load);
-        let load = if most > 0.0 {
+        let load: Vec<[f64; 2]> = if most > 0.0 {
             let knots = self.document.load.iter();
             knots
                 .map(|[time, torque]| [*time, torque * (value / most)])
@@ -123,7 +117,7 @@ impl Edited for GearTrain {
                 times.unwrap_or_else(|_| LOADED.map(|part| part * self.document.span_s));
             vec![[from, 0.0], [full, value], [until, value], [off, 0.0]]
         };
-        Ok(Change::document(&Loads { load }))
+        Ok(Change::document(&json!({ "load": load })))
     }
 
     fn drag(&self, point: &str, _input: f64, _to: assur::Point) -> Result<Change, Problem> {

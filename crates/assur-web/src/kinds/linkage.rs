@@ -9,10 +9,11 @@ use assur_file::{
     TracerDocument, dimension_field, of_field, rate_field,
 };
 use serde::Serialize;
+use serde_json::json;
 use wasm_bindgen::prelude::JsValue;
 
 use crate::assemblies::AssembliesHere;
-use crate::capabilities::{Capabilities, Edited, Moves, Rigid, unknown};
+use crate::capabilities::{Capabilities, Edited, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::dimensions::DimensionSummary;
@@ -130,12 +131,6 @@ impl Linkage {
     }
 }
 
-/// The fields of a linkage that carries one more traced point.
-#[derive(Serialize)]
-struct Traced {
-    tracers: Vec<TracerDocument>,
-}
-
 impl Capabilities for Linkage {
     fn summary(&self) -> JsValue {
         let mechanism = self.mechanism();
@@ -145,14 +140,6 @@ impl Capabilities for Linkage {
             drivers: mechanism.drivable(),
             rates: self.rates(),
         })
-    }
-
-    fn rigid(&self) -> Rigid<'_> {
-        self.moving.figure().into()
-    }
-
-    fn moves(&self) -> Option<&dyn Moves> {
-        Some(&self.moving)
     }
 
     fn linkage(&self) -> Option<&Moving> {
@@ -196,7 +183,7 @@ impl Edited for Linkage {
         let drivers = mechanism.spec().drivers.len();
         if let Some(driver) = (1..drivers).find(|driver| rate_field(*driver) == field) {
             let changed = self.moving.motion().at_rate(driver, value, input);
-            return Ok(self.changed(&changed.map_err(LinkageProblem::all)?, input));
+            return Ok(self.changed(&changed.map_err(Problem::all)?, input));
         }
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
@@ -215,7 +202,7 @@ impl Edited for Linkage {
         let driver = driver.map_err(|turns| vec![LinkageProblem::from(turns).into()])?;
         let driver = driver.ok_or_else(|| vec![unknown(link)])?;
         let changed = motion.driven_by(&driver, input);
-        Ok(self.changed(&changed.map_err(LinkageProblem::all)?, input))
+        Ok(self.changed(&changed.map_err(Problem::all)?, input))
     }
 
     fn assemblies(&self, input: f64) -> Option<AssembliesHere> {
@@ -251,6 +238,6 @@ impl Edited for Linkage {
             link: mechanism.link_name(link).to_owned(),
             at: [x, y],
         });
-        Ok(Change::document(&Traced { tracers }))
+        Ok(Change::document(&json!({ "tracers": tracers })))
     }
 }

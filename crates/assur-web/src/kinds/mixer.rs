@@ -9,10 +9,11 @@ use assur_file::{
     LinkageDocument, LinkageProblem, MixerDocument, MixerTracerDocument, Problem, State,
 };
 use serde::Serialize;
+use serde_json::json;
 use wasm_bindgen::prelude::JsValue;
 
 use crate::assemblies::AssembliesHere;
-use crate::capabilities::{Capabilities, Edited, Moves, Rigid, unknown};
+use crate::capabilities::{Capabilities, Edited, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::moving::Moving;
@@ -49,23 +50,11 @@ struct Lengths {
     assembly: u8,
 }
 
-/// The assembly, where another is chosen.
-#[derive(Serialize)]
-struct Assembled {
-    assembly: u8,
-}
-
 /// The traced points, where one of them was put somewhere.
-#[derive(Serialize)]
-struct Tracers {
-    tracers: Vec<MixerTracerDocument>,
-}
-
-impl Tracers {
-    fn change(tracers: &[Tracer]) -> Change {
-        let tracers = tracers.iter().map(Into::into).collect();
-        Change::document(&Self { tracers })
-    }
+fn retraced(tracers: &[Tracer]) -> Change {
+    let tracers = tracers.iter().map(Into::into);
+    let tracers: Vec<MixerTracerDocument> = tracers.collect();
+    Change::document(&json!({ "tracers": tracers }))
 }
 
 impl Mixer {
@@ -150,14 +139,6 @@ impl Capabilities for Mixer {
         })
     }
 
-    fn rigid(&self) -> Rigid<'_> {
-        self.moving.figure().into()
-    }
-
-    fn moves(&self) -> Option<&dyn Moves> {
-        Some(&self.moving)
-    }
-
     fn linkage(&self) -> Option<&Moving> {
         Some(&self.moving)
     }
@@ -185,7 +166,7 @@ impl Edited for Mixer {
                 let moved = mixer.tracer_at(&self.pose(input)?, tracer.carrier, to);
                 let mut tracers = mixer.tracers().to_vec();
                 tracers[index] = moved;
-                return Ok(Tracers::change(&tracers));
+                return Ok(retraced(&tracers));
             }
         };
         Ok(match mixer.dragged(joint, input, to)? {
@@ -218,7 +199,7 @@ impl Edited for Mixer {
         let mut all = Assembly::ALL.map(number_of).into_iter();
         let assembly = all.find(|one| usize::from(*one) == number);
         let assembly = assembly.ok_or_else(|| vec![unknown("assembly")])?;
-        Ok(Change::document(&Assembled { assembly }))
+        Ok(Change::document(&json!({ "assembly": assembly })))
     }
 
     fn trace(&self, input: f64, at: Point) -> Result<Change, Problem> {
@@ -230,6 +211,6 @@ impl Edited for Mixer {
         let carrier = carrier.ok_or_else(|| unknown("tracer"))?;
         let mut tracers = self.parameters.tracers().to_vec();
         tracers.push(self.parameters.tracer_at(&self.pose(input)?, carrier, at));
-        Ok(Tracers::change(&tracers))
+        Ok(retraced(&tracers))
     }
 }

@@ -3,11 +3,11 @@
 
 pub(crate) mod summary;
 
-use assur::mobility::{SchemeSpec, Sections, generated};
+use assur::mobility::{CutError, SchemeSpec, Sections, generated};
 use assur::{Point, Relation};
 use assur_draw::{SchemeFigure, SchemeHandle, SchemeView};
-use assur_file::{PairDocument, PlaceDocument, Problem, SchemeDocument, SchemeProblem, State};
-use serde::Serialize;
+use assur_file::{PlaceDocument, Problem, SchemeDocument, State};
+use serde_json::json;
 use wasm_bindgen::prelude::JsValue;
 
 use crate::capabilities::{Capabilities, Edited, Rigid, unknown};
@@ -22,7 +22,7 @@ pub(crate) struct Scheme {
     document: SchemeDocument,
     scheme: assur::mobility::Scheme,
     /// What the cuts come to, or why they are not all that is needed, or too many.
-    sections: Result<Sections, SchemeProblem>,
+    sections: Result<Sections, CutError>,
     figure: SchemeFigure,
     handles: Vec<SchemeHandle>,
 }
@@ -32,12 +32,12 @@ impl Scheme {
         state.check()?;
         let scheme = document.scheme()?;
         let cuts = document.cuts(&scheme)?;
-        let sections = scheme.sections(&cuts).map_err(SchemeProblem::from);
-        if let Err(twice @ SchemeProblem::CutTwice { .. }) = sections {
+        let sections = scheme.sections(&cuts);
+        if let Err(twice @ CutError::CutTwice { .. }) = sections {
             return Err(vec![twice.into()]);
         }
         let marked = match &sections {
-            Err(SchemeProblem::StillClosed { pairs }) if !cuts.is_empty() => {
+            Err(CutError::StillClosed { pairs }) if !cuts.is_empty() => {
                 pairs.iter().filter_map(|pair| scheme.pair(pair)).collect()
             }
             _ => Vec::new(),
@@ -110,18 +110,6 @@ impl Capabilities for Scheme {
     }
 }
 
-/// The pairs that are cut, where others are.
-#[derive(Serialize)]
-struct Cuts {
-    cut: Vec<String>,
-}
-
-/// The pairs, where one of them is another.
-#[derive(Serialize)]
-struct Pairs {
-    pairs: Vec<PairDocument>,
-}
-
 impl Edited for Scheme {
     /// A pair is moved where nothing is cut: an open chain is not where its pairs are.
     fn drag(&self, point: &str, _input: f64, to: Point) -> Result<Change, Problem> {
@@ -133,7 +121,7 @@ impl Edited for Scheme {
         let mut pairs = self.document.pairs.clone();
         let at = self.figure.dragged(handle.pair, to);
         pairs[handle.pair].at = Some(PlaceDocument::of(at, self.scheme.is_planar()));
-        Ok(Change::document(&Pairs { pairs }))
+        Ok(Change::document(&json!({ "pairs": pairs })))
     }
 
     /// A pair is cut, or joined again.
@@ -148,7 +136,7 @@ impl Edited for Scheme {
             }
             None => cut.push(handle.to_owned()),
         }
-        Ok(Change::document(&Cuts { cut }))
+        Ok(Change::document(&json!({ "cut": cut })))
     }
 
     /// The pairs as one of the ways to mend it has them, from 1.
@@ -160,6 +148,6 @@ impl Edited for Scheme {
         let (_, chosen) = chosen.ok_or_else(|| vec![unknown(field)])?;
         let document = SchemeDocument::new(&self.scheme.replaced(chosen));
         let pairs = document.pairs;
-        Ok(Change::document(&Pairs { pairs }))
+        Ok(Change::document(&json!({ "pairs": pairs })))
     }
 }

@@ -11,13 +11,11 @@ use assur::mechanism::Quantity;
 use assur::synthesis::four_bar::{Drawn, Options, Proportions};
 use assur::{Point, Relation, Vector};
 use assur_draw::{Annotations, GivenPosition, Role};
-use assur_file::{
-    Document, LinkageProblem, Moved, PositionDocument, Problem, State, SynthesisDocument,
-};
-use serde::Serialize;
+use assur_file::{Document, LinkageProblem, Moved, Problem, State, SynthesisDocument};
+use serde_json::json;
 use wasm_bindgen::prelude::JsValue;
 
-use crate::capabilities::{Capabilities, Edited, Moves, Rigid, unknown};
+use crate::capabilities::{Capabilities, Edited, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::handle::{Handle, HandlePlace};
@@ -181,14 +179,6 @@ impl Capabilities for Synthesis {
         ))
     }
 
-    fn rigid(&self) -> Rigid<'_> {
-        self.moving.figure().into()
-    }
-
-    fn moves(&self) -> Option<&dyn Moves> {
-        Some(&self.moving)
-    }
-
     fn linkage(&self) -> Option<&Moving> {
         Some(&self.moving)
     }
@@ -201,19 +191,6 @@ impl Capabilities for Synthesis {
         let assur_file::Synthesis { task, shown, .. } = &self.solved;
         Ok(wanted::formulas(&self.document, task, shown))
     }
-}
-
-/// The positions, where one of them is another.
-#[derive(Serialize)]
-struct Positions {
-    positions: Vec<PositionDocument>,
-}
-
-/// The member of the family, where it is another.
-#[derive(Serialize)]
-struct Member {
-    member: [f64; 2],
-    trial: Option<[f64; 3]>,
 }
 
 impl Edited for Synthesis {
@@ -234,7 +211,7 @@ impl Edited for Synthesis {
             Direction::Output(k) => positions[k].output_deg = degrees(angle + PI),
             Direction::Coupler(k) => positions[k].coupler_deg = Some(degrees(angle)),
         }
-        Ok(Change::document(&Positions { positions }))
+        Ok(Change::document(&json!({ "positions": positions })))
     }
 
     /// The output's length of a member of the family is its only dimension.
@@ -256,10 +233,9 @@ impl Edited for Synthesis {
             }]
         })?;
         let member = [value, found.proportions.input * length];
-        Ok(Change::document(&Member {
-            member,
-            trial: None,
-        }))
+        Ok(Change::document(
+            &json!({ "member": member, "trial": null }),
+        ))
     }
 }
 

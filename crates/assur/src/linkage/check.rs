@@ -26,17 +26,23 @@ fn names(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     let mut points = BTreeSet::new();
     for point in &spec.points {
         if !points.insert(point.name.as_str()) {
-            found.push(Defect::Twice(point.name.clone()));
+            found.push(Defect::Twice {
+                name: point.name.clone(),
+            });
         }
     }
     let mut links = BTreeSet::new();
     links.insert(FRAME);
     for link in &spec.links {
         if !links.insert(link.name.as_str()) {
-            found.push(Defect::Twice(link.name.clone()));
+            found.push(Defect::Twice {
+                name: link.name.clone(),
+            });
         }
         if link.points.is_empty() {
-            found.push(Defect::Bare(link.name.clone()));
+            found.push(Defect::Bare {
+                link: link.name.clone(),
+            });
         }
     }
     let named_points = spec
@@ -66,11 +72,9 @@ fn names(spec: &LinkageSpec, found: &mut Vec<Defect>) {
         .filter(|name| !points.contains(name))
         .chain(named_links.filter(|name| !links.contains(name)))
         .collect();
-    found.extend(
-        unknown
-            .into_iter()
-            .map(|name| Defect::Unknown(name.to_owned())),
-    );
+    found.extend(unknown.into_iter().map(|name| Defect::UnknownName {
+        name: name.to_owned(),
+    }));
 }
 
 /// True if a coordinate or a length is finite and in range.
@@ -81,14 +85,18 @@ fn sound(value: f64) -> bool {
 fn numbers(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     for point in &spec.points {
         if !sound(point.at.x) || !sound(point.at.y) {
-            found.push(Defect::NotFinite(point.name.clone()));
+            found.push(Defect::NotFinite {
+                name: point.name.clone(),
+            });
         }
     }
     for link in &spec.links {
         let places = link.shape.iter().flatten();
         let mass = link.mass.is_none_or(|mass| sound(mass) && mass >= 0.0);
         if !mass || !places.clone().all(|at| sound(at.x) && sound(at.y)) {
-            found.push(Defect::NotFinite(link.name.clone()));
+            found.push(Defect::NotFinite {
+                name: link.name.clone(),
+            });
         }
     }
     for driver in &spec.drivers {
@@ -99,10 +107,15 @@ fn numbers(spec: &LinkageSpec, found: &mut Vec<Defect>) {
         {
             let link = link.to_owned();
             if !sound(*from) || !sound(*to) {
-                found.push(Defect::NotFinite(link));
-            } else if from >= to {
-                let range = [*from, *to];
-                found.push(Defect::Range { link, range });
+                found.push(Defect::NotFinite { name: link });
+            } else if from == to {
+                found.push(Defect::RangeEmpty { link, at: *from });
+            } else if from > to {
+                found.push(Defect::RangeReversed {
+                    link,
+                    from: *from,
+                    to: *to,
+                });
             }
         }
     }
@@ -144,7 +157,9 @@ fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<
 fn shape(link: &crate::mechanism::LinkSpec, found: &mut Vec<Defect>) {
     let places = link.shape.as_ref().map(Vec::len);
     if places.is_some_and(|places| places != link.points.len()) {
-        found.push(Defect::Shape(link.name.clone()));
+        found.push(Defect::Shape {
+            link: link.name.clone(),
+        });
     }
     if let Some(centre) = &link.centre_of_mass
         && !link.points.contains(centre)
@@ -158,7 +173,9 @@ fn shape(link: &crate::mechanism::LinkSpec, found: &mut Vec<Defect>) {
 fn pairs(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     for link in &spec.links {
         if spec.root_of(&link.name).is_empty() {
-            found.push(Defect::WithItself(link.name.clone()));
+            found.push(Defect::WithItself {
+                link: link.name.clone(),
+            });
         }
     }
     for slide in &spec.slides {
@@ -170,7 +187,7 @@ fn pairs(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     for driver in &spec.drivers {
         match driver {
             DriverSpec::Crank { link, base, .. } if spec.root_of(link) == spec.root_of(base) => {
-                found.push(Defect::WithItself(link.clone()));
+                found.push(Defect::WithItself { link: link.clone() });
             }
             DriverSpec::Crank { link, base, .. } if !hinged(spec, [link, base]) => {
                 let links = [link.clone(), base.clone()];
@@ -193,7 +210,9 @@ fn guided(spec: &LinkageSpec, slide: &SlideSpec, found: &mut Vec<Defect>) {
         }
     }
     if slide.link == slide.on {
-        found.push(Defect::WithItself(slide.link.clone()));
+        found.push(Defect::WithItself {
+            link: slide.link.clone(),
+        });
     }
     if let [Some(a), Some(b)] = slide.line.each_ref().map(|name| spec.place(name))
         && (a - b).norm() <= tolerance::COINCIDENT * spec.size()
@@ -211,17 +230,21 @@ fn meshing(spec: &LinkageSpec, gear: &GearSpec, found: &mut Vec<Defect>) {
             found.push(Defect::Teeth { link, value });
         }
         if *link == gear.carrier {
-            found.push(Defect::WithItself(link.clone()));
+            found.push(Defect::WithItself { link: link.clone() });
         } else if !hinged(spec, [link, &gear.carrier]) {
             let links = [link.clone(), gear.carrier.clone()];
             found.push(Defect::NotHinged { links });
         }
     }
     if gear.links[0] == gear.links[1] {
-        found.push(Defect::WithItself(gear.links[0].clone()));
+        found.push(Defect::WithItself {
+            link: gear.links[0].clone(),
+        });
     }
     if gear.mesh == Mesh::Internal && gear.teeth[0] == gear.teeth[1] {
-        found.push(Defect::Concentric(gear.links.clone()));
+        found.push(Defect::Concentric {
+            links: gear.links.clone(),
+        });
     }
 }
 

@@ -127,149 +127,86 @@ impl DriverSpec {
 
 /// A defect of a specification, with the names of the parts at fault.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(tag = "code", rename_all = "snake_case")
+)]
+#[expect(
+    missing_docs,
+    reason = "parameters are named by the variant's sentence"
+)]
 pub enum Defect {
     /// Two points, or two links, of one name; or a link named as the frame.
-    Twice(String),
+    Twice { name: String },
     /// A point, or a link, that is named somewhere and does not exist.
-    Unknown(String),
+    UnknownName { name: String },
     /// A coordinate, a mass or a range that is not finite, or out of any range.
-    NotFinite(String),
-    /// A driven slide with a range given backwards, or empty.
-    Range {
-        /// The link that slides.
-        link: String,
-        /// The range as given; its first number is not less than the second.
-        range: [f64; 2],
-    },
+    NotFinite { name: String },
+    /// A driven slide with a range given backwards.
+    RangeReversed { link: String, from: f64, to: f64 },
+    /// A driven slide whose range begins and ends at one place.
+    RangeEmpty { link: String, at: f64 },
     /// A driven slide drawn outside its range, so far that the linkage does not close as drawn.
-    BeyondRange {
-        /// The link that slides.
+    DrawnBeyondRange {
         link: String,
-        /// Its coordinate in the drawing.
         at: f64,
-        /// Its range.
-        range: [f64; 2],
+        from: f64,
+        to: f64,
     },
     /// A link without points.
-    Bare(String),
+    Bare { link: String },
     /// Two points of a link at one place.
-    Coincident {
-        /// The link.
-        link: String,
-        /// Its points.
-        points: [String; 2],
-    },
+    Coincident { link: String, points: [String; 2] },
     /// A link that lists a point twice.
-    Repeated {
-        /// The link.
-        link: String,
-        /// The point.
-        point: String,
-    },
+    Repeated { link: String, point: String },
     /// A link whose shape does not have one place for each point.
-    Shape(String),
+    Shape { link: String },
     /// A point that a link should have and does not.
-    NotOnLink {
-        /// The link.
-        link: String,
-        /// The point.
-        point: String,
-    },
+    NotOnLink { link: String, point: String },
     /// A link fixed to, sliding on or geared with itself, or a ring of links
     /// fixed to each other.
-    WithItself(String),
+    WithItself { link: String },
     /// Two links that should be hinged on each other and share no point.
-    NotHinged {
-        /// The links.
-        links: [String; 2],
-    },
+    NotHinged { links: [String; 2] },
     /// A number of teeth that is not whole, positive and in range.
-    Teeth {
-        /// The wheel.
-        link: String,
-        /// As given.
-        value: f64,
-    },
+    Teeth { link: String, value: f64 },
     /// Equal wheels in internal mesh: one would lie on the other.
-    Concentric([String; 2]),
+    Concentric { links: [String; 2] },
     /// No driver, or a driven slide that does not exist.
     NoDriver,
     /// Links that nothing joins to the frame.
-    Loose(Vec<String>),
-    /// Fewer drivers than freedoms: these links stay free.
-    Underdriven {
-        /// The mobility W by the count.
-        mobility: isize,
-        /// The links left free.
-        links: Vec<String>,
-    },
-    /// Links locked by too many pairs, or driven twice.
-    Locked {
-        /// The mobility W by the count.
-        mobility: isize,
-        /// The locked links.
-        links: Vec<String>,
-    },
+    Loose { links: Vec<String> },
+    /// Fewer drivers than freedoms, by the mobility W of the count: these links stay free.
+    Underdriven { mobility: isize, links: Vec<String> },
+    /// Links locked by too many pairs, or driven twice, with the mobility W by the count.
+    Locked { mobility: isize, links: Vec<String> },
     /// Links whose constraints allow a motion by their rank in the drawn pose, but hold in no pose beside it.
-    Instant {
-        /// The locked links.
-        links: Vec<String>,
-    },
+    Instant { links: Vec<String> },
     /// A driver whose rate is not finite, or for the first not 1; or with which the motion would not repeat within 24
     /// turns of the first crank.
-    Rate {
-        /// The driven link.
-        link: String,
-        /// Its rate.
-        rate: f64,
-    },
-    /// Parallel guides that must cross.
-    ParallelGuides {
-        /// The links that slide on them.
-        links: Vec<String>,
-    },
+    Rate { link: String, rate: f64 },
+    /// Parallel guides of these links that must cross.
+    ParallelGuides { links: Vec<String> },
     /// Wheels in mesh whose numbers of teeth do not determine the angles of these links: their mates turn alike.
-    Undetermined {
-        /// The links of the train.
-        links: Vec<String>,
-    },
+    TrainUndetermined { links: Vec<String> },
     /// Two wheels whose mesh closes a ring of wheels with another ratio than the rest of it: they can turn together
     /// with all the others only if none turns.
-    Contradiction {
-        /// The wheels.
-        links: [String; 2],
-    },
-    /// A group that cannot be solved yet.
-    Unsupported {
-        /// Its links.
-        links: Vec<String>,
-    },
-    /// Links that cannot be joined in the drawn position.
-    Open {
-        /// The links of the group.
-        links: Vec<String>,
-        /// The distance between the joints that miss each other.
-        by: f64,
-    },
-    /// Links that are drawn in a singular position, at a dead point.
+    MeshContradicts { links: [String; 2] },
+    /// A group of these links, which cannot be solved yet.
+    Unsupported { links: Vec<String> },
+    /// Links of a group that cannot be joined in the drawn position, and the distance between the joints that miss each
+    /// other.
+    Open { links: Vec<String>, by: f64 },
+    /// Links of a group drawn in a singular position, at a dead point.
     Singular {
-        /// The links of the group.
         links: Vec<String>,
-        /// The kind of singular position.
         singularity: Singularity,
     },
     /// Links that may have any angle as drawn: two hinges coincide that are joined by these links only.
-    CoincidentHinges {
-        /// The links of the group.
-        links: Vec<String>,
-    },
+    CoincidentHinges { links: Vec<String> },
     /// A point whose links put it elsewhere than drawn, too far for the drawing to select the assembly.
-    Misdrawn {
-        /// The point.
-        point: String,
-        /// The distance.
-        by: f64,
-    },
+    Misdrawn { point: String, by: f64 },
 }
 
 /// Building a specification line by line; nothing is checked yet.

@@ -38,13 +38,13 @@ pub(super) fn defects(spec: &LinkageSpec, sound: impl Fn(f64) -> bool) -> Vec<De
     let mut found = Vec::new();
     for TracerSpec { name, link, at } in &spec.tracers {
         if !names.insert(name) {
-            found.push(Defect::Twice(name.clone()));
+            found.push(Defect::Twice { name: name.clone() });
         }
         if link != FRAME && spec.link(link).is_none() {
-            found.push(Defect::Unknown(link.clone()));
+            found.push(Defect::UnknownName { name: link.clone() });
         }
         if !sound(at.x) || !sound(at.y) {
-            found.push(Defect::NotFinite(name.clone()));
+            found.push(Defect::NotFinite { name: name.clone() });
         }
     }
     found

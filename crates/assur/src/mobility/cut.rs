@@ -15,30 +15,28 @@ pub struct Cut {
 
 /// Reasons why cuts do not open a scheme into a chain joined to the ground.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(tag = "code", rename_all = "snake_case")
+)]
+#[expect(
+    missing_docs,
+    reason = "parameters are named by the variant's sentence"
+)]
 pub enum CutError {
     /// There is no pair of this name.
-    NoPair(String),
+    NoSuchPair { pair: String },
     /// The pair does not have this link.
-    NoLink {
-        /// The pair.
-        pair: String,
-        /// The link.
-        link: String,
-    },
+    NotOfPair { pair: String, link: String },
     /// More than two links meet in this pair: the detached link must be named.
-    WhichLink(String),
+    WhichLink { pair: String },
     /// This was cut before, and nothing is left to cut.
-    Twice(String),
+    CutTwice { pair: String },
     /// The shortest contour that is still closed, by its pairs in their order along it.
-    Closed {
-        /// The pairs.
-        pairs: Vec<String>,
-    },
+    StillClosed { pairs: Vec<String> },
     /// Links that are disconnected.
-    Apart {
-        /// The links.
-        links: Vec<String>,
-    },
+    CutOff { links: Vec<String> },
 }
 
 impl Scheme {
@@ -51,15 +49,19 @@ impl Scheme {
             let joined = &self.pairs()[pair];
             return match joined.links[..] {
                 [_, link] => Ok(Cut { pair, link }),
-                _ => Err(CutError::WhichLink(name.to_owned())),
+                _ => Err(CutError::WhichLink {
+                    pair: name.to_owned(),
+                }),
             };
         }
-        let no_pair = || CutError::NoPair(name.to_owned());
+        let no_pair = || CutError::NoSuchPair {
+            pair: name.to_owned(),
+        };
         let (pair_name, link_name) = name.rsplit_once(':').ok_or_else(no_pair)?;
         let pair = self.pair(pair_name).ok_or_else(no_pair)?;
         let has = |link: &usize| self.pairs()[pair].links.contains(link);
         let link = self.link(link_name).filter(has);
-        let link = link.ok_or_else(|| CutError::NoLink {
+        let link = link.ok_or_else(|| CutError::NotOfPair {
             pair: pair_name.to_owned(),
             link: link_name.to_owned(),
         })?;

@@ -57,14 +57,16 @@ impl Scheme {
     pub fn new(spec: &SchemeSpec) -> Result<Self, Vec<SchemeDefect>> {
         let mut defects = vec![];
         if spec.pairs.is_empty() {
-            return Err(vec![SchemeDefect::Empty]);
+            return Err(vec![SchemeDefect::NoPairs]);
         }
         let mut names = BTreeMap::new();
         for pair in &spec.pairs {
             let times: &mut usize = names.entry(pair.name.as_str()).or_default();
             *times += 1;
             if *times == 2 || (*times == 1 && pair.name.is_empty()) {
-                defects.push(SchemeDefect::SameName(pair.name.clone()));
+                defects.push(SchemeDefect::SamePair {
+                    pair: pair.name.clone(),
+                });
             }
         }
         let links = links(spec);
@@ -100,10 +102,14 @@ impl Scheme {
             let apart = apart(spec, &numbers);
             if !apart.is_empty() {
                 let names = apart.into_iter().map(|link| links[link].to_owned());
-                defects.push(SchemeDefect::Apart(names.collect()));
+                defects.push(SchemeDefect::SchemeApart {
+                    links: names.collect(),
+                });
             }
         } else {
-            defects.push(SchemeDefect::NoGround(spec.ground.clone()));
+            defects.push(SchemeDefect::NoGround {
+                link: spec.ground.clone(),
+            });
         }
         if !defects.is_empty() {
             return Err(defects);
@@ -256,10 +262,10 @@ fn joins(pair: &PairSpec, defects: &mut Vec<SchemeDefect>) {
     let again = pair.links.iter().find(|link| !seen.insert(link.as_str()));
     if let Some(link) = again {
         let (pair, link) = (pair.name.clone(), link.clone());
-        defects.push(SchemeDefect::JoinsItself { pair, link });
+        defects.push(SchemeDefect::PairWithItself { pair, link });
     } else if pair.links.len() < 2 || (pair.links.len() > 2 && !pair.kind.joins_many()) {
-        let (pair, links) = (pair.name.clone(), pair.links.len());
-        defects.push(SchemeDefect::LinkCount { pair, links });
+        let (pair, count) = (pair.name.clone(), pair.links.len());
+        defects.push(SchemeDefect::LinksOfPair { pair, count });
     }
 }
 
@@ -271,7 +277,9 @@ struct Directed<'a> {
 }
 
 fn directed(pair: &PairSpec, planar: bool) -> Result<Directed<'_>, SchemeDefect> {
-    let wrong = || SchemeDefect::Geometry(pair.name.clone());
+    let wrong = || SchemeDefect::PairGeometry {
+        pair: pair.name.clone(),
+    };
     let sound = |value: f64| value.is_finite() && value.abs() <= RANGE;
     let pitch = match pair.kind {
         PairKind::Screw { pitch } => sound(pitch) && pitch != 0.0,
@@ -332,7 +340,7 @@ fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefec
             Ok(freedoms)
         } else {
             let pair = pair.name.clone();
-            Err(SchemeDefect::Freedoms { pair, freedoms })
+            Err(SchemeDefect::FreedomsOfPair { pair, freedoms })
         };
     }
     if !planar {
@@ -349,7 +357,9 @@ fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefec
     match form.constraints_in_plane().len() {
         1 => Ok(2),
         2 => Ok(1),
-        _ => Err(SchemeDefect::OutOfPlane(pair.name.clone())),
+        _ => Err(SchemeDefect::OutOfPlane {
+            pair: pair.name.clone(),
+        }),
     }
 }
 

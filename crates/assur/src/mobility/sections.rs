@@ -66,13 +66,13 @@ impl Scheme {
         if let Some(contour) = open.closed() {
             let pairs = contour.iter().map(|pair| self.pairs()[*pair].name.clone());
             let pairs = pairs.collect();
-            return Err(CutError::Closed { pairs });
+            return Err(CutError::StillClosed { pairs });
         }
         let (from, apart) = open.hung();
         if !apart.is_empty() {
             let links = apart.iter().map(|link| self.link_name(*link).to_owned());
             let links = links.collect();
-            return Err(CutError::Apart { links });
+            return Err(CutError::CutOff { links });
         }
         let mut sections = Sections {
             cuts: cuts.to_vec(),
@@ -168,17 +168,21 @@ impl Open {
         for cut in cuts {
             let pair = pairs.get(cut.pair);
             // In messages numbers start at 1.
-            let pair = pair.ok_or_else(|| CutError::NoPair((cut.pair + 1).to_string()))?;
+            let pair = pair.ok_or_else(|| CutError::NoSuchPair {
+                pair: (cut.pair + 1).to_string(),
+            })?;
             if !pair.links.contains(&cut.link) {
                 let known = (cut.link < links).then(|| scheme.link_name(cut.link).to_owned());
                 let link = known.unwrap_or_else(|| (cut.link + 1).to_string());
                 let pair = pair.name.clone();
-                return Err(CutError::NoLink { pair, link });
+                return Err(CutError::NotOfPair { pair, link });
             }
             let left = &mut left[cut.pair];
             let at = left.iter().position(|link| *link == cut.link);
             let at = at.filter(|_| left.len() > 1);
-            left.remove(at.ok_or_else(|| CutError::Twice(scheme.cut_name(*cut)))?);
+            left.remove(at.ok_or_else(|| CutError::CutTwice {
+                pair: scheme.cut_name(*cut),
+            })?);
         }
         let mut near = vec![vec![]; links + pairs.len()];
         for (pair, left) in left.iter().enumerate() {

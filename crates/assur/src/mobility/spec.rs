@@ -34,40 +34,34 @@ pub struct PairSpec {
 
 /// Reasons why a specification is not a scheme.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(tag = "code", rename_all = "snake_case")
+)]
+#[expect(
+    missing_docs,
+    reason = "parameters are named by the variant's sentence"
+)]
 pub enum SchemeDefect {
     /// There is no pair.
-    Empty,
+    NoPairs,
     /// No pair has the link given as the ground.
-    NoGround(String),
+    NoGround { link: String },
     /// Two pairs have this name, or it is empty.
-    SameName(String),
+    SamePair { pair: String },
     /// The pair joins a link to itself.
-    JoinsItself {
-        /// The pair.
-        pair: String,
-        /// The link.
-        link: String,
-    },
+    PairWithItself { pair: String, link: String },
     /// The pair has fewer than two links, or more than two though its form joins only two (for
     /// [`PairKind::joins_many`]: hinges and their replacements).
-    LinkCount {
-        /// The pair.
-        pair: String,
-        /// Number of links.
-        links: usize,
-    },
+    LinksOfPair { pair: String, count: usize },
     /// The pair has an impossible number of freedoms: 1 to 5 in space, in the plane 1 or 2 are possible.
-    Freedoms {
-        /// The pair.
-        pair: String,
-        /// Number of freedoms.
-        freedoms: u8,
-    },
+    FreedomsOfPair { pair: String, freedoms: u8 },
     /// The pair does not allow motion of its links in the plane, though the scheme is planar.
-    OutOfPlane(String),
+    OutOfPlane { pair: String },
     /// A value of the pair is not finite or out of range, its axis has no length, its second direction is along the
     /// axis, or the pitch of a screw is zero.
-    Geometry(String),
+    PairGeometry { pair: String },
     /// These links are not joined to the ground.
-    Apart(Vec<String>),
+    SchemeApart { links: Vec<String> },
 }

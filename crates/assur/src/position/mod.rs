@@ -102,6 +102,7 @@ pub(crate) struct Track {
 
 /// The kind of singular position that a dead point of a step is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Singularity {
     /// The two links of a dyad RRR are in line.
     InLine,

@@ -1,6 +1,6 @@
 use std::f64::consts::PI;
 
-use assur::mechanism::LinkageSpec;
+use assur::mechanism::{LinkageSpec, Mechanism};
 use assur::motion::Motion;
 
 use super::super::View;
@@ -57,8 +57,12 @@ fn teeth_meet_gaps_all_along_a_train() {
     let mechanism = motion.mechanism();
     let home = motion.pose::<1>(motion.drawn_input()).unwrap();
     let view = View::default();
-    let layout = Layout::new(mechanism, &home, &view);
-    let gearing = Gearing::new(&layout, mechanism, &home, &view);
+    let posed = Posed {
+        mechanism,
+        pose: &home,
+    };
+    let layout = Layout::new(posed, &view);
+    let gearing = Gearing::new(&layout, posed, &view);
     // The ring has an outer rim of teeth as well, for the train.
     assert_eq!(gearing.wheels.len(), 6);
     for input in [0.0, 0.3, 1.7, 4.0] {

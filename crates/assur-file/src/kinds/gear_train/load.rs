@@ -20,16 +20,14 @@ const MILLI: f64 = 1e-3;
 
 /// Working members 7 and 8.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(deny_unknown_fields)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
+#[serde(default, deny_unknown_fields)]
 pub struct MembersDocument {
     /// 7: on the shaft of each satellite.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub satellite: Option<MemberDocument>,
     /// 8: on the carrier.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, ts(optional = nullable))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub carrier: Option<MemberDocument>,
 }
 
@@ -70,33 +68,22 @@ impl MemberKind {
 /// The magnets of the meshes with sun and ring.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(deny_unknown_fields)]
+#[serde(default, deny_unknown_fields)]
 pub struct MagnetsDocument {
     /// Which poles the plates show.
-    #[serde(default)]
     pub poles: PolesDocument,
     /// The greatest torque of one satellite on sun and ring, N·m.
-    #[serde(default = "peak")]
     pub peak: [f64; 2],
     /// Damping by eddy currents of one satellite on sun and ring, N·m·s.
-    #[serde(default = "eddies")]
     pub damping: [f64; 2],
-}
-
-fn peak() -> [f64; 2] {
-    [2.0, 5.0]
-}
-
-fn eddies() -> [f64; 2] {
-    [0.01, 0.02]
 }
 
 impl Default for MagnetsDocument {
     fn default() -> Self {
         Self {
             poles: PolesDocument::default(),
-            peak: peak(),
-            damping: eddies(),
+            peak: [2.0, 5.0],
+            damping: [0.01, 0.02],
         }
     }
 }
@@ -131,37 +118,22 @@ impl From<PolesDocument> for Poles {
 /// The bodies, of each a number: sun, one satellite, carrier, ring.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(deny_unknown_fields)]
+#[serde(default, deny_unknown_fields)]
 pub struct BodiesDocument {
     /// Moments of inertia with what is on the shafts, kg·m².
-    #[serde(default = "inertia")]
     pub inertia: [f64; 4],
     /// Mass of a satellite, kg.
-    #[serde(default = "mass")]
     pub mass: f64,
     /// Viscous damping in the bearings, N·m·s.
-    #[serde(default = "bearings")]
     pub damping: [f64; 4],
-}
-
-fn inertia() -> [f64; 4] {
-    [1e-3, 2e-4, 2e-3, 5e-3]
-}
-
-fn mass() -> f64 {
-    0.3
-}
-
-fn bearings() -> [f64; 4] {
-    [1e-3, 1e-4, 2e-3, 1e-3]
 }
 
 impl Default for BodiesDocument {
     fn default() -> Self {
         Self {
-            inertia: inertia(),
-            mass: mass(),
-            damping: bearings(),
+            inertia: [1e-3, 2e-4, 2e-3, 5e-3],
+            mass: 0.3,
+            damping: [1e-3, 1e-4, 2e-3, 1e-3],
         }
     }
 }

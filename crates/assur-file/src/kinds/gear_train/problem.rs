@@ -62,37 +62,15 @@ pub enum GearTrainProblem {
     ByTime,
 }
 
-impl From<GearTrainProblem> for Problem {
-    fn from(problem: GearTrainProblem) -> Self {
-        Self::GearTrain(problem)
-    }
-}
-
-/// What is wrong with a number of a field.
-fn number(field: impl Into<Field>, fault: Fault) -> Problem {
-    let field = field.into();
-    match fault {
-        Fault::NotPositive { value } => Problem::NotPositive { field, value },
-        Fault::OutOfRange { value, min, max } => Problem::OutOfRange {
-            field,
-            value,
-            min,
-            max,
-        },
-        Fault::NotWhole { value } => Problem::NotWhole { field, value },
-        _ => Problem::NotANumber { field },
-    }
-}
-
 /// What is wrong with wheels.
 pub(super) fn of_train(error: TrainError) -> Problem {
     let problem = match error {
         TrainError::Teeth { member, fault } => {
-            return number(of_wheel(member), fault);
+            return Problem::of_fault(of_wheel(member), fault);
         }
-        TrainError::Satellites { fault } => return number("satellites", fault),
-        TrainError::Module { fault } => return number("module_mm", fault),
-        TrainError::AxisDistance { fault } => return number("axis_distance_mm", fault),
+        TrainError::Satellites { fault } => return Problem::of_fault("satellites", fault),
+        TrainError::Module { fault } => return Problem::of_fault("module_mm", fault),
+        TrainError::AxisDistance { fault } => return Problem::of_fault("axis_distance_mm", fault),
         TrainError::RingNotLarger { sun, ring } => GearTrainProblem::RingNotLarger { sun, ring },
         TrainError::SatelliteNotInside { satellite, ring } => {
             GearTrainProblem::SatelliteNotInside { satellite, ring }
@@ -134,13 +112,13 @@ impl GearTrainDocument {
                 let tied = self
                     .drive_of(shaft)
                     .is_some_and(|(_, drive)| drive.to.is_some());
-                return number(
+                return Problem::of_fault(
                     self.field_of(shaft, if tied { "factor" } else { "rpm" }),
                     fault,
                 );
             }
             InputError::Rise { shaft, fault } => {
-                return number(self.field_of(shaft, "start_s"), fault);
+                return Problem::of_fault(self.field_of(shaft, "start_s"), fault);
             }
             InputError::TooFast { shaft, speed } => GearTrainProblem::ShaftTooFast {
                 shaft: shaft.into(),
@@ -171,7 +149,7 @@ impl GearTrainDocument {
             Defect::Value {
                 quantity: Quantity::Ratio(shaft),
                 fault,
-            } => number(self.field_of(shaft, "factor"), fault),
+            } => Problem::of_fault(self.field_of(shaft, "factor"), fault),
             other => of_load(other),
         }
     }
@@ -193,7 +171,7 @@ impl GearTrainDocument {
 /// The same, where no document is at hand: which drive it is of is not told.
 pub(super) fn of_load(defect: Defect) -> Problem {
     let problem = match defect {
-        Defect::Value { quantity, fault } => return number(field(quantity), fault),
+        Defect::Value { quantity, fault } => return Problem::of_fault(field(quantity), fault),
         Defect::OddPlates(body) => GearTrainProblem::OddPlates {
             field: plates(body).into(),
         },
@@ -218,9 +196,11 @@ pub(super) fn of_load(defect: Defect) -> Problem {
 pub(super) fn of_load_knot(fault: ProfileFault) -> Problem {
     match fault {
         // There is a knot, or no profile is made of them.
-        ProfileFault::Empty => number("load", Fault::NotFinite),
-        ProfileFault::Time(knot, fault) => number(format!("load[{knot}][0]"), fault),
-        ProfileFault::Value(knot) => number(format!("load[{knot}][1]"), Fault::NotFinite),
+        ProfileFault::Empty => Problem::of_fault("load", Fault::NotFinite),
+        ProfileFault::Time(knot, fault) => Problem::of_fault(format!("load[{knot}][0]"), fault),
+        ProfileFault::Value(knot) => {
+            Problem::of_fault(format!("load[{knot}][1]"), Fault::NotFinite)
+        }
         ProfileFault::Order(knot) => GearTrainProblem::LoadOrder { knot: knot + 1 }.into(),
     }
 }

@@ -1,8 +1,11 @@
 //! What is wrong with single fields of a linkage, before it is asked to move: a
 //! border bounds its work and what it shows.
 
+use assur::mechanism::Defect;
+
 use super::spec::driver;
 use super::{LinkageDocument, LinkageProblem};
+use crate::problem::is_plain;
 
 /// No more of each are taken.
 const MOST_POINTS: usize = 200;
@@ -64,16 +67,13 @@ fn names(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let links = links.map(|(k, link)| (format!("links[{k}].name"), &link.name));
     let tracers = document.tracers.iter().enumerate();
     let tracers = tracers.map(|(k, tracer)| (format!("tracers[{k}].name"), &tracer.name));
-    let sound = |name: &str, longest: usize| {
-        name.chars().count() <= longest && !name.chars().any(char::is_control)
-    };
     let names = points
         .chain(links)
         .chain(tracers)
-        .filter(|(_, name)| name.is_empty() || !sound(name, LONGEST_NAME));
+        .filter(|(_, name)| name.is_empty() || !is_plain(name, LONGEST_NAME));
     let texts = [("title", &document.title), ("source", &document.source)];
     let texts = texts.into_iter().filter_map(|(path, text)| {
-        let unsound = !sound(text.as_ref()?, LONGEST_TEXT);
+        let unsound = !is_plain(text.as_ref()?, LONGEST_TEXT);
         unsound.then(|| LinkageProblem::BadText {
             path: path.to_owned(),
             max: LONGEST_TEXT,
@@ -155,7 +155,7 @@ fn locks(document: &LinkageDocument) -> Vec<LinkageProblem> {
             found.push(LinkageProblem::BadLock { path });
         } else if let Some(name) = lock.iter().find(|name| !is_point(name)) {
             let name = name.clone();
-            found.push(LinkageProblem::UnknownName { name });
+            found.push(Defect::UnknownName { name }.into());
         }
     }
     found

@@ -32,7 +32,7 @@ impl LinkageDocument {
     /// that there is not.
     pub fn mechanism(&self) -> Result<Mechanism, Vec<Problem>> {
         self.check()?;
-        let drawn = Mechanism::new(&self.spec()).map_err(LinkageProblem::all)?;
+        let drawn = Mechanism::new(&self.spec()).map_err(Problem::all)?;
         let Some(number) = self.assembly else {
             return Ok(drawn);
         };
@@ -67,7 +67,7 @@ impl LinkageDocument {
     /// As of [`Self::mechanism`], other than that the drawing does not close. None where there is no assembly.
     pub fn assembled(&self, input: Option<f64>) -> Result<Option<Mechanism>, Vec<Problem>> {
         self.check()?;
-        Mechanism::assembled(&self.spec(), input).map_err(LinkageProblem::all)
+        Mechanism::assembled(&self.spec(), input).map_err(Problem::all)
     }
 
     /// The same document with the linkage as it is drawn in another pose; no assembly is then named.

@@ -38,73 +38,12 @@ pub enum LinkageProblem {
     NothingToTrace { path: String },
     /// A lock that is not of two or three points, each of them once.
     BadLock { path: String },
-    /// Two points or links of one name.
-    Twice { name: String },
-    /// Nothing has this name.
-    UnknownName { name: String },
-    /// A number of this point or link is not finite or out of any range.
-    NotFinite { name: String },
-    /// A driven slide whose range is given backwards.
-    RangeReversed { link: String, from: f64, to: f64 },
-    /// A driven slide whose range begins and ends at one place.
-    RangeEmpty { link: String, at: f64 },
-    /// A driven slide that is drawn outside its range.
-    DrawnBeyondRange {
-        link: String,
-        at: f64,
-        from: f64,
-        to: f64,
-    },
-    /// A link without points.
-    Bare { link: String },
-    /// Two points of a link at one place.
-    Coincident { link: String, points: [String; 2] },
-    /// A link lists a point twice.
-    Repeated { link: String, point: String },
-    /// Not one place for each point.
-    Shape { link: String },
-    /// A point that a link should have.
-    NotOnLink { link: String, point: String },
-    /// A link joined to itself.
-    WithItself { link: String },
-    /// Two links that share no point.
-    NotHinged { links: [String; 2] },
-    /// A number of teeth that will not do.
-    Teeth { link: String, value: f64 },
-    /// Equal wheels in internal mesh.
-    Concentric { links: [String; 2] },
-    /// No driver, or one of a pair that is not there.
-    NoDriver,
-    /// Nothing joins these links to the frame.
-    Loose { links: Vec<String> },
-    /// Fewer drivers than variables.
-    Underdriven { mobility: isize, links: Vec<String> },
-    /// Too many pairs or drivers.
-    Locked { mobility: isize, links: Vec<String> },
-    /// Constraints that hold in the drawn pose alone, although their rank allows a motion there.
-    Instant { links: Vec<String> },
-    /// A driver's rate that will not do: of the first one, or with which the motion does not repeat.
-    Rate { link: String, rate: f64 },
-    /// Guides that are parallel where they must cross.
-    ParallelGuides { links: Vec<String> },
-    /// Numbers of teeth that do not determine how these links turn.
-    TrainUndetermined { links: Vec<String> },
-    /// A mesh that contradicts the ring of wheels that it closes.
-    MeshContradicts { links: [String; 2] },
-    /// A group that cannot be solved yet.
-    Unsupported { links: Vec<String> },
-    /// A drawing that does not close.
-    Open { links: Vec<String>, by: f64 },
     /// A drawing in which links are in line.
     OpenInLine { links: Vec<String> },
     /// A drawing in which a link is perpendicular to its guide.
     OpenPerpendicular { links: Vec<String> },
     /// A drawing in which a group is in a singular position.
     OpenSingular { links: Vec<String> },
-    /// A drawing in which hinges coincide, so that links may stand at any angle.
-    CoincidentHinges { links: Vec<String> },
-    /// A point drawn elsewhere than its links put it.
-    Misdrawn { point: String, by: f64 },
     /// The input is not a number, or outside the range of the driven slide.
     BeyondRange,
     /// The motion does not come here, though there is a pose.
@@ -173,6 +112,9 @@ pub enum LinkageProblem {
     NoLine { link: String },
     /// Three slides that are to be a dyad.
     NoSuchDyad,
+    /// A defect of the specification.
+    #[serde(untagged)]
+    Defect(Defect),
 }
 
 impl LinkageProblem {
@@ -233,11 +175,11 @@ impl LinkageProblem {
             SearchError::Rigid => Self::NothingMoves,
             SearchError::Dimension(index) => Self::NoDimension { name: name(index) },
             SearchError::Range(index) => match variables.get(index).map(|one| one.range) {
-                Some([from, to]) if from > to => Self::RangeReversed {
+                Some([from, to]) if from > to => Self::Defect(Defect::RangeReversed {
                     link: name(index),
                     from,
                     to,
-                },
+                }),
                 _ => Self::BadRange { name: name(index) },
             },
             SearchError::Blocked => Self::Blocked,
@@ -295,7 +237,7 @@ impl LinkageProblem {
             Refusal::NotPositive => Problem::NotPositive { field, value },
             Refusal::Absent => Self::NoDimension { name: field.into() }.into(),
             Refusal::Unposed => Self::Unreached.into(),
-            Refusal::Defects(defects) => return Self::all(defects),
+            Refusal::Defects(defects) => return Problem::all(defects),
             Refusal::LoopOpen {
                 last, by, links, ..
             } => {
@@ -322,12 +264,6 @@ impl LinkageProblem {
         };
         vec![problem]
     }
-
-    /// What is wrong with a draft.
-    pub fn all(defects: Vec<Defect>) -> Vec<Problem> {
-        let problems = defects.into_iter().map(Self::from);
-        problems.map(Problem::from).collect()
-    }
 }
 
 impl From<TooManyTurns> for LinkageProblem {
@@ -339,47 +275,13 @@ impl From<TooManyTurns> for LinkageProblem {
 impl From<Defect> for LinkageProblem {
     fn from(defect: Defect) -> Self {
         match defect {
-            Defect::Twice(name) => Self::Twice { name },
-            Defect::Unknown(name) => Self::UnknownName { name },
-            Defect::NotFinite(name) => Self::NotFinite { name },
-            Defect::Range {
-                link,
-                range: [from, to],
-            } if from > to => Self::RangeReversed { link, from, to },
-            Defect::Range { link, range } => Self::RangeEmpty { link, at: range[0] },
-            Defect::BeyondRange {
-                link,
-                at,
-                range: [from, to],
-            } => Self::DrawnBeyondRange { link, at, from, to },
-            Defect::Bare(link) => Self::Bare { link },
-            Defect::Coincident { link, points } => Self::Coincident { link, points },
-            Defect::Repeated { link, point } => Self::Repeated { link, point },
-            Defect::Shape(link) => Self::Shape { link },
-            Defect::NotOnLink { link, point } => Self::NotOnLink { link, point },
-            Defect::WithItself(link) => Self::WithItself { link },
-            Defect::NotHinged { links } => Self::NotHinged { links },
-            Defect::Teeth { link, value } => Self::Teeth { link, value },
-            Defect::Concentric(links) => Self::Concentric { links },
-            Defect::NoDriver => Self::NoDriver,
-            Defect::Loose(links) => Self::Loose { links },
-            Defect::Underdriven { mobility, links } => Self::Underdriven { mobility, links },
-            Defect::Locked { mobility, links } => Self::Locked { mobility, links },
-            Defect::Instant { links } => Self::Instant { links },
-            Defect::Rate { link, rate } => Self::Rate { link, rate },
-            Defect::ParallelGuides { links } => Self::ParallelGuides { links },
-            Defect::Undetermined { links } => Self::TrainUndetermined { links },
-            Defect::Contradiction { links } => Self::MeshContradicts { links },
-            Defect::Unsupported { links } => Self::Unsupported { links },
-            Defect::Open { links, by } => Self::Open { links, by },
             Defect::Singular { links, singularity } => match singularity {
                 Singularity::InLine => Self::OpenInLine { links },
                 Singularity::Perpendicular => Self::OpenPerpendicular { links },
-                Singularity::Parallel => Self::ParallelGuides { links },
+                Singularity::Parallel => Defect::ParallelGuides { links }.into(),
                 Singularity::Group => Self::OpenSingular { links },
             },
-            Defect::CoincidentHinges { links } => Self::CoincidentHinges { links },
-            Defect::Misdrawn { point, by } => Self::Misdrawn { point, by },
+            defect => Self::Defect(defect),
         }
     }
 }

@@ -7,7 +7,6 @@ use std::collections::BTreeMap;
 
 use assur::dynamics::{Body, Halt, Mesh, Reading, Recording};
 use assur::gears::train::{Shaft, Turned, Turning};
-use assur::motion::InputRate;
 use assur::{Jet, Relation};
 use assur_draw::TrainPose;
 use assur_draw::chart::{Against, At, Axis, Chart, Kind, Sample, Series, Settings};
@@ -250,14 +249,9 @@ impl Course {
             kind: column.map_or(Kind::Length, |_| Kind::Angle),
             order: column.map_or(0, |column| column.order),
         };
-        let settings = Settings {
-            input: InputRate::ANALOGUES,
-            physical: true,
-            differenced: false,
-        };
         let run = known.iter().map(sample).collect();
         let axes = [axis(x), axis(Some(y))];
-        Against::new(axes, y.quantity.role(), &[run], true, settings)
+        Against::new(axes, y.quantity.role(), &[run], true, Settings::BY_TIME)
     }
 
     /// What the curves on the plots are of.

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 
 use assur::dynamics::{Body, Halt};
 use assur::gears::train::{
-    Condition, ConditionKind, Identity, Kind, Member, PointVelocity, Ratio, Relation, Shaft,
-    Shafts, Suggestion, Train, Turning,
+    Condition, Identity, Kind, Member, PointVelocity, Ratio, Relation, Shaft, Shafts, Suggestion,
+    Train, Turning,
 };
 use assur_draw::TrainFigure;
 use serde::Serialize;
@@ -50,8 +50,12 @@ pub(crate) struct GearTrainSummary<'a> {
     /// At the last speeds, mm and mm/s.
     velocities: Option<VelocitySummary>,
     /// Torques from outside without losses, relative to the sun's, and what each shaft takes in of the power.
-    torques: ShaftNumbers,
-    powers: ShaftNumbers,
+    #[serde(with = "ShaftNumbers")]
+    #[cfg_attr(test, ts(as = "ShaftNumbers"))]
+    torques: Shafts,
+    #[serde(with = "ShaftNumbers")]
+    #[cfg_attr(test, ts(as = "ShaftNumbers"))]
+    powers: Shafts,
     /// The torques that the magnets hold, N·m, each with the other shafts held.
     limits: Option<BodyNumbers>,
     /// Own frequencies of the meshes with sun and ring, Hz.
@@ -76,6 +80,7 @@ pub(crate) struct BodyNumbers {
 /// A number for each shaft.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(remote = "Shafts")]
 pub(crate) struct ShaftNumbers {
     sun: f64,
     carrier: f64,
@@ -266,8 +271,8 @@ impl<'a> GearTrainSummary<'a> {
                     ring: of_point(found.ring),
                     instantaneous_centre: found.instantaneous_centre,
                 }),
-            torques: ShaftNumbers::new(&torques),
-            powers: ShaftNumbers::new(&powers),
+            torques,
+            powers,
             limits: limits.map(|one| {
                 let [sun, satellite, carrier, ring] = Body::ALL.map(|body| one.static_limit(body));
                 BodyNumbers {
@@ -321,16 +326,6 @@ fn of_point(point: PointVelocity) -> [f64; 2] {
     [point.radius, point.velocity]
 }
 
-impl ShaftNumbers {
-    fn new(shafts: &Shafts) -> Self {
-        Self {
-            sun: shafts.sun,
-            carrier: shafts.carrier,
-            ring: shafts.ring,
-        }
-    }
-}
-
 impl RatioSummary {
     fn new(ratio: &Ratio, largest: bool) -> Self {
         Self {
@@ -359,14 +354,7 @@ impl IdentitySummary {
 impl TrainConditionSummary {
     fn new(condition: &Condition) -> Self {
         Self {
-            kind: match condition.kind {
-                ConditionKind::Coaxiality => "coaxiality",
-                ConditionKind::Room => "room",
-                ConditionKind::SunGap => "sun_gap",
-                ConditionKind::RingGap => "ring_gap",
-                ConditionKind::Assembly => "assembly",
-                ConditionKind::Neighbours => "neighbours",
-            },
+            kind: condition.kind.code(),
             left: condition.left,
             relation: match condition.relation {
                 Relation::Equal => "=",

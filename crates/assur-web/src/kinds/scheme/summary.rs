@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use assur::mobility::{Cut, Generic, NoRank, RankReport, Replacement, Sections, Space};
-use assur_file::{KindDocument, SchemeProblem};
+use assur::mobility::{Cut, CutError, Generic, NoRank, RankReport, Replacement, Sections, Space};
+use assur_file::KindDocument;
 use serde::Serialize;
 
 use super::Scheme;
@@ -166,8 +166,8 @@ impl<'a> SchemeSummary<'a> {
         let links = scheme.links().iter().enumerate();
         let roles = links.map(|(link, name)| (name.as_str(), figure.role(link).name()));
         let (closed, apart): (&[String], &[String]) = match sections {
-            Err(SchemeProblem::StillClosed { pairs }) => (pairs, &[]),
-            Err(SchemeProblem::CutOff { links }) => (&[], links),
+            Err(CutError::StillClosed { pairs }) => (pairs, &[]),
+            Err(CutError::CutOff { links }) => (&[], links),
             Ok(_) | Err(_) => (&[], &[]),
         };
         let automatic = scheme.automatic().into_iter();

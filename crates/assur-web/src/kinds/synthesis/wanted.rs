@@ -5,7 +5,7 @@ use assur::synthesis::four_bar::theorems::{
     Angles, Condition, System, Theorem, ThirdPair, Truth, Unknown, alternative, conditions,
     functional, relations, theorems, third_pair, truth,
 };
-use assur::synthesis::four_bar::{Proportions, Solution, Task, weighted_difference};
+use assur::synthesis::four_bar::{Solution, Task, weighted_difference};
 use assur_file::SynthesisDocument;
 use serde::Serialize;
 
@@ -153,12 +153,7 @@ pub(super) fn angles(document: &SynthesisDocument, task: &Task, shown: &Solution
 impl WantedSummary {
     pub(super) fn all(task: &Task, angles: &[Angles], shown: &Solution) -> Vec<Self> {
         let length = task.frame().length;
-        let Proportions {
-            coupler,
-            output,
-            input,
-        } = shown.proportions;
-        let z = [coupler, output, input];
+        let z = shown.proportions.z();
         let told = shown.closures.iter().zip(shown.main_equations(task));
         let all = angles.iter().zip(told);
         all.map(|(angles, (closure, equation))| Self {
@@ -211,16 +206,11 @@ impl PrintedSummary {
         }
         let length = task.frame().length;
         let system = System::new(angles)?;
-        let Proportions {
-            coupler,
-            output,
-            input,
-        } = shown.proportions;
         let least = system.positive_minimum();
         Some(Self {
             lengths: least.z.map(|z| z * length),
             least: least.value,
-            drawn: system.value([coupler, output, input]),
+            drawn: system.value(shown.proportions.z()),
         })
     }
 }
@@ -244,15 +234,10 @@ pub(super) fn formulas(
     task: &Task,
     shown: &Solution,
 ) -> Vec<Relation> {
-    let Proportions {
-        coupler,
-        output,
-        input,
-    } = shown.proportions;
     let best: Vec<[f64; 2]> = (shown.closures.iter())
         .map(|closure| [closure.coupler, closure.residual])
         .collect();
     let angles = angles(document, task, shown);
     let length = task.frame().length;
-    relations(&angles, [coupler, output, input], length, &best)
+    relations(&angles, shown.proportions.z(), length, &best)
 }

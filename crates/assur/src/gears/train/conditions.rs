@@ -29,6 +29,20 @@ pub enum ConditionKind {
     Neighbours,
 }
 
+impl ConditionKind {
+    /// Its name for programs.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Coaxiality => "coaxiality",
+            Self::Room => "room",
+            Self::SunGap => "sun_gap",
+            Self::RingGap => "ring_gap",
+            Self::Assembly => "assembly",
+            Self::Neighbours => "neighbours",
+        }
+    }
+}
+
 /// Required relation between the two sides of a condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {

@@ -247,7 +247,9 @@ impl Bodies {
         };
         if links[0] == links[1] {
             let driven = spec.link_name(spec.driven(driver));
-            return Err(Defect::WithItself(driven.to_owned()));
+            return Err(Defect::WithItself {
+                link: driven.to_owned(),
+            });
         }
         let links = links.map(BodyId::index);
         let pair = graph.pairs.iter().position(|pair| match (pair, driver) {

@@ -77,10 +77,11 @@ pub(in crate::mechanism) fn drawn_beyond_range(
         };
         let at = bodies.slides[*slide].drawn_way();
         let [from, to] = *range;
-        (!(from..=to).contains(&at)).then(|| Defect::BeyondRange {
+        (!(from..=to).contains(&at)).then(|| Defect::DrawnBeyondRange {
             link: spec.link_name(spec.driven(driver)).to_owned(),
             at,
-            range: *range,
+            from,
+            to,
         })
     });
     beyond.collect()

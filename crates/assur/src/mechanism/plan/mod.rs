@@ -130,7 +130,7 @@ pub(in crate::mechanism) fn plan(
                 }
                 let closed = if driven.is_empty() && group.surplus == 0 {
                     let train = placed.train(&links);
-                    let train = train.map_err(|Singular| Defect::Undetermined {
+                    let train = train.map_err(|Singular| Defect::TrainUndetermined {
                         links: names(&links),
                     })?;
                     train.map(Step::from).or_else(|| placed.closed_form(&links))

@@ -97,12 +97,13 @@ impl<'a> Resolved<'a> {
         let own: List<LinkId, Option<BodyId>> = own.collect();
         let links = own.ids().zip(&spec.links).map(|(id, link)| {
             let points = names.points(&link.points)?;
-            let first = *points
-                .first()
-                .ok_or_else(|| Defect::Bare(link.name.clone()))?;
+            let first = *points.first().ok_or_else(|| Defect::Bare {
+                link: link.name.clone(),
+            })?;
             Ok(Link {
-                body: body(id, &bases, &own)
-                    .ok_or_else(|| Defect::WithItself(link.name.clone()))?,
+                body: body(id, &bases, &own).ok_or_else(|| Defect::WithItself {
+                    link: link.name.clone(),
+                })?,
                 first,
                 points,
                 is_fixed: own[id].is_none(),
@@ -222,7 +223,7 @@ impl Names<'_> {
         let found = self.0.points.iter().position(|point| point.name == *name);
         found
             .map(PointId::at)
-            .ok_or_else(|| Defect::Unknown(name.clone()))
+            .ok_or_else(|| Defect::UnknownName { name: name.clone() })
     }
 
     fn points(&self, names: &[String]) -> Result<Vec<PointId>, Defect> {
@@ -234,7 +235,7 @@ impl Names<'_> {
             return Ok(None);
         }
         let found = self.0.links.iter().position(|link| link.name == *name);
-        let found = found.ok_or_else(|| Defect::Unknown(name.clone()))?;
+        let found = found.ok_or_else(|| Defect::UnknownName { name: name.clone() })?;
         Ok(Some(LinkId::at(found)))
     }
 

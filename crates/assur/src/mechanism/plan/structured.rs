@@ -45,10 +45,12 @@ pub(in crate::mechanism) fn structured(
         let mut active = active.filter(|(_, passive)| !**passive);
         if let Some((gear, _)) = contradicting.and_then(|at| active.nth(at)) {
             let links = gear.links.map(|link| spec.link_name(link).to_owned());
-            return vec![Defect::Contradiction { links }];
+            return vec![Defect::MeshContradicts { links }];
         }
         let defect = |fault: Fault| match fault {
-            Fault::Apart { links } => Defect::Loose(named(links)),
+            Fault::Apart { links } => Defect::Loose {
+                links: named(links),
+            },
             Fault::Undriven { links, .. } => Defect::Underdriven {
                 mobility,
                 links: named(links),
@@ -63,7 +65,7 @@ pub(in crate::mechanism) fn structured(
                 mobility,
                 links: named(drivers[driver].links.to_vec()),
             },
-            Fault::SelfJoined { link, .. } => Defect::WithItself(name(&link)),
+            Fault::SelfJoined { link, .. } => Defect::WithItself { link: name(&link) },
             _ => Defect::NoDriver,
         };
         // Without a driver everything is free: only the missing driver is reported.

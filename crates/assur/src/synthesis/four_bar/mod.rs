@@ -66,6 +66,11 @@ pub struct Proportions {
 }
 
 impl Proportions {
+    /// z₁, z₂, z₃: coupler, output and input.
+    pub fn z(&self) -> [f64; 3] {
+        [self.coupler, self.output, self.input]
+    }
+
     /// Crank, coupler, rocker and frame, for a given length of the frame.
     pub fn lengths(&self, frame: f64) -> [f64; 4] {
         [self.input, self.coupler, self.output, 1.0].map(|z| z * frame)
