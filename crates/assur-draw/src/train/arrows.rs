@@ -1,6 +1,6 @@
 //! Arrows of forces and of the field as filled shapes, many to one record.
 
-use assur::{Point, Vector, perpendicular};
+use assur::{Point, perpendicular};
 
 /// The half width of a shaft, and the length and half width of a head, in units.
 const SHAFT: f64 = 0.32;

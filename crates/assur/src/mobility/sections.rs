@@ -297,6 +297,6 @@ mod tests {
             [1, 3, 1]
         );
         let closed = four_bar.sections(&[]);
-        assert!(matches!(closed, Err(CutError::Closed { pairs }) if pairs.len() == 4));
+        assert!(matches!(closed, Err(CutError::StillClosed { pairs }) if pairs.len() == 4));
     }
 }
