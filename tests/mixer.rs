@@ -6,7 +6,7 @@ use assur::mechanism::Quantity;
 use assur::mixer::{Case, Mixer};
 use assur::motion::{Features, InputRate, Kind, features};
 use assur::{Assembly, Dimension, Fault, FourBar, Grashof, Swing};
-use assur_tests::{Rocker, assert_near};
+use assur_tests::{Rocker, assert_near, scaled_swing};
 
 fn mixer(case: Case) -> Mixer {
     Mixer::new(&case.dimensions()).unwrap()
@@ -24,11 +24,9 @@ fn swings_of_fig_4() {
             let swing = mixer.linkage.swings(assembly)[0];
             let degrees = swing.stroke().unwrap().to_degrees();
             assert_near(degrees, rocker, 1e-13, "rocker's swing");
-            let driven = swing
-                .scaled(mixer.gears.pairs()[0].ratio())
-                .stroke()
-                .unwrap();
-            assert_near(driven.to_degrees(), wheel5, 1e-10, "wheel 5's swing");
+            let driven = scaled_swing(swing, mixer.gears.pairs()[0].ratio());
+            let driven = driven.stroke().unwrap().to_degrees();
+            assert_near(driven, wheel5, 1e-10, "wheel 5's swing");
             let travel = mixer.linkage.travels(assembly)[0].to_degrees();
             assert_near(travel, 2.0 * rocker, 1e-13, "there and back");
         }
