@@ -1,6 +1,7 @@
 //! The constraint equations (1) and (2), the ratios (3) to (5) of the rigid triangles, the crank.
 
-use super::places::{Places, Way, product};
+use super::places::{Places, Way};
+use crate::position::product;
 use crate::{Relation, Vector, perpendicular};
 
 /// (1) to (5) with the differences and the letters of fig. 1.

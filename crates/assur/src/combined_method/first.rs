@@ -1,7 +1,8 @@
 //! The chain of substitutions for the velocity analogues: coefficients c and b, Cramer's rule for G, then the other
 //! points.
 
-use super::places::{Places, product};
+use super::places::Places;
+use crate::position::product;
 use crate::tolerance;
 use crate::{Relation, Vector};
 

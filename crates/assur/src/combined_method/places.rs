@@ -1,5 +1,6 @@
 //! Points of the linkage, their differences and the ratios of the rigid triangles.
 
+use crate::position::quotient;
 use crate::{JetPoint, Vector};
 
 /// A vector with two derivatives with respect to the crank angle.
@@ -89,17 +90,17 @@ impl Places {
 
     /// f_L of (3): the ratio HL/HG as a complex number.
     pub(super) fn f_l(&self) -> Vector {
-        ratio(self.lh()[0], self.gh()[0])
+        quotient(self.lh()[0], self.gh()[0])
     }
 
     /// f_F of (4): the ratio GF/GE as a complex number.
     pub(super) fn f_f(&self) -> Vector {
-        ratio(-self.gf()[0], self.eg()[0])
+        quotient(-self.gf()[0], self.eg()[0])
     }
 
     /// f_K of (5): the ratio CK/CL as a complex number.
     pub(super) fn f_k(&self) -> Vector {
-        ratio(self.kc()[0], self.lc()[0])
+        quotient(self.kc()[0], self.lc()[0])
     }
 
     /// ψ′ or ψ″, from the derivative of C of that order; the rest of the second derivative is along CD.
@@ -111,17 +112,4 @@ impl Places {
 
 fn between(to: Way, from: Way) -> Way {
     [0, 1, 2].map(|order| to[order] - from[order])
-}
-
-/// Quotient of two vectors as complex numbers: the ratio of their lengths, and the angle from the second to the first.
-fn ratio(one: Vector, other: Vector) -> Vector {
-    Vector::new(one.dot(&other), other.perp(&one)) / other.norm_squared()
-}
-
-/// The product of two vectors as complex numbers.
-pub(super) fn product(ratio: Vector, way: Vector) -> Vector {
-    Vector::new(
-        ratio.x * way.x - ratio.y * way.y,
-        ratio.y * way.x + ratio.x * way.y,
-    )
 }

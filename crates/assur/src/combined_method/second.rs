@@ -1,7 +1,8 @@
 //! The chain of substitutions for the acceleration analogues: coefficients d, Cramer's rule, the other points, ψ″.
 
 use super::first::First;
-use super::places::{Places, product};
+use super::places::Places;
+use crate::position::product;
 use crate::{Relation, Vector};
 
 /// The coefficients in a pose, by their numbers in the paper. d₁₃ and the index zero are unused.

@@ -3,6 +3,7 @@
 use super::first::First;
 use super::places::Places;
 use super::second::Second;
+use crate::position::{conjugate, product};
 use crate::{Relation, Vector};
 
 /// An equation of the system: its link, the coefficients of x_E, y_E, x_G, y_G, x_C, y_C, the right-hand sides of both
@@ -52,8 +53,5 @@ pub(super) fn rows(places: &Places, first: &First, second: &Second) -> Vec<Relat
 
 /// Coefficients of x and y in the scalar product of a vector with a point's analogue multiplied by a complex ratio.
 fn against(ratio: Vector, way: Vector) -> Vector {
-    Vector::new(
-        ratio.x * way.x + ratio.y * way.y,
-        -ratio.y * way.x + ratio.x * way.y,
-    )
+    product(conjugate(ratio), way)
 }
