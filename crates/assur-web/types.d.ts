@@ -2,17 +2,131 @@
 import { Mend } from "assur/types/edit.js";
 import { KindDocument, LinkageDocument, Only } from "assur/types/file.js";
 export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
-export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
+export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * What is seen of the curve, run by run: x and y in pixels of the reader, and the input.
  */
-passive: Array<string>, 
+curve: Array<Array<number>>, };
+export type AssembliesHere = { 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * In the order of their angles.
  */
-redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+all: Array<AssemblyHere>, 
+/**
+ * Which of them moves, from 0; none where it has no pose at the input.
+ */
+shown: number | null, 
+/**
+ * How many solutions a group's equations have over the complex numbers, where one group has them.
+ */
+complex: number | null, 
+/**
+ * Whether these are all.
+ */
+whole: boolean, };
+export type AssemblyHere = { 
+/**
+ * By which it is called, and chosen: by a document that counts its assemblies otherwise, as it does.
+ */
+number: number, 
+/**
+ * The angle by which they are numbered, in [0, 2π).
+ */
+angle: number, 
+/**
+ * Where the bodies are, as of a frame.
+ */
+bodies: Array<number>, };
+export type AxisLayout = { 
+/**
+ * None for the input.
+ */
+name: string | null, 
+/**
+ * The number by which the angle is called, where it is.
+ */
+number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
+export type Belonging = { 
+/**
+ * Of each assembly, in the order of their numbers, its branch, from 0.
+ */
+branches: Array<number>, 
+/**
+ * Of each the meetings to be passed from the one that is asked for, none for its own branch; null where none lead
+ * there.
+ */
+reached: Array<Array<number> | null>, };
+export type Between = { min: number, max: number, stroke: number, };
+export type BodyNumbers = { sun: number, satellite: number, carrier: number, ring: number, };
+export type BranchLine = { 
+/**
+ * From 0.
+ */
+circuit: number, 
+/**
+ * Input and output, one after the other, in pieces that neither wraps: radians in [0, 2π], or the way of a slide.
+ */
+pieces: Array<Array<number>>, };
+export type ChangedPair = { pair: string, kind: KindDocument, };
+export type ChartLayout = { panels: Array<PanelLayout>, 
+/**
+ * What is plotted against each other instead of the panels, where anything is and has room.
+ */
+against: AgainstLayout | null, };
+export type ChartRequest = { width: number, height: number, palette: Array<[number, number, number]>, 
+/**
+ * How much larger than usual text and lines are.
+ */
+scale: number, 
+/**
+ * Pixels of the screen to one of the reader.
+ */
+ratio: number, 
+/**
+ * Whether curves go through all their points: for a picture that may be enlarged.
+ */
+whole: boolean, 
+/**
+ * The plot that has all of the room, if one has.
+ */
+only: Only, 
+/**
+ * The input around which a motion is plotted that goes on and on.
+ */
+around: number, };
+export type CircleHere = { point: string, 
+/**
+ * The radius with two derivatives, as the axes have them.
+ */
+radius: [number, number, number] | null, centre: [number, number] | null, reason: import("assur/core/problem.js").Problem | null, };
+export type ClassSummary = { freedoms: number, count: number, };
+export type ConditionSummary = { 
+/**
+ * Its number in the paper.
+ */
+number: number, 
+/**
+ * The length that it is about.
+ */
+about: string | null, 
+/**
+ * The two numbers whose signs it judges; null where one is infinite.
+ */
+values: [number | null, number | null], 
+/**
+ * Whether it holds as printed, and whether what it is printed for is so.
+ */
+holds: boolean, truth: boolean, };
+export type CountSummary = { 
+/**
+ * n: moving links.
+ */
+links: number, 
+/**
+ * Pᵢ in the scheme's own space, and in space.
+ */
+pairs: Array<ClassSummary>, spatial_pairs: Array<ClassSummary>, planar: number | null, spatial: number, };
 export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, by_count: number, };
-export type GroupSummary = { term: string, role: string, };
 export type CourseSummary = { 
 /**
  * What the input is: `angle`, `length` or `time`.
@@ -46,181 +160,71 @@ traceable: boolean,
  * The other kinds of document that can be made of it.
  */
 becomes: readonly "scheme"[], };
-export type DeadPointSummary = { input: number, kind: string, links: Array<string>, };
-export type HandleSummary = { name: string, role: string, 
-/**
- * Whether something comes of pressing it without a drag.
- */
-pressed: boolean, };
-export type UnsearchedSummary = { turns: number, most: number, };
-export type ListedSummary = { name: string, 
-/**
- * `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
- */
-what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
-/**
- * The number by which the angle is called.
- */
-number: string | null, role: string, };
-export type OutputSummary = { name: string, searched: boolean, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
-export type LimitSummary = { input: number, value: number, };
-export type Between = { min: number, max: number, stroke: number, };
+export type CurvatureHere = { circles: Array<CircleHere>, inflection: InflectionHere | null, };
 export type CycleSummary = { start: number, end: number, full: boolean, arcs: Array<[number, number]>, };
-export type MotionSummary = { equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+export type DeadPointSummary = { input: number, kind: string, links: Array<string>, };
+export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
+export type DraftSummary = { 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Nothing does.
  */
-moves: "angle" | "length" | "time", 
+moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
 /**
- * The number by which it is called.
+ * W by the count; none where what is named is not there.
  */
-input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+mobility: number | null, drivers: number, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * Every reason why it does not move.
  */
-unsearched: UnsearchedSummary | null, 
-/**
- * The numbers of links, by which their angles are called.
- */
-numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/**
- * What can be plotted together, by its name as a choice.
- */
-overviews: Array<string>, plotted: Array<string>, 
-/**
- * What the curves on the plots are of: that, or what is plotted against each other.
- */
-curves: Array<string>, handles: Array<HandleSummary>, 
-/**
- * Whether points of its links can be traced.
- */
-traceable: boolean, 
-/**
- * The other kinds of document that can be made of it.
- */
-becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/**
- * Wheels whose meshes only repeat what the others do.
- */
-passive: Array<string>, 
-/**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
- */
-redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
-export type ProfileSummary = { 
-/**
- * Degrees, or in the unit of the lengths.
- */
-width: number, 
-/**
- * From the least value to the greatest; none of what turns on and on.
- */
-stroke: number | null, dwell: DwellSummary | null, phases: Array<PhaseSummary>, };
-export type PhaseSummary = { kind: "rise" | "dwell" | "return", arc: [number, number], };
+reasons: readonly import("assur/core/problem.js").Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
 export type DwellSummary = { arc: [number, number], band: [number, number], };
 export type EquationSummary = { "kind": "distance", link: string, points: [string, string], } | { "kind": "offset", link: string, points: [string, string, string], } | { "kind": "direction", link: string, on: string, } | { "kind": "mesh", links: [string, string], carrier: string, teeth: [number, number], };
-export type TransmissionSummary = { what: "transmission" | "pressure", joint: string, links: [string, string], worst: number | null, input: number | null, };
+export type FamilyCurve = { l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
+export type FamilySummary = { 
+/**
+ * Of l₁, l₂, l₃ the least and the greatest; null where there is none.
+ */
+lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
+/**
+ * Between which angles the coupler is in each position, radians.
+ */
+couplers: [[number, number], [number, number]], curve: FamilyCurve, 
+/**
+ * l₁, l₂, l₃ where the class changes.
+ */
+changes: Array<[number, number, number]>, };
+export type FoundHere = { name: string, rates: [number, number], };
+export type FoundSummary = { 
+/**
+ * From how many starts it went.
+ */
+starts: number, 
+/**
+ * How many of them ended in the one that is shown first.
+ */
+best: number, 
+/**
+ * l₂ and l₃ along the way from each of the starts.
+ */
+paths: Array<Array<[number, number]>>, 
+/**
+ * ΣJ, by its decimal logarithm, over l₂ and l₃.
+ */
+sum: PlaneSummary, };
 export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
-export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
+export type FunctionSummary = { 
 /**
- * What can drive it, by the links that are turned or slide.
+ * x in even steps, and the error of the linkage's y there; null beyond its reach.
  */
-drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+curve: Array<[number, number | null]>, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * The same where the error is greatest; none where the linkage reaches nothing of the interval.
  */
-moves: "angle" | "length" | "time", 
+greatest: [number, number] | null, 
 /**
- * The number by which it is called.
+ * Whether it goes through the whole interval without a break.
  */
-input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
-/**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
- */
-unsearched: UnsearchedSummary | null, 
-/**
- * The numbers of links, by which their angles are called.
- */
-numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/**
- * What can be plotted together, by its name as a choice.
- */
-overviews: Array<string>, plotted: Array<string>, 
-/**
- * What the curves on the plots are of: that, or what is plotted against each other.
- */
-curves: Array<string>, handles: Array<HandleSummary>, 
-/**
- * Whether points of its links can be traced.
- */
-traceable: boolean, 
-/**
- * The other kinds of document that can be made of it.
- */
-becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/**
- * Wheels whose meshes only repeat what the others do.
- */
-passive: Array<string>, 
-/**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
- */
-redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
-export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
-export type RateSummary = { field: string, link: string, rate: number, role: string, };
-export type MixerSummary = { 
-/**
- * The ratios of the peripheral wheels to the rocker.
- */
-ratios: Array<number>, 
-/**
- * Peripheral wheels of which two would lie one over the other.
- */
-overlaps: Array<[number, number]>, 
-/**
- * The direction from wheel 4 in which there is most room.
- */
-free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
-/**
- * What the input is: `angle`, `length` or `time`.
- */
-moves: "angle" | "length" | "time", 
-/**
- * The number by which it is called.
- */
-input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
-/**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
- */
-unsearched: UnsearchedSummary | null, 
-/**
- * The numbers of links, by which their angles are called.
- */
-numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/**
- * What can be plotted together, by its name as a choice.
- */
-overviews: Array<string>, plotted: Array<string>, 
-/**
- * What the curves on the plots are of: that, or what is plotted against each other.
- */
-curves: Array<string>, handles: Array<HandleSummary>, 
-/**
- * Whether points of its links can be traced.
- */
-traceable: boolean, 
-/**
- * The other kinds of document that can be made of it.
- */
-becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/**
- * Wheels whose meshes only repeat what the others do.
- */
-passive: Array<string>, 
-/**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
- */
-redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+complete: boolean, };
 export type GearTrainSummary = { bounds: [number, number, number, number], roles: { [key in string]: string }, 
 /**
  * The shaft that is not driven.
@@ -302,37 +306,311 @@ traceable: boolean,
  * The other kinds of document that can be made of it.
  */
 becomes: readonly "scheme"[], };
-export type VelocitySummary = { sun: [number, number], centre: [number, number], ring: [number, number], instantaneous_centre: number | null, };
-export type BodyNumbers = { sun: number, satellite: number, carrier: number, ring: number, };
-export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
-export type IdentitySummary = { terms: [string, string], sum: number, };
-export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, 
-/**
- * Whether gears with profile shift may be built all the same.
- */
-shifted: boolean, };
-export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
-export type ShaftNumbers = { sun: number, carrier: number, ring: number, };
-export type PullSummary = { value: number, max: number, };
+export type GroupSummary = { term: string, role: string, };
 export type HaltSummary = { body: string, time: number, };
+export type HandleSummary = { name: string, role: string, 
+/**
+ * Whether something comes of pressing it without a drag.
+ */
+pressed: boolean, };
+export type IdentitySummary = { terms: [string, string], sum: number, };
+export type InflectionHere = { link: string, diameter: number | null, reason: import("assur/core/problem.js").Problem | null, };
+export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 
+/**
+ * W in a pose near by.
+ */
+generic: number | null, 
+/**
+ * There is none near by, though W is not 0.
+ */
+instantaneous: boolean, };
+export type LeftOutSummary = { values: [number, number], holds: boolean, };
+export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
+/**
+ * Whether its length is known before the point is found.
+ */
+known: boolean, };
+export type LimitSummary = { input: number, value: number, };
+export type LinkHere = { link: string, 
+/**
+ * How far off it is drawn, in the unit of the lengths.
+ */
+off: number, 
+/**
+ * The wheel on which the place is, a ring by its rim.
+ */
+wheel: string | null, };
+export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
+/**
+ * What can drive it, by the links that are turned or slide.
+ */
+drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+/**
+ * What the input is: `angle`, `length` or `time`.
+ */
+moves: "angle" | "length" | "time", 
+/**
+ * The number by which it is called.
+ */
+input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/**
+ * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ */
+unsearched: UnsearchedSummary | null, 
+/**
+ * The numbers of links, by which their angles are called.
+ */
+numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/**
+ * What can be plotted together, by its name as a choice.
+ */
+overviews: Array<string>, plotted: Array<string>, 
+/**
+ * What the curves on the plots are of: that, or what is plotted against each other.
+ */
+curves: Array<string>, handles: Array<HandleSummary>, 
+/**
+ * Whether points of its links can be traced.
+ */
+traceable: boolean, 
+/**
+ * The other kinds of document that can be made of it.
+ */
+becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/**
+ * Wheels whose meshes only repeat what the others do.
+ */
+passive: Array<string>, 
+/**
+ * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ */
+redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type ListedSummary = { name: string, 
+/**
+ * `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
+ */
+what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
+/**
+ * The number by which the angle is called.
+ */
+number: string | null, role: string, };
+export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
+export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
+export type MeetingPlace = { kind: "fold" | "crossing", branches: [number, number], input: number, output: number, };
+export type MendedSummary = { list: Array<Array<ChangedPair>>, 
+/**
+ * Whether these are all.
+ */
+complete: boolean, };
+export type MixerSummary = { 
+/**
+ * The ratios of the peripheral wheels to the rocker.
+ */
+ratios: Array<number>, 
+/**
+ * Peripheral wheels of which two would lie one over the other.
+ */
+overlaps: Array<[number, number]>, 
+/**
+ * The direction from wheel 4 in which there is most room.
+ */
+free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+/**
+ * What the input is: `angle`, `length` or `time`.
+ */
+moves: "angle" | "length" | "time", 
+/**
+ * The number by which it is called.
+ */
+input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/**
+ * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ */
+unsearched: UnsearchedSummary | null, 
+/**
+ * The numbers of links, by which their angles are called.
+ */
+numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/**
+ * What can be plotted together, by its name as a choice.
+ */
+overviews: Array<string>, plotted: Array<string>, 
+/**
+ * What the curves on the plots are of: that, or what is plotted against each other.
+ */
+curves: Array<string>, handles: Array<HandleSummary>, 
+/**
+ * Whether points of its links can be traced.
+ */
+traceable: boolean, 
+/**
+ * The other kinds of document that can be made of it.
+ */
+becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/**
+ * Wheels whose meshes only repeat what the others do.
+ */
+passive: Array<string>, 
+/**
+ * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ */
+redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
+export type MotionSummary = { equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+/**
+ * What the input is: `angle`, `length` or `time`.
+ */
+moves: "angle" | "length" | "time", 
+/**
+ * The number by which it is called.
+ */
+input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/**
+ * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ */
+unsearched: UnsearchedSummary | null, 
+/**
+ * The numbers of links, by which their angles are called.
+ */
+numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/**
+ * What can be plotted together, by its name as a choice.
+ */
+overviews: Array<string>, plotted: Array<string>, 
+/**
+ * What the curves on the plots are of: that, or what is plotted against each other.
+ */
+curves: Array<string>, handles: Array<HandleSummary>, 
+/**
+ * Whether points of its links can be traced.
+ */
+traceable: boolean, 
+/**
+ * The other kinds of document that can be made of it.
+ */
+becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/**
+ * Wheels whose meshes only repeat what the others do.
+ */
+passive: Array<string>, 
+/**
+ * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ */
+redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type MotionsMap = { 
+/**
+ * The link by whose angle assemblies are numbered.
+ */
+output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
+/**
+ * Whether these are all, each followed to its ends.
+ */
+whole: boolean, };
+export type Movement = { field: string, by: number, };
+export type OutputSummary = { name: string, searched: boolean, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
+export type PairSummary = { name: string, freedoms: number, constraints: number, spatial_freedoms: number, 
+/**
+ * What is cut of it when it is cut: itself, or one link of a compound hinge.
+ */
+cuts: Array<string>, };
+export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
+export type PhaseSummary = { kind: "rise" | "dwell" | "return", arc: [number, number], };
+export type PlaneSummary = { 
+/**
+ * Between which lengths they are.
+ */
+bounds: [number, number], values: Array<Array<number>>, };
+export type PolygonPictureHere = { 
+/**
+ * The display list, and what its labels stand for.
+ */
+list: Array<number>, names: Array<string>, 
+/**
+ * Left, bottom, right, top.
+ */
+bounds: [number, number, number, number], 
+/**
+ * How long the line is that shows the scale.
+ */
+bar: number, 
+/**
+ * How many times smaller the scale is than usual in the motion: 1, unless the polygon would have no room.
+ */
+smaller: number, };
+export type PolygonStepHere = { 
+/**
+ * The pole, an equation, points by the image of their link, points of a group that is no dyad.
+ */
+kind: "pole" | "equation" | "image" | "group", 
+/**
+ * The unknown point of an equation and its reference point.
+ */
+target?: string | null, from?: string | null, 
+/**
+ * The number of the link that has both, or the line; 0 of the frame.
+ */
+link?: string | null, 
+/**
+ * What is added to its velocity, and to its acceleration.
+ */
+legs: [Array<LegHere>, Array<LegHere>], 
+/**
+ * The points that are known when it is done, each with the size of its velocity and acceleration.
+ */
+found: Array<FoundHere>, };
+export type PolygonsHere = { 
+/**
+ * What is drawn in turn, alike in both.
+ */
+steps: Array<PolygonStepHere>, 
+/**
+ * That of velocities and that of accelerations, after as many steps as were asked for.
+ */
+pictures: [PolygonPictureHere, PolygonPictureHere], };
+export type PrintedSummary = { 
+/**
+ * l₁, l₂, l₃.
+ */
+lengths: [number, number, number], 
+/**
+ * ΣJ there and of what is drawn: a number, as J is of zᵢ = lᵢ/l₀.
+ */
+least: number, drawn: number, };
+export type ProfileSummary = { 
+/**
+ * Degrees, or in the unit of the lengths.
+ */
+width: number, 
+/**
+ * From the least value to the greatest; none of what turns on and on.
+ */
+stroke: number | null, dwell: DwellSummary | null, phases: Array<PhaseSummary>, };
+export type PullSummary = { value: number, max: number, };
+export type RateSummary = { field: string, link: string, rate: number, role: string, };
 export type RatioSummary = { name: string, of: number, to: number, held: number, numerator: number, denominator: number, value: number, 
 /**
  * Whether it is the largest positive one.
  */
 largest: boolean, };
-export type DraftSummary = { 
+export type ReachedSummary = { arc: number, stroke: number, residual: number, singularity_margin: number, };
+export type RedundancySummary = { count: number, pairs: Array<string>, };
+export type RelationHere = { item: string, name: string, 
 /**
- * Nothing does.
+ * Whether it is an angle, radians.
  */
-moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
+angle: boolean, 
 /**
- * W by the count; none where what is named is not there.
+ * Whether it is an angle through which something has turned, so that whole turns count.
  */
-mobility: number | null, drivers: number, 
+turned: boolean, 
 /**
- * Every reason why it does not move.
+ * Whether it counts something, and is a whole number.
  */
-reasons: readonly import("assur/core/problem.js").Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
+count: boolean, value: number, 
+/**
+ * The value by the relation as it is printed; none where that divides by zero.
+ */
+printed: number | null, };
 export type SchemeSummary = { 
 /**
  * Nothing does.
@@ -371,38 +649,77 @@ export type SectionsSummary = { cuts: Array<string>,
  * Of the pairs that are left: i, and how many.
  */
 left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
-export type ClassSummary = { freedoms: number, count: number, };
-export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
-export type MendedSummary = { list: Array<Array<ChangedPair>>, 
+export type SeriesLayout = { name: string, 
 /**
- * Whether these are all.
+ * The number by which the angle is called, where it is.
  */
-complete: boolean, };
-export type ChangedPair = { pair: string, kind: KindDocument, };
-export type PairSummary = { name: string, freedoms: number, constraints: number, spatial_freedoms: number, 
+number: string | null, role: string, 
 /**
- * What is cut of it when it is cut: itself, or one link of a compound hinge.
+ * The value that the curve has throughout, where it does not change.
  */
-cuts: Array<string>, };
-export type CountSummary = { 
+level: number | null, };
+export type ShaftNumbers = { sun: number, carrier: number, ring: number, };
+export type SolutionSummary = { 
 /**
- * n: moving links.
+ * l₁, l₂, l₃.
  */
-links: number, 
+lengths: [number, number, number], 
 /**
- * Pᵢ in the scheme's own space, and in space.
+ * φ₂₀ and φ₃₀, radians.
  */
-pairs: Array<ClassSummary>, spatial_pairs: Array<ClassSummary>, planar: number | null, spatial: number, };
-export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 
+starts: [number, number], 
 /**
- * W in a pose near by.
+ * The greatest length left open at the coupler in a position.
  */
-generic: number | null, 
+gap: number, 
 /**
- * There is none near by, though W is not 0.
+ * l₀²ΣJ, in squares of the unit of lengths.
  */
-instantaneous: boolean, };
-export type RedundancySummary = { count: number, pairs: Array<string>, };
+sum: number, 
+/**
+ * Maximum error of the output angle, radians; none where a position is not reached.
+ */
+output_error: number | null, 
+/**
+ * Whether a length is at the end of what is searched.
+ */
+at_bound: boolean, verdict: VerdictSummary | null, };
+export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
+export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
+/**
+ * Wheels whose meshes only repeat what the others do.
+ */
+passive: Array<string>, 
+/**
+ * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ */
+redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
+export type SweepColumn = { 
+/**
+ * As in all tables: `rocker.dangle`.
+ */
+name: string, 
+/**
+ * None if the name says it all.
+ */
+quantity: SweepQuantity | null, };
+export type SweepDimension = { kind: "length" | "x" | "y", 
+/**
+ * Of two points, as in `A-B`, or of one.
+ */
+of: string, value: number, };
+export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner" | "between" | "transmission" | "pressure" | "radius" | "centre_x" | "centre_y", of: string, order: number, };
+export type SweepRow = { 
+/**
+ * Degrees of a crank, else in the unit of the lengths.
+ */
+input: number, values: Array<number | null>, reason: { readonly code: string } | null, };
+export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, 
+/**
+ * Of what it is compared with the table at the same inputs.
+ */
+compared: SweepTable | null, };
 export type SynthesisSummary = { 
 /**
  * What there is to choose from.
@@ -488,73 +805,21 @@ passive: Array<string>,
  * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
-export type PlaneSummary = { 
+export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
+export type TickLayout = { value: number, at: number, };
+export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, 
 /**
- * Between which lengths they are.
+ * Whether gears with profile shift may be built all the same.
  */
-bounds: [number, number], values: Array<Array<number>>, };
-export type FoundSummary = { 
+shifted: boolean, };
+export type TransmissionSummary = { what: "transmission" | "pressure", joint: string, links: [string, string], worst: number | null, input: number | null, };
+export type UnsearchedSummary = { turns: number, most: number, };
+export type VelocitySummary = { sun: [number, number], centre: [number, number], ring: [number, number], instantaneous_centre: number | null, };
+export type VerdictSummary = { passage: "continuous" | "through_change_point" | "across_dead_point" | "other_circuit" | "unreached", order: "growing" | "falling" | "either" | "mixed", grashof: string, turns: boolean, 
 /**
- * From how many starts it went.
+ * Radians.
  */
-starts: number, 
-/**
- * How many of them ended in the one that is shown first.
- */
-best: number, 
-/**
- * l₂ and l₃ along the way from each of the starts.
- */
-paths: Array<Array<[number, number]>>, 
-/**
- * ΣJ, by its decimal logarithm, over l₂ and l₃.
- */
-sum: PlaneSummary, };
-export type WeightedSummary = { 
-/**
- * l₁, l₂, l₃.
- */
-lengths: [number, number, number], 
-/**
- * ΣJ there, with the best coupler angles, and of what is drawn: numbers.
- */
-sum: number, drawn: number, };
-export type FamilySummary = { 
-/**
- * Of l₁, l₂, l₃ the least and the greatest; null where there is none.
- */
-lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
-/**
- * Between which angles the coupler is in each position, radians.
- */
-couplers: [[number, number], [number, number]], curve: FamilyCurve, 
-/**
- * l₁, l₂, l₃ where the class changes.
- */
-changes: Array<[number, number, number]>, };
-export type FamilyCurve = { l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
-export type FunctionSummary = { 
-/**
- * x in even steps, and the error of the linkage's y there; null beyond its reach.
- */
-curve: Array<[number, number | null]>, 
-/**
- * The same where the error is greatest; none where the linkage reaches nothing of the interval.
- */
-greatest: [number, number] | null, 
-/**
- * Whether it goes through the whole interval without a break.
- */
-complete: boolean, };
-export type PrintedSummary = { 
-/**
- * l₁, l₂, l₃.
- */
-lengths: [number, number, number], 
-/**
- * ΣJ there and of what is drawn: a number, as J is of zᵢ = lᵢ/l₀.
- */
-least: number, drawn: number, };
+transmission: number, transmission_between: number | null, size_ratio: number, };
 export type WantedSummary = { 
 /**
  * φ₂ and φ₃ with their starts, and φ₁ of what is drawn, radians.
@@ -587,277 +852,15 @@ ranges: [[number, number | null] | null, [number, number | null] | null] | null,
  * no greatest.
  */
 interval: [number, number | null] | null, };
-export type ConditionSummary = { 
-/**
- * Its number in the paper.
- */
-number: number, 
-/**
- * The length that it is about.
- */
-about: string | null, 
-/**
- * The two numbers whose signs it judges; null where one is infinite.
- */
-values: [number | null, number | null], 
-/**
- * Whether it holds as printed, and whether what it is printed for is so.
- */
-holds: boolean, truth: boolean, };
-export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
-export type LeftOutSummary = { values: [number, number], holds: boolean, };
-export type SolutionSummary = { 
+export type WeightedSummary = { 
 /**
  * l₁, l₂, l₃.
  */
 lengths: [number, number, number], 
 /**
- * φ₂₀ and φ₃₀, radians.
+ * ΣJ there, with the best coupler angles, and of what is drawn: numbers.
  */
-starts: [number, number], 
-/**
- * The greatest length left open at the coupler in a position.
- */
-gap: number, 
-/**
- * l₀²ΣJ, in squares of the unit of lengths.
- */
-sum: number, 
-/**
- * Maximum error of the output angle, radians; none where a position is not reached.
- */
-output_error: number | null, 
-/**
- * Whether a length is at the end of what is searched.
- */
-at_bound: boolean, verdict: VerdictSummary | null, };
-export type VerdictSummary = { passage: "continuous" | "through_change_point" | "across_dead_point" | "other_circuit" | "unreached", order: "growing" | "falling" | "either" | "mixed", grashof: string, turns: boolean, 
-/**
- * Radians.
- */
-transmission: number, transmission_between: number | null, size_ratio: number, };
-export type AssembliesHere = { 
-/**
- * In the order of their angles.
- */
-all: Array<AssemblyHere>, 
-/**
- * Which of them moves, from 0; none where it has no pose at the input.
- */
-shown: number | null, 
-/**
- * How many solutions a group's equations have over the complex numbers, where one group has them.
- */
-complex: number | null, 
-/**
- * Whether these are all.
- */
-whole: boolean, };
-export type AssemblyHere = { 
-/**
- * By which it is called, and chosen: by a document that counts its assemblies otherwise, as it does.
- */
-number: number, 
-/**
- * The angle by which they are numbered, in [0, 2π).
- */
-angle: number, 
-/**
- * Where the bodies are, as of a frame.
- */
-bodies: Array<number>, };
-export type PolygonsHere = { 
-/**
- * What is drawn in turn, alike in both.
- */
-steps: Array<PolygonStepHere>, 
-/**
- * That of velocities and that of accelerations, after as many steps as were asked for.
- */
-pictures: [PolygonPictureHere, PolygonPictureHere], };
-export type PolygonStepHere = { 
-/**
- * The pole, an equation, points by the image of their link, points of a group that is no dyad.
- */
-kind: "pole" | "equation" | "image" | "group", 
-/**
- * The unknown point of an equation and its reference point.
- */
-target?: string | null, from?: string | null, 
-/**
- * The number of the link that has both, or the line; 0 of the frame.
- */
-link?: string | null, 
-/**
- * What is added to its velocity, and to its acceleration.
- */
-legs: [Array<LegHere>, Array<LegHere>], 
-/**
- * The points that are known when it is done, each with the size of its velocity and acceleration.
- */
-found: Array<FoundHere>, };
-export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
-/**
- * Whether its length is known before the point is found.
- */
-known: boolean, };
-export type FoundHere = { name: string, rates: [number, number], };
-export type PolygonPictureHere = { 
-/**
- * The display list, and what its labels stand for.
- */
-list: Array<number>, names: Array<string>, 
-/**
- * Left, bottom, right, top.
- */
-bounds: [number, number, number, number], 
-/**
- * How long the line is that shows the scale.
- */
-bar: number, 
-/**
- * How many times smaller the scale is than usual in the motion: 1, unless the polygon would have no room.
- */
-smaller: number, };
-export type CurvatureHere = { circles: Array<CircleHere>, inflection: InflectionHere | null, };
-export type CircleHere = { point: string, 
-/**
- * The radius with two derivatives, as the axes have them.
- */
-radius: [number, number, number] | null, centre: [number, number] | null, reason: import("assur/core/problem.js").Problem | null, };
-export type InflectionHere = { link: string, diameter: number | null, reason: import("assur/core/problem.js").Problem | null, };
-export type LinkHere = { link: string, 
-/**
- * How far off it is drawn, in the unit of the lengths.
- */
-off: number, 
-/**
- * The wheel on which the place is, a ring by its rim.
- */
-wheel: string | null, };
-export type RelationHere = { item: string, name: string, 
-/**
- * Whether it is an angle, radians.
- */
-angle: boolean, 
-/**
- * Whether it is an angle through which something has turned, so that whole turns count.
- */
-turned: boolean, 
-/**
- * Whether it counts something, and is a whole number.
- */
-count: boolean, value: number, 
-/**
- * The value by the relation as it is printed; none where that divides by zero.
- */
-printed: number | null, };
-export type MotionsMap = { 
-/**
- * The link by whose angle assemblies are numbered.
- */
-output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
-/**
- * Whether these are all, each followed to its ends.
- */
-whole: boolean, };
-export type BranchLine = { 
-/**
- * From 0.
- */
-circuit: number, 
-/**
- * Input and output, one after the other, in pieces that neither wraps: radians in [0, 2π], or the way of a slide.
- */
-pieces: Array<Array<number>>, };
-export type MeetingPlace = { kind: "fold" | "crossing", branches: [number, number], input: number, output: number, };
-export type Belonging = { 
-/**
- * Of each assembly, in the order of their numbers, its branch, from 0.
- */
-branches: Array<number>, 
-/**
- * Of each the meetings to be passed from the one that is asked for, none for its own branch; null where none lead
- * there.
- */
-reached: Array<Array<number> | null>, };
-export type ChartRequest = { width: number, height: number, palette: Array<[number, number, number]>, 
-/**
- * How much larger than usual text and lines are.
- */
-scale: number, 
-/**
- * Pixels of the screen to one of the reader.
- */
-ratio: number, 
-/**
- * Whether curves go through all their points: for a picture that may be enlarged.
- */
-whole: boolean, 
-/**
- * The plot that has all of the room, if one has.
- */
-only: Only, 
-/**
- * The input around which a motion is plotted that goes on and on.
- */
-around: number, };
-export type ChartLayout = { panels: Array<PanelLayout>, 
-/**
- * What is plotted against each other instead of the panels, where anything is and has room.
- */
-against: AgainstLayout | null, };
-export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
-export type TickLayout = { value: number, at: number, };
-export type SeriesLayout = { name: string, 
-/**
- * The number by which the angle is called, where it is.
- */
-number: string | null, role: string, 
-/**
- * The value that the curve has throughout, where it does not change.
- */
-level: number | null, };
-export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
-export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
-/**
- * What is seen of the curve, run by run: x and y in pixels of the reader, and the input.
- */
-curve: Array<Array<number>>, };
-export type AxisLayout = { 
-/**
- * None for the input.
- */
-name: string | null, 
-/**
- * The number by which the angle is called, where it is.
- */
-number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
-export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, 
-/**
- * Of what it is compared with the table at the same inputs.
- */
-compared: SweepTable | null, };
-export type SweepColumn = { 
-/**
- * As in all tables: `rocker.dangle`.
- */
-name: string, 
-/**
- * None if the name says it all.
- */
-quantity: SweepQuantity | null, };
-export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner" | "between" | "transmission" | "pressure" | "radius" | "centre_x" | "centre_y", of: string, order: number, };
-export type SweepDimension = { kind: "length" | "x" | "y", 
-/**
- * Of two points, as in `A-B`, or of one.
- */
-of: string, value: number, };
-export type SweepRow = { 
-/**
- * Degrees of a crank, else in the unit of the lengths.
- */
-input: number, values: Array<number | null>, reason: { readonly code: string } | null, };
+sum: number, drawn: number, };
 export type Wishes = { 
 /**
  * The arc of the crank over which it stands at least, radians.
@@ -867,6 +870,3 @@ arc: number,
  * From its least to its greatest value: radians, or in the unit of the lengths.
  */
 stroke: number, movable: Array<Movement>, };
-export type Movement = { field: string, by: number, };
-export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
-export type ReachedSummary = { arc: number, stroke: number, residual: number, singularity_margin: number, };

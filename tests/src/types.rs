@@ -1,23 +1,23 @@
 //! Declarations of types in TypeScript, written from the Rust.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::{env, fs};
 
 use ts_rs::{Config, TS, TypeVisitor};
 
-/// Declares types, each once, and the types of their fields.
+/// Declares types by their names, and the types of their fields.
 struct Declarations {
     config: Config,
-    names: BTreeSet<String>,
-    text: String,
+    by_name: BTreeMap<String, String>,
 }
 
 impl TypeVisitor for Declarations {
     fn visit<T: TS + 'static + ?Sized>(&mut self) {
-        let declared = T::output_path().is_some();
-        if declared && self.names.insert(T::ident(&self.config)) {
-            let declaration = T::decl(&self.config);
-            self.text += &format!("export {declaration}\n");
+        let name = T::ident(&self.config);
+        let is_new = T::output_path().is_some() && !self.by_name.contains_key(&name);
+        if is_new {
+            let declaration = format!("export {}\n", T::decl(&self.config));
+            self.by_name.insert(name, declaration);
             T::visit_dependencies(self);
         }
     }
@@ -31,15 +31,15 @@ impl TypeVisitor for Declarations {
 pub fn assert_declared<Types: TS + 'static>(crate_folder: &str, head: &str) {
     let mut declarations = Declarations {
         config: Config::new().with_large_int("number"),
-        names: BTreeSet::new(),
-        text: format!(
-            "// Written by the tests of this crate from its Rust: see src/types.rs.\n{head}"
-        ),
+        by_name: BTreeMap::new(),
     };
     Types::visit_generics(&mut declarations);
+    let first = "// Written by the tests of this crate from its Rust: see src/types.rs.\n";
+    let declared: String = declarations.by_name.into_values().collect();
+    let text = [first, head, &declared].concat();
     let place = format!("{crate_folder}/types.d.ts");
     if env::var_os("ASSUR_WRITE_TYPES").is_some() {
-        fs::write(&place, &declarations.text).unwrap();
+        fs::write(&place, &text).unwrap();
     }
-    assert_eq!(fs::read_to_string(place).unwrap(), declarations.text);
+    assert_eq!(fs::read_to_string(place).unwrap(), text);
 }
