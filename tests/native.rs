@@ -22,6 +22,7 @@ mod mobility;
 mod planetary;
 mod positions;
 mod properties;
+mod readers;
 mod structure;
 mod synthesis;
 mod whole_motion;
