@@ -2,6 +2,7 @@
 
 mod allocations;
 mod any_drawing;
+mod benchmarks;
 mod class4;
 mod differential;
 mod dimensions;
