@@ -2,6 +2,7 @@
 
 mod allocations;
 mod any_drawing;
+mod benchmarks;
 mod class4;
 mod differential;
 mod dimensions;
@@ -22,6 +23,7 @@ mod mobility;
 mod planetary;
 mod positions;
 mod properties;
+mod readers;
 mod structure;
 mod synthesis;
 mod whole_motion;

@@ -52,6 +52,18 @@ pub fn preset(lesson: &str, name: &str) -> Option<Value> {
     Some(presets(&folder).remove(name)?["document"].take())
 }
 
+/// The texts of the files of a folder, in the order of their names.
+///
+/// # Panics
+/// Where one cannot be read.
+pub fn texts(folder: &str) -> Vec<String> {
+    let files = fs::read_dir(root().join(folder)).unwrap();
+    let mut files: Vec<_> = files.map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    let texts = files.into_iter().map(fs::read_to_string);
+    texts.map(Result::unwrap).collect()
+}
+
 /// The scripts of a folder and of those in it, by their paths; their tests aside.
 ///
 /// # Panics

@@ -1,5 +1,9 @@
-//! What several tests share: golden tables and how to compare with them, files of the project, counts of random input.
+//! What several tests share: golden tables and how to compare with them, files of the project, damage
+//! done to texts, counts of random input.
 
+#[cfg(not(target_family = "wasm"))]
+pub mod damage;
+#[cfg(not(target_family = "wasm"))]
 pub mod files;
 mod rocker;
 mod scale;

@@ -5,6 +5,7 @@
     reason = "that is how a test fails"
 )]
 
+mod damaged;
 mod differential;
 mod mobility;
 mod synth;

@@ -5,8 +5,8 @@ use assur::motion::Motion;
 use assur_file::{LinkageDocument, LinkageProblem, Problem};
 use assur_import::{Imported, LeftOut, read};
 
-use super::damaged::checked;
 use super::published::keeps_its_lengths;
+use assur_tests::damage::checked;
 
 /// A third link at a joint where two parts of a link are welded together.
 const WELD_THIRD: &str = "https://app.pmksplus.com/?2P.Ay,1E8.K,0.1011.6A,A,0,0,0.0B,B,0,Fe,0.0C,C,ku,NS,0.8D,D,_W,ku,0.\

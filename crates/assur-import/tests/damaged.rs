@@ -2,7 +2,6 @@
 
 mod named;
 
-use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
@@ -12,38 +11,21 @@ use assur::mechanism::Defect;
 use assur::motion::{Column, Grid, OutputProfile};
 use assur_file::{LinkageDocument, LinkageProblem, Problem, from_text};
 use assur_import::{ImportProblem, Imported, read, recognised};
-use assur_tests::files::root;
+use assur_tests::damage::{Dice, checked, with_other_letters, with_other_value};
+use assur_tests::files::texts;
 use assur_tests::{scaled, seed};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Maximum number of live bytes while a text is read and moved, and its table and summary are made.
 const ROOM: u64 = 64 << 20;
 /// Rows of a table.
 const ROWS: f64 = 72.0;
 
-/// A small generator (D. H. Lehmer, 1951), so that every run damages alike.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, most: usize) -> usize {
-        self.0 = self.0 * 48_271 % 0x7FFF_FFFF;
-        self.0 as usize % most
-    }
-}
-
-fn files(folder: &str) -> Vec<String> {
-    let files = fs::read_dir(root().join(folder)).unwrap();
-    let mut files: Vec<_> = files.map(|entry| entry.unwrap().path()).collect();
-    files.sort();
-    let texts = files.into_iter().map(fs::read_to_string);
-    texts.map(Result::unwrap).collect()
-}
-
 /// Links and files of other programs.
 fn published() -> Vec<String> {
     let text = include_str!("published/pmks.txt");
     let links = text.lines().filter_map(|line| line.splitn(3, " | ").nth(2));
-    let files = files("crates/assur-import/tests/published/linkage2");
+    let files = texts("crates/assur-import/tests/published/linkage2");
     links.map(str::to_owned).chain(files).collect()
 }
 
@@ -54,8 +36,8 @@ fn saved() -> Vec<String> {
         "tests/data/linkages",
         "tests/data/drawings",
     ];
-    let texts = folders.into_iter().flat_map(files);
-    texts.filter(|text| from_text(text).is_ok()).collect()
+    let all = folders.into_iter().flat_map(texts);
+    all.filter(|text| from_text(text).is_ok()).collect()
 }
 
 /// What an imported document must be, whatever the text: no wrong names, no number that is none.
@@ -178,78 +160,9 @@ impl Seen {
     }
 }
 
-/// A text with some of its characters changed.
-fn with_other_letters(text: &str, changes: usize, dice: &mut Dice) -> String {
-    const LETTERS: &str = "0123456789AZaz_-.,|\"<>/=%&?é\u{0}\n true";
-    let letters: Vec<char> = LETTERS.chars().collect();
-    let mut worse: Vec<char> = text.chars().collect();
-    for _ in 0..changes {
-        let at = dice.below(worse.len());
-        let letter = letters[dice.below(letters.len())];
-        match dice.below(5) {
-            0 => worse.truncate(at.max(1)),
-            1 => drop(worse.remove(at)),
-            2 => worse.insert(at, letter),
-            3 => worse[at] = letter,
-            // A piece of it once more, somewhere else.
-            _ => {
-                let end = (at + 1 + dice.below(60)).min(worse.len());
-                let piece: Vec<char> = worse[at..end].to_vec();
-                let to = dice.below(worse.len());
-                worse.splice(to..to, piece);
-            }
-        }
-        if worse.is_empty() {
-            worse.push('<');
-        }
-    }
-    worse.into_iter().collect()
-}
-
-/// Another value somewhere in a document, mostly one of its kind.
-fn with_other_value(value: &mut Value, dice: &mut Dice) {
-    let is_alike = dice.below(16) > 0;
-    match value {
-        Value::Object(fields) if is_alike && !fields.is_empty() => {
-            let at = dice.below(fields.len());
-            let field = fields.values_mut().nth(at);
-            with_other_value(field.unwrap(), dice);
-        }
-        Value::Array(all) if is_alike && !all.is_empty() => {
-            let at = dice.below(all.len());
-            match dice.below(8) {
-                0 => drop(all.remove(at)),
-                1 => all.push(all[at].clone()),
-                _ => with_other_value(&mut all[at], dice),
-            }
-        }
-        Value::Number(number) if is_alike => {
-            const NUMBERS: [f64; 10] = [-1.0, 0.0, 1.0, 7.0, 1e-320, 1e-9, -1e-3, 1e3, 1e9, 1e300];
-            let scaled = number.as_f64().unwrap() * dice.below(2001) as f64 / 1000.0;
-            let other = NUMBERS[dice.below(NUMBERS.len())];
-            *value = json!(if dice.below(2) == 0 { scaled } else { other });
-        }
-        Value::String(name) if is_alike => {
-            const NAMES: [&str; 8] = ["A", "B", "C", "D", "crank", "coupler", "rocker", "frame"];
-            *name = NAMES[dice.below(NAMES.len())].to_owned();
-        }
-        _ => {
-            let others = [
-                json!(null),
-                json!([]),
-                json!({}),
-                json!(true),
-                json!("9".repeat(1000)),
-                json!([0, 1]),
-            ];
-            *value = others[dice.below(others.len())].clone();
-        }
-    }
-}
-
 #[test]
 fn thousands_of_damaged_texts_are_refused_or_sound() {
-    let mut dice = Dice(12_345 + seed() % 1_000_000);
+    let mut dice = Dice::new(seed());
     let mut seen = Seen::default();
     for text in published() {
         for k in 0..scaled(40) {
@@ -290,15 +203,4 @@ fn thousands_of_damaged_texts_are_refused_or_sound() {
         *texts > scaled(4000) && *opened > scaled(800) && *moved > scaled(300),
         "{moved} of {opened} of {texts}"
     );
-}
-
-/// A link with the check character that fits.
-pub(crate) fn checked(link: &str) -> String {
-    let (host, query) = link.split_once('?').unwrap_or(("", link));
-    let mut cut: Vec<char> = query.chars().collect();
-    cut.pop();
-    let digits = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
-    let check = char::from(digits[cut.len() % 62]);
-    let query: String = cut.into_iter().collect();
-    format!("{host}?{query}{check}")
 }

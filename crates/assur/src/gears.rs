@@ -29,6 +29,13 @@ pub enum Mesh {
 }
 
 /// A gear pair: u = z₄/z₅ from whole numbers of teeth.
+///
+/// ```
+/// use assur::gears::{GearPair, Mesh};
+/// let pair = GearPair::new([36.0, 18.0], Mesh::External, 0.01, 0.0).unwrap();
+/// assert_eq!(pair.ratio(), -2.0);
+/// assert!((pair.pitch_radius(36) - 0.18).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GearPair {
     driver: u32,

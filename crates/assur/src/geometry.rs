@@ -25,6 +25,14 @@ pub fn nearest(place: Point, from: Point, to: Point) -> Point {
 }
 
 /// A moving point: both coordinates with their derivatives by the input.
+///
+/// ```
+/// use assur::{Jet, JetPoint, Point, Vector};
+/// // The end of an arm of length 2 that turns about (1, 0).
+/// let end = JetPoint::fixed(Point::new(1.0, 0.0)).offset(Jet::<2>::linear(0.0, 1.0), 2.0, 0.0);
+/// assert_eq!(end.place(), Point::new(3.0, 0.0));
+/// assert_eq!(end.derivative(1), Vector::new(0.0, 2.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JetPoint<const N: usize> {
     /// Abscissa, in the unit of the lengths.

@@ -106,6 +106,13 @@ impl Fault {
 }
 
 /// An invalid dimension.
+///
+/// ```
+/// use assur::{Dimension, Fault, FourBar};
+/// let faults = FourBar::new([-1.0, 2.0, 2.0, 2.0]).unwrap_err();
+/// assert_eq!(faults[0].dimension, Dimension::Crank);
+/// assert_eq!(faults[0].fault, Fault::NotPositive { value: -1.0 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Invalid {
     /// The dimension at fault.

@@ -8,6 +8,12 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// `Jet<1>` is a bare value, `Jet<3>` adds the analogues of velocity and acceleration. It stores the Taylor coefficients
 /// cₖ = f⁽ᵏ⁾/k!, for which the recurrences of the elementary functions are shortest (Griewank and Walther, *Evaluating
 /// Derivatives*, ch. 13).
+///
+/// ```
+/// use assur::Jet;
+/// let square = Jet::<3>::linear(3.0, 1.0).square(); // x² at x = 3
+/// assert_eq!([0, 1, 2].map(|order| square.derivative(order)), [9.0, 6.0, 2.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<const N: usize>([f64; N]);
 

@@ -4,7 +4,8 @@ import path from "node:path";
 import { bundle as bundleStyles } from "lightningcss";
 import { list } from "./files.js";
 import { words } from "./folders.js";
-import { OF_LESSON, notes } from "./notes.js";
+import { MECHANISMS, linked } from "./mechanisms.js";
+import { OF_LESSON, note, notes } from "./notes.js";
 import { Page, fill } from "./page.js";
 import { built } from "./papers.js";
 import { bundle } from "./scripts.js";
@@ -36,6 +37,7 @@ export async function site({ root, more, version }) {
     put(`lang/${name}`, JSON.stringify(words(sources, file, path.basename(name, ".json"))));
   }
   for (const [name, page] of notes(root, sources)) put(name, page);
+  put(MECHANISMS, note(linked(root), "en"));
   for (const [name, script] of await bundle(sources)) put(name, script);
   for (const [name, file] of sources) {
     if (SOURCE.test(name) || OF_LESSON.test(name)) continue;

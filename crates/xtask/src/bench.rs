@@ -2,18 +2,21 @@
 //! engine stand beside a yardstick of the same run, because machines differ and
 //! are shared: a straightforward scalar closed form, natively, is one unit.
 
+use std::path::Path;
+
 use anyhow::Result;
 use xshell::cmd;
 
 use crate::browser::{Browser, Kind};
+use crate::measured::{Machine, Measured};
 use crate::site;
 use crate::step::announce;
 use crate::test::{page_test, wasm_tests};
 use crate::workspace::Workspace;
 
 /// Prints the figures of the engine, natively and in the browser, of the page and
-/// of its download; the page is played and dragged for some minutes.
-pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
+/// of its download, and writes them to a file; the page is played and dragged for some minutes.
+pub(crate) fn run(workspace: &Workspace, minutes: f64, save: Option<&Path>) -> Result<()> {
     let browser = Browser::find_or_install(workspace, Kind::Chromium)?;
     site::set_up_and_build(workspace)?;
     site::give_away(workspace)?;
@@ -32,12 +35,34 @@ pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
     let page = page_test(workspace, "page_speed", &browser).args(["--", "--nocapture"]);
     let page = page.env("ASSUR_MINUTES", minutes.to_string()).read()?;
 
-    let unit = native.first().map_or(f64::NAN, |(_, time)| *time);
+    let measured = Measured {
+        machine: Machine::this(workspace),
+        native,
+        browser: wasm,
+        page: figures(&page, "page: "),
+    };
+    print(&measured);
+    let usual = workspace.target.join("bench.json");
+    let file = save.unwrap_or(&usual);
+    measured.write(file)?;
+    println!("\nThe figures are in {}", file.display());
+    Ok(())
+}
+
+/// The figures of engine and page as tables.
+fn print(measured: &Measured) {
+    let Measured {
+        native,
+        browser: wasm,
+        page,
+        ..
+    } = measured;
+    let unit = measured.unit();
     println!(
         "\n{:44} {:>12} {:>7} {:>12} {:>7}",
         "", "native, ns", "units", "browser, ns", "units"
     );
-    for (name, time) in &native {
+    for (name, time) in native {
         let there = wasm.iter().find(|(other, _)| other == name);
         let there = there.map_or(f64::NAN, |(_, time)| *time);
         println!(
@@ -47,10 +72,9 @@ pub(crate) fn run(workspace: &Workspace, minutes: f64) -> Result<()> {
         );
     }
     println!();
-    for (name, figure) in figures(&page, "page: ") {
+    for (name, figure) in page {
         println!("{name:60} {figure:>10}");
     }
-    Ok(())
 }
 
 /// The lines `PREFIX NAME = FIGURE` of what a command printed, wherever in them the prefix stands.

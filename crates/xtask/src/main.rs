@@ -6,6 +6,8 @@
 
 mod bench;
 mod browser;
+mod measured;
+mod packages;
 mod site;
 mod step;
 mod tally;
@@ -70,7 +72,8 @@ enum Task {
         /// Only page tests whose names hold one of these words, in Chromium unless a browser is named
         words: Vec<String>,
     },
-    /// Runs the tests of random input that take more than five minutes: 200,000 drawings, 100,000 damaged files
+    /// Runs the tests of random input that take more than five minutes: 200,000 drawings, 100,000 damaged files, and each
+    /// reader of what comes from outside for about a minute
     Soak {
         /// The seed that the input begins with, for a run that differs from the last
         #[arg(long, default_value_t = 777)]
@@ -83,6 +86,12 @@ enum Task {
         /// How long the page is played and dragged with an eye on its memory
         #[arg(long, default_value_t = 0.5)]
         minutes: f64,
+        /// Where the figures are written, as JSON [default: bench.json in the target directory]
+        #[arg(long, value_name = "FILE")]
+        save: Option<PathBuf>,
+        /// Measures nothing: prints the ratios of the figures of two files
+        #[arg(long, num_args = 2, value_names = ["BEFORE", "AFTER"], conflicts_with_all = ["minutes", "save"])]
+        compare: Option<Vec<PathBuf>>,
     },
     /// Builds the page into one file, dist/assur.html, that opens by double-click, into the folder dist/site for a host, the engine into dist/npm
     Bundle,
@@ -111,7 +120,11 @@ fn perform(task: &Task) -> Result<ExitCode> {
             words,
         } => return test::run(&workspace, *all, *browser, words),
         Task::Soak { seed } => return test::soak(&workspace, *seed),
-        Task::Bench { minutes } => bench::run(&workspace, *minutes)?,
+        Task::Bench {
+            compare: Some(files),
+            ..
+        } => measured::compare(files)?,
+        Task::Bench { minutes, save, .. } => bench::run(&workspace, *minutes, save.as_deref())?,
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
             site::give_away(&workspace)?;

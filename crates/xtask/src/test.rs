@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use xshell::{Cmd, Shell, cmd};
 
 use crate::browser::{Browser, Kind};
+use crate::packages;
 use crate::site;
 use crate::step::run as run_step;
 use crate::tally::Tally;
@@ -23,12 +24,24 @@ const WASM_TIME: &str = "300";
 /// Factor on the counts of random input in a run of everything.
 const ALL_SCALE: &str = "10";
 
-/// The tests of `soak`: a name, words of the tests, and the factor on their counts.
-const SOAKED: [(&str, &str, &str); 3] = [
+/// The tests of `soak`: a name, words of the tests, and the factor on their counts; of readers some minute each.
+const SOAKED: [(&str, &str, &str); 11] = [
     ("rows of 200,000 drawings", "any_drawing::rows_are", "1100"),
     ("200,000 drawings redrawn", "any_drawing::a_motion", "200"),
-    ("100,000 damaged files", "damaged::", "25"),
+    ("100,000 damaged files", "damaged::thousands", "25"),
+    ("states", "readers::damaged_states", "100"),
+    ("documents", "readers::damaged_documents", "100"),
+    ("short links of PMKS+", "readers::damaged_short", "100"),
+    ("long links of PMKS+", "readers::damaged_long", "100"),
+    ("links of PMKS", "readers::damaged_links", "100"),
+    ("files of Linkage", "readers::damaged_files", "100"),
+    ("files for the terminal", "damaged::damaged_files", "100"),
+    ("terminal's arguments", "damaged::damaged_arguments", "100"),
 ];
+
+/// Tests of the scripts that read what is damaged, and the factor on their counts: about a minute.
+const SOAKED_SCRIPTS: ([&str; 2], &str) =
+    (["www/app/damage.test.js", "www/state/codec.test.js"], "100");
 
 /// Runs all steps or, where a browser or words are given, only page tests, whose names hold one of the words. With
 /// `all` also those marked `ignore`, at more random input.
@@ -123,6 +136,9 @@ fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
     ] {
         tally.check(name, || run_step(command, name));
     }
+    if all {
+        tally.check("packages", || packages::check(workspace));
+    }
     let ignored = all.then_some("--include-ignored");
     for (name, targets) in [("native tests", "--tests"), ("doc tests", "--doc")] {
         let cargo = cmd!(
@@ -141,6 +157,14 @@ pub(crate) fn soak(workspace: &Workspace, seed: u64) -> Result<ExitCode> {
         let cargo = cargo.env("ASSUR_SCALE", scale);
         tally.tests(name, Ok(cargo.env("ASSUR_SEED", seed.to_string())));
     }
+    site::set_up_and_build(workspace)?;
+    let (scripts, scale) = SOAKED_SCRIPTS;
+    let node = node(workspace, &scripts.map(PathBuf::from));
+    let node = node.env("ASSUR_SCALE", scale);
+    tally.tests(
+        "addresses and files of the page",
+        Ok(node.env("ASSUR_SEED", seed.to_string())),
+    );
     ended(&tally)
 }
 
@@ -187,14 +211,18 @@ fn node_tests(workspace: &Workspace) -> Result<Cmd<'_>> {
     let shell = &workspace.shell;
     let mut tests = files(shell, "www".as_ref())?;
     tests.extend(files(shell, "crates/xtask/build".as_ref())?);
+    Ok(node(workspace, &tests))
+}
+
+/// Tests of scripts with the engine of the built page.
+fn node<'a>(workspace: &'a Workspace, tests: &[PathBuf]) -> Cmd<'a> {
     let node = cmd!(
-        shell,
+        workspace.shell,
         "node --import ./tests/scripts/register.mjs --test --test-reporter=spec"
     );
-    let node = node
-        .arg(format!("--test-concurrency={}", processors()))
-        .args(tests);
-    Ok(node.env("ASSUR_SITE", workspace.site()))
+    node.arg(format!("--test-concurrency={}", processors()))
+        .args(tests)
+        .env("ASSUR_SITE", workspace.site())
 }
 
 /// The files `*.test.js` of a folder and of those in it.

@@ -45,6 +45,18 @@ pub enum Source {
 }
 
 /// The instant centre of two bodies.
+///
+/// ```
+/// # use assur::{centres::Centre, linkage::LinkageSpec, mechanism::Mechanism, motion::Motion};
+/// # let slider_crank = LinkageSpec::default()
+/// #     .point("A", 0.0, 0.0).point("B", 0.0, 3.0).point("C", 4.0, 0.0).point("E", 9.0, 0.0)
+/// #     .fixed(&["A", "E"]).bar("crank", &["A", "B"]).bar("rod", &["B", "C"]).bar("slider", &["C"])
+/// #     .slide("slider", "C", "frame", ["A", "E"]).crank("crank");
+/// let motion = Motion::new(Mechanism::new(&slider_crank).unwrap());
+/// let centres = motion.mechanism().instant_centres(&motion.pose::<2>(90f64.to_radians()).unwrap());
+/// assert_eq!(centres.len(), 6); // of four links
+/// assert!(centres.iter().any(|one| matches!(one.centre, Centre::Infinity(_)))); // of the slide
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InstantCentre {
     /// The bodies, ascending.

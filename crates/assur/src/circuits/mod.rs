@@ -22,6 +22,15 @@ use search::Search;
 pub use search::Thoroughness;
 
 /// The motions of a linkage in all its assemblies.
+///
+/// ```
+/// use assur::circuits::Circuits;
+/// use assur::mixer::{Case, Mixer};
+/// let motion = Mixer::new(&Case::A.dimensions()).unwrap().motion().unwrap();
+/// let mechanism = motion.mechanism();
+/// let circuits = Circuits::of(mechanism, mechanism.link("rocker").unwrap());
+/// assert_eq!((circuits.count(), circuits.meetings().len()), (2, 0)); // a crank-rocker
+/// ```
 #[derive(Clone, Debug)]
 pub struct Circuits {
     branches: Vec<Branch>,

@@ -19,6 +19,14 @@ use crate::tolerance;
 use crate::{JetPoint, Point, Vector, perpendicular};
 
 /// Curvature of a path at a point.
+///
+/// ```
+/// use assur::{Jet, JetPoint, Point, curvature::Curvature};
+/// let end = JetPoint::fixed(Point::new(1.0, 0.0)).offset(Jet::<4>::linear(0.0, 1.0), 2.0, 0.0);
+/// let curvature = Curvature::of(&end, 1.0).unwrap();
+/// assert_eq!(curvature.radius(), Some(2.0));
+/// assert_eq!(curvature.centre, Some(Point::new(1.0, 0.0)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curvature {
     /// Position of the point.

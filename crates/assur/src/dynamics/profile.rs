@@ -5,6 +5,13 @@ use crate::numeric::max_abs;
 use crate::tolerance::FARTHEST;
 
 /// A piecewise linear function of time, constant before its first knot and after its last.
+///
+/// ```
+/// use assur::dynamics::Profile;
+/// let ramp = Profile::ramp(0.0, 20.0, 0.0, 0.2).unwrap();
+/// assert!((ramp.value(0.1) - 10.0).abs() < 1e-12);
+/// assert_eq!(ramp.value(1.0), 20.0);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
     /// Times and values; at least one knot, times strictly increasing.

@@ -6,6 +6,13 @@ use std::f64::consts::{PI, TAU};
 use super::FourBar;
 
 /// The crank angles of a motion: one period if the crank turns fully, otherwise the arcs on which the loop closes.
+///
+/// ```
+/// use assur::FourBar;
+/// let cycle = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap().cycle();
+/// assert!(cycle.is_full());
+/// assert_eq!(cycle.period(), Some(std::f64::consts::TAU));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
     /// Period of the input after which the motion repeats: turns of a crank (two, for example, at a change point that

@@ -6,6 +6,14 @@ use std::f64::consts::{PI, TAU};
 use super::{Assembly, FourBar};
 
 /// A limit position: the rocker is at rest (φ₃′ = 0) with crank and coupler in line.
+///
+/// ```
+/// use assur::{Assembly, FourBar};
+/// let limits = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap().limits(Assembly::First);
+/// // Crank and coupler in line: 5 of a triangle 3-4-5.
+/// assert!((limits[0].crank - 0.75f64.atan()).abs() < 1e-12);
+/// assert!((limits[0].rocker.to_degrees() - 90.0).abs() < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
     /// φ₁ within the cycle's axis.
@@ -15,6 +23,12 @@ pub struct Limit {
 }
 
 /// Motion of the rocker over an arc of the crank.
+///
+/// ```
+/// use assur::{Assembly, FourBar};
+/// let swings = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap().swings(Assembly::First);
+/// assert!((swings[0].stroke().unwrap().sin() - 2.0 / 3.0).abs() < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Swing {
     /// It turns fully.

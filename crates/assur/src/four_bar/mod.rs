@@ -73,6 +73,16 @@ impl Assembly {
 }
 
 /// A four-bar linkage that can move; its lengths are always valid, as made by [`FourBar::new`].
+///
+/// ```
+/// use assur::{Assembly, FourBar, Grashof};
+/// let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();
+/// assert_eq!(linkage.grashof(), Grashof::CrankRocker);
+/// let pose = linkage.pose::<2>(Assembly::First, 0.75f64.atan()).unwrap();
+/// // Crank and coupler in line, 3-4-5: the rocker is upright and turns back.
+/// assert!((pose.rocker.value().to_degrees() - 90.0).abs() < 1e-12);
+/// assert!(pose.rocker.derivative(1).abs() < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FourBar {
     lengths: [f64; 4],

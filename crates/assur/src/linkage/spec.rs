@@ -9,6 +9,16 @@ use crate::{Point, Vector};
 pub const FRAME: &str = "frame";
 
 /// A linkage, valid or not. Its parts refer to each other by name; lengths are in any one unit.
+///
+/// ```
+/// use assur::linkage::LinkageSpec;
+/// // A slider-crank, drawn as a triangle 3-4-5 with the crank upright.
+/// let slider_crank = LinkageSpec::default()
+///     .point("A", 0.0, 0.0).point("B", 0.0, 3.0).point("C", 4.0, 0.0).point("E", 9.0, 0.0)
+///     .fixed(&["A", "E"]).bar("crank", &["A", "B"]).bar("rod", &["B", "C"]).bar("slider", &["C"])
+///     .slide("slider", "C", "frame", ["A", "E"]).crank("crank");
+/// assert!(slider_crank.defects().is_empty());
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkageSpec {
     /// Every point, with its place in the drawing.

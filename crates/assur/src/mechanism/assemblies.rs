@@ -16,6 +16,15 @@ const MOST_TRIES: usize = 1 << 16;
 const MOST_WORK: usize = 60_000;
 
 /// The assemblies of a linkage at an input.
+///
+/// ```
+/// use assur::mechanism::Method;
+/// use assur::mixer::{Case, Mixer};
+/// let motion = Mixer::new(&Case::A.dimensions()).unwrap().motion().unwrap();
+/// let assemblies = motion.mechanism().assemblies_at(1.0, Method::Usual);
+/// assert!(assemblies.whole);
+/// assert_eq!(assemblies.poses.len(), 2); // of the four-bar
+/// ```
 #[derive(Clone, Debug)]
 pub struct Assemblies {
     /// A pose of each.

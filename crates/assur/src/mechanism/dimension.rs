@@ -9,6 +9,17 @@ use nalgebra::Rotation2;
 
 /// A dimension of a linkage; valid only with the mechanism of its link or point. Setting it leaves the rest of the
 /// linkage unchanged.
+///
+/// ```
+/// # use assur::{linkage::LinkageSpec, mechanism::{Dimension, Mechanism}};
+/// # let slider_crank = LinkageSpec::default()
+/// #     .point("A", 0.0, 0.0).point("B", 0.0, 3.0).point("C", 4.0, 0.0).point("E", 9.0, 0.0)
+/// #     .fixed(&["A", "E"]).bar("crank", &["A", "B"]).bar("rod", &["B", "C"]).bar("slider", &["C"])
+/// #     .slide("slider", "C", "frame", ["A", "E"]).crank("crank");
+/// let mechanism = Mechanism::new(&slider_crank).unwrap();
+/// let crank = mechanism.link("crank").unwrap();
+/// assert_eq!(mechanism.value(Dimension::Length(crank)), Some(3.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
     /// The distance of the first two points of a link: its length, if there are only two. Its other points keep their

@@ -63,6 +63,17 @@ use plan::{Drawn, structured};
 use readout::constraint;
 
 /// A linkage that can be assembled as it is drawn.
+///
+/// ```
+/// # use assur::{linkage::LinkageSpec, mechanism::Mechanism};
+/// # let slider_crank = LinkageSpec::default()
+/// #     .point("A", 0.0, 0.0).point("B", 0.0, 3.0).point("C", 4.0, 0.0).point("E", 9.0, 0.0)
+/// #     .fixed(&["A", "E"]).bar("crank", &["A", "B"]).bar("rod", &["B", "C"]).bar("slider", &["C"])
+/// #     .slide("slider", "C", "frame", ["A", "E"]).crank("crank");
+/// let mechanism = Mechanism::new(&slider_crank).unwrap();
+/// assert_eq!(mechanism.counts().mobility, 1);
+/// assert_eq!(mechanism.structure().class(), 2);
+/// ```
 #[derive(Clone, Debug)]
 pub struct Mechanism {
     spec: LinkageSpec,

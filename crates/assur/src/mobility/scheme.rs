@@ -11,6 +11,18 @@ const RANGE: f64 = 1e60;
 
 /// Links and pairs, connected to the ground. Links are numbered in the order in which the pairs name them, the ground
 /// is number 0.
+///
+/// ```
+/// use assur::mobility::{PairKind, PairSpec, Scheme, SchemeSpec};
+/// let pair = |name: &str, links: [&str; 2]| PairSpec {
+///     name: name.to_owned(), kind: PairKind::Revolute, links: links.map(str::to_owned).to_vec(),
+///     place: None, axis: None, second: None,
+/// };
+/// let pairs = vec![pair("A", ["0", "1"]), pair("B", ["1", "2"]), pair("C", ["2", "3"]), pair("D", ["3", "0"])];
+/// let four_bar = Scheme::new(&SchemeSpec { ground: "0".to_owned(), planar: true, pairs }).unwrap();
+/// let sections = four_bar.sections(&four_bar.automatic()).unwrap();
+/// assert_eq!((sections.mobility, sections.redundant), (1, 3));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scheme {
     planar: bool,

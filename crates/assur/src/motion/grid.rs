@@ -13,6 +13,14 @@ pub struct At {
 }
 
 /// Inputs at whole steps from an origin.
+///
+/// ```
+/// use assur::mixer::{Case, Mixer};
+/// use assur::motion::Grid;
+/// let motion = Mixer::new(&Case::A.dimensions()).unwrap().motion().unwrap();
+/// let degrees = Grid { unit: 1f64.to_radians(), origin: 0.0, step: 30.0 };
+/// assert_eq!(motion.rows(degrees).count(), 13); // 0° to 360°
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Grid {
     /// The reader's unit in the engine's: π/180 for degrees.

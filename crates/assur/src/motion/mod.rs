@@ -56,6 +56,19 @@ pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
 /// were determined once, by following the motion.
+///
+/// ```
+/// # use assur::{linkage::LinkageSpec, mechanism::Mechanism, motion::Motion};
+/// # let slider_crank = LinkageSpec::default()
+/// #     .point("A", 0.0, 0.0).point("B", 0.0, 3.0).point("C", 4.0, 0.0).point("E", 9.0, 0.0)
+/// #     .fixed(&["A", "E"]).bar("crank", &["A", "B"]).bar("rod", &["B", "C"]).bar("slider", &["C"])
+/// #     .slide("slider", "C", "frame", ["A", "E"]).crank("crank");
+/// let motion = Motion::new(Mechanism::new(&slider_crank).unwrap());
+/// let pose = motion.pose::<2>(90f64.to_radians()).unwrap();
+/// let slider = motion.mechanism().place(&pose, motion.mechanism().point("C").unwrap());
+/// assert!((slider.place().x - 4.0).abs() < 1e-12);
+/// assert!((slider.derivative(1).x + 3.0).abs() < 1e-12); // as fast as the end of the crank
+/// ```
 #[derive(Clone, Debug)]
 pub struct Motion {
     mechanism: Mechanism,

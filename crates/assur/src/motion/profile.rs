@@ -37,6 +37,15 @@ impl Dwell {
 }
 
 /// A quantity over a motion as a sequence of monotone pieces; over several arcs, on the one of the drawn pose.
+///
+/// ```
+/// use assur::{Swing, mechanism::Quantity, motion::OutputProfile};
+/// use assur::mixer::{Case, Mixer};
+/// let motion = Mixer::new(&Case::A.dimensions()).unwrap().motion().unwrap();
+/// let rocker = Quantity::named(motion.mechanism(), "rocker.angle").unwrap();
+/// let swing = OutputProfile::new(&motion, rocker).unwrap().swings()[0];
+/// assert!((swing.stroke().unwrap().to_degrees() - 87.904535).abs() < 1e-6);
+/// ```
 #[derive(Clone, Debug)]
 pub struct OutputProfile<'a> {
     pub(super) motion: &'a Motion,

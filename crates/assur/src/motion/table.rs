@@ -74,6 +74,15 @@ impl Column {
 }
 
 /// A row of a table.
+///
+/// ```
+/// use assur::mixer::{Case, Mixer};
+/// use assur::motion::Column;
+/// let motion = Mixer::new(&Case::A.dimensions()).unwrap().motion().unwrap();
+/// let column = |name| Column::named(motion.mechanism(), name).unwrap();
+/// let row = motion.row(&["rocker.angle", "rocker.dangle"].map(column), 1.0);
+/// assert!((row.values[1].unwrap() - 0.5448).abs() < 1e-4);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// The input.

@@ -8,6 +8,13 @@ use std::ops::Sub;
 const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
 
 /// An angle as whole turns and a remainder, which has all the digits of a double after any number of turns.
+///
+/// ```
+/// use assur::Angle;
+/// let angle = Angle::new(7.0);
+/// assert_eq!(angle.turns(), 1);
+/// assert!((angle.part() - 0.7168146928204138).abs() < 1e-15); // 7 − 2π
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Angle {
     turns: i64,

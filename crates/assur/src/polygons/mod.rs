@@ -95,6 +95,18 @@ pub struct Stage {
 }
 
 /// A polygon of velocities or accelerations in a pose.
+///
+/// ```
+/// # use assur::{linkage::LinkageSpec, mechanism::Mechanism, motion::{InputRate, Motion}, polygons::Order};
+/// # let slider_crank = LinkageSpec::default()
+/// #     .point("A", 0.0, 0.0).point("B", 0.0, 3.0).point("C", 4.0, 0.0).point("E", 9.0, 0.0)
+/// #     .fixed(&["A", "E"]).bar("crank", &["A", "B"]).bar("rod", &["B", "C"]).bar("slider", &["C"])
+/// #     .slide("slider", "C", "frame", ["A", "E"]).crank("crank");
+/// let motion = Motion::new(Mechanism::new(&slider_crank).unwrap());
+/// let pose = motion.pose::<2>(90f64.to_radians()).unwrap();
+/// let polygon = motion.mechanism().polygon(&pose, Order::Velocity, InputRate::ANALOGUES);
+/// assert!((polygon.largest - 3.0).abs() < 1e-12); // of B and of C
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
     /// Velocity or acceleration.

@@ -9,6 +9,15 @@ use crate::mechanism::readout::transmitting::{acute, folded, sense};
 use crate::mechanism::{Mechanism, Pose, RrpDyad, RrrDyad};
 
 /// A value that changes along the motion.
+///
+/// ```
+/// use assur::mechanism::Quantity;
+/// use assur::mixer::{Case, Mixer};
+/// let motion = Mixer::new(&Case::A.dimensions()).unwrap().motion().unwrap();
+/// let rocker = Quantity::named(motion.mechanism(), "rocker.angle").unwrap();
+/// let jet = rocker.of(motion.mechanism(), &motion.pose::<2>(1.0).unwrap());
+/// assert!((jet.value() - 1.2500).abs() < 1e-4 && (jet.derivative(1) - 0.5448).abs() < 1e-4);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// The angle of a link, from its first to its second point, radians.

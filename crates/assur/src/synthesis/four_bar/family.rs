@@ -9,6 +9,16 @@ use crate::angle::nearest_to;
 use crate::tolerance;
 
 /// Linkages through two positions.
+///
+/// ```
+/// use assur::synthesis::four_bar::{Frame, Position, Task, TwoPositions};
+/// let position = |output: f64, input: f64| Position::new(output.to_radians(), input.to_radians());
+/// let frame = Frame { length: 10.4, angle: 0.0 };
+/// let task = Task::new(frame, &[position(240.0, 45.0), position(253.0, 60.0)], Task::RATIOS).unwrap();
+/// let Some(TwoPositions::Family(family)) = TwoPositions::new(&task) else { unreachable!() };
+/// let [input, coupler, _, _] = family.with_output(5.0 / 10.4).unwrap().proportions.lengths(10.4);
+/// assert!((input - 5.11281237799864).abs() < 1e-10 && (coupler - 9.31217191060936).abs() < 1e-10);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum TwoPositions {
     /// A one-parameter family of linkages.
