@@ -13,12 +13,12 @@ struct Declarations {
 
 impl TypeVisitor for Declarations {
     fn visit<T: TS + 'static + ?Sized>(&mut self) {
-        let name = T::ident(&self.config);
-        let is_new = T::output_path().is_some() && !self.by_name.contains_key(&name);
-        if is_new {
+        if T::output_path().is_some() {
             let declaration = format!("export {}\n", T::decl(&self.config));
-            self.by_name.insert(name, declaration);
-            T::visit_dependencies(self);
+            let name = T::ident(&self.config);
+            if self.by_name.insert(name, declaration).is_none() {
+                T::visit_dependencies(self);
+            }
         }
     }
 }
