@@ -94,21 +94,27 @@ pub(crate) fn kinds() -> Vec<Kind> {
     found
 }
 
-/// Modules that are not of one kind and have problems of its documents.
-const SHARED: [(&str, [&str; 3]); 1] = [(
-    "scheme",
-    [
-        "crates/assur-file/src/problem.rs",
-        "crates/assur/src/mobility/spec.rs",
-        "crates/assur/src/mobility/cut.rs",
-    ],
-)];
+/// Modules that are not of one kind and name problems or conditions of its documents.
+const SHARED: [(&str, &[&str]); 2] = [
+    (
+        "scheme",
+        &[
+            "crates/assur-file/src/problem.rs",
+            "crates/assur/src/mobility/spec.rs",
+            "crates/assur/src/mobility/cut.rs",
+        ],
+    ),
+    (
+        "gear-train",
+        &["crates/assur/src/gears/train/conditions.rs"],
+    ),
+];
 
 /// The scripts of a kind and its modules of every crate, by their paths.
 fn sources(id: &str) -> BTreeMap<String, String> {
     let mut found = scripts(&format!("www/kinds/{id}"));
     let shared = SHARED.iter().filter(|(kind, _)| *kind == id);
-    for path in shared.flat_map(|(_, paths)| paths) {
+    for path in shared.flat_map(|(_, paths)| *paths) {
         modules(path, &mut found);
     }
     let id = id.replace('-', "_");
@@ -172,7 +178,9 @@ fn variants(text: &str) -> Vec<&str> {
     let lines = bodies.flat_map(|(body, _)| body.lines());
     let names = lines.filter_map(|line| line.strip_prefix("    "));
     let names = names.filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()));
-    names
+    // A variant that holds another enum has the codes of that enum.
+    let codes = names.filter(|line| !line.contains('('));
+    codes
         .filter_map(|line| line.split(|c: char| !c.is_alphanumeric()).next())
         .collect()
 }
