@@ -29,7 +29,7 @@ impl SignedAssemblies<'_> {
     pub fn drawn(&self) -> usize {
         let others = self.all.iter();
         others
-            .take_while(|signs| **signs != self.mechanism.signs)
+            .take_while(|signs| **signs != self.mechanism.drawn.signs)
             .count()
     }
 
@@ -45,20 +45,22 @@ impl Mechanism {
     pub fn signed_assemblies(&self) -> SignedAssemblies<'_> {
         let mut search = Search {
             mechanism: self,
-            signs: self.steps.same_len(Sign::Plus),
+            signs: self.steps().same_len(Sign::Plus),
             found: Vec::new(),
             tries: MOST_TRIES,
         };
-        let steps: Vec<StepId> = self.steps.ids().collect();
+        let steps: Vec<StepId> = self.steps().ids().collect();
         search.join(&steps, &mut self.blank_state());
         let mut all = search.found;
         // The search may have stopped before the drawn one.
-        if !all.contains(&self.signs) {
-            all.push(self.signs.clone());
+        if !all.contains(&self.drawn.signs) {
+            all.push(self.drawn.signs.clone());
         }
         let mut state = self.blank_state();
         let whole = self.whole_closed_form();
-        all.retain(|signs| whole || self.entry(signs, &mut state).is_some());
+        let mut begins =
+            |signs: &_| whole || self.layout.entry(signs, &self.drawn, &mut state).is_some();
+        all.retain(|signs| begins(signs));
         SignedAssemblies {
             mechanism: self,
             all,
@@ -69,7 +71,7 @@ impl Mechanism {
     /// drawing distinguishes it.
     pub(crate) fn with_four_bar(&self, assembly: Assembly) -> Option<Self> {
         let step = self.closed_steps().next()?.step;
-        let mut signs = self.signs.clone();
+        let mut signs = self.drawn.signs.clone();
         if Assembly::from(signs[step]) == assembly {
             return None;
         }
@@ -79,10 +81,11 @@ impl Mechanism {
 
     fn with_signs(&self, signs: &AssemblySigns) -> Option<Self> {
         let mut state: Predictor = self.blank_state();
-        self.entries().into_iter().find_map(|input| {
-            let solved = self.solve(input, signs, self.drawn(), &mut state);
+        let inputs = self.layout.entries(&self.drawn);
+        inputs.into_iter().find_map(|input| {
+            let solved = self.solve(input, signs, self.drawn.near(), &mut state);
             let other = solved.ok().map(|()| Self::new(&self.drawn_by(&state)))?;
-            other.ok().filter(|other| other.signs == *signs)
+            other.ok().filter(|other| other.drawn.signs == *signs)
         })
     }
 }
@@ -103,9 +106,10 @@ impl Search<'_> {
             self.found.push(self.signs.clone());
             return;
         };
-        for sign in self.mechanism.joinings(*step) {
+        let Mechanism { layout, drawn, .. } = self.mechanism;
+        for sign in layout.joinings(*step) {
             self.signs[*step] = *sign;
-            let solved = self.mechanism.try_step(*step, *sign, state);
+            let solved = layout.try_step(*step, *sign, drawn, state);
             self.tries = self.tries.saturating_sub(1);
             if solved.is_ok() && self.found.len() < MOST_ASSEMBLIES && self.tries > 0 {
                 self.join(rest, state);
