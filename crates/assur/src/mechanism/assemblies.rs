@@ -142,23 +142,28 @@ impl Layout {
         following: Option<&mut List<StepId, Tracker>>,
         state: &mut State<N>,
     ) -> Found<N> {
-        let mut search = Search {
-            layout: self,
-            near,
-            input: Jet::linear(input, 1.0),
-            at: near.clone(),
-            tries: MOST_TRIES,
-            work: MOST_WORK,
-            method,
+        let search = Search {
+            method: Some(method),
             following,
-            found: Found {
-                whole: true,
-                ..Found::default()
-            },
+            ..Search::new(self, near, input)
         };
-        let steps: Vec<StepId> = self.steps.ids().collect();
-        search.join(&steps, state);
-        search.found
+        search.result(state)
+    }
+
+    /// The signs of the assemblies at the input of a configuration, up to a number of assemblies and of steps solved;
+    /// groups that no closed form solves only near the configuration.
+    pub(super) fn found_by_signs(
+        &self,
+        near: &Configuration,
+        [most, tries]: [usize; 2],
+    ) -> Vec<AssemblySigns> {
+        let search: Search<'_, 1> = Search {
+            most,
+            tries,
+            ..Search::new(self, near, near.input)
+        };
+        let found = search.result(&mut self.blank_state()).ways;
+        found.into_iter().map(|(_, signs)| signs).collect()
     }
 }
 
@@ -178,28 +183,55 @@ struct Search<'a, const N: usize> {
     input: Jet<N>,
     /// The signs and unknowns so far, and approximate orientations of the bodies: angles are unwrapped next to them.
     at: Configuration,
+    most: usize,
     tries: usize,
     work: usize,
-    method: Method,
+    /// None if groups are solved near the configuration only.
+    method: Option<Method>,
     following: Option<&'a mut List<StepId, Tracker>>,
     found: Found<N>,
 }
 
-impl<const N: usize> Search<'_, N> {
+impl<'a, const N: usize> Search<'a, N> {
+    fn new(layout: &'a Layout, near: &'a Configuration, input: f64) -> Self {
+        Self {
+            layout,
+            near,
+            input: Jet::linear(input, 1.0),
+            at: near.clone(),
+            most: MOST,
+            tries: MOST_TRIES,
+            work: MOST_WORK,
+            method: None,
+            following: None,
+            found: Found {
+                whole: true,
+                ..Found::default()
+            },
+        }
+    }
+
+    fn result(mut self, state: &mut State<N>) -> Found<N> {
+        let steps: Vec<StepId> = self.layout.steps.ids().collect();
+        self.join(&steps, state);
+        self.found
+    }
+
     fn join(&mut self, steps: &[StepId], state: &mut State<N>) {
         let [step, rest @ ..] = steps else {
             let pose = Pose::of(state.placed());
             self.found.ways.push((pose, self.at.signs.clone()));
             return;
         };
-        if let Step::Group(group) = &self.layout.steps[*step]
+        if let Some(method) = self.method
+            && let Step::Group(group) = &self.layout.steps[*step]
             && group.has_unknowns()
         {
             let (mut left, mut following) = (self.work, self.following.take());
             let followed = following.as_deref_mut();
             let followed = followed.map(|groups| &mut groups[*step]);
             let given = self.given(*step);
-            let ways = group.assemblies(state, &given, (self.method, &mut left), followed);
+            let ways = group.assemblies(state, &given, (method, &mut left), followed);
             (self.work, self.following) = (left, following);
             let Ok(Some(ways)) = ways else {
                 self.found.whole &= ways.is_err();
@@ -229,7 +261,7 @@ impl<const N: usize> Search<'_, N> {
 
     /// Places a step, whose unknowns may be solved already, and joins the rest.
     fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>, solved: bool) {
-        if self.tries == 0 || self.found.ways.len() == MOST {
+        if self.tries == 0 || self.found.ways.len() == self.most {
             self.found.whole = false;
             return;
         }
