@@ -137,7 +137,7 @@ impl Table<'_> {
                 carrier,
                 teeth,
             } => {
-                let axes = bodies.map(|wheel| mechanism.shared_by([wheel, *carrier], None));
+                let axes = bodies.map(|wheel| mechanism.shared_by([wheel, *carrier]));
                 if let [Some(first), Some(second)] = axes {
                     // Relative to the carrier their angular velocities are as z₂ to −z₁.
                     let pitch = hinge(first) * teeth[1] + hinge(second) * teeth[0];

@@ -2,8 +2,10 @@
 
 use crate::Vector;
 use crate::linkage::spec::{Defect, LinkSpec, LinkageSpec, extent};
+use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
-use crate::mechanism::{Mechanism, check};
+use crate::mechanism::plan::structured;
+use crate::mechanism::{Layout, Mechanism, check};
 use crate::tolerance::COINCIDENT;
 
 impl Mechanism {
@@ -20,10 +22,19 @@ impl Mechanism {
             return Err(defects);
         }
         let resolved = Resolved::new(&spec).map_err(|defect| vec![defect])?;
-        let (planned, ..) = Self::planned(&resolved)?;
-        let found = planned.found_at::<1>(input.unwrap_or(planned.drawn_input));
+        let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
+        let (structure, redundancy) = structured::structured(&resolved, &bodies)?;
+        if let Some(redundancy) = redundancy {
+            return Err(redundancy.defects);
+        }
+        let (layout, drawn) = Layout::new(&resolved, bodies, &placements, structure, &[], None)?;
+        let found = layout.found_at::<1>(&drawn, input.unwrap_or(drawn.input));
         let mut poses = found.ways.iter();
-        Ok(poses.find_map(|(pose, _)| Self::new(&planned.drawn_in(pose)).ok()))
+        Ok(poses.find_map(|(pose, _)| {
+            let mut drawn = spec.clone();
+            layout.draw(&mut drawn, &pose.state);
+            Self::new(&drawn).ok()
+        }))
     }
 }
 

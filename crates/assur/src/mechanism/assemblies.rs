@@ -1,11 +1,11 @@
 //! All assemblies at an input: all combinations of the assemblies of the groups.
 
+use std::sync::Arc;
+
 use crate::Jet;
-use crate::index::{BodyId, List, StepId};
-use crate::mechanism::{AssemblySigns, Defect, Mechanism, Pose};
-use crate::position::{
-    Cause, ComplexPair, Method, Nearby, Orientation, Sign, State, Step, StepContext, Tracker,
-};
+use crate::index::{List, StepId};
+use crate::mechanism::{AssemblySigns, Configuration, Defect, Layout, Mechanism, Pose};
+use crate::position::{Cause, ComplexPair, Method, Sign, State, Step, StepContext, Tracker};
 
 /// Maximum numbers of assemblies, and of steps solved to find them: n dyads have 2ⁿ combinations, few of which may
 /// close.
@@ -57,7 +57,8 @@ impl Following {
             room,
         } = self;
         groups.iter_mut().for_each(Tracker::begin);
-        let found = mechanism.found_with(input, Method::Usual, Some(groups), room);
+        let Mechanism { layout, drawn, .. } = mechanism;
+        let found = layout.found_with(drawn, input, Method::Usual, Some(groups), room);
         found.into()
     }
 }
@@ -84,48 +85,24 @@ impl Mechanism {
     /// They come in no particular order, without repetition; those that meet in a singular pose are left out.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
         let state = &mut self.blank_state();
-        self.found_with::<1>(input, method, None, state).into()
+        let found = self
+            .layout
+            .found_with::<1>(&self.drawn, input, method, None, state);
+        found.into()
     }
 
     /// The same at successive inputs.
     pub fn following(&self) -> Following {
         Following {
             mechanism: self.clone(),
-            groups: self.steps.iter().map(|_| Tracker::default()).collect(),
+            groups: self.steps().iter().map(|_| Tracker::default()).collect(),
             room: self.blank_state(),
         }
     }
 
     /// The same with derivatives, and with complex pairs.
     pub(crate) fn found_at<const N: usize>(&self, input: f64) -> Found<N> {
-        self.found_with(input, Method::Usual, None, &mut self.blank_state())
-    }
-
-    fn found_with<const N: usize>(
-        &self,
-        input: f64,
-        method: Method,
-        following: Option<&mut List<StepId, Tracker>>,
-        state: &mut State<N>,
-    ) -> Found<N> {
-        let mut search = Search {
-            mechanism: self,
-            input: Jet::linear(input, 1.0),
-            signs: self.signs.clone(),
-            orientations: self.orientations.clone(),
-            natural: self.natural.clone(),
-            tries: MOST_TRIES,
-            work: MOST_WORK,
-            method,
-            following,
-            found: Found {
-                whole: true,
-                ..Found::default()
-            },
-        };
-        let steps: Vec<StepId> = self.steps.ids().collect();
-        search.join(&steps, state);
-        search.found
+        self.layout.found_at(&self.drawn, input)
     }
 
     /// The same linkage drawn in a pose found at an input.
@@ -134,15 +111,59 @@ impl Mechanism {
         input: f64,
         (pose, signs): &(Pose<4>, AssemblySigns),
     ) -> Result<Self, Vec<Defect>> {
-        let mut other = self.clone();
-        other.spec = self.drawn_by(&pose.state);
-        other.drawn_input = input;
-        other.signs.clone_from(signs);
-        other.orientations = pose.state.orientations();
-        let places = pose.state.natural.iter().map(|place| place.value());
-        other.natural = places.flat_map(|place| [place.x, place.y]).collect();
-        other.begin()?;
-        Ok(other)
+        let spec = self.drawn_by(&pose.state);
+        let drawn = Configuration {
+            input,
+            signs: signs.clone(),
+            ..self.drawn.clone()
+        };
+        let drawn = drawn.posed(&pose.state);
+        Ok(Self {
+            start: self.layout.start(&spec, &drawn)?,
+            layout: Arc::clone(&self.layout),
+            constraints: Arc::clone(&self.constraints),
+            spec: Arc::new(spec),
+            drawn,
+        })
+    }
+}
+
+impl Layout {
+    /// All assemblies at an input, near a configuration.
+    pub(super) fn found_at<const N: usize>(&self, at: &Configuration, input: f64) -> Found<N> {
+        self.found_with(at, input, Method::Usual, None, &mut self.blank_state())
+    }
+
+    fn found_with<const N: usize>(
+        &self,
+        near: &Configuration,
+        input: f64,
+        method: Method,
+        following: Option<&mut List<StepId, Tracker>>,
+        state: &mut State<N>,
+    ) -> Found<N> {
+        let search = Search {
+            method: Some(method),
+            following,
+            ..Search::new(self, near, input)
+        };
+        search.result(state)
+    }
+
+    /// The signs of the assemblies at the input of a configuration, up to a number of assemblies and of steps solved;
+    /// groups that no closed form solves only near the configuration.
+    pub(super) fn found_by_signs(
+        &self,
+        near: &Configuration,
+        [most, tries]: [usize; 2],
+    ) -> Vec<AssemblySigns> {
+        let search: Search<'_, 1> = Search {
+            most,
+            tries,
+            ..Search::new(self, near, near.input)
+        };
+        let found = search.result(&mut self.blank_state()).ways;
+        found.into_iter().map(|(_, signs)| signs).collect()
     }
 }
 
@@ -157,34 +178,60 @@ impl From<Found<1>> for Assemblies {
 }
 
 struct Search<'a, const N: usize> {
-    mechanism: &'a Mechanism,
+    layout: &'a Layout,
+    near: &'a Configuration,
     input: Jet<N>,
-    signs: AssemblySigns,
-    /// Approximate orientations of the bodies: angles are unwrapped next to them.
-    orientations: List<BodyId, Orientation>,
-    natural: Vec<f64>,
+    /// The signs and unknowns so far, and approximate orientations of the bodies: angles are unwrapped next to them.
+    at: Configuration,
+    most: usize,
     tries: usize,
     work: usize,
-    method: Method,
+    /// None if groups are solved near the configuration only.
+    method: Option<Method>,
     following: Option<&'a mut List<StepId, Tracker>>,
     found: Found<N>,
 }
 
-impl<const N: usize> Search<'_, N> {
+impl<'a, const N: usize> Search<'a, N> {
+    fn new(layout: &'a Layout, near: &'a Configuration, input: f64) -> Self {
+        Self {
+            layout,
+            near,
+            input: Jet::linear(input, 1.0),
+            at: near.clone(),
+            most: MOST,
+            tries: MOST_TRIES,
+            work: MOST_WORK,
+            method: None,
+            following: None,
+            found: Found {
+                whole: true,
+                ..Found::default()
+            },
+        }
+    }
+
+    fn result(mut self, state: &mut State<N>) -> Found<N> {
+        let steps: Vec<StepId> = self.layout.steps.ids().collect();
+        self.join(&steps, state);
+        self.found
+    }
+
     fn join(&mut self, steps: &[StepId], state: &mut State<N>) {
         let [step, rest @ ..] = steps else {
             let pose = Pose::of(state.placed());
-            self.found.ways.push((pose, self.signs.clone()));
+            self.found.ways.push((pose, self.at.signs.clone()));
             return;
         };
-        if let Step::Group(group) = &self.mechanism.steps[*step]
+        if let Some(method) = self.method
+            && let Step::Group(group) = &self.layout.steps[*step]
             && group.has_unknowns()
         {
             let (mut left, mut following) = (self.work, self.following.take());
             let followed = following.as_deref_mut();
             let followed = followed.map(|groups| &mut groups[*step]);
             let given = self.given(*step);
-            let ways = group.assemblies(state, &given, (self.method, &mut left), followed);
+            let ways = group.assemblies(state, &given, (method, &mut left), followed);
             (self.work, self.following) = (left, following);
             let Ok(Some(ways)) = ways else {
                 self.found.whole &= ways.is_err();
@@ -196,32 +243,32 @@ impl<const N: usize> Search<'_, N> {
             self.found.complex.push(ways.complex);
             self.found.unreal.extend(ways.complex_pairs);
             for way in &ways.real {
-                group.set(&mut self.natural, &way.unknowns);
+                group.set(&mut self.at.natural, &way.unknowns);
                 for (body, turn) in &way.turns {
-                    let drawn = self.mechanism.orientations[*body];
-                    self.orientations[*body] = drawn.turned_to(*turn);
+                    let drawn = self.near.orientations[*body];
+                    self.at.orientations[*body] = drawn.turned_to(*turn);
                 }
                 self.go_on(*step, rest, state, ways.solved);
             }
             return;
         }
-        for sign in self.mechanism.joinings(*step) {
-            self.signs[*step] = *sign;
+        for sign in self.layout.joinings(*step) {
+            self.at.signs[*step] = *sign;
             self.go_on(*step, rest, state, false);
         }
-        self.signs[*step] = Sign::Plus;
+        self.at.signs[*step] = Sign::Plus;
     }
 
     /// Places a step, whose unknowns may be solved already, and joins the rest.
     fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>, solved: bool) {
-        if self.tries == 0 || self.found.ways.len() == MOST {
+        if self.tries == 0 || self.found.ways.len() == self.most {
             self.found.whole = false;
             return;
         }
         self.tries -= 1;
         match self.put(step, state, solved) {
             Ok(()) => {
-                let crosses = matches!(self.mechanism.steps[step], Step::Prp(_) | Step::Rpp(_));
+                let crosses = matches!(self.layout.steps[step], Step::Prp(_) | Step::Rpp(_));
                 if N > 1 && crosses {
                     let [square, _] = state.margins[step];
                     self.found.parallel.push(ComplexPair {
@@ -232,7 +279,7 @@ impl<const N: usize> Search<'_, N> {
                 self.join(rest, state);
             }
             // The margins of a group are not squares.
-            Err(_) if matches!(self.mechanism.steps[step], Step::Group(_)) => {}
+            Err(_) if matches!(self.layout.steps[step], Step::Group(_)) => {}
             Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
                 let negative = state.margins[step].into_iter();
                 let negative = negative.filter(|margin| margin.value() < 0.0);
@@ -247,7 +294,7 @@ impl<const N: usize> Search<'_, N> {
 
     fn put(&self, step: StepId, state: &mut State<N>, solved: bool) -> Result<(), Cause> {
         let given = self.given(step);
-        match &self.mechanism.steps[step] {
+        match &self.layout.steps[step] {
             Step::Group(group) if solved => group.put_solved(state, &given),
             step => step.put(state, &given),
         }
@@ -257,12 +304,9 @@ impl<const N: usize> Search<'_, N> {
         StepContext {
             step,
             input: self.input,
-            sign: self.signs[step],
-            near: Nearby {
-                orientations: &self.orientations,
-                natural: &self.natural,
-                smooth_roots: &[],
-            },
+            sign: self.at.signs[step],
+            near: self.at.near(),
+            mounting: &self.at.mounting,
         }
     }
 }

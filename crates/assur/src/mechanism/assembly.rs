@@ -1,17 +1,17 @@
 //! The drawn assembly of a mechanism: the signs of its groups.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
+use crate::Point;
+use crate::angle::whole_turns;
 use crate::index::{BodyId, List, PointId, StepId};
-use crate::mechanism::{Defect, LinkageSpec, Mechanism, Pose};
-use crate::position::{
-    BodyPoint, Cause, Nearby, Orientation, Predictor, Sign, Solvable, State, Step, StepContext,
-    quotient,
+use crate::mechanism::{
+    AssemblySigns, Configuration, Defect, Layout, LinkageSpec, Mechanism, Pose, Start,
 };
-use crate::{Jet, Point};
-
-/// Assembly sign of each step; plus if it has only one assembly.
-pub(crate) type AssemblySigns = List<StepId, Sign>;
+use crate::position::{
+    BodyPoint, Cause, Orientation, Predictor, Sign, Solvable, State, Step, quotient,
+};
 
 /// Maximum distance of a point from its drawn place, relative to the size.
 const MISDRAWN: f64 = 0.3;
@@ -24,145 +24,79 @@ const BACK: u32 = 24;
 /// unless it has tens of thousands of teeth.
 const MOUNTED: f64 = 1e-4;
 
-impl Mechanism {
-    /// The drawn pose as the nearby pose.
-    pub(super) fn drawn(&self) -> Nearby<'_> {
-        Nearby {
-            orientations: &self.orientations,
-            natural: &self.natural,
-            smooth_roots: &[],
-        }
-    }
-
-    /// Solves a step at the drawn input.
-    pub(super) fn try_step(
-        &self,
-        step: StepId,
-        sign: Sign,
-        state: &mut State<1>,
-    ) -> Result<(), Cause> {
-        let given = self.given(step, self.drawn_input, sign);
-        self.steps[step].put(state, &given)
-    }
-
-    fn given(&self, step: StepId, drawn_input: f64, sign: Sign) -> StepContext<'_, 1> {
-        StepContext {
-            step,
-            input: Jet::constant(drawn_input),
-            sign,
-            near: self.drawn(),
-        }
-    }
-
-    /// Finds the drawn assembly.
-    pub(super) fn settle(&mut self) -> Result<(), Vec<Defect>> {
+impl Layout {
+    /// The drawn configuration by a guess of it, and the start of the motion. Groups adopt the pivots of the drawn pose.
+    pub(super) fn settle(
+        &mut self,
+        spec: &LinkageSpec,
+        guess: Configuration,
+    ) -> Result<(Configuration, Start), Vec<Defect>> {
+        let mut at = guess;
         let mut state: State<1> = self.blank_state();
         for step in self.steps.ids() {
-            self.mount(step, self.drawn_input, &mut state);
-            let sign = self.drawn_sign(step, &mut state);
-            let sign = sign.map_err(|cause| vec![self.open(step, Some(cause))])?;
-            self.signs[step] = sign;
+            self.mount(step, &mut at, &mut state);
+            let sign = self.drawn_sign(spec, step, &at, &mut state);
+            let sign = sign.map_err(|cause| vec![self.open(spec, step, Some(cause))])?;
+            at.signs[step] = sign;
             // Solved last with the chosen sign, so that the state is the drawn pose.
-            let solved = self.try_step(step, sign, &mut state);
-            solved.map_err(|cause| vec![self.open(step, Some(cause))])?;
+            let solved = self.try_step(step, sign, &at, &mut state);
+            solved.map_err(|cause| vec![self.open(spec, step, Some(cause))])?;
             if let Step::Group(group) = &mut self.steps[step] {
                 group.plan_as(&state);
             }
-            if let Some((point, by)) = self.misdrawn(&state, step)
+            if let Some((point, by)) = self.misdrawn(spec, &state, step)
                 && by > MISDRAWN * self.size
             {
-                let point = self.point_name(point).to_owned();
+                let point = spec.points[point.index()].name.clone();
                 return Err(vec![Defect::Misdrawn { point, by }]);
             }
         }
-        self.orientations = state.orientations();
-        let places = state.natural.iter().map(|place| place.value());
-        self.natural = places.flat_map(|place| [place.x, place.y]).collect();
-        self.begin()
+        let drawn = at.posed(&state);
+        let start = self.start(spec, &drawn)?;
+        Ok((drawn, start))
     }
 
-    /// Finds the pose from which the motion is followed.
-    pub(super) fn begin(&mut self) -> Result<(), Vec<Defect>> {
-        let mut state = self.blank_state();
-        match self.entry(&self.signs, &mut state) {
-            Some(input) => self.start = (input, state),
+    /// The pose from which the motion of a configuration is followed.
+    pub(super) fn start(
+        &self,
+        spec: &LinkageSpec,
+        at: &Configuration,
+    ) -> Result<Start, Vec<Defect>> {
+        let mut pose = self.blank_state();
+        let input = match self.entry(&at.signs, at, &mut pose) {
+            Some(input) => input,
             // A closed form gives the motion without following it.
-            None if self.whole_closed_form() => {}
+            None if self.whole_closed_form(at) => at.input,
             None => {
                 let last = self.steps.ids().next_back();
-                return Err(last.map(|last| self.open(last, None)).into_iter().collect());
+                let open = last.map(|last| self.open(spec, last, None));
+                return Err(open.into_iter().collect());
             }
-        }
-        Ok(())
-    }
-
-    /// Shifts the drawn input by whole turns, with wheels and four-bars kept as drawn. Returns false, with nothing
-    /// changed, if the links do not close at the new input.
-    pub(crate) fn rebase_turns(&mut self, drawn_input: f64) -> bool {
-        // The new input is rounded anew; drawn at a dead point, it may lie just beyond it.
-        let unit = f64::EPSILON * drawn_input.abs().max(self.span());
-        let aside = (0..BACK).flat_map(|doubled| {
-            let off = unit * f64::from((1_u32 << doubled) - 1);
-            [off, -off]
-        });
-        let mut inputs = aside.map(|off| drawn_input + off);
-        inputs.any(|input| self.rebase_at(input))
-    }
-
-    fn rebase_at(&mut self, drawn_input: f64) -> bool {
-        let before = self.steps.clone();
-        let turned = crate::angle::whole_turns(self.drawn_input - drawn_input);
-        let mut state: State<1> = self.blank_state();
-        for step in before.ids() {
-            // If φ₁ passes a change point, a whole turn leads to the other assembly.
-            if let Step::Rrr(dyad) = &mut self.steps[step]
-                && let Some(four_bar) = &mut dyad.four_bar
-                && four_bar.linkage.changes()
-            {
-                four_bar.angle_offset += turned;
-            }
-            self.mount(step, drawn_input, &mut state);
-            let given = self.given(step, drawn_input, self.signs[step]);
-            if self.steps[step].put(&mut state, &given).is_err() {
-                self.steps = before;
-                return false;
-            }
-        }
-        self.drawn_input = drawn_input;
-        self.start.0 -= turned;
-        true
+        };
+        let pose = Arc::new(pose);
+        Ok(Start { input, pose })
     }
 
     /// Mounts the wheels of a step as drawn. Each whole turn by which the body that drives them differs from the
     /// drawing turns a wheel by a fraction of a turn.
-    fn mount(&mut self, step: StepId, drawn_input: f64, state: &mut State<1>) {
-        let drawn = &self.orientations;
-        match &mut self.steps[step] {
-            Step::Group(group) => group.count_turns(drawn, state),
+    fn mount(&self, step: StepId, at: &mut Configuration, state: &mut State<1>) {
+        match &self.steps[step] {
+            Step::Group(group) => {
+                for body in group.turned_by() {
+                    let angle = state.angle(body).value() - at.orientations[body].angle;
+                    at.mounting.turns[body] = whole_turns(angle);
+                }
+            }
             Step::Epicyclic(train) => {
-                let near = Nearby {
-                    orientations: drawn,
-                    natural: &self.natural,
-                    smooth_roots: &[],
-                };
-                let given = StepContext {
-                    step,
-                    input: Jet::constant(drawn_input),
-                    sign: Sign::Plus,
-                    near,
-                };
-                for k in 0..train.members.len() {
-                    if train.solve(state, &given).is_err() {
+                for wheel in train.bodies() {
+                    if train.solve(state, &at.context(step, Sign::Plus)).is_err() {
                         return;
                     }
-                    let member = &mut train.members[k];
-                    let off = quotient(
-                        drawn[member.body].turn,
-                        state.bodies[member.body].turn.value(),
-                    );
+                    let turn = state.bodies[wheel].turn.value();
+                    let off = quotient(at.orientations[wheel].turn, turn);
                     let off = off.y.atan2(off.x);
                     if off.abs() > MOUNTED {
-                        member.shift += off;
+                        at.mounting.shifts[wheel] += off;
                     }
                 }
             }
@@ -171,13 +105,19 @@ impl Mechanism {
     }
 
     /// The sign of a step that puts its points closest to their drawn places.
-    pub(super) fn drawn_sign(&self, step: StepId, state: &mut State<1>) -> Result<Sign, Cause> {
+    pub(super) fn drawn_sign(
+        &self,
+        spec: &LinkageSpec,
+        step: StepId,
+        at: &Configuration,
+        state: &mut State<1>,
+    ) -> Result<Sign, Cause> {
         let mut best: Option<(f64, Sign)> = None;
         let mut met = Cause::DeadPoint;
         for sign in self.joinings(step) {
-            match self.try_step(step, *sign, state) {
+            match self.try_step(step, *sign, at, state) {
                 Ok(()) => {
-                    let off = self.misdrawn(state, step).map_or(0.0, |(_, by)| by);
+                    let off = self.misdrawn(spec, state, step).map_or(0.0, |(_, by)| by);
                     if best.is_none_or(|(least, _)| off < least) {
                         best = Some((off, *sign));
                     }
@@ -198,13 +138,18 @@ impl Mechanism {
     }
 
     /// The point of a step's links farthest from its drawn place, with the distance.
-    fn misdrawn(&self, state: &State<1>, step: StepId) -> Option<(PointId, f64)> {
+    fn misdrawn(
+        &self,
+        spec: &LinkageSpec,
+        state: &State<1>,
+        step: StepId,
+    ) -> Option<(PointId, f64)> {
         let mut farthest: Option<(PointId, f64)> = None;
         for body in self.steps[step].bodies() {
-            for (point, local) in &self.bodies[body] {
+            for (point, local) in self.bodies.of(body) {
                 let local = *local;
                 let at = state.place(BodyPoint { body, local }).value();
-                let by = (at + self.origin - self.spec.points[point.index()].at.coords).norm();
+                let by = (at + self.origin - spec.points[point.index()].at.coords).norm();
                 if farthest.is_none_or(|(_, most)| by > most) {
                     farthest = Some((*point, by));
                 }
@@ -213,17 +158,76 @@ impl Mechanism {
         farthest
     }
 
-    fn open(&self, step: StepId, met: Option<Cause>) -> Defect {
-        let links: Vec<String> = self.links_of(step).map(str::to_owned).collect();
+    fn open(&self, spec: &LinkageSpec, step: StepId, met: Option<Cause>) -> Defect {
+        let bodies = self.steps[step].bodies().into_iter();
+        let links = bodies.map(|body| spec.name_of(self.made_for[body]).to_owned());
+        let links: Vec<String> = links.collect();
         match met {
             Some(Cause::Parallel) => Defect::ParallelGuides { links },
             Some(Cause::Apart { by } | Cause::OutOfReach { by }) => Defect::Open { links, by },
             Some(Cause::Undetermined) => Defect::CoincidentHinges { links },
             _ => Defect::Singular {
                 links,
-                singularity: self.singularity(step),
+                singularity: self.steps[step].singularity(),
             },
         }
+    }
+
+    /// The input of a configuration, or one next to it if the pose there has no derivatives.
+    pub(super) fn entry(
+        &self,
+        signs: &AssemblySigns,
+        at: &Configuration,
+        state: &mut Predictor,
+    ) -> Option<f64> {
+        let mut inputs = self.entries(at).into_iter();
+        inputs.find(|input| self.solve(*input, signs, at, state).is_ok())
+    }
+
+    /// The input of a configuration and one on each side.
+    pub(super) fn entries(&self, at: &Configuration) -> [f64; 3] {
+        [0.0, ASIDE, -ASIDE].map(|aside| at.input + aside * self.span() / TAU)
+    }
+}
+
+impl Mechanism {
+    /// Shifts the drawn input by whole turns, with wheels and four-bars kept as drawn. Returns false, with nothing
+    /// changed, if the links do not close at the new input.
+    pub(crate) fn rebase_turns(&mut self, drawn_input: f64) -> bool {
+        // The new input is rounded anew; drawn at a dead point, it may lie just beyond it.
+        let unit = f64::EPSILON * drawn_input.abs().max(self.span());
+        let aside = (0..BACK).flat_map(|doubled| {
+            let off = unit * f64::from((1_u32 << doubled) - 1);
+            [off, -off]
+        });
+        let mut inputs = aside.map(|off| drawn_input + off);
+        let turned = whole_turns(self.drawn.input - drawn_input);
+        let rebased = inputs.find_map(|input| self.rebased(input, turned));
+        let Some(rebased) = rebased else { return false };
+        self.drawn = rebased;
+        self.start.input -= turned;
+        true
+    }
+
+    /// The drawn configuration at an input less by whole turns; None if the links do not close there.
+    fn rebased(&self, input: f64, turned: f64) -> Option<Configuration> {
+        let mut at = Configuration {
+            input,
+            ..self.drawn.clone()
+        };
+        let mut state: State<1> = self.blank_state();
+        for (step, placing) in self.steps().enumerate() {
+            // If φ₁ passes a change point, a whole turn leads to the other assembly.
+            if let Some(four_bar) = placing.four_bar()
+                && four_bar.linkage.changes()
+            {
+                at.mounting.shifts[four_bar.coupler] += turned;
+            }
+            self.layout.mount(step, &mut at, &mut state);
+            let solved = self.layout.try_step(step, at.signs[step], &at, &mut state);
+            solved.ok()?;
+        }
+        Some(at)
     }
 
     /// The same linkage drawn in this pose.
@@ -251,33 +255,19 @@ impl Mechanism {
     }
 
     pub(super) fn drawn_by<const N: usize>(&self, state: &State<N>) -> LinkageSpec {
-        let mut spec = self.spec.clone();
-        for (drawn, anchor) in spec.points.iter_mut().zip(self.points.iter()) {
-            drawn.at = Point::from(state.place(*anchor).value() + self.origin);
-        }
+        let mut spec = LinkageSpec::clone(&self.spec);
+        self.layout.draw(&mut spec, state);
         spec
     }
 
     /// Input, signs and pose from which the motion is followed.
     pub(crate) fn start(&self) -> (f64, &AssemblySigns, &Predictor) {
-        let (input, state) = &self.start;
-        (*input, &self.signs, state)
+        (self.start.input, &self.drawn.signs, &self.start.pose)
     }
 
     /// Assembly signs and orientations of the drawn pose.
     pub(crate) fn as_drawn(&self) -> (&AssemblySigns, &List<BodyId, Orientation>) {
-        (&self.signs, &self.orientations)
-    }
-
-    /// The drawn input, or one next to it if the drawn pose has no derivatives.
-    pub(super) fn entry(&self, signs: &AssemblySigns, state: &mut Predictor) -> Option<f64> {
-        let mut inputs = self.entries().into_iter();
-        inputs.find(|input| self.solve(*input, signs, self.drawn(), state).is_ok())
-    }
-
-    /// The drawn input and one on each side.
-    pub(super) fn entries(&self) -> [f64; 3] {
-        [0.0, ASIDE, -ASIDE].map(|aside| self.drawn_input + aside * self.span() / TAU)
+        (&self.drawn.signs, &self.drawn.orientations)
     }
 }
 
@@ -312,10 +302,10 @@ mod tests {
             mesh: Mesh::External,
         });
         let mut mechanism = Mechanism::new(&spec).unwrap();
-        let (drawn_input, steps) = (mechanism.drawn_input, mechanism.steps.clone());
+        let drawn = mechanism.drawn.clone();
         // The crank goes from −90° to 90° of the frame.
-        assert!(!mechanism.rebase_turns(drawn_input + 0.5 * TAU));
-        assert!(mechanism.steps == steps);
-        assert!(mechanism.rebase_turns(drawn_input + TAU));
+        assert!(!mechanism.rebase_turns(drawn.input + 0.5 * TAU));
+        assert!(mechanism.drawn == drawn);
+        assert!(mechanism.rebase_turns(drawn.input + TAU));
     }
 }

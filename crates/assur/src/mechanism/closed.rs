@@ -4,9 +4,10 @@ use crate::tolerance;
 use std::f64::consts::{PI, TAU};
 
 use crate::index::{BodyId, StepId};
-use crate::mechanism::Mechanism;
-use crate::position::{BodyPoint, DriveLaw, Solvable, Step};
+use crate::mechanism::{Configuration, Layout, Mechanism};
+use crate::position::{BodyPoint, DriveLaw, Mounting, Solvable, Step};
 use crate::sorting::sort_by;
+use crate::structure;
 use crate::{Assembly, FourBar, Grashof, Unsolved, Vector};
 
 /// A step that is a four-bar on the driven crank and the frame.
@@ -15,6 +16,8 @@ pub(crate) struct DrivenFourBar<'a> {
     /// Its step of the plan.
     pub(crate) step: StepId,
     pub(crate) linkage: &'a FourBar,
+    /// The body of its rocker.
+    pub(crate) rocker: BodyId,
     /// Offset of φ₁ from the input.
     pub(crate) angle_offset: f64,
 }
@@ -84,9 +87,12 @@ impl DrivenFourBar<'_> {
     }
 }
 
-impl Mechanism {
+impl Layout {
     /// The steps solved by the closed form of a four-bar.
-    pub(crate) fn closed_steps(&self) -> impl Iterator<Item = DrivenFourBar<'_>> {
+    pub(super) fn closed_steps(
+        &self,
+        mounting: &Mounting,
+    ) -> impl Iterator<Item = DrivenFourBar<'_>> {
         let angle_offset = |body: BodyId| {
             self.steps.iter().find_map(|step| match step {
                 Step::Crank(crank) if crank.body == body => Some(crank.angle_offset),
@@ -99,16 +105,62 @@ impl Mechanism {
             Some(DrivenFourBar {
                 step,
                 linkage: &four_bar.linkage,
-                angle_offset: four_bar.angle_offset - angle_offset(four_bar.crank)?,
+                rocker: four_bar.rocker,
+                angle_offset: four_bar.offset(mounting) - angle_offset(four_bar.crank)?,
             })
         })
+    }
+
+    /// True if the closed form gives the whole motion: see [`Mechanism::whole_closed_form`].
+    pub(super) fn whole_closed_form(&self, at: &Configuration) -> bool {
+        let known = |step: &Step| match step {
+            Step::Crank(_) => true,
+            Step::Rrr(dyad) => dyad.four_bar.is_some(),
+            Step::Epicyclic(train) => train
+                .bodies()
+                .all(|body| !self.carries(body) && self.returns(body, at)),
+            _ => false,
+        };
+        let driver = |step: &&structure::Step| matches!(step, structure::Step::Driver { .. });
+        let alone = self.structure.steps.iter().filter(driver).count() == 1;
+        alone && self.closed_steps(&at.mounting).count() <= 1 && self.steps.iter().all(known)
+    }
+
+    /// True if a wheel returns with the crank or four-bar that turns it, or looks the same at any angle.
+    fn returns(&self, wheel: BodyId, at: &Configuration) -> bool {
+        let Some(link) = self.made_for[wheel].filter(|_| self.shows_its_angle(wheel)) else {
+            return true;
+        };
+        let multiple = self.multiple_of(link, &at.mounting);
+        let swings = |closed: DrivenFourBar<'_>| {
+            let turns = matches!(
+                closed.linkage.grashof(),
+                Grashof::DoubleCrank | Grashof::ChangePoint
+            );
+            !turns && self.made_for[closed.rocker] == Some(multiple.of)
+        };
+        let is_whole = multiple.factor.fract() == 0.0 && multiple.of != link;
+        is_whole || self.closed_steps(&at.mounting).any(swings)
+    }
+}
+
+impl Mechanism {
+    /// The steps solved by the closed form of a four-bar.
+    pub(crate) fn closed_steps(&self) -> impl Iterator<Item = DrivenFourBar<'_>> {
+        self.layout.closed_steps(self.mounting())
+    }
+
+    /// True if it is one crank, at most one four-bar, and wheels that drive nothing else: then the closed form gives
+    /// its whole motion.
+    pub(crate) fn whole_closed_form(&self) -> bool {
+        self.layout.whole_closed_form(&self.drawn)
     }
 
     /// Inputs within an arc at which the crank is in line with the outer hinges of a dyad RRR or RPR, one of them on
     /// the crank and the other fixed. There the distance of the hinges is least or greatest.
     pub(crate) fn in_line(&self, arc: [f64; 2]) -> Vec<f64> {
         let closed = self.closed_steps().map(|closed| closed.angle_offset);
-        let guided = self.steps.iter().filter_map(|step| match step {
+        let guided = self.steps().iter().filter_map(|step| match step {
             Step::Rpr(dyad) => self.lead_of(dyad.sides.each_ref().map(|side| side.outer)),
             _ => None,
         });
@@ -126,7 +178,7 @@ impl Mechanism {
             [false, true] => [hinges[1], hinges[0]],
             _ => return None,
         };
-        let crank = self.steps.iter().find_map(|step| match step {
+        let crank = self.steps().iter().find_map(|step| match step {
             Step::Crank(crank) if crank.body == driven.body => Some(crank),
             _ => None,
         })?;
@@ -136,56 +188,26 @@ impl Mechanism {
         is_first.then(|| angle(driven.local - crank.hinge) - crank.angle_offset - base)
     }
 
-    /// True if it is one crank, at most one four-bar, and wheels that drive nothing else: then the closed form gives
-    /// its whole motion.
-    pub(crate) fn whole_closed_form(&self) -> bool {
-        let known = |step: &Step| match step {
-            Step::Crank(_) => true,
-            Step::Rrr(dyad) => dyad.four_bar.is_some(),
-            Step::Epicyclic(train) => train
-                .bodies()
-                .all(|body| !self.carries(body) && self.returns(body)),
-            _ => false,
-        };
-        let alone = self.spec.drivers.len() == 1;
-        alone && self.closed_steps().count() <= 1 && self.steps.iter().all(known)
-    }
-
-    /// True if a wheel returns with the crank or four-bar that turns it, or looks the same at any angle.
-    fn returns(&self, wheel: BodyId) -> bool {
-        let Some(link) = self.link_of(wheel).filter(|_| self.shows_its_angle(wheel)) else {
-            return true;
-        };
-        let multiple = self.multiple_of(link);
-        let swings = |closed: DrivenFourBar<'_>| {
-            let turns = matches!(
-                closed.linkage.grashof(),
-                Grashof::DoubleCrank | Grashof::ChangePoint
-            );
-            !turns && self.rocker_of(&closed) == Some(multiple.of)
-        };
-        let is_whole = multiple.factor.fract() == 0.0 && multiple.of != link;
-        is_whole || self.closed_steps().any(swings)
-    }
-
     /// True if another drawing shows the same linkage: the same names, steps, and places of joints on their bodies,
     /// within rounding.
     pub(crate) fn is_redrawn_as(&self, other: &Self) -> bool {
-        let near = |a: &crate::Vector, b: &crate::Vector| (a - b).norm() <= 1e-9 * self.size;
+        let within = tolerance::COINCIDENT * self.size();
+        let near = |a: &Vector, b: &Vector| (a - b).norm() <= within;
         let kind = std::mem::discriminant::<Step>;
         self.points().eq(other.points())
             && self.links().eq(other.links())
-            && self.range == other.range
+            && self.layout.range == other.layout.range
             && self.rates().eq(other.rates())
-            && self.bodies.len() == other.bodies.len()
-            && self.bodies.iter().zip(other.bodies.iter()).all(|(a, b)| {
+            && self.bodies().len() == other.bodies().len()
+            && self.bodies().all(|body| {
+                let [a, b] = [self, other].map(|one| one.layout.bodies.of(body));
                 a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && near(&a.1, &b.1))
             })
-            && self.steps.len() == other.steps.len()
+            && self.steps().len() == other.steps().len()
             && self
-                .steps
+                .steps()
                 .iter()
-                .zip(other.steps.iter())
+                .zip(other.steps().iter())
                 .all(|(a, b)| kind(a) == kind(b) && a.bodies() == b.bodies())
     }
 }

@@ -3,10 +3,10 @@
 use crate::gears::Mesh;
 use crate::index::LinkId;
 use crate::linkage::check;
-use crate::linkage::spec::{Defect, LinkSpec, LinkageSpec};
-use crate::mechanism::Mechanism;
+use crate::linkage::spec::{Defect, LinkageSpec};
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
+use crate::mechanism::{Layout, Mechanism, Part};
 
 /// The numbers from which mobility is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,25 +27,23 @@ impl Mechanism {
     /// The links, pairs and mobility by Chebyshev and Grübler. Wheels in mesh "as
     /// printed" have an idler between them, which counts with its hinge and meshes.
     pub fn counts(&self) -> Counts {
-        self.counts
+        self.layout.counts
     }
 
     /// The wheel of each passive mesh: the satellite, whose hinge is shared by fewer links than that of sun and ring.
     /// The equation of a passive mesh holds in every pose.
     pub fn passive_wheels(&self) -> impl Iterator<Item = LinkId> {
-        let LinkageSpec { gears, links, .. } = &self.spec;
-        let passive = gears.iter().zip(&self.passive);
-        let passive = passive.filter(|(_, passive)| **passive);
-        passive.filter_map(move |(gear, _)| {
-            let wheels = gear.links.iter().filter_map(|wheel| self.link(wheel));
+        let Layout { bodies, links, .. } = &*self.layout;
+        let passive = bodies.gears.iter().filter(|gear| gear.is_passive);
+        passive.filter_map(|gear| {
+            let wheels = gear.by_link.links.into_iter().flatten();
             let sharing = |wheel: &LinkId| {
-                let own = &links[wheel.index()].points;
-                let shares = |link: &&LinkSpec| link.points.iter().any(|point| own.contains(point));
+                let own = &links[*wheel].points;
+                let shares = |link: &&Part| link.points.iter().any(|point| own.contains(point));
                 links.iter().filter(shares).count()
             };
-            let wheels: Vec<LinkId> = wheels.collect();
             // The second of equals.
-            wheels.into_iter().rev().min_by_key(sharing)
+            wheels.rev().min_by_key(sharing)
         })
     }
 }
@@ -72,7 +70,7 @@ pub(super) fn counts(spec: &Resolved<'_>, bodies: &Bodies) -> Counts {
     let graph = bodies.graph(spec.places.ids());
     let gears = spec.gears.iter();
     let idlers = gears.filter(|gear| gear.mesh == Mesh::AsPrinted).count();
-    let passive = bodies.passive.iter().filter(|passive| **passive).count();
+    let passive = bodies.gears.iter().filter(|gear| gear.is_passive).count();
     // A doubled link has three freedoms and a hinge at each shared point.
     let doubled = spec.doubled.iter().map(|one| one.shared.len());
     let (doubled, hinges) = (spec.doubled.len(), doubled.sum::<usize>());

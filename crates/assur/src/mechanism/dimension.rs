@@ -62,7 +62,7 @@ impl Mechanism {
             });
             [Dimension::Length(link)].into_iter().chain(others)
         });
-        let offsets = self.offsets.ids().map(Dimension::Offset);
+        let offsets = self.layout.bodies.slides.ids().map(Dimension::Offset);
         let points = self.point_ids().take(spec.points.len());
         let hinges = points.flat_map(|point| [Dimension::X(point), Dimension::Y(point)]);
         let all = shapes.chain(offsets).chain(hinges);
@@ -74,12 +74,12 @@ impl Mechanism {
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {
-            let Part { body, points, .. } = &self.links[link];
+            let Part { body, points, .. } = &self.layout.links[link];
             let moved = points.get(point);
             let holds = |part: &Part| {
                 part.body == *body && part.points.iter().any(|own| Some(own) == moved)
             };
-            let mut doubling = self.links.iter().zip(&spec.links);
+            let mut doubling = self.layout.links.iter().zip(&spec.links);
             let is_of_frame =
                 |point: &PointId| spec.frame.contains(&spec.points[point.index()].name);
             !(*body == BodyId::FRAME && moved.is_some_and(is_of_frame))
@@ -94,9 +94,10 @@ impl Mechanism {
                 }
                 Dimension::Offset(_) => true,
                 Dimension::X(point) | Dimension::Y(point) => {
-                    let of_frame = |one: &DoubledLink| self.links[one.link].body == BodyId::FRAME;
+                    let of_frame =
+                        |one: &DoubledLink| self.body_of(Some(one.link)) == BodyId::FRAME;
                     !self
-                        .doubled
+                        .doubled()
                         .iter()
                         .any(|one| of_frame(one) && one.shared.contains(&point))
                 }
@@ -112,7 +113,7 @@ impl Mechanism {
                 Dimension::Length(link) => spec.side(link, [0, 1]),
                 Dimension::Side(link, ends) => spec.side(link, ends),
                 Dimension::Corner(link, point) => spec.corner(link, point),
-                Dimension::Offset(slide) => self.offsets[slide],
+                Dimension::Offset(slide) => self.layout.bodies.slides[slide].offset(),
                 Dimension::X(point) => at(point).x,
                 Dimension::Y(point) => at(point).y,
             }

@@ -7,8 +7,10 @@ mod assembled;
 mod assemblies;
 mod assembly;
 mod closed;
+mod configuration;
 mod counts;
 mod dimension;
+mod layout;
 mod names;
 mod perturbation;
 mod plan;
@@ -22,13 +24,15 @@ mod solve;
 mod tracer;
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 pub(crate) use assemblies::Found;
 pub use assemblies::{Assemblies, Following};
-pub(crate) use assembly::AssemblySigns;
 pub(crate) use closed::{DrivenFourBar, half_turns};
+pub(crate) use configuration::{AssemblySigns, Configuration};
 pub use counts::Counts;
 pub use dimension::Dimension;
+pub(crate) use layout::Layout;
 pub(crate) use perturbation::{Assembled, LoopOpen, NoNeighbour, Setting};
 pub use plan::doubled::DoubledLink;
 pub use pose::{Pose, Unsolved};
@@ -52,17 +56,19 @@ pub use crate::linkage::{
 use crate::index::{Id, List};
 use crate::linkage::check;
 use crate::position::{
-    Arm, BodyPoint, Enclosure, Nearby, Orientation, Predictor, Sign, State, Step, StepContext,
+    Arm, BodyPoint, Enclosure, Mounting, Nearby, Orientation, Predictor, Sign, State, Step,
+    StepContext,
 };
 use crate::structure::Structure;
-use crate::{Jet, Vector};
+use crate::{Jet, Point, Vector};
+use layout::{Part, PassiveLinks};
 use plan::body::{Bodies, Placement};
 use plan::resolved::Resolved;
-use plan::slide::Slide;
 use plan::{Drawn, structured};
-use readout::constraint;
 
-/// A linkage that can be assembled as it is drawn.
+/// A linkage that can be assembled as it is drawn: a layout in its drawn configuration.
+///
+/// A clone shares the layout and the specification; only the configuration is copied.
 ///
 /// ```
 /// # use assur::{linkage::LinkageSpec, mechanism::Mechanism};
@@ -76,56 +82,20 @@ use readout::constraint;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    spec: LinkageSpec,
-    /// Origin of the coordinates used while solving.
-    origin: Vector,
-    points: List<PointId, BodyPoint>,
-    links: List<LinkId, Part>,
-    /// The link of each body (None for the frame), and its points with their places on the body.
-    made_for: List<BodyId, LinkOrFrame>,
-    bodies: List<BodyId, Vec<(PointId, Vector)>>,
-    /// The structure with passive links as separate steps; and the one used for solving, with them inside their groups.
-    structure: Structure,
-    solved_by: Structure,
-    /// Bodies of groups with redundant constraints that stay parallel to another body.
-    parallel: Vec<[BodyId; 2]>,
-    steps: List<StepId, Step>,
-    /// RRR dyads inside groups with redundant constraints, found by removing their passive links.
-    within: Vec<[Arm; 2]>,
-    /// The step that places each body; None for the frame.
-    placed_by: List<BodyId, Option<StepId>>,
-    constraints: Vec<Constraint>,
-    counts: Counts,
-    doubled: Vec<DoubledLink>,
-    /// Offset of each slide: distance of its point to the left of its line.
-    offsets: List<SlideId, f64>,
-    /// For each gear coupling, true if it is passive.
-    passive: Vec<bool>,
-    size: f64,
-    range: Option<[f64; 2]>,
-    /// Turns of the crank until all drivers and visible wheels are back; None for a driven slide, or if a driver does
-    /// not return.
-    period_turns: Option<usize>,
-    /// Turns until the assemblies repeat; wheels that carry nothing do not count.
-    turns_of_assemblies: Option<usize>,
-    /// The drawn pose: the input, the assembly signs, the orientations of the bodies, and the unknowns of groups solved
-    /// by Newton's method.
-    drawn_input: f64,
-    signs: AssemblySigns,
-    orientations: List<BodyId, Orientation>,
-    natural: Vec<f64>,
-    /// The input and pose from which the motion is followed: the drawn ones, or ones just beside them if the drawn pose
-    /// is singular.
-    start: (f64, Predictor),
+    layout: Arc<Layout>,
+    /// The specification as drawn in this configuration.
+    spec: Arc<LinkageSpec>,
+    constraints: Arc<[Constraint]>,
+    drawn: Configuration,
+    start: Start,
 }
 
-/// A moving link, or a part fixed to one.
+/// The input and pose from which the motion is followed: the drawn ones, or ones just beside them if the drawn pose is
+/// singular. The pose is blank if a closed form gives the motion.
 #[derive(Clone, Debug)]
-struct Part {
-    body: BodyId,
-    /// Offset of its angle from its body's.
-    angle_offset: f64,
-    points: Vec<PointId>,
+struct Start {
+    input: f64,
+    pose: Arc<Predictor>,
 }
 
 impl Mechanism {
@@ -141,124 +111,23 @@ impl Mechanism {
         let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
         let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
         let (structure, redundancy) = structured::structured(&resolved, &bodies)?;
-        let of = |parallel: &[[BodyId; 2]]| {
-            let structure = structure.clone();
-            Self::of(&resolved, &bodies, &placements, structure, parallel, None)
-        };
-        let mut mechanism = of(&[])?;
-        if let Some(redundancy) = &redundancy {
-            let parallel = mechanism.parallel();
-            let settled = parallel.and_then(|parallel| {
-                mechanism = of(&parallel).ok()?;
-                mechanism.settle().ok()
-            });
-            settled.ok_or_else(|| mechanism.locked(redundancy))?;
-        } else {
-            mechanism.settle().map_err(|defects| {
-                let beyond = plan::driver::drawn_beyond_range(&resolved, &bodies);
-                if beyond.is_empty() { defects } else { beyond }
-            })?;
-        }
-        let parts = constraint::Parts {
-            spec: &resolved,
-            bodies: &bodies,
-            placements: &placements,
-            orientations: &mechanism.orientations,
-        };
-        mechanism.constraints = parts.constraints();
-        if let Some(redundancy) = redundancy {
-            mechanism.structure = mechanism
-                .shown(&redundancy)
-                .ok_or_else(|| mechanism.locked(&redundancy))?;
-            let without = mechanism.structure.without_passive_links();
-            let plan = plan::plan(&resolved, &bodies, &placements, &without, &[], None);
-            let plan = plan.map(|plan| plan.steps).unwrap_or_default();
-            let known = |arms: &&[Arm; 2]| mechanism.arms().any(|own| own == *arms);
-            let arms = plan.iter().filter_map(arms_of);
-            mechanism.within = arms.filter(|arms| !known(arms)).cloned().collect();
-        }
-        Ok(mechanism)
-    }
-
-    /// The mechanism of a specification without surplus constraints, before assembly, with its bodies and the
-    /// placements of its links.
-    fn planned(
-        resolved: &Resolved<'_>,
-    ) -> Result<(Self, Bodies, List<LinkId, Placement>), Vec<Defect>> {
-        let (bodies, placements) = Bodies::new(resolved, None).map_err(|defect| vec![defect])?;
-        let (structure, redundancy) = structured::structured(resolved, &bodies)?;
-        if let Some(redundancy) = redundancy {
-            return Err(redundancy.defects);
-        }
-        let mechanism = Self::of(resolved, &bodies, &placements, structure, &[], None)?;
-        Ok((mechanism, bodies, placements))
-    }
-
-    /// The mechanism before its assembly is found. If the drawn pose is known, angles have its whole turns.
-    fn of(
-        resolved: &Resolved<'_>,
-        bodies: &Bodies,
-        placements: &List<LinkId, Placement>,
-        structure: Structure,
-        parallel: &[[BodyId; 2]],
-        drawn: Option<Drawn<'_>>,
-    ) -> Result<Self, Vec<Defect>> {
-        let period_turns = rate::period_turns(resolved)?;
-        let plan = plan::plan(resolved, bodies, placements, &structure, parallel, drawn);
-        let plan = plan.map_err(|defect| vec![defect])?;
-        let points = resolved.places.enumerate().map(|(point, at)| {
-            // A point of no link stays where it is drawn.
-            let still = || BodyPoint {
-                body: BodyId::FRAME,
-                local: *at,
-            };
-            bodies.anchor_of(point, |_| true).unwrap_or_else(still)
-        });
-        let points = points.chain(tracer::anchored(resolved, bodies, placements));
-        let links = placements.iter().zip(resolved.links.iter());
-        let links = links.map(|(placement, link)| Part {
-            body: placement.body,
-            angle_offset: placement.angle_offset,
-            points: link.points.clone(),
-        });
-        let mut placed_by = resolved.bodies.same_len(None);
-        for (step, placing) in plan.steps.enumerate() {
-            for body in placing.bodies() {
-                placed_by[body] = Some(step);
+        let (mut layout, guess) =
+            Layout::new(&resolved, bodies, &placements, structure, &[], None)?;
+        let (drawn, start) = match redundancy {
+            Some(redundancy) => {
+                layout.settle_redundant(&resolved, &placements, guess, &redundancy)?
             }
-        }
-        let unknowns = plan.natural.len() / 2;
-        let size = resolved.spec.size();
-        let blank = State::new(placed_by.len(), plan.steps.len(), unknowns, size);
-        let mut mechanism = Self {
-            spec: resolved.spec.clone(),
-            origin: resolved.origin,
-            points: points.collect(),
-            links: links.collect(),
-            made_for: resolved.bodies.clone(),
-            bodies: bodies.ids().map(|body| bodies.of(body).to_vec()).collect(),
-            solved_by: structure.clone(),
-            structure,
-            parallel: parallel.to_vec(),
-            signs: plan.steps.same_len(Sign::Plus),
-            steps: plan.steps,
-            within: Vec::new(),
-            placed_by,
-            constraints: Vec::new(),
-            counts: counts::counts(resolved, bodies),
-            offsets: bodies.slides.iter().map(Slide::offset).collect(),
-            doubled: resolved.doubled.clone(),
-            passive: bodies.passive.clone(),
-            size,
-            range: plan.range,
-            period_turns,
-            turns_of_assemblies: period_turns,
-            drawn_input: plan.drawn_input,
-            start: (plan.drawn_input, blank),
-            orientations: plan.orientations,
-            natural: plan.natural,
+            None => layout.settle(spec, guess).map_err(|defects| {
+                let beyond = plan::driver::drawn_beyond_range(&resolved, &layout.bodies);
+                if beyond.is_empty() { defects } else { beyond }
+            })?,
         };
-        mechanism.count_turns_of_wheels();
-        Ok(mechanism)
+        Ok(Self {
+            constraints: layout.constraints(&drawn.orientations).into(),
+            layout: Arc::new(layout),
+            spec: Arc::new(spec.clone()),
+            drawn,
+            start,
+        })
     }
 }

@@ -22,14 +22,14 @@ impl Mechanism {
     pub fn link_ids(
         &self,
     ) -> impl DoubleEndedIterator<Item = LinkId> + ExactSizeIterator + Clone + use<> {
-        self.links.ids()
+        self.layout.links.ids()
     }
 
     /// The points in the order of the specification, then its tracers.
     pub fn point_ids(
         &self,
     ) -> impl DoubleEndedIterator<Item = PointId> + ExactSizeIterator + Clone + use<> {
-        self.points.ids()
+        self.layout.points.ids()
     }
 
     /// The moving link of a name.
@@ -58,12 +58,12 @@ impl Mechanism {
 
     /// The points of a link.
     pub fn points_of(&self, link: LinkId) -> &[PointId] {
-        &self.links[link].points
+        &self.layout.links[link].points
     }
 
     /// The link to which a link is ultimately fixed: itself if to none; None for the frame.
     pub fn root_of(&self, link: LinkId) -> LinkOrFrame {
-        self.link_of(self.links[link].body)
+        self.link_of(self.layout.links[link].body)
     }
 
     /// The links that can be driven: cranks, links that slide along a line of the frame, and links driven now.
@@ -80,22 +80,24 @@ impl Mechanism {
 
     /// Driver and Assur groups, then passive links. Its links are bodies, by their indices.
     pub fn structure(&self) -> &Structure {
-        &self.structure
+        let layout = &self.layout;
+        let shown = layout.passive.as_ref();
+        shown.map_or(&layout.structure, |passive| &passive.structure)
     }
 
     /// The bodies: the frame, then the links that are fixed to no other.
     pub fn bodies(&self) -> impl ExactSizeIterator<Item = BodyId> + Clone + use<> {
-        self.bodies.ids()
+        self.layout.bodies.ids()
     }
 
     /// The link that a body was made for, or the frame.
     pub(crate) fn link_of(&self, body: BodyId) -> LinkOrFrame {
-        self.made_for[body]
+        self.layout.made_for[body]
     }
 
     /// The name of a body: of the link that it was made for.
     pub fn body_name(&self, body: BodyId) -> &str {
-        self.made_for[body].map_or(FRAME, |link| self.link_name(link))
+        self.spec.name_of(self.link_of(body))
     }
 
     /// The names of the structure's links, in their order.
@@ -105,7 +107,7 @@ impl Mechanism {
 
     /// The doubled links, in the order of the specification.
     pub fn doubled(&self) -> &[DoubledLink] {
-        &self.doubled
+        &self.layout.doubled
     }
 
     /// The structural formula: [its terms](Self::terms) in turn.
@@ -116,9 +118,9 @@ impl Mechanism {
     /// The terms of the structural formula with the names of links: of the structure, then of the doubled links.
     pub fn terms(&self) -> Vec<String> {
         let body_name = |link| self.body_name(BodyId::at(link));
-        let doubled = self.doubled.iter();
+        let doubled = self.doubled().iter();
         let doubled = doubled.map(|one| format!("{}({})", one.symbol(), self.link_name(one.link)));
-        self.structure
+        self.structure()
             .terms(body_name)
             .into_iter()
             .chain(doubled)
@@ -127,27 +129,34 @@ impl Mechanism {
 
     /// The links that a step of the plan places, by name.
     pub fn links_of(&self, step: StepId) -> impl Iterator<Item = &str> {
-        let bodies = self.steps[step].bodies().into_iter();
+        let bodies = self.steps()[step].bodies().into_iter();
         bodies.map(|body| self.body_name(body))
     }
 
     /// The kind of singular position of a dead point of a step.
     pub fn singularity(&self, step: StepId) -> Singularity {
-        self.steps[step].singularity()
+        self.steps()[step].singularity()
     }
 
     /// The diagonal of the drawing.
     pub fn size(&self) -> f64 {
-        self.size
+        self.layout.size
     }
 
     /// The drawn input.
     pub fn drawn_input(&self) -> f64 {
-        self.drawn_input
+        self.drawn.input
     }
 
     /// True if the first driver is a crank, false if it is a slide.
     pub fn turns(&self) -> bool {
-        self.range.is_none()
+        self.layout.range.is_none()
+    }
+}
+
+impl LinkageSpec {
+    /// The name of a link or of the frame.
+    pub(super) fn name_of(&self, link: LinkOrFrame) -> &str {
+        link.map_or(FRAME, |link| &self.links[link.index()].name)
     }
 }

@@ -2,6 +2,7 @@
 //! changes go from neighbour to neighbour.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crate::Point;
 use crate::index::{LinkId, List, PointId, SlideId, StepId};
@@ -9,8 +10,9 @@ use crate::linkage::spec::{Defect, LinkageSpec};
 use crate::mechanism::plan::Drawn;
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
-use crate::mechanism::{Mechanism, Pose};
-use crate::position::{Cause, Sign, State, Step};
+use crate::mechanism::{Configuration, Layout, Mechanism, Pose};
+use crate::position::{Cause, Mounting, Sign, State, Step};
+use crate::tolerance;
 
 /// A change of a linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +28,9 @@ pub(crate) enum Setting {
 /// A linkage assembled at an input, with a specification drawn in that pose.
 #[derive(Clone, Debug)]
 pub(crate) struct Assembled {
-    mechanism: Mechanism,
+    layout: Arc<Layout>,
+    spec: LinkageSpec,
+    input: f64,
     state: State<1>,
     /// For each step, the side on which its links are joined: ±1.
     sides: List<StepId, f64>,
@@ -67,36 +71,61 @@ impl Assembled {
         pose: &Pose<1>,
         input: f64,
     ) -> Result<Self, NoNeighbour> {
-        let spec = mechanism.shaped_in(pose);
-        let orientations = &pose.state.orientations();
         let drawn = Drawn {
             input,
-            orientations,
+            orientations: &pose.state.orientations(),
         };
-        let mut joined = mechanism.laid_out(&spec, None, drawn, input)?;
-        let state = joined.join(None).map_err(NoNeighbour::LoopOpen)?;
-        Ok(joined.joined(state))
+        let spec = mechanism.shaped_in(pose);
+        Self::joined(&mechanism.layout, spec, None, drawn, input, None)
+    }
+
+    /// The mechanism of a specification with a setting that differs from its drawing, joined at an input on these sides,
+    /// or else as drawn.
+    fn joined(
+        before: &Layout,
+        mut spec: LinkageSpec,
+        setting: Option<Setting>,
+        drawn: Drawn<'_>,
+        input: f64,
+        sides: Option<&List<StepId, f64>>,
+    ) -> Result<Self, NoNeighbour> {
+        let planned = before.with_setting(&spec, setting, drawn);
+        let (layout, guess) = planned.map_err(NoNeighbour::Defects)?;
+        let mut at = Configuration { input, ..guess };
+        let state = layout.join(&spec, &mut at, sides);
+        let state = state.map_err(NoNeighbour::LoopOpen)?;
+        let steps = layout.steps.ids();
+        let sides = steps.map(|step| layout.side(step, at.signs[step], &at.mounting, &state));
+        let sides = sides.collect();
+        layout.draw(&mut spec, &state);
+        Ok(Self {
+            layout: Arc::new(layout),
+            spec,
+            input,
+            state,
+            sides,
+        })
     }
 
     /// The linkage drawn in its pose.
     pub(crate) fn spec(&self) -> &LinkageSpec {
-        &self.mechanism.spec
+        &self.spec
     }
 
     pub(crate) fn input(&self) -> f64 {
-        self.mechanism.drawn_input
+        self.input
     }
 
     /// Span of its input: a turn, or the range of a slide.
     pub(crate) fn span(&self) -> f64 {
-        self.mechanism.span()
+        self.layout.span()
     }
 
     /// Margin of a step: distance of its links from being in line, or from a singular pose; to be compared with that of
     /// its neighbours.
     pub(crate) fn margin(&self, step: StepId) -> f64 {
         let [p, q] = self.state.margins[step].map(|margin| margin.value());
-        match self.mechanism.steps[step] {
+        match self.layout.steps[step] {
             // The logarithm of the determinant.
             Step::Group(_) => p.abs().log2() + q,
             _ => p.abs().min(q.abs()),
@@ -109,22 +138,22 @@ impl Assembled {
     /// The links that come apart, or would move farther than those of a neighbour; or the defects of the mechanism.
     pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, NoNeighbour> {
         let spec = match setting {
-            Setting::Place(link, point, at) => self.mechanism.placed(link, point, at),
-            Setting::Hinge(..) | Setting::Offset(..) => self.mechanism.spec.clone(),
+            Setting::Place(link, point, at) => self.layout.placed(&self.spec, link, point, at),
+            Setting::Hinge(..) | Setting::Offset(..) => self.spec.clone(),
         };
         let drawn = Drawn {
-            input: self.mechanism.drawn_input,
+            input: self.input,
             orientations: &self.state.orientations(),
         };
-        let mut next = self
-            .mechanism
-            .laid_out(&spec, Some(setting), drawn, input)?;
-        let state = next.join(Some(&self.sides));
-        let state = state.map_err(NoNeighbour::LoopOpen)?;
-        if let Some(step) = next.lost(&self.state, &state) {
-            return Err(NoNeighbour::LoopOpen(next.apart(step, Cause::DeadPoint)));
+        let sides = Some(&self.sides);
+        let next = Self::joined(&self.layout, spec, Some(setting), drawn, input, sides)?;
+        match next.layout.lost(&self.state, &next.state) {
+            Some(step) => {
+                let open = next.layout.apart(step, Cause::DeadPoint);
+                Err(NoNeighbour::LoopOpen(open))
+            }
+            None => Ok(next),
         }
-        Ok(next.joined(state))
     }
 }
 
@@ -135,73 +164,73 @@ impl Mechanism {
         spec.points = self.drawn_in(pose).points;
         spec
     }
+}
 
-    /// The mechanism of a specification drawn in a known pose, with a setting that differs from the drawing, before
-    /// assembly at an input.
-    fn laid_out(
+impl Layout {
+    /// The layout of a specification drawn in a known pose, with a setting that differs from the drawing, and its
+    /// configuration before assembly.
+    fn with_setting(
         &self,
         spec: &LinkageSpec,
         setting: Option<Setting>,
         drawn: Drawn<'_>,
-        input: f64,
-    ) -> Result<Self, NoNeighbour> {
-        let laid_out = || {
-            let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
-            // Links cease to be one body if a dimension is changed on one of them and kept by another, or by the frame.
-            let (before, after) = (&self.doubled, &resolved.doubled);
-            if before != after {
-                let parted = before.iter().filter(|one| !after.contains(one));
-                let joined = after.iter().filter(|one| !before.contains(one));
-                let links: BTreeSet<&str> = parted
-                    .chain(joined)
-                    .map(|one| self.link_name(one.link))
-                    .collect();
-                return Err(vec![Defect::Locked {
-                    mobility: self.counts.mobility,
-                    links: links.into_iter().map(str::to_owned).collect(),
-                }]);
-            }
-            let hinge = match setting {
-                Some(Setting::Hinge(point, at)) => Some((point, at.coords - resolved.origin)),
-                _ => None,
-            };
-            let bodies = Bodies::new(&resolved, hinge);
-            let (mut bodies, placements) = bodies.map_err(|defect| vec![defect])?;
-            if let Some(Setting::Offset(slide, off)) = setting {
-                bodies.slides[slide].set_offset(off);
-            }
-            let structure = self.solved_by.clone();
-            let parallel = &self.parallel;
-            Self::of(
-                &resolved,
-                &bodies,
-                &placements,
-                structure,
-                parallel,
-                Some(drawn),
-            )
+    ) -> Result<(Self, Configuration), Vec<Defect>> {
+        let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
+        // Links cease to be one body if a dimension is changed on one of them and kept by another, or by the frame.
+        let (before, after) = (&self.doubled, &resolved.doubled);
+        if before != after {
+            let parted = before.iter().filter(|one| !after.contains(one));
+            let joined = after.iter().filter(|one| !before.contains(one));
+            let links: BTreeSet<&str> = parted
+                .chain(joined)
+                .map(|one| spec.name_of(Some(one.link)))
+                .collect();
+            return Err(vec![Defect::Locked {
+                mobility: self.counts.mobility,
+                links: links.into_iter().map(str::to_owned).collect(),
+            }]);
+        }
+        let hinge = match setting {
+            Some(Setting::Hinge(point, at)) => Some((point, at.coords - resolved.origin)),
+            _ => None,
         };
-        let mut mechanism = laid_out().map_err(NoNeighbour::Defects)?;
-        mechanism.drawn_input = input;
-        Ok(mechanism)
+        let bodies = Bodies::new(&resolved, hinge);
+        let (mut bodies, placements) = bodies.map_err(|defect| vec![defect])?;
+        if let Some(Setting::Offset(slide, off)) = setting {
+            bodies.slides[slide].set_offset(off);
+        }
+        let (structure, parallel) = (self.structure.clone(), &self.parallel);
+        Self::new(
+            &resolved,
+            bodies,
+            &placements,
+            structure,
+            parallel,
+            Some(drawn),
+        )
     }
 
     /// Joins the links on these sides, or else as drawn.
-    fn join(&mut self, sides: Option<&List<StepId, f64>>) -> Result<State<1>, LoopOpen> {
+    fn join(
+        &self,
+        spec: &LinkageSpec,
+        at: &mut Configuration,
+        sides: Option<&List<StepId, f64>>,
+    ) -> Result<State<1>, LoopOpen> {
         let mut state = self.blank_state();
         for step in self.steps.ids() {
             let side = sides.map(|sides| sides[step]);
             let kept = side.and_then(|side| {
                 let mut both = Sign::BOTH.into_iter();
-                both.find(|sign| self.side(step, *sign, &state) == side)
+                both.find(|sign| self.side(step, *sign, &at.mounting, &state) == side)
             });
             let sign = match kept {
                 Some(sign) => Ok(sign),
-                None => self.drawn_sign(step, &mut state),
+                None => self.drawn_sign(spec, step, at, &mut state),
             };
             let solved = sign.and_then(|sign| {
-                self.signs[step] = sign;
-                self.try_step(step, sign, &mut state)
+                at.signs[step] = sign;
+                self.try_step(step, sign, at, &mut state)
             });
             solved.map_err(|cause| self.apart(step, cause))?;
         }
@@ -209,9 +238,11 @@ impl Mechanism {
     }
 
     /// Side on which a sign joins the links of a step.
-    fn side(&self, step: StepId, sign: Sign, state: &State<1>) -> f64 {
+    fn side(&self, step: StepId, sign: Sign, mounting: &Mounting, state: &State<1>) -> f64 {
         let four_bar = self.steps[step].four_bar();
-        four_bar.map_or(sign.factor(), |four_bar| four_bar.side(sign, state))
+        four_bar.map_or(sign.factor(), |four_bar| {
+            four_bar.side(sign, mounting, state)
+        })
     }
 
     /// A step whose links moved farther than those of a neighbour.
@@ -222,7 +253,7 @@ impl Mechanism {
             return self.placed_by[body];
         }
         let [first, second] = state.corrections;
-        let far = first > CORRECTED || second > CONTRACTION * first.max(1e-9);
+        let far = first > CORRECTED || second > CONTRACTION * first.max(tolerance::COINCIDENT);
         let mut groups = self
             .steps
             .enumerate()
@@ -245,18 +276,5 @@ impl Mechanism {
         let bodies = self.steps[step].bodies().into_iter();
         let links = bodies.filter_map(|body| self.made_for[body]).collect();
         LoopOpen { step, links, cause }
-    }
-
-    /// The linkage assembled in a state.
-    fn joined(mut self, state: State<1>) -> Assembled {
-        let sides = self.steps.ids();
-        let sides = sides.map(|step| self.side(step, self.signs[step], &state));
-        let sides = sides.collect();
-        self.spec = self.drawn_by(&state);
-        Assembled {
-            mechanism: self,
-            state,
-            sides,
-        }
     }
 }

@@ -64,14 +64,14 @@ impl Mechanism {
     /// The angle of a link, from its first to its second point, in a pose.
     #[inline]
     pub fn angle<const N: usize>(&self, pose: &Pose<N>, link: LinkId) -> Jet<N> {
-        let part = &self.links[link];
+        let part = &self.layout.links[link];
         pose.state.angle(part.body) + part.angle_offset
     }
 
     /// The position of a point in a pose.
     #[inline]
     pub fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> JetPoint<N> {
-        (pose.state.place(self.points[point]) + Complex::constant(self.origin)).into()
+        (pose.state.place(self.layout.points[point]) + Complex::constant(self.layout.origin)).into()
     }
 
     /// The position of a point as carried by a link: the same as [`Self::place`], for each of the links hinged there.
@@ -82,16 +82,12 @@ impl Mechanism {
         link: LinkId,
         point: PointId,
     ) -> Option<JetPoint<N>> {
-        let body = self.links[link].body;
-        let mut joints = self.bodies[body].iter();
-        let joint = joints.find(|(other, _)| *other == point);
-        let joint = joint.map(|(_, local)| BodyPoint {
-            body,
-            local: *local,
-        });
+        let body = self.layout.links[link].body;
+        let joint = self.layout.bodies.local(body, point);
+        let joint = joint.map(|local| BodyPoint { body, local });
         // A tracer is among the points of one body only.
-        let own = Some(self.points[point]).filter(|anchor| anchor.body == body);
+        let own = Some(self.layout.points[point]).filter(|anchor| anchor.body == body);
         let place = pose.state.place(joint.or(own)?);
-        Some((place + Complex::constant(self.origin)).into())
+        Some((place + Complex::constant(self.layout.origin)).into())
     }
 }

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use crate::index::{BodyId, List};
 use crate::linkage::spec::{Defect, DriverSpec};
-use crate::mechanism::Mechanism;
 use crate::mechanism::plan::resolved::{Driver, Resolved};
+use crate::mechanism::{Layout, Mechanism};
 use crate::position::Step;
 
 /// Maximum period of the drivers, in turns of the first crank.
@@ -99,7 +99,7 @@ fn is_whole(rate: f64, turns: usize) -> bool {
     (turned - turned.round()).abs() <= WHOLE * turns as f64
 }
 
-impl Mechanism {
+impl Layout {
     /// Extends the period to the wheels that turn in proportion to the input, if they carry other links or show their
     /// orientation. It becomes [`NEVER`] if one of them does not return.
     pub(super) fn count_turns_of_wheels(&mut self) {
@@ -113,7 +113,7 @@ impl Mechanism {
     fn together(&self, counts: impl Fn(BodyId) -> bool) -> Option<usize> {
         let period_turns = self.period_turns?;
         let rates = self.rates_of_bodies();
-        let bodies = self.bodies().filter(|body| counts(*body));
+        let bodies = self.bodies.ids().filter(|body| counts(*body));
         let mut turns = bodies.filter_map(|body| rates[body]).map(denominator);
         let together = turns.try_fold(period_turns, |all, turns| common(all, turns?));
         Some(together.unwrap_or(NEVER))
@@ -142,13 +142,16 @@ impl Mechanism {
         }
         rates
     }
+}
 
+impl Mechanism {
     /// Maximum rate, radians per unit of the input, of links turned by drivers and of wheels that carry another link or
     /// a point off their centre; 0 if nothing turns in proportion to the input.
     pub fn quickest(&self) -> f64 {
-        let rates = self.rates_of_bodies();
+        let rates = self.layout.rates_of_bodies();
         let bodies = self.bodies();
-        let seen = bodies.filter(|body| self.carries(*body) || self.shows_its_angle(*body));
+        let seen =
+            bodies.filter(|body| self.layout.carries(*body) || self.layout.shows_its_angle(*body));
         let rates = seen.filter_map(|body| rates[body]);
         rates.fold(0.0, |most, rate| most.max(rate.abs()))
     }
@@ -161,19 +164,20 @@ impl Mechanism {
     /// Period of the drivers in the input: whole turns of a crank. None for a driven slide, or if a further driver is a
     /// slide that does not return.
     pub(crate) fn period(&self) -> Option<f64> {
-        self.period_turns
+        self.layout
+            .period_turns
             .map(|period_turns| TAU * period_turns as f64)
     }
 
     /// Turns of the crank until the assemblies repeat: until the drivers, and the wheels that carry other links, are
     /// back. None as for [`Self::period`].
     pub(crate) fn turns_of_assemblies(&self) -> Option<usize> {
-        self.turns_of_assemblies
+        self.layout.turns_of_assemblies
     }
 
     /// The interval of inputs within the ranges of all driven slides; infinite without any.
     pub(crate) fn within_ranges(&self) -> [f64; 2] {
-        let within = self.steps.iter().flat_map(|step| match step {
+        let within = self.steps().iter().flat_map(|step| match step {
             Step::Slider(slider) => vec![(slider.law, slider.range)],
             Step::Group(group) => group.ranges().collect(),
             _ => Vec::new(),
@@ -191,15 +195,17 @@ impl Mechanism {
 
     /// The period in turns; 1 if there is none.
     pub(crate) fn period_turns(&self) -> usize {
-        self.period_turns.unwrap_or(1)
+        self.layout.period_turns.unwrap_or(1)
     }
 
     /// Turns until a mechanism of cranks and wheels alone repeats, by the numbers of teeth; None for any other
     /// mechanism, and beyond [`NEVER`].
     pub(crate) fn turns_of_wheels(&self) -> Option<usize> {
-        let mut steps = self.steps.iter();
+        let mut steps = self.steps().iter();
         let alone = steps.all(|step| matches!(step, Step::Crank(_) | Step::Epicyclic(_)));
-        self.period_turns.filter(|turns| alone && *turns < NEVER)
+        self.layout
+            .period_turns
+            .filter(|turns| alone && *turns < NEVER)
     }
 
     /// Minimum number of turns after which a motion may repeat: common multiple of the period of drivers and wheels and
@@ -212,13 +218,13 @@ impl Mechanism {
     /// Shift of the input that leaves the pose unchanged, for a motion that does not repeat: [`Self::least_turns`] in
     /// radians. None without such turns, or if a group counts the turns of the crank.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
-        let rates = self.rates_of_bodies();
-        let mut counted = self.steps.iter().flat_map(|step| match step {
+        let rates = self.layout.rates_of_bodies();
+        let mut counted = self.steps().iter().flat_map(|step| match step {
             Step::Group(group) => group.turned_by().collect(),
             _ => Vec::new(),
         });
         let counts_turns = counted.any(|body| rates[body].is_some_and(|rate| rate != 0.0));
         let turns = self.least_turns().filter(|_| !counts_turns)?;
-        self.period_turns.map(|_| TAU * turns as f64)
+        self.layout.period_turns.map(|_| TAU * turns as f64)
     }
 }

@@ -12,12 +12,17 @@ use std::f64::consts::TAU;
 use nalgebra::DVector;
 
 use crate::Vector;
-use crate::index::{BodyId, StepId};
-use crate::linkage::spec::Defect;
+use crate::index::{BodyId, LinkId, List, PointId, StepId};
+use crate::linkage::spec::{Defect, LinkageSpec};
+use crate::mechanism::plan;
+use crate::mechanism::plan::body::Placement;
+use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::plan::structured::Redundancy;
-use crate::mechanism::{ConstraintKind, FRAME, LinkOrFrame, Mechanism};
-use crate::position::{BodyPoint, Cause, Nearby, Predictor, Step};
-use crate::structure::{Structure, with_passive_links};
+use crate::mechanism::{
+    Configuration, Layout, LinkOrFrame, Mechanism, PassiveLinks, Start, arms_of,
+};
+use crate::position::{Arm, BodyPoint, Cause, Predictor, Step};
+use crate::structure::{self, Structure, with_passive_links};
 
 /// Inputs on either side of the drawn one at which the constraints are checked, radians of a crank.
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
@@ -43,8 +48,15 @@ impl Mobility {
     }
 }
 
-/// The constraints of the pairs in a pose, each with the name of its pair.
-type Rows = Vec<(String, DVector<f64>)>;
+/// The constraints of the pairs in a pose.
+type Rows = Vec<(PairName, DVector<f64>)>;
+
+/// A pair: a hinge or a slide by its point, or two wheels.
+#[derive(Clone, Copy, Debug)]
+enum PairName {
+    At(PointId),
+    Mesh([LinkOrFrame; 2]),
+}
 
 /// Independent rows, orthogonal to each other and of length 1.
 #[derive(Default)]
@@ -72,53 +84,61 @@ impl Basis {
 impl Mechanism {
     /// Mobility by count and by rank, with the redundant constraints.
     pub fn mobility(&self) -> Mobility {
-        let count = self.counts.mobility;
-        let has_surplus = self.solved_by.groups().any(|group| group.surplus > 0);
-        if !has_surplus && self.counts.passive == 0 {
-            let redundant = self.hinges_of_doubled();
-            return Mobility {
-                count,
-                rank: count + redundant.len() as isize,
-                redundant,
-            };
+        let layout = &self.layout;
+        let has_surplus = layout.structure.groups().any(|group| group.surplus > 0);
+        let redundant = if has_surplus || layout.counts.passive > 0 {
+            layout.redundant(&layout.rows_beside(&self.drawn))
+        } else {
+            layout.hinges_of_doubled().collect()
+        };
+        let names = redundant.iter().map(|pair| match pair {
+            PairName::At(point) => self.point_name(*point).to_owned(),
+            PairName::Mesh(wheels) => wheels.map(|link| self.spec.name_of(link)).join(" "),
+        });
+        Mobility {
+            count: layout.counts.mobility,
+            rank: layout.counts.mobility + redundant.len() as isize,
+            redundant: names.collect(),
         }
-        self.mobility_by(&self.rows_in(&self.beside()))
     }
+}
 
-    /// Mobility by count and by the rank of the constraints in the most general of some poses.
-    fn mobility_by(&self, rows: &[Rows]) -> Mobility {
-        let count = self.counts.mobility;
-        let general = rows.iter().map(dependent);
+impl Layout {
+    /// The pairs with redundant constraints in the most general of some poses, and the hinges of doubled links.
+    fn redundant(&self, rows: &[Rows]) -> Vec<PairName> {
         // In a singular pose more constraints depend on each other.
+        let general = rows.iter().map(dependent);
         let mut redundant = general.min_by_key(Vec::len).unwrap_or_default();
         redundant.extend(self.hinges_of_doubled());
-        Mobility {
-            count,
-            rank: count + redundant.len() as isize,
-            redundant,
-        }
+        redundant
+    }
+
+    /// True if the rank of the constraints in the most general of some poses leaves as many freedoms as drivers.
+    fn rank_allows(&self, rows: &[Rows], drivers: &[structure::Driver]) -> bool {
+        let rank = self.counts.mobility + self.redundant(rows).len() as isize;
+        rank == drivers.len() as isize
     }
 
     /// The hinges of doubled links, repeated by their number of redundant constraints: 0 for the first hinge, 1 for the
     /// second, 2 for each further one.
-    fn hinges_of_doubled(&self) -> Vec<String> {
-        let doubled = self.doubled.iter().flat_map(|one| {
+    fn hinges_of_doubled(&self) -> impl Iterator<Item = PairName> {
+        self.doubled.iter().flat_map(|one| {
             let further = one.shared.iter().enumerate().skip(1);
-            further.flat_map(|(k, point)| std::iter::repeat_n(*point, k.min(2)))
-        });
-        let names = doubled.map(|point| self.point_name(point).to_owned());
-        names.collect()
+            further.flat_map(|(k, point)| std::iter::repeat_n(PairName::At(*point), k.min(2)))
+        })
     }
 
-    fn rows_in(&self, poses: &[Predictor]) -> Vec<Rows> {
+    /// The constraints of the pairs in the poses beside that of a configuration.
+    fn rows_beside(&self, at: &Configuration) -> Vec<Rows> {
+        let poses = self.beside(at);
         poses.iter().map(|pose| self.rows(pose)).collect()
     }
 
-    /// The constraints of the pairs on the twists of the bodies, with the names of the pairs. A twist is the velocity
+    /// The constraints of the pairs on the twists of the bodies. A twist is the velocity
     /// at the origin, divided by the size, and the angular velocity.
     fn rows(&self, pose: &Predictor) -> Rows {
         let place = |anchor: BodyPoint| pose.place(anchor).value() / self.size;
-        let blank = || DVector::zeros(3 * self.bodies.len());
+        let blank = || DVector::zeros(3 * self.placed_by.len());
         // Component at a place of the velocity of a body relative to another.
         let along = |at: Vector, way: Vector, [body, base]: [BodyId; 2]| {
             let mut row = blank();
@@ -130,22 +150,17 @@ impl Mechanism {
             }
             row
         };
-        let body_of = |link: LinkOrFrame| link.map_or(BodyId::FRAME, |link| self.links[link].body);
         let mut rows = Vec::new();
-        for point in self.points.ids().take(self.spec.points.len()) {
-            let having = self.bodies.enumerate().filter_map(|(body, points)| {
-                let (_, local) = points.iter().find(|(other, _)| *other == point)?;
-                Some((body, *local))
+        for point in self.points.ids().take(self.listed) {
+            let having = self.bodies.ids().filter_map(|body| {
+                let local = self.bodies.local(body, point)?;
+                Some(BodyPoint { body, local })
             });
-            let having: Vec<(BodyId, Vector)> = having.collect();
-            for (body, local) in having.iter().skip(1) {
-                let at = place(BodyPoint {
-                    body: *body,
-                    local: *local,
-                });
+            let having: Vec<BodyPoint> = having.collect();
+            for on_body in having.iter().skip(1) {
                 for way in [Vector::x(), Vector::y()] {
-                    let row = along(at, way, [*body, having[0].0]);
-                    rows.push((self.point_name(point).to_owned(), row));
+                    let row = along(place(*on_body), way, [on_body.body, having[0].body]);
+                    rows.push((PairName::At(point), row));
                 }
             }
         }
@@ -156,32 +171,22 @@ impl Mechanism {
             }
             row
         };
-        for slide in &self.spec.slides {
-            let [body, on] = [&slide.link, &slide.on].map(|name| body_of(self.link(name)));
-            let of = |name: &String| self.point(name).map(|point| place(self.points[point]));
-            if let [Some(at), Some(from), Some(to)] =
-                [&slide.point, &slide.line[0], &slide.line[1]].map(of)
-            {
-                let way = (to - from).normalize();
-                let across = crate::perpendicular(way);
-                rows.push((slide.point.clone(), along(at, across, [body, on])));
-                rows.push((slide.point.clone(), turns(&[(body, 1.0), (on, -1.0)])));
-            }
+        for slide in self.bodies.slides.iter() {
+            let ([on, body], point) = (slide.bodies, slide.by_link.point);
+            let [from, to] = slide.by_link.line;
+            let [at, from, to] = [point, from, to].map(|point| place(self.points[point]));
+            let way = (to - from).normalize();
+            let across = crate::perpendicular(way);
+            rows.push((PairName::At(point), along(at, across, [body, on])));
+            rows.push((PairName::At(point), turns(&[(body, 1.0), (on, -1.0)])));
         }
-        for constraint in &self.constraints {
-            if let ConstraintKind::Mesh {
-                links,
-                carrier,
-                teeth,
-            } = constraint.kind
-            {
-                let most = teeth[0].abs().max(teeth[1].abs());
-                let [one, other] = teeth.map(|teeth| teeth / most);
-                let [a, b] = links.map(body_of);
-                let row = turns(&[(a, one), (b, other), (body_of(carrier), -one - other)]);
-                let name = |link: LinkOrFrame| link.map_or(FRAME, |link| self.link_name(link));
-                rows.push((links.map(name).join(" "), row));
-            }
+        for gear in &self.bodies.gears {
+            let teeth = gear.signed_teeth();
+            let most = teeth[0].abs().max(teeth[1].abs());
+            let [one, other] = teeth.map(|teeth| teeth / most);
+            let [a, b] = gear.bodies;
+            let row = turns(&[(a, one), (b, other), (gear.carrier, -one - other)]);
+            rows.push((PairName::Mesh(gear.by_link.links), row));
         }
         for (_, row) in &mut rows {
             // The frame does not move.
@@ -194,13 +199,57 @@ impl Mechanism {
         matches!(&self.steps[step], Step::Group(group) if group.is_redundant())
     }
 
+    /// The drawn configuration of a layout with redundant constraints, and the start of its motion.
+    ///
+    /// # Errors
+    /// The defects of the constraints if they are not redundant.
+    pub(super) fn settle_redundant(
+        &mut self,
+        resolved: &Resolved<'_>,
+        placements: &List<LinkId, Placement>,
+        guess: Configuration,
+        redundancy: &Redundancy,
+    ) -> Result<(Configuration, Start), Vec<Defect>> {
+        let spec = resolved.spec;
+        let Some(signed) = self.signed(spec, guess) else {
+            return Err(redundancy.defects.clone());
+        };
+        let parallel = self.parallel(&signed);
+        let plan = parallel.and_then(|parallel| {
+            let (bodies, structure) = (self.bodies.clone(), self.structure.clone());
+            Self::new(resolved, bodies, placements, structure, &parallel, None).ok()
+        });
+        let Some((layout, guess)) = plan else {
+            return Err(self.locked(redundancy, &signed));
+        };
+        *self = layout;
+        let settled = self.settle(spec, guess);
+        let settled = settled.map_err(|_| self.locked(redundancy, &signed))?;
+        let Some(structure) = self.shown(redundancy, &settled.0) else {
+            return Err(self.locked(redundancy, &settled.0));
+        };
+        let without = structure.without_passive_links();
+        let plan = plan::plan(resolved, &self.bodies, placements, &without, &[], None);
+        let steps = plan.map(|plan| plan.steps).unwrap_or_default();
+        let known = |arms: &&[Arm; 2]| {
+            self.steps
+                .iter()
+                .filter_map(arms_of)
+                .any(|own| own == *arms)
+        };
+        let arms = steps.iter().filter_map(arms_of);
+        let dyads = arms.filter(|arms| !known(arms)).cloned().collect();
+        self.passive = Some(PassiveLinks { structure, dyads });
+        Ok(settled)
+    }
+
     /// The structure with passive links as separate steps. None if a redundant constraint fails around the drawn pose,
     /// or if the mobility by rank differs from the number of drivers: drivers compatible only at their given rates are
     /// too many.
-    pub(super) fn shown(&self, redundancy: &Redundancy) -> Option<Structure> {
-        let rows = self.rows_in(&self.beside());
-        let drivers = self.spec.drivers.len();
-        if rows.is_empty() || self.mobility_by(&rows).rank != drivers as isize {
+    fn shown(&self, redundancy: &Redundancy, at: &Configuration) -> Option<Structure> {
+        let rows = self.rows_beside(at);
+        let Redundancy { graph, drivers, .. } = redundancy;
+        if rows.is_empty() || !self.rank_allows(&rows, drivers) {
             return None;
         }
         // Counting alone would also remove a link that drives others.
@@ -214,20 +263,19 @@ impl Mechanism {
                 others.filter(|(_, row)| basis.takes(row)).count()
             };
             let rank = rows.iter().map(rank).max().unwrap_or(0);
-            3 * (self.bodies.len() - 1 - passive.len()) == rank + drivers
+            3 * (self.placed_by.len() - 1 - passive.len()) == rank + drivers.len()
         };
-        let Redundancy { graph, drivers, .. } = redundancy;
         let shown = with_passive_links(graph, drivers, moves);
-        Some(shown.unwrap_or_else(|| self.solved_by.clone()))
+        Some(shown.unwrap_or_else(|| self.structure.clone()))
     }
 
     /// The defects of a drawing whose constraints fail around it. If the rank in the drawn pose allows a motion, the
     /// links are mobile for an instant, else locked.
-    pub(super) fn locked(&self, redundancy: &Redundancy) -> Vec<Defect> {
+    fn locked(&self, redundancy: &Redundancy, at: &Configuration) -> Vec<Defect> {
         let mut state: Predictor = self.blank_state();
-        let solved = self.solve(self.drawn_input, &self.signs, self.drawn(), &mut state);
-        let drivers = self.spec.drivers.len() as isize;
-        let is_mobile = solved.is_ok() && self.mobility_by(&[self.rows(&state)]).rank == drivers;
+        let solved = self.solve(at.input, &at.signs, at, &mut state);
+        let drivers = &redundancy.drivers;
+        let is_mobile = solved.is_ok() && self.rank_allows(&[self.rows(&state)], drivers);
         let told = |defect: Defect| match defect {
             Defect::Locked { links, .. } if is_mobile => Defect::Instant { links },
             other => other,
@@ -237,21 +285,15 @@ impl Mechanism {
 
     /// Poses on both sides of the drawn one, as far as there are poses. Empty if a redundant constraint fails in one of
     /// them: the links are locked.
-    fn beside(&self) -> Vec<Predictor> {
+    fn beside(&self, drawn: &Configuration) -> Vec<Predictor> {
         let unit = self.span() / TAU;
         let mut found = Vec::new();
         for sense in [unit, -unit] {
-            let mut orientations = self.orientations.clone();
-            let mut natural = self.natural.clone();
+            let mut near = drawn.clone();
             for (k, step) in BESIDE.into_iter().enumerate() {
                 let mut state: Predictor = self.blank_state();
-                let near = Nearby {
-                    orientations: &orientations,
-                    natural: &natural,
-                    smooth_roots: &[],
-                };
-                let input = self.drawn_input + sense * step;
-                match self.solve(input, &self.signs, near, &mut state) {
+                let input = drawn.input + sense * step;
+                match self.solve(input, &near.signs, &near, &mut state) {
                     Ok(()) => {}
                     Err((_, Cause::Locked { .. })) => return Vec::new(),
                     Err(_) => break,
@@ -259,32 +301,39 @@ impl Mechanism {
                 let ahead = BESIDE.get(k + 1).map_or(0.0, |next| next - step) * sense;
                 let places = state.natural.iter();
                 let places = places.map(|place| place[0] + (place[1] + place[2] * ahead) * ahead);
-                natural = places.flat_map(|place| [place.x, place.y]).collect();
-                state.orient(&mut orientations);
+                near.natural = places.flat_map(|place| [place.x, place.y]).collect();
+                state.orient(&mut near.orientations);
                 found.push(state);
             }
         }
         found
     }
 
-    /// Bodies of groups with redundant constraints that stay parallel to the frame or to another body, in pairs. None
-    /// if the constraints fail beside the drawn pose.
-    pub(super) fn parallel(&mut self) -> Option<Vec<[BodyId; 2]>> {
+    /// A configuration as drawn with the signs of the drawing; None if a step without redundant constraints does not
+    /// close.
+    fn signed(&self, spec: &LinkageSpec, drawn: Configuration) -> Option<Configuration> {
+        let mut at = drawn;
         let mut state = self.blank_state();
         for step in self.steps.ids() {
-            let sign = self.drawn_sign(step, &mut state);
+            let sign = self.drawn_sign(spec, step, &at, &mut state);
             match sign {
-                Ok(sign) => self.signs[step] = sign,
+                Ok(sign) => at.signs[step] = sign,
                 // All constraints together are singular in the drawn pose.
                 Err(_) if self.is_redundant(step) => {}
                 Err(_) => return None,
             }
-            let solved = self.try_step(step, self.signs[step], &mut state);
+            let solved = self.try_step(step, at.signs[step], &at, &mut state);
             if solved.is_err() && !self.is_redundant(step) {
                 return None;
             }
         }
-        let poses = self.beside();
+        Some(at)
+    }
+
+    /// Bodies of groups with redundant constraints that stay parallel to the frame or to another body, in pairs. None
+    /// if the constraints fail beside the drawn pose.
+    fn parallel(&self, drawn: &Configuration) -> Option<Vec<[BodyId; 2]>> {
+        let poses = self.beside(drawn);
         if poses.is_empty() {
             return None;
         }
@@ -315,8 +364,8 @@ impl Mechanism {
 }
 
 /// The pairs with a constraint that depends on those before it.
-fn dependent(rows: &Rows) -> Vec<String> {
+fn dependent(rows: &Rows) -> Vec<PairName> {
     let mut basis = Basis::default();
     let dependent = rows.iter().filter(|(_, row)| !basis.takes(row));
-    dependent.map(|(name, _)| name.clone()).collect()
+    dependent.map(|(pair, _)| *pair).collect()
 }

@@ -1,19 +1,35 @@
 //! Comparison of poses, in which wheels that move nothing else do not count.
 
 use crate::index::BodyId;
-use crate::mechanism::{Mechanism, Pose};
+use crate::mechanism::{Layout, Mechanism, Pose};
 use crate::position::{Predictor, State, Step};
 
 impl Mechanism {
     /// True if all links have the same position in two poses. A round wheel that moves nothing else may have turned.
     pub(crate) fn is_same_pose(&self, a: &Predictor, b: &Predictor, within: f64) -> bool {
-        let mut bodies = self.bodies.ids();
+        let layout = &self.layout;
+        let mut bodies = self.bodies();
         bodies.all(|body| {
-            let is_round = !self.shows_its_angle(body);
-            self.is_near(a, b, body, within) || is_round && self.is_idle_wheel(body)
+            let is_round = !layout.shows_its_angle(body);
+            layout.is_near(a, b, body, within) || is_round && layout.is_idle_wheel(body)
         })
     }
 
+    /// Distance of two poses: maximum over the bodies of the displacement, relative to the size or to the distance from
+    /// the origin if that is larger, and of the turn, radians if small. Wheels that move nothing else do not count.
+    pub(crate) fn distance<const N: usize, const M: usize>(&self, a: &Pose<N>, b: &Pose<M>) -> f64 {
+        let bodies = self.bodies();
+        let bodies = bodies.filter(|body| !self.layout.is_idle_wheel(*body));
+        let off = bodies.map(|body| {
+            let [turned, moved] = off(&a.state, &b.state, body);
+            let out = a.state.bodies[body].origin.value().norm();
+            turned.max(moved / out.max(self.size()))
+        });
+        off.fold(0.0, f64::max)
+    }
+}
+
+impl Layout {
     /// A body whose position or orientation differs between two poses. A wheel that moves nothing else may have turned.
     pub(crate) fn moved<const N: usize>(
         &self,
@@ -23,18 +39,6 @@ impl Mechanism {
     ) -> Option<BodyId> {
         let mut bodies = self.bodies.ids();
         bodies.find(|body| !self.is_near(a, b, *body, within) && !self.is_idle_wheel(*body))
-    }
-
-    /// Distance of two poses: maximum over the bodies of the displacement, relative to the size or to the distance from
-    /// the origin if that is larger, and of the turn, radians if small. Wheels that move nothing else do not count.
-    pub(crate) fn distance<const N: usize, const M: usize>(&self, a: &Pose<N>, b: &Pose<M>) -> f64 {
-        let bodies = self.bodies.ids().filter(|body| !self.is_idle_wheel(*body));
-        let off = bodies.map(|body| {
-            let [turned, moved] = off(&a.state, &b.state, body);
-            let out = a.state.bodies[body].origin.value().norm();
-            turned.max(moved / out.max(self.size))
-        });
-        off.fold(0.0, f64::max)
     }
 
     fn is_near<const N: usize>(
@@ -55,8 +59,8 @@ impl Mechanism {
 
     /// True if a body has a point off its hinge, so that its orientation is visible.
     pub(super) fn shows_its_angle(&self, body: BodyId) -> bool {
-        let mut tracers = self.points.iter().skip(self.spec.points.len());
-        self.bodies[body].len() > 1 || tracers.any(|tracer| tracer.body == body)
+        let mut tracers = self.points.iter().skip(self.listed);
+        self.bodies.of(body).len() > 1 || tracers.any(|tracer| tracer.body == body)
     }
 
     /// True if a step depends on the place or the angle of a body.

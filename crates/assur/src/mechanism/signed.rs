@@ -2,17 +2,14 @@
 //! the angle of a link, see [`Motion::assemblies_at`](crate::motion::Motion::assemblies_at).
 
 use crate::Assembly;
-use crate::index::StepId;
 use crate::mechanism::{AssemblySigns, Mechanism};
-use crate::position::{Predictor, Sign, State};
+use crate::position::Predictor;
 
-/// Maximum numbers of assemblies, and of steps solved to find them: n dyads have 2ⁿ combinations, few of which may
-/// close.
-const MOST_ASSEMBLIES: usize = 256;
-const MOST_TRIES: usize = 1 << 14;
+/// Maximum numbers of assemblies, and of steps solved to find them: those by which older files were numbered.
+const MOST: [usize; 2] = [256, (1 << 14) - 1];
 
 /// The assemblies at the drawn input in which a motion can begin, in the order of the signs of their dyads; groups of
-/// higher class only as drawn. Beyond 256, or 16,384 steps solved, only the drawn one is added.
+/// higher class only as drawn. Beyond 256, or 16,383 steps solved, only the drawn one is added.
 #[derive(Clone, Debug)]
 pub struct SignedAssemblies<'a> {
     mechanism: &'a Mechanism,
@@ -29,7 +26,7 @@ impl SignedAssemblies<'_> {
     pub fn drawn(&self) -> usize {
         let others = self.all.iter();
         others
-            .take_while(|signs| **signs != self.mechanism.signs)
+            .take_while(|signs| **signs != self.mechanism.drawn.signs)
             .count()
     }
 
@@ -43,22 +40,16 @@ impl SignedAssemblies<'_> {
 impl Mechanism {
     /// The assemblies at the drawn input by their signs, found anew with each call in up to some milliseconds.
     pub fn signed_assemblies(&self) -> SignedAssemblies<'_> {
-        let mut search = Search {
-            mechanism: self,
-            signs: self.steps.same_len(Sign::Plus),
-            found: Vec::new(),
-            tries: MOST_TRIES,
-        };
-        let steps: Vec<StepId> = self.steps.ids().collect();
-        search.join(&steps, &mut self.blank_state());
-        let mut all = search.found;
+        let mut all = self.layout.found_by_signs(&self.drawn, MOST);
         // The search may have stopped before the drawn one.
-        if !all.contains(&self.signs) {
-            all.push(self.signs.clone());
+        if !all.contains(&self.drawn.signs) {
+            all.push(self.drawn.signs.clone());
         }
         let mut state = self.blank_state();
         let whole = self.whole_closed_form();
-        all.retain(|signs| whole || self.entry(signs, &mut state).is_some());
+        let mut begins =
+            |signs: &_| whole || self.layout.entry(signs, &self.drawn, &mut state).is_some();
+        all.retain(|signs| begins(signs));
         SignedAssemblies {
             mechanism: self,
             all,
@@ -69,7 +60,7 @@ impl Mechanism {
     /// drawing distinguishes it.
     pub(crate) fn with_four_bar(&self, assembly: Assembly) -> Option<Self> {
         let step = self.closed_steps().next()?.step;
-        let mut signs = self.signs.clone();
+        let mut signs = self.drawn.signs.clone();
         if Assembly::from(signs[step]) == assembly {
             return None;
         }
@@ -79,38 +70,11 @@ impl Mechanism {
 
     fn with_signs(&self, signs: &AssemblySigns) -> Option<Self> {
         let mut state: Predictor = self.blank_state();
-        self.entries().into_iter().find_map(|input| {
-            let solved = self.solve(input, signs, self.drawn(), &mut state);
+        let inputs = self.layout.entries(&self.drawn);
+        inputs.into_iter().find_map(|input| {
+            let solved = self.solve(input, signs, self.drawn.near(), &mut state);
             let other = solved.ok().map(|()| Self::new(&self.drawn_by(&state)))?;
-            other.ok().filter(|other| other.signs == *signs)
+            other.ok().filter(|other| other.drawn.signs == *signs)
         })
-    }
-}
-
-/// Search for all combinations of signs.
-struct Search<'a> {
-    mechanism: &'a Mechanism,
-    signs: AssemblySigns,
-    found: Vec<AssemblySigns>,
-    /// Number of steps that may still be solved.
-    tries: usize,
-}
-
-impl Search<'_> {
-    /// Joins the groups of these steps with all signs.
-    fn join(&mut self, steps: &[StepId], state: &mut State<1>) {
-        let [step, rest @ ..] = steps else {
-            self.found.push(self.signs.clone());
-            return;
-        };
-        for sign in self.mechanism.joinings(*step) {
-            self.signs[*step] = *sign;
-            let solved = self.mechanism.try_step(*step, *sign, state);
-            self.tries = self.tries.saturating_sub(1);
-            if solved.is_ok() && self.found.len() < MOST_ASSEMBLIES && self.tries > 0 {
-                self.join(rest, state);
-            }
-        }
-        self.signs[*step] = Sign::Plus;
     }
 }

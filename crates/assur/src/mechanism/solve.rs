@@ -2,10 +2,37 @@
 
 use super::*;
 
+impl Layout {
+    /// Solves every step for an input near a configuration.
+    ///
+    /// # Errors
+    /// The step that fails, and the cause.
+    pub(super) fn solve<const N: usize>(
+        &self,
+        input: f64,
+        signs: &AssemblySigns,
+        at: &Configuration,
+        state: &mut State<N>,
+    ) -> Result<(), (StepId, Cause)> {
+        let steps = self.steps.enumerate();
+        solve(steps, input, signs, at.near(), &at.mounting, state)
+    }
+
+    /// Solves a step at the input of a configuration.
+    pub(super) fn try_step(
+        &self,
+        step: StepId,
+        sign: Sign,
+        at: &Configuration,
+        state: &mut State<1>,
+    ) -> Result<(), Cause> {
+        self.steps[step].put(state, &at.context(step, sign))
+    }
+}
+
 impl Mechanism {
     pub(crate) fn blank_state<const N: usize>(&self) -> State<N> {
-        let steps = self.steps.len();
-        State::new(self.bodies.len(), steps, self.natural.len() / 2, self.size)
+        self.layout.blank_state()
     }
 
     /// Solves every step for an input.
@@ -19,7 +46,8 @@ impl Mechanism {
         near: Nearby<'_>,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
-        self.solve_some(self.steps.enumerate(), input, signs, near, state)
+        let steps = self.steps().enumerate();
+        solve(steps, input, signs, near, self.mounting(), state)
     }
 
     /// The same for the steps before one.
@@ -31,50 +59,56 @@ impl Mechanism {
         near: Nearby<'_>,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
-        let steps = self.steps.enumerate().take(end.index());
-        self.solve_some(steps, input, signs, near, state)
-    }
-
-    #[inline(always)]
-    fn solve_some<'a, const N: usize>(
-        &'a self,
-        steps: impl Iterator<Item = (StepId, &'a Step)>,
-        input: f64,
-        signs: &AssemblySigns,
-        near: Nearby<'_>,
-        state: &mut State<N>,
-    ) -> Result<(), (StepId, Cause)> {
-        let mut given = StepContext {
-            step: StepId::FIRST,
-            input: Jet::linear(input, 1.0),
-            sign: Sign::Plus,
-            near,
-        };
-        state.corrections = [0.0; 2];
-        for (step, placing) in steps {
-            (given.step, given.sign) = (step, signs[step]);
-            let put = placing.put(state, &given);
-            put.map_err(|cause| (step, cause))?;
-        }
-        Ok(())
+        let steps = self.steps().enumerate().take(end.index());
+        solve(steps, input, signs, near, self.mounting(), state)
     }
 
     /// An enclosure for certifying steps of the motion.
     pub(crate) fn enclosure(&self) -> Enclosure {
-        Enclosure::new(self.bodies.len(), self.steps.len())
+        Enclosure::new(self.bodies().len(), self.steps().len())
     }
 
     /// Span of the input: one turn, or the range of the driven slide.
     pub(crate) fn span(&self) -> f64 {
-        self.range.map_or(TAU, |[from, to]| to - from)
+        self.layout.span()
     }
 
     /// The step that places a body; None for the frame.
     pub(crate) fn placed_by(&self, body: BodyId) -> Option<StepId> {
-        self.placed_by[body]
+        self.layout.placed_by[body]
     }
 
     pub(crate) fn steps(&self) -> &List<StepId, Step> {
-        &self.steps
+        &self.layout.steps
     }
+
+    /// The mounting of wheels and four-bars in the drawn pose.
+    pub(crate) fn mounting(&self) -> &Mounting {
+        &self.drawn.mounting
+    }
+}
+
+#[inline(always)]
+fn solve<'a, const N: usize>(
+    steps: impl Iterator<Item = (StepId, &'a Step)>,
+    input: f64,
+    signs: &AssemblySigns,
+    near: Nearby<'_>,
+    mounting: &Mounting,
+    state: &mut State<N>,
+) -> Result<(), (StepId, Cause)> {
+    let mut given = StepContext {
+        step: StepId::FIRST,
+        input: Jet::linear(input, 1.0),
+        sign: Sign::Plus,
+        near,
+        mounting,
+    };
+    state.corrections = [0.0; 2];
+    for (step, placing) in steps {
+        (given.step, given.sign) = (step, signs[step]);
+        let put = placing.put(state, &given);
+        put.map_err(|cause| (step, cause))?;
+    }
+    Ok(())
 }

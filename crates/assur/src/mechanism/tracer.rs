@@ -18,7 +18,7 @@ impl Mechanism {
 
     /// The tracer of a point; None for a point that links list.
     pub fn tracer(&self, point: PointId) -> Option<&TracerSpec> {
-        let tracer = point.index().checked_sub(self.spec.points.len())?;
+        let tracer = point.index().checked_sub(self.layout.listed)?;
         self.spec.tracers.get(tracer)
     }
 

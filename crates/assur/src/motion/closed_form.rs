@@ -84,7 +84,7 @@ impl Motion {
             return None;
         };
         let turned = mechanism.multiple_of(link);
-        if !mechanism.whole_closed_form() || mechanism.rocker_of(&closed) != Some(turned.of) {
+        if !mechanism.whole_closed_form() || mechanism.link_of(closed.rocker) != Some(turned.of) {
             return None;
         }
         let mut guess = Vec::new();

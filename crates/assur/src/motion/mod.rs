@@ -55,7 +55,7 @@ const SAMPLES_PER_TURN: usize = 360;
 pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
-/// were determined once, by following the motion.
+/// were determined once, by following the motion. A clone shares the layout of the mechanism and the knots.
 ///
 /// ```
 /// # use assur::{linkage::LinkageSpec, mechanism::Mechanism, motion::Motion};
@@ -73,7 +73,6 @@ pub(crate) const MAX_TURNS: usize = 256;
 pub struct Motion {
     mechanism: Mechanism,
     cycle: Cycle,
-    /// Shared by all copies, as there may be many.
     knots: Arc<Knots>,
     dead_points: Vec<DeadPoint>,
     change_points: Vec<f64>,

@@ -4,7 +4,7 @@ use super::Node;
 use crate::Vector;
 use crate::index::{BodyId, PointId, StepId};
 use crate::mechanism::{Joint, Mechanism, arms_of};
-use crate::position::{Arm, Side, Step, Track};
+use crate::position::{Step, Track};
 
 /// The construction of a point from a known one.
 pub(super) struct Way {
@@ -39,13 +39,12 @@ fn on_body(body: BodyId, point: PointId) -> Node {
     }
 }
 
-/// The turning of an arm about its outer hinge.
-fn turning(mechanism: &Mechanism, arm: &Arm) -> Option<Way> {
-    let outer = mechanism.shared_by([arm.body, arm.outer.body], Some(arm.from))?;
-    Some(Way {
-        from: node(outer),
-        by: By::Turning(arm.body),
-    })
+/// The turning of a body about a point.
+fn turning(about: PointId, body: BodyId) -> Way {
+    Way {
+        from: node(about),
+        by: By::Turning(body),
+    }
 }
 
 /// The sliding of a point along a track, on the body with the line.
@@ -54,11 +53,6 @@ fn sliding(point: PointId, track: &Track) -> Way {
         from: on_body(track.line.body, point),
         by: By::Sliding(track.line.body, track.heading),
     }
-}
-
-/// The hinge of a side of a dyad.
-fn hinge(mechanism: &Mechanism, side: &Side) -> Option<PointId> {
-    mechanism.shared_by([side.body, side.outer.body], Some(side.hinge))
 }
 
 /// The one of two bodies with the line along which they slide.
@@ -78,12 +72,11 @@ pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     match &mechanism.steps()[step] {
         Step::Epicyclic(geared) => {
             let wheels = geared.members.iter();
-            let found = wheels
-                .filter_map(|wheel| driven(mechanism, [wheel.at.body, wheel.body], wheel.hinge));
+            let found = wheels.filter_map(|wheel| driven(mechanism, wheel.body, wheel.joint));
             found.collect()
         }
         Step::Crank(crank) => {
-            let found = driven(mechanism, [crank.at.body, crank.body], crank.hinge);
+            let found = driven(mechanism, crank.body, crank.joint);
             found.into_iter().collect()
         }
         other => of_dyad(mechanism, other).into_iter().collect(),
@@ -91,25 +84,21 @@ pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
 }
 
 /// The equation of a body that turns about a hinge in a known way, for its first other point.
-fn driven(mechanism: &Mechanism, [base, body]: [BodyId; 2], at: Vector) -> Option<Equations> {
-    let hinge = mechanism.shared_by([body, base], Some(at))?;
+fn driven(mechanism: &Mechanism, body: BodyId, hinge: PointId) -> Option<Equations> {
     let mut points = mechanism
         .points_on(body)
         .chain(mechanism.tracers_on(body))
         .filter(|point| *point != hinge);
     Some(Equations {
         target: node(points.next()?),
-        ways: vec![Way {
-            from: node(hinge),
-            by: By::Turning(body),
-        }],
+        ways: vec![turning(hinge, body)],
     })
 }
 
 fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
     let found = match step {
         Step::Slider(slider) => {
-            let point = mechanism.point_at(slider.track.body, slider.track.point)?;
+            let point = slider.track.joint?;
             Equations {
                 target: node(point),
                 ways: vec![sliding(point, &slider.track)],
@@ -117,10 +106,10 @@ fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
         }
         Step::Rrp(dyad) => {
             let (arm, track) = (&dyad.arm, &dyad.track);
-            let inner = mechanism.shared_by([arm.body, track.body], Some(arm.to))?;
+            let [outer, inner] = arm.joints;
             Equations {
                 target: node(inner),
-                ways: vec![turning(mechanism, arm)?, sliding(inner, track)],
+                ways: vec![turning(outer, arm.body), sliding(inner, track)],
             }
         }
         Step::Rpr(dyad) => {
@@ -128,7 +117,7 @@ fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
             let [i, j] = &dyad.sides;
             let on = line_of(mechanism, [i.body, j.body])?;
             let [block, guide] = if on == j.body { [i, j] } else { [j, i] };
-            let pin = hinge(mechanism, block)?;
+            let pin = block.joint;
             Equations {
                 target: on_body(guide.body, pin),
                 ways: vec![
@@ -136,16 +125,13 @@ fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
                         from: node(pin),
                         by: By::Sliding(guide.body, guide.direction),
                     },
-                    Way {
-                        from: node(hinge(mechanism, guide)?),
-                        by: By::Turning(guide.body),
-                    },
+                    turning(guide.joint, guide.body),
                 ],
             }
         }
         Step::Prp(dyad) => {
             let [first, second] = &dyad.tracks;
-            let inner = mechanism.shared_by([first.body, second.body], Some(first.point))?;
+            let inner = first.joint?;
             Equations {
                 target: node(inner),
                 ways: vec![sliding(inner, first), sliding(inner, second)],
@@ -153,7 +139,7 @@ fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
         }
         Step::Rpp(dyad) => {
             let (side, track) = (&dyad.side, &dyad.track);
-            let pin = hinge(mechanism, side)?;
+            let pin = side.joint;
             let line = if line_of(mechanism, [side.body, track.body])? == side.body {
                 By::Sliding(side.body, side.direction)
             } else {
@@ -172,10 +158,10 @@ fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
         }
         other => {
             let arms = arms_of(other)?;
-            let inner = mechanism.shared_by([arms[0].body, arms[1].body], Some(arms[0].to))?;
+            let ways = arms.each_ref().map(|arm| turning(arm.joints[0], arm.body));
             Equations {
-                target: node(inner),
-                ways: vec![turning(mechanism, &arms[0])?, turning(mechanism, &arms[1])?],
+                target: node(arms[0].joints[1]),
+                ways: ways.into(),
             }
         }
     };

@@ -2,7 +2,7 @@
 
 use super::{BodyPoint, Cause, DriveLaw, Enclosure, Predictor, Solvable, State, StepContext};
 use crate::Vector;
-use crate::index::{BodyId, StepId};
+use crate::index::{BodyId, PointId, StepId};
 
 /// A body hinged on a base, the frame or a moving body; its angle relative to the base is linear in the input.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +11,7 @@ pub(crate) struct Crank {
     /// The hinge, on the base and on the body.
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
+    pub(crate) joint: PointId,
     /// Offset of the driven angle from the body's angle relative to its base, since links may be turned on their bodies.
     pub(crate) angle_offset: f64,
     pub(crate) law: DriveLaw,

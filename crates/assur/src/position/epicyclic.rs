@@ -1,7 +1,7 @@
 //! An epicyclic train: wheels and carriers whose angles follow from those of other bodies by the numbers of teeth.
 
-use super::{BodyPoint, Cause, Enclosure, Predictor, Solvable, State, StepContext};
-use crate::index::{BodyId, StepId};
+use super::{BodyPoint, Cause, Enclosure, Mounting, Predictor, Solvable, State, StepContext};
+use crate::index::{BodyId, PointId, StepId};
 use crate::{Jet, Vector};
 
 /// Bodies, each hinged on one placed before it, whose meshes determine all their angles: a wheel in mesh with a solved
@@ -19,17 +19,20 @@ pub(crate) struct Member {
     /// The hinge, on the body placed before it and on itself.
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
+    pub(crate) joint: PointId,
     /// The solved bodies that determine its angle, with the derivative of the angle by theirs.
     pub(crate) ratios: Vec<(BodyId, f64)>,
-    /// Its angle when theirs are zero.
+    /// Its angle when theirs are zero, as drawn.
     pub(crate) shift: f64,
 }
 
 impl Member {
     /// Its angle, by those of the other bodies.
-    pub(crate) fn angle<const N: usize>(&self, of: impl Fn(BodyId) -> Jet<N>) -> Jet<N> {
-        let terms = self.ratios.iter().map(|(body, ratio)| of(*body) * *ratio);
-        terms.fold(Jet::constant(self.shift), |sum, term| sum + term)
+    fn angle<const N: usize>(&self, state: &State<N>, mounting: &Mounting) -> Jet<N> {
+        let terms = self.ratios.iter();
+        let terms = terms.map(|(body, ratio)| state.angle(*body) * *ratio);
+        let shift = self.shift + mounting.shifts[self.body];
+        terms.fold(Jet::constant(shift), |sum, term| sum + term)
     }
 }
 
@@ -37,10 +40,10 @@ impl Solvable for EpicyclicStep {
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
-        _: &StepContext<'_, N>,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
         for member in &self.members {
-            let angle = member.angle(|body| state.angle(body));
+            let angle = member.angle(state, context.mounting);
             state.pin(member.body, angle, member.at, member.hinge);
         }
         Ok(())

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::dyads::Triangle;
-use super::{Angle, Arm, CLOSE, Cause, Complex, Orientation, Sign, State};
+use super::{Angle, Arm, CLOSE, Cause, Complex, Mounting, Orientation, Sign, State, StepContext};
 use crate::index::BodyId;
 use crate::{Assembly, FourBar, Unsolved, Vector};
 
@@ -15,9 +15,12 @@ const MIN_MARGIN: f64 = 1.0 / 64.0;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CrankFourBar {
     pub(crate) linkage: FourBar,
-    /// The body of the crank, and φ₁, measured from the line AD, less its angle.
+    /// The body of the crank, and φ₁, measured from the line AD, less its angle, as drawn.
     pub(crate) crank: BodyId,
-    pub(crate) angle_offset: f64,
+    angle_offset: f64,
+    /// The bodies of coupler and rocker.
+    pub(crate) coupler: BodyId,
+    pub(crate) rocker: BodyId,
     /// Offsets of the angles of the bodies of coupler and rocker from φ₂ and φ₃.
     arm_offsets: [f64; 2],
     /// Minimum of P and Q to lay it as any dyad; infinite if it never may.
@@ -54,6 +57,8 @@ impl CrankFourBar {
             linkage,
             crank,
             angle_offset: out - frame,
+            coupler: coupler.body,
+            rocker: rocker.body,
             arm_offsets,
             min_margin: if plain {
                 MIN_MARGIN * sum * sum
@@ -74,15 +79,15 @@ impl CrankFourBar {
         &self,
         arms: &[Arm; 2],
         state: &mut State<N>,
-        sign: Sign,
+        context: &StepContext<'_, N>,
         triangle: &Triangle<N>,
     ) -> Result<(), Cause> {
         let [p, q] = triangle.margins.map(|margin| margin.value());
         if p.min(q) <= self.min_margin {
-            return self.set_angles(arms, state, sign);
+            return self.set_angles(arms, state, context);
         }
-        triangle.lay(state, arms, triangle.root(sign.factor()));
-        self.turn_near(arms, state, sign);
+        triangle.lay(state, arms, triangle.root(context.sign.factor()));
+        self.turn_near(arms, state, context.sign);
         Ok(())
     }
 
@@ -106,10 +111,10 @@ impl CrankFourBar {
         &self,
         arms: &[Arm; 2],
         state: &mut State<N>,
-        sign: Sign,
+        context: &StepContext<'_, N>,
     ) -> Result<(), Cause> {
-        let crank = state.angle(self.crank).value() + self.angle_offset;
-        let pose = self.linkage.pose_along::<N>(sign.into(), crank);
+        let crank = state.angle(self.crank).value() + self.offset(context.mounting);
+        let pose = self.linkage.pose_along::<N>(context.sign.into(), crank);
         let pose = pose.map_err(|unsolved| match unsolved {
             Unsolved::NotAnAngle => Cause::Input,
             Unsolved::Apart { by, .. } | Unsolved::Inside { by, .. } => Cause::Apart { by },
@@ -126,9 +131,14 @@ impl CrankFourBar {
         Ok(())
     }
 
+    /// φ₁ less the angle of the crank's body.
+    pub(crate) fn offset(&self, mounting: &Mounting) -> f64 {
+        self.angle_offset + mounting.shifts[self.coupler]
+    }
+
     /// The side of the diagonal on which the joint of coupler and rocker is: 1 to the left, −1 to the right.
-    pub(crate) fn side(&self, sign: Sign, state: &State<1>) -> f64 {
-        let crank = state.angle(self.crank).value() + self.angle_offset;
+    pub(crate) fn side(&self, sign: Sign, mounting: &Mounting, state: &State<1>) -> f64 {
+        let crank = state.angle(self.crank).value() + self.offset(mounting);
         self.linkage.side(sign.into(), crank)
     }
 }

@@ -21,7 +21,7 @@ mod state;
 mod step;
 
 use crate::Vector;
-use crate::index::BodyId;
+use crate::index::{BodyId, PointId};
 pub use assemblies::Method;
 pub(crate) use assemblies::{ComplexPair, Tracker};
 pub(crate) use complex::{Complex, conjugate, product, quotient};
@@ -40,7 +40,7 @@ pub(crate) use slider::Slider;
 pub(crate) use smooth_root::{KNOWN, SmoothRoot};
 use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
-pub(crate) use step::{Sign, Solvable, Step, StepContext};
+pub(crate) use step::{Mounting, Sign, Solvable, Step, StepContext};
 
 /// Maximum distance of close points relative to the lengths that place them: the direction between them and, if they are
 /// the outer hinges of a dyad, the closed forms of its derivatives lose digits.
@@ -64,18 +64,26 @@ pub(crate) struct Arm {
     /// The hinges on the link.
     pub(crate) from: Vector,
     pub(crate) to: Vector,
+    /// Its hinges by name: the solved point, and the inner joint.
+    pub(crate) joints: [PointId; 2],
     length: f64,
     /// The link's turn relative to the vector between its hinges.
     turn: Vector,
 }
 
 impl Arm {
-    pub(crate) fn new(body: BodyId, outer: BodyPoint, [from, to]: [Vector; 2]) -> Self {
+    pub(crate) fn new(
+        body: BodyId,
+        outer: BodyPoint,
+        [from, to]: [Vector; 2],
+        joints: [PointId; 2],
+    ) -> Self {
         Self {
             body,
             outer,
             from,
             to,
+            joints,
             length: (to - from).norm(),
             turn: quotient(Vector::x(), to - from),
         }
@@ -98,6 +106,8 @@ pub(crate) struct Track {
     /// A point of the link, and its distance to the left of the line.
     pub(crate) point: Vector,
     pub(crate) offset: f64,
+    /// That point by name; None if it is only on the line of the link.
+    pub(crate) joint: Option<PointId>,
 }
 
 /// The kind of singular position that a dead point of a step is.

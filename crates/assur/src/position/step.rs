@@ -5,7 +5,7 @@ use super::{
     Cause, Crank, CrankFourBar, Dead, Enclosure, EpicyclicStep, Group, Nearby, Predictor, Prp, Rpp,
     Rpr, Rrp, Rrr, Singularity, Slider, SmoothRoot, State,
 };
-use crate::index::{BodyId, StepId};
+use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector};
 
 /// Sign of the root in the closed form of a dyad: one of its two assemblies.
@@ -42,6 +42,27 @@ pub(crate) struct StepContext<'a, const N: usize> {
     pub(crate) input: Jet<N>,
     pub(crate) sign: Sign,
     pub(crate) near: Nearby<'a>,
+    pub(crate) mounting: &'a Mounting,
+}
+
+/// Angles of an assembly that differ from the plan by the whole turns of its drivers.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Mounting {
+    /// Shift of the angle of a wheel in a train, or of the angle φ₁ of a four-bar, by its coupler.
+    pub(crate) shifts: List<BodyId, f64>,
+    /// Whole turns of a body since the drawing, in radians, which angle constraints do not count.
+    pub(crate) turns: List<BodyId, f64>,
+}
+
+impl Mounting {
+    /// All bodies as planned.
+    pub(crate) fn planned(bodies: usize) -> Self {
+        let none: List<BodyId, f64> = vec![0.0; bodies].into();
+        Self {
+            shifts: none.clone(),
+            turns: none,
+        }
+    }
 }
 
 impl<const N: usize> StepContext<'_, N> {

@@ -7,7 +7,7 @@ use crate::position::{BodyPoint, Orientation, conjugate, product};
 use crate::structure::{self, Graph, Pair};
 
 use crate::linkage::spec::{Defect, extent};
-use crate::mechanism::plan::resolved::{Driver, Resolved};
+use crate::mechanism::plan::resolved::{self, Driver, Resolved};
 use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::plan::willis;
 
@@ -19,19 +19,18 @@ pub(in crate::mechanism) struct Bodies {
     /// Drawn origin and turn of each body.
     drawn: List<BodyId, (Vector, Vector)>,
     pub(in crate::mechanism) slides: List<SlideId, Slide>,
-    /// Gear couplings without the passive ones.
+    /// Gear couplings in the order of the specification.
     pub(in crate::mechanism) gears: Vec<Gear>,
-    /// For each gear coupling of the specification, true if it is passive.
-    pub(in crate::mechanism) passive: Vec<bool>,
 }
 
 /// A gear coupling between bodies.
 #[derive(Clone, Debug)]
 pub(in crate::mechanism) struct Gear {
+    pub(in crate::mechanism) by_link: resolved::Gear,
     pub(in crate::mechanism) bodies: [BodyId; 2],
     pub(in crate::mechanism) carrier: BodyId,
-    pub(in crate::mechanism) teeth: [f64; 2],
-    pub(in crate::mechanism) mesh: Mesh,
+    /// True if its equation follows from those of other couplings.
+    pub(in crate::mechanism) is_passive: bool,
 }
 
 /// A link's body and the link's angle offset from it.
@@ -58,17 +57,13 @@ impl Bodies {
             bodies.slides.push(slide);
         }
         let gears = spec.gears.iter().map(|gear| Gear {
+            by_link: *gear,
             bodies: gear.links.map(|link| spec.body(link)),
             carrier: spec.body(gear.carrier),
-            teeth: gear.teeth,
-            mesh: gear.mesh,
+            is_passive: false,
         });
-        let gears: Vec<Gear> = gears.collect();
-        bodies.passive = willis::passive(&gears);
-        let active = gears.into_iter().zip(&bodies.passive);
-        bodies.gears = active
-            .filter_map(|(gear, passive)| (!passive).then_some(gear))
-            .collect();
+        bodies.gears = gears.collect();
+        willis::mark_passive(&mut bodies.gears);
         Ok((bodies, placements))
     }
 
@@ -90,7 +85,6 @@ impl Bodies {
             drawn: vec![(Vector::zeros(), Vector::x())].into(),
             slides: List::default(),
             gears: Vec::new(),
-            passive: Vec::new(),
         };
         for link in spec.bodies.iter().flatten() {
             bodies.make(spec, *link)?;
@@ -169,7 +163,9 @@ impl Bodies {
         way.y.atan2(way.x)
     }
 
-    pub(in crate::mechanism) fn ids(&self) -> impl ExactSizeIterator<Item = BodyId> + use<> {
+    pub(in crate::mechanism) fn ids(
+        &self,
+    ) -> impl ExactSizeIterator<Item = BodyId> + Clone + use<> {
         self.points.ids()
     }
 
@@ -180,6 +176,13 @@ impl Bodies {
             turn: self.drawn_turn(body),
         });
         drawn.collect()
+    }
+
+    /// The gear couplings that are not passive.
+    pub(in crate::mechanism) fn active_gears(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = &Gear> + Clone {
+        self.gears.iter().filter(|gear| !gear.is_passive)
     }
 
     /// The points of a body.
@@ -218,7 +221,7 @@ impl Bodies {
         };
         let slides = self.slides.iter();
         let slides = slides.map(|slide| Pair::Prismatic(slide.bodies.map(BodyId::index)));
-        let gears = self.gears.iter();
+        let gears = self.active_gears();
         let gears = gears.map(|gear| Pair::Gear(gear.bodies.map(BodyId::index)));
         Graph {
             links: self.points.len(),
@@ -283,6 +286,15 @@ impl Bodies {
 }
 
 impl Gear {
+    /// z₁ and z₂; z₂ < 0 if the sense is kept.
+    pub(in crate::mechanism) fn signed_teeth(&self) -> [f64; 2] {
+        let [first, second] = self.by_link.teeth;
+        match self.by_link.mesh {
+            Mesh::External => [first, second],
+            Mesh::Internal | Mesh::AsPrinted => [first, -second],
+        }
+    }
+
     /// The wheels and their carrier.
     pub(in crate::mechanism) fn all(&self) -> [BodyId; 3] {
         [self.bodies[0], self.bodies[1], self.carrier]

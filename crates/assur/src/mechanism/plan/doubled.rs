@@ -6,7 +6,7 @@ use crate::linkage::spec::{Defect, LinkageSpec, extent};
 use crate::mechanism::dimension::along_axis;
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
-use crate::mechanism::{Mechanism, Part};
+use crate::mechanism::{Layout, Part};
 use crate::position::{conjugate, product};
 use crate::structure::subscript;
 use crate::tolerance::COINCIDENT;
@@ -28,25 +28,26 @@ impl DoubledLink {
     }
 }
 
-impl Mechanism {
-    /// The specification with a point moved on a link, and on the links doubled with it.
+impl Layout {
+    /// A specification of this layout with a point moved on a link, and on the links doubled with it.
     pub(in crate::mechanism) fn placed(
         &self,
+        spec: &LinkageSpec,
         link: LinkId,
         point: usize,
         at: Point,
     ) -> LinkageSpec {
-        let mut spec = self.spec.clone();
+        let mut changed = spec.clone();
         let Part { body, points, .. } = &self.links[link];
         let moved = points.get(point);
         let links = self.links.enumerate();
         for (other, part) in links.filter(|(_, part)| part.body == *body) {
-            let own = &mut spec.links[other.index()];
+            let own = &mut changed.links[other.index()];
             let place = part.points.iter().position(|point| Some(point) == moved);
             let at = if other == link {
                 Some(at)
             } else {
-                self.on_other(at, [link, other])
+                self.on_other(spec, at, [link, other])
             };
             if own.fixed_to.is_none()
                 && let (Some(place), Some(at), Some(shape)) = (place, at, &mut own.shape)
@@ -55,12 +56,12 @@ impl Mechanism {
                 *shape = along_axis(std::mem::take(shape));
             }
         }
-        spec
+        changed
     }
 
     /// A place on a link, in the coordinates of another link of its body.
-    fn on_other(&self, at: Point, links: [LinkId; 2]) -> Option<Point> {
-        let [from, to] = links.map(|link| self.axes(link));
+    fn on_other(&self, spec: &LinkageSpec, at: Point, links: [LinkId; 2]) -> Option<Point> {
+        let [from, to] = links.map(|link| self.axes(spec, link));
         let ([own, on_body, turn], [other, there, turned]) = (from?, to?);
         let at = on_body + product(at.coords - own, turn);
         Some((other + product(at - there, conjugate(turned))).into())
@@ -68,10 +69,15 @@ impl Mechanism {
 
     /// Place of the first point of a link with a shape, on the link and on its body, and the turn of the link's axes on
     /// the body.
-    fn axes(&self, link: LinkId) -> Option<[Vector; 3]> {
+    fn axes(&self, spec: &LinkageSpec, link: LinkId) -> Option<[Vector; 3]> {
         let Part { body, points, .. } = &self.links[link];
-        let shape = self.spec.links[link.index()].shape.as_ref()?;
-        let end = |k: usize| Some([shape.get(k)?.coords, self.local(*body, *points.get(k)?)?]);
+        let shape = spec.links[link.index()].shape.as_ref()?;
+        let end = |k: usize| {
+            Some([
+                shape.get(k)?.coords,
+                self.bodies.local(*body, *points.get(k)?)?,
+            ])
+        };
         let [[own, on_body], [to, end]] = [end(0)?, end(1)?];
         let turn = product(
             (end - on_body).normalize(),

@@ -1,7 +1,7 @@
 //! Drivers: their coordinates in the drawing, and the steps that place the driven bodies.
 
 use crate::Vector;
-use crate::index::{BodyId, SlideId};
+use crate::index::{BodyId, PointId, SlideId};
 use crate::linkage::spec::Defect;
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::{Driver, Resolved};
@@ -54,14 +54,14 @@ impl DrivenPair {
 }
 
 impl Bodies {
-    /// The hinge of two bodies: its place on the first and on the second.
+    /// The hinge of two bodies, and its place on the first and on the second.
     pub(in crate::mechanism) fn hinge(
         &self,
         [base, body]: [BodyId; 2],
-    ) -> Option<(BodyPoint, Vector)> {
+    ) -> Option<(PointId, BodyPoint, Vector)> {
         self.of(body).iter().find_map(|(point, hinge)| {
             let local = self.local(base, *point)?;
-            Some((BodyPoint { body: base, local }, *hinge))
+            Some((*point, BodyPoint { body: base, local }, *hinge))
         })
     }
 }
@@ -151,7 +151,7 @@ impl Placed<'_> {
     ) -> Option<Step> {
         match driver {
             Driver::Crank { link, .. } => {
-                let (at, hinge) = self.bodies.hinge([base, body])?;
+                let (joint, at, hinge) = self.bodies.hinge([base, body])?;
                 let angle_offset = self.angle_offset(driver);
                 let (angle_offset, course) = if spec.body(*link) == body {
                     (angle_offset, course)
@@ -162,6 +162,7 @@ impl Placed<'_> {
                     body,
                     at,
                     hinge,
+                    joint,
                     angle_offset,
                     law: course,
                 };

@@ -161,16 +161,24 @@ pub(in crate::mechanism) fn plan(
     Ok(plan)
 }
 
+/// A hinge of a body on one solved before.
+pub(in crate::mechanism) struct Hinge {
+    joint: PointId,
+    at: BodyPoint,
+    /// Its place on the body.
+    local: Vector,
+}
+
 /// Outer pair of a dyad.
 enum Outer<'a> {
-    Hinge { at: BodyPoint, hinge: Vector },
+    Hinge(Hinge),
     Slide(&'a Slide),
 }
 
 /// Inner pair of a dyad.
 enum Inner<'a> {
-    /// The hinge, on each of the two links.
-    Hinge([Vector; 2]),
+    /// The hinge, with its place on each of the two links.
+    Hinge(PointId, [Vector; 2]),
     Slide(&'a Slide),
 }
 
@@ -190,9 +198,12 @@ impl Placed<'_> {
     }
 
     fn outer(&self, body: BodyId) -> Option<Outer<'_>> {
-        let hinge = self.bodies.of(body).iter().find_map(|(point, hinge)| {
-            let (at, hinge) = (self.anchor(*point)?, *hinge);
-            Some(Outer::Hinge { at, hinge })
+        let hinge = self.bodies.of(body).iter().find_map(|(point, local)| {
+            Some(Outer::Hinge(Hinge {
+                joint: *point,
+                at: self.anchor(*point)?,
+                local: *local,
+            }))
         });
         hinge.or_else(|| {
             let joins = |slide: &&Slide| slide.joins(body).is_some_and(|other| self.solved[other]);
@@ -204,7 +215,7 @@ impl Placed<'_> {
         let joint = self.bodies.of(i).iter().find_map(|(point, on_i)| {
             let on_j = self.bodies.local(j, *point)?;
             let free = self.anchor(*point).is_none();
-            free.then_some(Inner::Hinge([*on_i, on_j]))
+            free.then_some(Inner::Hinge(*point, [*on_i, on_j]))
         });
         joint.or_else(|| {
             let mut slides = self.bodies.slides.iter();
@@ -214,46 +225,40 @@ impl Placed<'_> {
     }
 
     fn dyad(&self, [i, j]: [BodyId; 2]) -> Option<Step> {
-        let guided = |body: BodyId, slide: &Slide, point: Vector| slide.track(body).moved(point);
+        let arm = |body: BodyId, outer: &Hinge, inner: PointId, to: Vector| {
+            Arm::new(body, outer.at, [outer.local, to], [outer.joint, inner])
+        };
+        let guided = |body: BodyId, slide: &Slide, inner: PointId, at: Vector| {
+            slide.track(body).moved(inner, at)
+        };
         let step = match (self.outer(i)?, self.outer(j)?, self.inner([i, j])?) {
             // Swapped, so that the hinge is the first.
-            (Outer::Slide(_), Outer::Hinge { .. }, _) => return self.dyad([j, i]),
-            (
-                Outer::Hinge { at: b, hinge: from },
-                Outer::Hinge {
-                    at: d,
-                    hinge: start,
-                },
-                Inner::Hinge([c_i, c_j]),
-            ) => {
-                let mut arms = [Arm::new(i, b, [from, c_i]), Arm::new(j, d, [start, c_j])];
-                if b.body == BodyId::FRAME && Some(d.body) == self.crank {
+            (Outer::Slide(_), Outer::Hinge(_), _) => return self.dyad([j, i]),
+            (Outer::Hinge(b), Outer::Hinge(d), Inner::Hinge(c, [c_i, c_j])) => {
+                let mut arms = [arm(i, &b, c, c_i), arm(j, &d, c, c_j)];
+                if b.at.body == BodyId::FRAME && Some(d.at.body) == self.crank {
                     arms.reverse();
                 }
                 let four_bar = self.four_bar(&arms);
                 Rrr { arms, four_bar }.into()
             }
-            (Outer::Hinge { at, hinge }, Outer::Slide(slide), Inner::Hinge([c_i, c_j])) => {
-                let arm = Arm::new(i, at, [hinge, c_i]);
-                let track = guided(j, slide, c_j);
+            (Outer::Hinge(b), Outer::Slide(slide), Inner::Hinge(c, [c_i, c_j])) => {
+                let arm = arm(i, &b, c, c_i);
+                let track = guided(j, slide, c, c_j);
                 Rrp { arm, track }.into()
             }
-            (Outer::Slide(first), Outer::Slide(second), Inner::Hinge([c_i, c_j])) => {
-                let tracks = [guided(i, first, c_i), guided(j, second, c_j)];
+            (Outer::Slide(first), Outer::Slide(second), Inner::Hinge(c, [c_i, c_j])) => {
+                let tracks = [guided(i, first, c, c_i), guided(j, second, c, c_j)];
                 Prp { tracks }.into()
             }
-            (
-                Outer::Hinge { at: b, hinge: on_i },
-                Outer::Hinge { at: d, hinge: on_j },
-                Inner::Slide(slide),
-            ) => {
-                let sides = [slide.side(i, b, on_i), slide.side(j, d, on_j)];
+            (Outer::Hinge(b), Outer::Hinge(d), Inner::Slide(slide)) => {
+                let sides = [slide.side(i, &b), slide.side(j, &d)];
                 Rpr { sides }.into()
             }
-            (Outer::Hinge { at, hinge }, Outer::Slide(slide), Inner::Slide(inner)) => {
+            (Outer::Hinge(b), Outer::Slide(slide), Inner::Slide(inner)) => {
                 let (through, direction) = inner.line_on(j);
                 let rpp = Rpp {
-                    side: inner.side(i, at, hinge),
+                    side: inner.side(i, &b),
                     track: slide.track(j),
                     direction,
                     through,
@@ -272,7 +277,7 @@ impl Placed<'_> {
         if arms.each_ref().map(|arm| arm.outer.body) != [crank, BodyId::FRAME] {
             return None;
         }
-        let (on_frame, hinge) = self.bodies.hinge([BodyId::FRAME, crank])?;
+        let (_, on_frame, hinge) = self.bodies.hinge([BodyId::FRAME, crank])?;
         CrankFourBar::new(crank, (on_frame.local, hinge), arms)
     }
 }

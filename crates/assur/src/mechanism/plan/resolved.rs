@@ -41,7 +41,8 @@ pub(in crate::mechanism) struct Link {
     pub(in crate::mechanism) is_fixed: bool,
 }
 
-#[derive(Debug)]
+/// A sliding pair, by links and points.
+#[derive(Clone, Copy, Debug)]
 pub(in crate::mechanism) struct Slide {
     pub(in crate::mechanism) link: LinkOrFrame,
     pub(in crate::mechanism) point: PointId,
@@ -49,7 +50,8 @@ pub(in crate::mechanism) struct Slide {
     pub(in crate::mechanism) line: [PointId; 2],
 }
 
-#[derive(Debug)]
+/// Wheels in mesh, by links.
+#[derive(Clone, Copy, Debug)]
 pub(in crate::mechanism) struct Gear {
     pub(in crate::mechanism) links: [LinkOrFrame; 2],
     pub(in crate::mechanism) carrier: LinkOrFrame,

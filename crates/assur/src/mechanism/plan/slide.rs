@@ -1,15 +1,18 @@
 //! Prismatic pairs between rigid bodies: their lines on both.
 
 use crate::Vector;
-use crate::index::{BodyId, SlideId};
+use crate::index::{BodyId, PointId, SlideId};
 use crate::linkage::spec::{Defect, extent};
+use crate::mechanism::plan::Hinge;
 use crate::mechanism::plan::body::Bodies;
-use crate::mechanism::plan::resolved::Resolved;
+use crate::mechanism::plan::resolved::{self, Resolved};
 use crate::position::{BodyPoint, Side, Track, conjugate, product};
+use crate::tolerance;
 
 /// A prismatic pair between two bodies.
 #[derive(Clone, Debug)]
 pub(in crate::mechanism) struct Slide {
+    pub(in crate::mechanism) by_link: resolved::Slide,
     /// The body with the line and the one that slides.
     pub(in crate::mechanism) bodies: [BodyId; 2],
     /// The line on the first: a point and the direction, of length 1.
@@ -43,9 +46,7 @@ impl Bodies {
         let [start, to] = [on_link(slide.on, from)?, on_link(slide.on, end)?];
         let point = on_link(slide.link, slide.point)?;
         let places = self.of(spec.body(slide.on)).iter();
-        if (to - start).norm()
-            <= crate::tolerance::COINCIDENT * extent(places.map(|(_, local)| *local))
-        {
+        if (to - start).norm() <= tolerance::COINCIDENT * extent(places.map(|(_, local)| *local)) {
             return Err(spec.coincident(slide.on, slide.line));
         }
         let heading = (to - start).normalize();
@@ -59,6 +60,7 @@ impl Bodies {
         let off = spec.places[slide.point] - spec.places[from];
         let [way, off] = product(off, conjugate(along)).into();
         Ok(Slide {
+            by_link: *slide,
             bodies,
             start,
             heading,
@@ -66,7 +68,7 @@ impl Bodies {
             point,
             direction: product(along, conjugate(turn)),
             // A point drawn on the line is meant to be on it.
-            off: if off.abs() <= 1e-12 * spec.spec.size() {
+            off: if off.abs() <= tolerance::NEGLIGIBLE * spec.spec.size() {
                 0.0
             } else {
                 off
@@ -126,6 +128,10 @@ impl Slide {
         let other = usize::from(body == self.bodies[0]);
         let (start, heading) = self.line_on(self.bodies[other]);
         let (point, direction) = self.line_on(body);
+        let joint = match body == self.bodies[0] {
+            true => Some(self.by_link.line[0]),
+            false => Some(self.by_link.point).filter(|_| self.off == 0.0),
+        };
         Track {
             body,
             line: BodyPoint {
@@ -136,23 +142,29 @@ impl Slide {
             direction,
             point,
             offset: 0.0,
+            joint,
         }
     }
 
     /// One of the two bodies as a side of a dyad with this slide between its links.
-    pub(in crate::mechanism) fn side(&self, body: BodyId, outer: BodyPoint, hinge: Vector) -> Side {
-        let (through, direction) = self.line_on(body);
-        Side::new(body, outer, hinge, through, direction)
+    pub(in crate::mechanism) fn side(&self, body: BodyId, hinge: &Hinge) -> Side {
+        Side::new(
+            body,
+            hinge.at,
+            (hinge.joint, hinge.local),
+            self.line_on(body),
+        )
     }
 }
 
 impl Track {
     /// The same track, given by another point of the sliding link.
-    pub(in crate::mechanism) fn moved(self, point: Vector) -> Self {
+    pub(in crate::mechanism) fn moved(self, joint: PointId, point: Vector) -> Self {
         let offset = self.offset + product(point - self.point, conjugate(self.direction)).y;
         Self {
             point,
             offset,
+            joint: Some(joint),
             ..self
         }
     }

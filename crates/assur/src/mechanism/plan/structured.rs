@@ -40,11 +40,11 @@ pub(in crate::mechanism) fn structured(
         // Passive meshes take no freedom.
         let counts = counts(spec, bodies);
         let mobility = counts.mobility + counts.passive as isize;
-        let contradicting = contradicting(bodies, &graph, &drivers);
-        let active = spec.gears.iter().zip(&bodies.passive);
-        let mut active = active.filter(|(_, passive)| !**passive);
-        if let Some((gear, _)) = contradicting.and_then(|at| active.nth(at)) {
-            let links = gear.links.map(|link| spec.link_name(link).to_owned());
+        if let Some(gear) = contradicting(bodies, &graph, &drivers) {
+            let links = gear
+                .by_link
+                .links
+                .map(|link| spec.link_name(link).to_owned());
             return vec![Defect::MeshContradicts { links }];
         }
         let defect = |fault: Fault| match fault {
@@ -84,22 +84,26 @@ pub(in crate::mechanism) fn structured(
     Ok((structure, Some(redundancy)))
 }
 
-/// Index, among the gear couplings that are not passive, of the last one that closes a ring of wheels and without which
-/// there is no fault.
-fn contradicting(bodies: &Bodies, graph: &Graph, drivers: &[structure::Driver]) -> Option<usize> {
-    bodies.gears.iter().rposition(|gear| {
+/// The last gear coupling that is not passive, closes a ring of wheels, and without which there is no fault.
+fn contradicting<'a>(
+    bodies: &'a Bodies,
+    graph: &Graph,
+    drivers: &[structure::Driver],
+) -> Option<&'a Gear> {
+    bodies.active_gears().rev().find(|gear| {
         let joined = Pair::Gear(gear.bodies.map(BodyId::index));
         let mut without = graph.clone();
         let mesh = without.pairs.iter().rposition(|pair| *pair == joined);
         mesh.map(|mesh| without.pairs.remove(mesh));
-        closes_ring(graph.links, &bodies.gears, gear) && decompose(&without, drivers).is_ok()
+        closes_ring(graph.links, bodies, gear) && decompose(&without, drivers).is_ok()
     })
 }
 
 /// True if the wheels of a gear coupling are joined by others as well.
-fn closes_ring(count: usize, gears: &[Gear], closing: &Gear) -> bool {
+fn closes_ring(count: usize, bodies: &Bodies, closing: &Gear) -> bool {
     let mut parts = Partition::new(count);
-    for gear in gears.iter().filter(|gear| !std::ptr::eq(*gear, closing)) {
+    let gears = bodies.active_gears();
+    for gear in gears.filter(|gear| !std::ptr::eq(*gear, closing)) {
         parts.join(gear.bodies.map(BodyId::index));
     }
     let [a, b] = closing.bodies.map(BodyId::index);

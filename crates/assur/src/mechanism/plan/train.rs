@@ -20,7 +20,7 @@ impl Placed<'_> {
             let all = gear.all();
             all.iter().any(inside) && all.iter().all(|body| inside(body) || self.solved[*body])
         };
-        self.bodies.gears.iter().filter(of_it).collect()
+        self.bodies.active_gears().filter(of_it).collect()
     }
 
     /// Mounts the wheels of a group whose orientation no point and no guide shows: relative to their carrier, the angle
@@ -103,12 +103,12 @@ impl Placed<'_> {
                     return None;
                 }
                 let mut points = self.bodies.of(*body).iter();
-                let (at, hinge) = points.find_map(|(point, hinge)| {
-                    Some((self.bodies.anchor_of(*point, is_placed)?, *hinge))
+                let (joint, at, hinge) = points.find_map(|(point, hinge)| {
+                    Some((*point, self.bodies.anchor_of(*point, is_placed)?, *hinge))
                 })?;
-                Some((*body, at, hinge, ratios.clone()))
+                Some((*body, at, hinge, joint, ratios.clone()))
             });
-            let Some((body, at, hinge, ratios)) = next else {
+            let Some((body, at, hinge, joint, ratios)) = next else {
                 return Ok(None);
             };
             let shift = self.orientations[body].angle - self.turned(&ratios);
@@ -116,6 +116,7 @@ impl Placed<'_> {
                 body,
                 at,
                 hinge,
+                joint,
                 ratios,
                 shift,
             });

@@ -1,7 +1,6 @@
 //! Willis's equations of wheels in mesh, in integers: their dependence, and the ratios of the angles of a train (R.
 //! Willis, *Principles of Mechanism*, 1841).
 
-use crate::gears::Mesh;
 use crate::index::BodyId;
 use crate::mechanism::plan::body::Gear;
 
@@ -14,11 +13,7 @@ impl Equation {
     /// `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀)`, θ₀ that of the carrier.
     pub(in crate::mechanism) fn of(gear: &Gear) -> Self {
         // Numbers of teeth are whole.
-        let [first, second] = gear.teeth.map(|teeth| teeth as i128);
-        let second = match gear.mesh {
-            Mesh::External => second,
-            Mesh::Internal | Mesh::AsPrinted => -second,
-        };
+        let [first, second] = gear.signed_teeth().map(|teeth| teeth as i128);
         let [a, b] = gear.bodies;
         let mut equation = Self::default();
         for (body, by) in [(a, first), (b, second), (gear.carrier, -first - second)] {
@@ -130,14 +125,13 @@ impl Solved {
     }
 }
 
-/// For each gear coupling, true if it is passive: its equation follows from those before it, as does one of a second
-/// satellite between the same wheels.
-pub(in crate::mechanism) fn passive(gears: &[Gear]) -> Vec<bool> {
+/// Marks the passive gear couplings: their equations follow from those before, as does one of a second satellite between
+/// the same wheels.
+pub(in crate::mechanism) fn mark_passive(gears: &mut [Gear]) {
     let mut solved = Solved::default();
-    let passive = gears.iter().map(|gear| {
+    for gear in gears {
         let adds = solved.add(&Equation::of(gear), |_| true);
         // A wheel in mesh with itself is no coupling at all.
-        gear.bodies[0] != gear.bodies[1] && adds == Some(Adds::Nothing)
-    });
-    passive.collect()
+        gear.is_passive = gear.bodies[0] != gear.bodies[1] && adds == Some(Adds::Nothing);
+    }
 }

@@ -4,12 +4,11 @@
 use std::f64::consts::TAU;
 
 use crate::Jet;
-use crate::gears::Mesh;
 use crate::index::{BodyId, LinkId, List, PointId};
-use crate::mechanism::plan::body::{Bodies, Placement};
-use crate::mechanism::plan::resolved::{self, Resolved};
+use crate::mechanism::plan::body::Gear;
+use crate::mechanism::plan::resolved;
 use crate::mechanism::plan::slide::Slide;
-use crate::mechanism::{Mechanism, Pose};
+use crate::mechanism::{Layout, Mechanism, Pose};
 use crate::position::{Orientation, conjugate, product};
 
 /// A link; None for the frame.
@@ -78,31 +77,25 @@ impl Sides {
     }
 }
 
-/// The source of a mechanism's equations.
-pub(in crate::mechanism) struct Parts<'a> {
-    pub(in crate::mechanism) spec: &'a Resolved<'a>,
-    pub(in crate::mechanism) bodies: &'a Bodies,
-    pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,
-    /// Orientations of the bodies in the drawn pose, with wheels mounted.
-    pub(in crate::mechanism) orientations: &'a List<BodyId, Orientation>,
-}
-
-impl Parts<'_> {
-    /// The equations in the order of links, slides and gears.
-    pub(in crate::mechanism) fn constraints(&self) -> Vec<Constraint> {
-        let Self { spec, bodies, .. } = self;
-        let links = spec.bodies.iter().flatten();
+impl Layout {
+    /// The equations in the order of links, slides and gears; with the wheels as mounted in a pose.
+    pub(in crate::mechanism) fn constraints(
+        &self,
+        orientations: &List<BodyId, Orientation>,
+    ) -> Vec<Constraint> {
+        let links = self.made_for.iter().flatten();
         let links = links.flat_map(|link| self.distances(*link));
-        let slides = spec.slides.iter().zip(bodies.slides.iter());
-        let slides = slides.flat_map(|(drawn, slide)| self.guided(drawn, slide));
-        let gears = spec.gears.iter().map(|gear| self.mesh(gear));
+        let slides = self.bodies.slides.iter();
+        let slides = slides.flat_map(|slide| self.guided(slide));
+        let gears = self.bodies.gears.iter();
+        let gears = gears.map(|gear| self.mesh(gear, orientations));
         links.chain(slides).chain(gears).collect()
     }
 
     /// Distances between the joints of a link with a body of its own: one of the first two, and two for each further
     /// joint, make it rigid without redundancy.
     fn distances(&self, link: LinkId) -> Vec<Constraint> {
-        let body = self.spec.links[link].body;
+        let body = self.links[link].body;
         let points = self.bodies.of(body).iter();
         let points = points.filter(|(point, _)| self.is_joint(body, *point));
         let points: Vec<_> = points.collect();
@@ -123,58 +116,46 @@ impl Parts<'_> {
 
     /// True if a point of a body is hinged on another one, slides, or gives a line.
     fn is_joint(&self, body: BodyId, point: PointId) -> bool {
-        let Self { spec, bodies, .. } = self;
-        let having = bodies.ids().map(|other| bodies.of(other).iter());
-        let having = having.flatten().filter(|(other, _)| *other == point);
-        let slides = |slide: &resolved::Slide| {
-            spec.body(slide.link) == body && slide.point == point
-                || spec.body(slide.on) == body && slide.line.contains(&point)
+        let having = self.bodies.ids();
+        let having = having.filter(|other| self.bodies.local(*other, point).is_some());
+        let slides = |slide: &Slide| {
+            let ([on, moving], by_link) = (slide.bodies, slide.by_link);
+            moving == body && by_link.point == point || on == body && by_link.line.contains(&point)
         };
-        having.count() > 1 || spec.slides.iter().any(slides)
-    }
-
-    /// Offset of a link's angle from its body's.
-    fn angle_offset(&self, link: LinkOrFrame) -> f64 {
-        link.map_or(0.0, |link| self.placements[link].angle_offset)
+        having.count() > 1 || self.bodies.slides.iter().any(slides)
     }
 
     /// The equations of a slide: the distance of its point from the line, and its direction.
-    fn guided(&self, drawn: &resolved::Slide, slide: &Slide) -> [Constraint; 2] {
-        let [on, moving] = slide.bodies;
-        let (link, point) = (drawn.link, drawn.point);
-        let (_, heading) = slide.line_on(on);
+    fn guided(&self, slide: &Slide) -> [Constraint; 2] {
+        let [base, moving] = slide.bodies;
+        let resolved::Slide {
+            link,
+            point,
+            on,
+            line,
+        } = slide.by_link;
+        let (_, heading) = slide.line_on(base);
         let (through, direction) = slide.line_on(moving);
         let off = product(slide.point() - through, conjugate(direction)).y;
         let turn = product(heading, conjugate(direction));
-        let angle_offset = self.angle_offset(link) - self.angle_offset(drawn.on);
+        let angle_offset = self.angle_offset(link) - self.angle_offset(on);
         [
             Constraint {
-                kind: ConstraintKind::Offset {
-                    link,
-                    point,
-                    line: drawn.line,
-                },
+                kind: ConstraintKind::Offset { link, point, line },
                 constant: off * slide.line_length(),
             },
             Constraint {
-                kind: ConstraintKind::Direction { link, on: drawn.on },
+                kind: ConstraintKind::Direction { link, on },
                 constant: turn.y.atan2(turn.x) + angle_offset,
             },
         ]
     }
 
-    fn mesh(&self, gear: &resolved::Gear) -> Constraint {
-        let (links, carrier) = (gear.links, gear.carrier);
-        let angle = |link: LinkOrFrame| {
-            let body = self.spec.body(link);
-            self.orientations[body].angle + self.angle_offset(link)
-        };
-        let sense = if gear.mesh == Mesh::External {
-            1.0
-        } else {
-            -1.0
-        };
-        let teeth = [gear.teeth[0], sense * gear.teeth[1]];
+    fn mesh(&self, gear: &Gear, orientations: &List<BodyId, Orientation>) -> Constraint {
+        let resolved::Gear { links, carrier, .. } = gear.by_link;
+        let angle =
+            |link: LinkOrFrame| orientations[self.body_of(link)].angle + self.angle_offset(link);
+        let teeth = gear.signed_teeth();
         let [a, b] = links.map(|link| angle(link) - angle(carrier));
         Constraint {
             kind: ConstraintKind::Mesh {
@@ -203,7 +184,7 @@ impl Mechanism {
         order: usize,
     ) -> Sides {
         let between = |p: PointId, q: PointId| {
-            let [p, q] = [p, q].map(|point| pose.state.place(self.points[point]));
+            let [p, q] = [p, q].map(|point| pose.state.place(self.layout.points[point]));
             let way = p - q;
             [way.x(), way.y()]
         };

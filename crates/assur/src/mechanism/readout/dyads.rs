@@ -1,10 +1,10 @@
 //! RRR dyads of the plan, their transmission angles, and the four-bars that they close.
 
-use crate::index::{BodyId, LinkId, PointId};
+use crate::index::{LinkId, PointId};
 use crate::mechanism::closed::DrivenFourBar;
 use crate::mechanism::{LinkOrFrame, Mechanism, Pose};
 use crate::position::{Arm, Step};
-use crate::{FourBar, Grashof, Jet, Vector};
+use crate::{FourBar, Grashof, Jet};
 
 /// An Assur group of two links and three hinges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,8 +61,9 @@ impl Mechanism {
 
     /// The arms of all RRR dyads; those within groups with redundant constraints come last.
     pub(in crate::mechanism) fn arms(&self) -> impl Iterator<Item = &[Arm; 2]> {
-        let solved = self.steps.iter().filter_map(arms_of);
-        solved.chain(&self.within)
+        let solved = self.steps().iter().filter_map(arms_of);
+        let passive = self.layout.passive.iter();
+        solved.chain(passive.flat_map(|passive| &passive.dyads))
     }
 
     /// The transmission angle of a dyad in a pose: between the lines of its two links, acute, radians; 0 if they are in
@@ -93,16 +94,9 @@ impl Mechanism {
     /// The distance of two points of a link.
     pub(in crate::mechanism) fn length_between(&self, link: LinkId, points: [PointId; 2]) -> f64 {
         let body = self.body_of(Some(link));
-        let [from, to] = points.map(|point| self.local(body, point));
+        let [from, to] = points.map(|point| self.layout.bodies.local(body, point));
         debug_assert!(from.is_some() && to.is_some(), "points of the link");
         from.zip(to).map_or(0.0, |(from, to)| (to - from).norm())
-    }
-
-    /// The place of a point on a body; None if the body does not have it.
-    pub(in crate::mechanism) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
-        let mut points = self.bodies[body].iter();
-        let found = points.find(|(own, _)| *own == point);
-        found.map(|(_, at)| *at)
     }
 
     /// The four-bars, in the order in which their dyads are solved.
@@ -115,48 +109,43 @@ impl Mechanism {
     pub(crate) fn closed_form_of(&self, dyad: &RrrDyad) -> Option<DrivenFourBar<'_>> {
         let mut closed = self.closed_steps();
         closed.find(|closed| {
-            let arms = arms_of(&self.steps[closed.step]);
+            let arms = arms_of(&self.steps()[closed.step]);
             arms.and_then(|arms| self.dyad_of(arms)).as_ref() == Some(dyad)
         })
     }
 
-    /// The rocker of a four-bar in closed form.
-    pub(crate) fn rocker_of(&self, closed: &DrivenFourBar<'_>) -> Option<LinkId> {
-        let [_, rocker] = arms_of(&self.steps[closed.step])?;
-        self.link_of(rocker.body)
+    pub(in crate::mechanism) fn dyad_of(&self, arms: &[Arm; 2]) -> Option<RrrDyad> {
+        let [first, second] = arms.each_ref().map(|arm| self.link_of(arm.body));
+        Some(RrrDyad {
+            links: [first?, second?],
+            inner: arms[0].joints[1],
+            outer: arms.each_ref().map(|arm| self.outer_joint(arm)),
+        })
     }
 
-    pub(in crate::mechanism) fn dyad_of(&self, arms: &[Arm; 2]) -> Option<RrrDyad> {
-        let inner = self.shared([arms[0].body, arms[1].body], Some(arms[0].to))?;
-        let outer = |arm: &Arm| {
-            Some(OuterJoint {
-                point: self.shared([arm.body, arm.outer.body], Some(arm.from))?,
-                on: self.link_of(arm.outer.body),
-            })
-        };
-        let link = |arm: &Arm| self.link_of(arm.body);
-        Some(RrrDyad {
-            links: [link(&arms[0])?, link(&arms[1])?],
-            inner,
-            outer: [outer(&arms[0])?, outer(&arms[1])?],
-        })
+    /// The outer hinge of an arm.
+    pub(in crate::mechanism) fn outer_joint(&self, arm: &Arm) -> OuterJoint {
+        OuterJoint {
+            point: arm.joints[0],
+            on: self.link_of(arm.outer.body),
+        }
     }
 
     fn four_bar_of(&self, arms: &[Arm; 2]) -> Option<FourBarLoop> {
         let dyad = self.dyad_of(arms)?;
         // The body solved first is the base; the frame comes before all.
-        let first = self.placed_by[arms[0].outer.body] < self.placed_by[arms[1].outer.body];
+        let first = self.placed_by(arms[0].outer.body) < self.placed_by(arms[1].outer.body);
         let [on_base, on_crank] = if first { [0, 1] } else { [1, 0] };
         let [base, crank] = [on_base, on_crank].map(|k| arms[k].outer);
         if base.body == crank.body {
             return None;
         }
-        let a = self.shared([base.body, crank.body], None)?;
+        let a = self.shared_by([base.body, crank.body])?;
         let lengths = [
-            (crank.local - self.local(crank.body, a)?).norm(),
+            (crank.local - self.layout.bodies.local(crank.body, a)?).norm(),
             arms[on_crank].length(),
             arms[on_base].length(),
-            (base.local - self.local(base.body, a)?).norm(),
+            (base.local - self.layout.bodies.local(base.body, a)?).norm(),
         ];
         let turned = dyad.outer[on_crank].on?;
         Some(FourBarLoop {
@@ -172,19 +161,6 @@ impl Mechanism {
             ],
             linkage: FourBar::new(lengths).ok()?,
         })
-    }
-
-    /// A point that two bodies share, at a place on the first if one is given.
-    pub(in crate::mechanism) fn shared(
-        &self,
-        [one, other]: [BodyId; 2],
-        at: Option<Vector>,
-    ) -> Option<PointId> {
-        let mut points = self.bodies[one].iter();
-        let shared = points.find(|(point, local)| {
-            at.is_none_or(|at| at == *local) && self.bodies[other].iter().any(|p| p.0 == *point)
-        });
-        shared.map(|(point, _)| *point)
     }
 }
 

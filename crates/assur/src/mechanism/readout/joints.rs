@@ -1,7 +1,8 @@
 //! The pairs between the rigid bodies of a mechanism, and the motion of the bodies in a pose.
 
 use crate::index::{BodyId, PointId};
-use crate::mechanism::{ConstraintKind, LinkOrFrame, Mechanism, Pose};
+use crate::mechanism::plan::body::Bodies;
+use crate::mechanism::{LinkOrFrame, Mechanism, Pose};
 use crate::position::{BodyPoint, Complex, conjugate, product};
 use crate::{Jet, JetPoint, Point, Vector};
 
@@ -48,46 +49,33 @@ impl Joint {
 impl Mechanism {
     /// The body of a link, its own or the one it is fixed to.
     pub fn body_of(&self, link: LinkOrFrame) -> BodyId {
-        link.map_or(BodyId::FRAME, |link| self.links[link].body)
+        self.layout.body_of(link)
     }
 
     /// The points of a body that its links list, in their order.
     pub fn points_on(&self, body: BodyId) -> impl Iterator<Item = PointId> {
-        self.bodies[body].iter().map(|(point, _)| *point)
+        self.layout.bodies.of(body).iter().map(|(point, _)| *point)
     }
 
     /// The pairs between its bodies: hinges in the order of the points, slides, wheels in mesh.
     pub fn joints(&self) -> Vec<Joint> {
-        let points = self.point_ids().take(self.spec.points.len());
+        let points = self.point_ids().take(self.layout.listed);
         let hinges = points.filter_map(|point| {
             let bodies = self.bodies();
             let bodies = bodies.filter(|body| self.points_on(*body).any(|other| other == point));
             let bodies: Vec<BodyId> = bodies.collect();
             (bodies.len() > 1).then_some(Joint::Hinge { point, bodies })
         });
-        let slides = self.spec.slides.iter().filter_map(|slide| {
-            let [from, to] = &slide.line;
-            let points = [&slide.point, from, to].map(|name| self.point(name));
-            debug_assert!(points.iter().all(Option::is_some), "a slide has its points");
-            let [point, from, to] = points;
-            Some(Joint::Slide {
-                bodies: [&slide.on, &slide.link].map(|name| self.body_of(self.link(name))),
-                point: point?,
-                line: [from?, to?],
-            })
+        let Bodies { slides, gears, .. } = &self.layout.bodies;
+        let slides = slides.iter().map(|slide| Joint::Slide {
+            bodies: slide.bodies,
+            point: slide.by_link.point,
+            line: slide.by_link.line,
         });
-        let constraints = self.constraints.iter();
-        let meshes = constraints.filter_map(|constraint| match constraint.kind {
-            ConstraintKind::Mesh {
-                links,
-                carrier,
-                teeth,
-            } => Some(Joint::Mesh {
-                bodies: links.map(|link| self.body_of(link)),
-                carrier: self.body_of(carrier),
-                teeth,
-            }),
-            _ => None,
+        let meshes = gears.iter().map(|gear| Joint::Mesh {
+            bodies: gear.bodies,
+            carrier: gear.carrier,
+            teeth: gear.signed_teeth(),
         });
         hinges.chain(slides).chain(meshes).collect()
     }
@@ -107,10 +95,10 @@ impl Mechanism {
     ) -> JetPoint<N> {
         let of = &pose.state.bodies[body];
         let (origin, turn) = (&of.origin, &of.turn);
-        let way = place.coords - self.origin - origin.value();
+        let way = place.coords - self.layout.origin - origin.value();
         let local = product(way, conjugate(turn.value()));
         let place = pose.state.place(BodyPoint { body, local });
-        (place + Complex::constant(self.origin)).into()
+        (place + Complex::constant(self.layout.origin)).into()
     }
 
     /// Unit vector from one point of a body to another in a pose; exact to all digits even for two close together.
@@ -120,10 +108,7 @@ impl Mechanism {
         body: BodyId,
         [from, to]: [PointId; 2],
     ) -> Option<Vector> {
-        let local = |point: PointId| {
-            let mut points = self.bodies[body].iter();
-            points.find(|(other, _)| *other == point).map(|(_, at)| *at)
-        };
+        let local = |point: PointId| self.layout.bodies.local(body, point);
         let heading = self
             .turned(pose, body, local(to)? - local(from)?)
             .normalize();
@@ -140,33 +125,27 @@ impl Mechanism {
         product(local, pose.state.bodies[body].turn.value())
     }
 
-    /// A point that two bodies share, at a place on the first if one is given.
-    pub(crate) fn shared_by(&self, bodies: [BodyId; 2], at: Option<Vector>) -> Option<PointId> {
-        self.shared(bodies, at)
-    }
-
-    /// The point of a body at a place on it.
-    pub(crate) fn point_at(&self, body: BodyId, at: Vector) -> Option<PointId> {
-        let mut points = self.bodies[body].iter();
-        points
-            .find(|(_, local)| *local == at)
-            .map(|(point, _)| *point)
+    /// The first point that two bodies share.
+    pub(crate) fn shared_by(&self, [one, other]: [BodyId; 2]) -> Option<PointId> {
+        let bodies = &self.layout.bodies;
+        let mut points = self.points_on(one);
+        points.find(|point| bodies.local(other, *point).is_some())
     }
 
     /// The tracers that a body carries.
     pub(crate) fn tracers_on(&self, body: BodyId) -> impl Iterator<Item = PointId> {
-        let tracers = self.point_ids().skip(self.spec.points.len());
-        tracers.filter(move |tracer| self.points[*tracer].body == body)
+        let tracers = self.layout.tracers();
+        tracers.filter(move |tracer| self.layout.points[*tracer].body == body)
     }
 
     /// A point of the drawing in the coordinates used while solving, relative to the size.
     pub(crate) fn scaled(&self, place: Point) -> Vector {
-        (place.coords - self.origin) / self.scale_of_places()
+        (place.coords - self.layout.origin) / self.scale_of_places()
     }
 
     /// Inverse of [`Self::scaled`].
     pub(crate) fn unscaled(&self, place: Vector) -> Point {
-        (place * self.scale_of_places() + self.origin).into()
+        (place * self.scale_of_places() + self.layout.origin).into()
     }
 
     /// Twist of a body: the velocity, by the input, of its point at the origin of [`Self::scaled`], in the same unit,
@@ -181,11 +160,12 @@ impl Mechanism {
 
     /// Origin of the coordinates used while solving: a hinge of the frame, or a point near the drawing.
     pub(crate) fn middle(&self) -> Point {
-        self.origin.into()
+        self.layout.origin.into()
     }
 
     /// The unit of [`Self::scaled`]: a mechanism of one point has no size.
     pub(crate) fn scale_of_places(&self) -> f64 {
-        if self.size > 0.0 { self.size } else { 1.0 }
+        let size = self.size();
+        if size > 0.0 { size } else { 1.0 }
     }
 }

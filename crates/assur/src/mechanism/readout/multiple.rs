@@ -2,8 +2,8 @@
 //! fixed to links.
 
 use crate::index::LinkId;
-use crate::mechanism::Mechanism;
-use crate::position::Step;
+use crate::mechanism::{Layout, Mechanism};
+use crate::position::{Mounting, Step};
 
 /// An angle as a linear function of a link's angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +20,12 @@ impl Mechanism {
     /// The angle of a link as a constant multiple of another link's, at all inputs: for a wheel or a carrier, of the
     /// only body that turns it in a train. Of its own if there is none.
     pub fn multiple_of(&self, link: LinkId) -> Multiple {
+        self.layout.multiple_of(link, self.mounting())
+    }
+}
+
+impl Layout {
+    pub(in crate::mechanism) fn multiple_of(&self, link: LinkId, mounting: &Mounting) -> Multiple {
         let own = Multiple {
             of: link,
             factor: 1.0,
@@ -38,11 +44,11 @@ impl Mechanism {
             let [(turned_by, ratio)] = member.ratios[..] else {
                 break;
             };
-            offset += factor * member.shift;
+            offset += factor * (member.shift + mounting.shifts[body]);
             factor *= ratio;
             body = turned_by;
         }
-        match self.link_of(body) {
+        match self.made_for[body] {
             Some(of) => Multiple { of, factor, offset },
             None => own,
         }

@@ -29,7 +29,7 @@ pub struct RrpDyad {
 impl Mechanism {
     /// Transmission and pressure angles of the dyads, in the order of solving.
     pub fn transmitting(&self) -> Vec<Quantity> {
-        let steps = self.steps.enumerate();
+        let steps = self.steps().enumerate();
         let found = steps.filter_map(|(step, placing)| match placing {
             Step::Rrp(dyad) => self.rrp_dyad(step, dyad).map(Quantity::Pressure),
             other => {
@@ -37,7 +37,9 @@ impl Mechanism {
                 dyad.map(Quantity::Transmission)
             }
         });
-        let within = self.within.iter().filter_map(|arms| self.dyad_of(arms));
+        let passive = self.layout.passive.iter();
+        let within = passive.flat_map(|passive| &passive.dyads);
+        let within = within.filter_map(|arms| self.dyad_of(arms));
         found.chain(within.map(Quantity::Transmission)).collect()
     }
 
@@ -45,11 +47,8 @@ impl Mechanism {
         Some(RrpDyad {
             rod: self.link_of(arm.body)?,
             slider: self.link_of(track.body)?,
-            inner: self.shared([arm.body, track.body], Some(arm.to))?,
-            outer: OuterJoint {
-                point: self.shared([arm.body, arm.outer.body], Some(arm.from))?,
-                on: self.link_of(arm.outer.body),
-            },
+            inner: arm.joints[1],
+            outer: self.outer_joint(arm),
             on: self.link_of(track.line.body),
             step,
         })
@@ -74,7 +73,7 @@ impl Mechanism {
         pose: &Pose<N>,
         dyad: &RrpDyad,
     ) -> Jet<N> {
-        let Step::Rrp(Rrp { arm, track }) = &self.steps[dyad.step] else {
+        let Step::Rrp(Rrp { arm, track }) = &self.steps()[dyad.step] else {
             debug_assert!(false, "a dyad of this mechanism");
             return Jet::constant(0.0);
         };
@@ -95,7 +94,7 @@ impl Mechanism {
 
     /// Rise of the rod of a dyad above its line.
     pub(crate) fn rise<const N: usize>(&self, pose: &Pose<N>, dyad: &RrpDyad) -> Jet<N> {
-        let Step::Rrp(Rrp { arm, track }) = &self.steps[dyad.step] else {
+        let Step::Rrp(Rrp { arm, track }) = &self.steps()[dyad.step] else {
             debug_assert!(false, "a dyad of this mechanism");
             return Jet::constant(0.0);
         };

@@ -203,6 +203,7 @@ impl Curve<'_> {
             input: Jet::linear(input, 1.0),
             sign: signs[self.step],
             near,
+            mounting: mechanism.mounting(),
         };
         let unknowns = at.rows(0, last).into_owned();
         let mut linearized = self.group.linearized(state, &context, &unknowns).ok()?;

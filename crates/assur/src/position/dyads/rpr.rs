@@ -1,6 +1,6 @@
 //! The dyad RPR: two links hinged on solved points and sliding on each other.
 
-use crate::index::{BodyId, StepId};
+use crate::index::{BodyId, PointId, StepId};
 use crate::position::complex::{Complex, conjugate, product};
 use crate::position::{
     BodyPoint, CLOSE_SQUARED, Cause, Dead, Enclosure, Predictor, Singularity, Solvable, State,
@@ -21,6 +21,7 @@ pub(crate) struct Side {
     pub(crate) outer: BodyPoint,
     /// The hinge on the link.
     pub(crate) hinge: Vector,
+    pub(crate) joint: PointId,
     /// The direction of sliding on the link, of length 1.
     pub(crate) direction: Vector,
     /// Distance of the line to the left of the hinge.
@@ -120,14 +121,14 @@ impl Side {
     pub(crate) fn new(
         body: BodyId,
         outer: BodyPoint,
-        hinge: Vector,
-        through: Vector,
-        direction: Vector,
+        (joint, hinge): (PointId, Vector),
+        (through, direction): (Vector, Vector),
     ) -> Self {
         Self {
             body,
             outer,
             hinge,
+            joint,
             direction,
             offset: product(through - hinge, conjugate(direction)).y,
         }

@@ -111,7 +111,7 @@ impl Solvable for Rrr {
         } = triangle;
         state.margins[context.step] = [p, q];
         if let Some(four_bar) = &self.four_bar {
-            return four_bar.place(&self.arms, state, context.sign, &triangle);
+            return four_bar.place(&self.arms, state, context, &triangle);
         }
         if square.value() <= f64::EPSILON * f64::EPSILON * sum * sum {
             return Err(Cause::Undetermined);

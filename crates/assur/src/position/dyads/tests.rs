@@ -3,8 +3,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::{Prp, Rpp, Rpr, Rrp, Rrr, Side};
-use crate::index::{BodyId, Id, StepId};
-use crate::position::{Arm, BodyPoint, Nearby, Sign, State, Step, StepContext, Track};
+use crate::index::{BodyId, Id, PointId, StepId};
+use crate::position::{Arm, BodyPoint, Mounting, Nearby, Sign, State, Step, StepContext, Track};
 use crate::{Jet, Vector};
 
 /// A point of a body: 0 is the frame, 1 the crank, 2 and 3 are the links i and j.
@@ -21,6 +21,7 @@ fn arm(body: usize, outer: BodyPoint, length: f64) -> Arm {
         BodyId::at(body),
         outer,
         [Vector::zeros(), Vector::new(length, 0.0)],
+        [PointId::at(0); 2],
     )
 }
 
@@ -29,9 +30,8 @@ fn side(body: usize, outer: BodyPoint) -> Side {
     Side::new(
         BodyId::at(body),
         outer,
-        Vector::zeros(),
-        Vector::zeros(),
-        Vector::x(),
+        (PointId::at(0), Vector::zeros()),
+        (Vector::zeros(), Vector::x()),
     )
 }
 
@@ -44,6 +44,7 @@ fn track(body: usize, line: BodyPoint) -> Track {
         direction: Vector::x(),
         point: Vector::zeros(),
         offset: 0.0,
+        joint: None,
     }
 }
 
@@ -63,6 +64,7 @@ fn place(step: &Step, sign: Sign, point: BodyPoint) -> [[f64; 2]; 3] {
         input,
         sign,
         near,
+        mounting: &Mounting::planned(4),
     };
     assert!(step.put(&mut state, &context).is_ok());
     let place = state.place(point);

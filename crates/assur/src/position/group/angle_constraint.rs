@@ -3,7 +3,7 @@
 
 use crate::Jet;
 use crate::index::BodyId;
-use crate::position::{Cause, DriveLaw, Nearby, Orientation, State};
+use crate::position::{Cause, DriveLaw, Orientation, State, StepContext};
 
 use super::equation::MAX_FORMS;
 
@@ -16,8 +16,6 @@ pub(crate) struct AngleConstraint {
     /// The solved bodies with their factors.
     pub(crate) known: Vec<(BodyId, f64)>,
     pub(crate) constant: f64,
-    /// Contribution of the whole turns of the solved bodies since the drawn pose.
-    pub(crate) turned: f64,
     pub(crate) drive: Option<Drive>,
 }
 
@@ -69,9 +67,18 @@ impl AngleConstraint {
     pub(in crate::position) fn known_angle<const N: usize>(
         &self,
         state: &State<N>,
-        near: Nearby<'_>,
-        input: Jet<N>,
+        context: &StepContext<'_, N>,
     ) -> Result<KnownAngle<N>, Cause> {
+        let &StepContext {
+            input,
+            near,
+            mounting,
+            ..
+        } = context;
+        let turns = self.known.iter();
+        let turned: f64 = turns
+            .map(|(body, factor)| factor * mounting.turns[*body])
+            .sum();
         let known = self
             .known
             .iter()
@@ -80,7 +87,7 @@ impl AngleConstraint {
         for (orientation, body) in turning.iter_mut().zip(&self.turning) {
             *orientation = near.orientations[*body];
         }
-        let mut angle = known.fold(Jet::constant(-self.constant - self.turned), |sum, angle| {
+        let mut angle = known.fold(Jet::constant(-self.constant - turned), |sum, angle| {
             sum + angle
         });
         if let Some(drive) = &self.drive {

@@ -22,7 +22,7 @@ impl Group {
             state.work.inputs[k] = state.known_term(*input);
         }
         for (k, constraint) in self.angle_constraints.iter().enumerate() {
-            let known = constraint.known_angle(state, context.near, context.input)?;
+            let known = constraint.known_angle(state, context)?;
             state.work.known_angles[k] = known;
         }
         let work = &mut state.work;

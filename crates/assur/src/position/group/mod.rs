@@ -20,10 +20,10 @@ use std::ops::Range;
 pub(super) use work::Work;
 
 use crate::Vector;
-use crate::index::{BodyId, List, StepId};
+use crate::index::{BodyId, StepId};
 use crate::position::step::finite;
 use crate::position::{
-    BodyPoint, Cause, Enclosure, Nearby, Orientation, Predictor, Solvable, State, StepContext,
+    BodyPoint, Cause, Enclosure, Nearby, Predictor, Solvable, State, StepContext,
 };
 use elimination::Elimination;
 use equation::MAX_FORMS;
@@ -224,17 +224,6 @@ impl Group {
         self.guess(&mut state.work, context.near);
         self.evaluate_forms(&mut state.work);
         self.write_solution(state, context.near)
-    }
-
-    /// Counts the whole turns of solved bodies in its angle constraints since the drawn pose.
-    pub(crate) fn count_turns(&mut self, drawn: &List<BodyId, Orientation>, state: &State<1>) {
-        for constraint in &mut self.angle_constraints {
-            let known = constraint.known.iter().map(|(body, factor)| {
-                let angle = state.angle(*body).value() - drawn[*body].angle;
-                factor * crate::angle::whole_turns(angle)
-            });
-            constraint.turned = known.sum();
-        }
     }
 
     /// The solved bodies whose angles, with whole turns, occur in its angle constraints.

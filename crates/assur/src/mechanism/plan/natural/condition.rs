@@ -88,7 +88,7 @@ impl Plan<'_> {
     pub(in crate::mechanism) fn mesh(&mut self, gear: &Gear) {
         let equation = willis::Equation::of(gear);
         // In units of a turn of the larger wheel.
-        let scale = gear.teeth[0].max(gear.teeth[1]).recip();
+        let scale = gear.by_link.teeth[0].max(gear.by_link.teeth[1]).recip();
         let terms = equation.terms();
         let terms: Vec<_> = terms.map(|(body, by)| (body, by as f64 * scale)).collect();
         let drawn = terms.iter();
@@ -106,7 +106,6 @@ impl Plan<'_> {
             turning: turns.into_iter().map(|(body, _)| body).collect(),
             known,
             constant,
-            turned: 0.0,
             drive: None,
         });
     }
@@ -119,7 +118,6 @@ impl Plan<'_> {
             turning: Vec::new(),
             known: Vec::new(),
             constant: 0.0,
-            turned: 0.0,
             drive: Some(Drive {
                 law: course,
                 range: None,

@@ -1,0 +1,49 @@
+//! The configuration of a linkage: one of its assemblies, in a pose.
+
+use super::*;
+
+/// Assembly sign of each step; plus if it has only one assembly.
+pub(crate) type AssemblySigns = List<StepId, Sign>;
+
+/// All that differs between the assemblies of a layout: the input, the signs of the dyads, the orientations of the bodies,
+/// the unknowns of groups solved by Newton's method, and the mounting of the wheels.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Configuration {
+    pub(super) input: f64,
+    pub(super) signs: AssemblySigns,
+    pub(super) orientations: List<BodyId, Orientation>,
+    pub(super) natural: Vec<f64>,
+    pub(super) mounting: Mounting,
+}
+
+impl Configuration {
+    /// This pose as the nearby pose.
+    pub(super) fn near(&self) -> Nearby<'_> {
+        Nearby {
+            orientations: &self.orientations,
+            natural: &self.natural,
+            smooth_roots: &[],
+        }
+    }
+
+    /// The data by which a step is solved at the input of this pose.
+    pub(super) fn context(&self, step: StepId, sign: Sign) -> StepContext<'_, 1> {
+        StepContext {
+            step,
+            input: Jet::constant(self.input),
+            sign,
+            near: self.near(),
+            mounting: &self.mounting,
+        }
+    }
+
+    /// The configuration with the pose of a state.
+    pub(super) fn posed<const N: usize>(self, state: &State<N>) -> Self {
+        let places = state.natural.iter().map(|place| place.value());
+        Self {
+            orientations: state.orientations(),
+            natural: places.flat_map(|place| [place.x, place.y]).collect(),
+            ..self
+        }
+    }
+}
