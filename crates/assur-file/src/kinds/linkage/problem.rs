@@ -1,5 +1,5 @@
-//! Everything that can be wrong with a linkage, as a code with parameters: paths of
-//! fields, names of links and points. The words are in `lang/`.
+//! Problems of a linkage, as codes with parameters: paths of fields, names of links and points. The
+//! words are in `lang/`.
 
 use assur::mechanism::{Cause, Defect, Dimension, Mechanism, Singularity, Unsolved};
 use assur::motion::{Refusal, TooManyTurns};
@@ -16,37 +16,37 @@ use crate::{Field, Problem};
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum LinkageProblem {
-    /// A list holds more than is taken.
+    /// A list that is too long.
     TooMany { path: String, max: usize },
     /// A name that is empty, too long or holds control characters.
     BadName { path: String, max: usize },
     /// A title or source that is too long or holds control characters.
     BadText { path: String, max: usize },
-    /// A length together with a shape, or of a link that has not two points.
+    /// A length together with a shape, or of a link without exactly two points.
     LengthOfTwo { path: String },
     /// A length that is not greater than zero.
     BadLength { path: String, value: f64 },
-    /// The band of a dwell must be wide.
+    /// A dwell band whose width is not greater than zero.
     BadBand { path: String, value: f64 },
-    /// A link that is fixed to another lies on it as drawn.
+    /// A length or shape of a link that is fixed to another and so lies on it as drawn.
     FixedAsDrawn { path: String },
     /// Neither a crank nor a slide with its range, or both.
     BadDriver { path: String },
-    /// A plot of what is not there.
+    /// A plot of a quantity that does not exist.
     NothingToPlot { path: String },
-    /// A trace of a point that is not there.
+    /// A trace of a point that does not exist.
     NothingToTrace { path: String },
-    /// A lock that is not of two or three points, each of them once.
+    /// A lock that is not of two or three distinct points.
     BadLock { path: String },
-    /// Two points or links of one name.
+    /// Two points or links with the same name.
     Twice { name: String },
     /// Nothing has this name.
     UnknownName { name: String },
-    /// A number of this point or link is not finite or out of any range.
+    /// A number of this point or link that is not finite or out of range.
     NotFinite { name: String },
-    /// A driven slide whose range is given backwards.
+    /// A driven slide whose range is reversed.
     RangeReversed { link: String, from: f64, to: f64 },
-    /// A driven slide whose range begins and ends at one place.
+    /// A driven slide whose range is empty.
     RangeEmpty { link: String, at: f64 },
     /// A driven slide that is drawn outside its range.
     DrawnBeyondRange {
@@ -57,11 +57,11 @@ pub enum LinkageProblem {
     },
     /// A link without points.
     Bare { link: String },
-    /// Two points of a link at one place.
+    /// Two coincident points of a link.
     Coincident { link: String, points: [String; 2] },
     /// A link lists a point twice.
     Repeated { link: String, point: String },
-    /// Not one place for each point.
+    /// A shape without exactly one place for each point.
     Shape { link: String },
     /// A point that a link should have.
     NotOnLink { link: String, point: String },
@@ -69,13 +69,13 @@ pub enum LinkageProblem {
     WithItself { link: String },
     /// Two links that share no point.
     NotHinged { links: [String; 2] },
-    /// A number of teeth that will not do.
+    /// An invalid number of teeth.
     Teeth { link: String, value: f64 },
     /// Equal wheels in internal mesh.
     Concentric { links: [String; 2] },
-    /// No driver, or one of a pair that is not there.
+    /// No driver, or a driver of a pair that does not exist.
     NoDriver,
-    /// Nothing joins these links to the frame.
+    /// Links that are not joined to the frame.
     Loose { links: Vec<String> },
     /// Fewer drivers than variables.
     Underdriven { mobility: isize, links: Vec<String> },
@@ -83,7 +83,7 @@ pub enum LinkageProblem {
     Locked { mobility: isize, links: Vec<String> },
     /// Constraints that hold in the drawn pose alone, although their rank allows a motion there.
     Instant { links: Vec<String> },
-    /// A driver's rate that will not do: of the first one, or with which the motion does not repeat.
+    /// An invalid rate of a driver: given for the first one, or one with which the motion does not repeat.
     Rate { link: String, rate: f64 },
     /// Guides that are parallel where they must cross.
     ParallelGuides { links: Vec<String> },
@@ -107,9 +107,9 @@ pub enum LinkageProblem {
     Misdrawn { point: String, by: f64 },
     /// The input is not a number, or outside the range of the driven slide.
     BeyondRange,
-    /// The motion does not come here, though there is a pose.
+    /// The motion does not reach this input, although a pose exists.
     Unreached,
-    /// The motion is given up before it comes here.
+    /// The motion could not be followed up to this input.
     Unfollowed,
     /// Extrema over the motion are not computed: it repeats only after many turns, and at most `most` are
     /// searched.
@@ -132,11 +132,11 @@ pub enum LinkageProblem {
     LinksSingular { links: Vec<String> },
     /// A point without a circle of curvature, as it stands still: at a cusp of its path, or for good.
     StandsStill { point: String },
-    /// The same, as its path is straight here.
+    /// A point without a circle of curvature, as its path is straight here.
     StraightPath { point: String },
     /// A link that does not turn here and so has no inflection circle.
     NotTurning { link: String },
-    /// A dimension that is set farther than it can be followed: these links come apart.
+    /// A dimension that is set too large to be followed: these links come apart.
     TooLarge {
         field: Field,
         by: f64,
@@ -150,28 +150,28 @@ pub enum LinkageProblem {
         links: Vec<String>,
         last: f64,
     },
-    /// A wish for a dwell that is not greater than zero, or an arc of more than a turn.
+    /// A dwell requirement that is not greater than zero, or an arc of more than a turn.
     BadWish { field: Field },
     /// The mechanism has no such output.
     NoOutput,
     /// A search in which no dimension may change.
     NothingMoves,
-    /// A dimension that is to change and is not there, or is no one length.
+    /// A dimension to be varied that does not exist or is not a single length.
     NoDimension { name: String },
-    /// A range of a dimension that is empty, or without its value.
+    /// A range of a dimension that is empty, or excludes its value.
     BadRange { name: String },
     /// A search from a linkage whose driver does not turn fully, or comes close to a
     /// singular position.
     Blocked,
-    /// Two points of a drawing that are to be apart and are in one place.
+    /// Two points of a drawing that must be distinct and coincide.
     OnePlace { points: [String; 2] },
-    /// Two points that are to become one hinge, and are of one link.
+    /// Two points to be joined in a hinge that are of one link.
     OneLink { link: String, points: [String; 2] },
-    /// What is to slide along a line and is an end of it, or joined to one.
+    /// A point to slide along a line that is an end of the line, or joined to one.
     OnItsLine { link: String, point: String },
-    /// A link along which nothing can slide: it has not two points.
+    /// A link along which nothing can slide, since it does not have two points.
     NoLine { link: String },
-    /// Three slides that are to be a dyad.
+    /// A dyad of three slides, which does not exist.
     NoSuchDyad,
 }
 
@@ -205,7 +205,7 @@ impl LinkageProblem {
 }
 
 impl LinkageProblem {
-    /// Why there is no search for a dwell in which these dimensions may change.
+    /// The reason why there is no search for a dwell that varies these dimensions.
     pub fn refused(
         refused: SearchError,
         mechanism: &Mechanism,
@@ -260,7 +260,7 @@ pub fn dimension_field(dimension: Dimension) -> Field {
     .into()
 }
 
-/// A value of a dimension as its field has it: angles in degrees.
+/// A value of a dimension in the unit of its field: angles in degrees.
 pub fn in_field(dimension: Dimension, value: f64) -> f64 {
     match dimension {
         Dimension::Corner(..) => value.to_degrees(),
@@ -268,7 +268,7 @@ pub fn in_field(dimension: Dimension, value: f64) -> f64 {
     }
 }
 
-/// A value of a dimension's field as the engine has it: angles in radians.
+/// A value of a dimension's field in the unit of the engine: angles in radians.
 pub fn of_field(dimension: Dimension, value: f64) -> f64 {
     match dimension {
         Dimension::Corner(..) => value.to_radians(),
@@ -276,7 +276,7 @@ pub fn of_field(dimension: Dimension, value: f64) -> f64 {
     }
 }
 
-/// What the rate of a further driver, by its place, is called.
+/// The field of the rate of a further driver, by the driver's index.
 pub fn rate_field(driver: usize) -> Field {
     format!("drivers[{driver}].rate").into()
 }
@@ -323,7 +323,7 @@ impl LinkageProblem {
         vec![problem]
     }
 
-    /// What is wrong with a draft.
+    /// The problems of a draft.
     pub fn all(defects: Vec<Defect>) -> Vec<Problem> {
         let problems = defects.into_iter().map(Self::from);
         problems.map(Problem::from).collect()

@@ -1,11 +1,11 @@
-//! Everything that can be wrong with a scheme and its cuts, as a code with parameters.
+//! Problems of a scheme and its cuts, as codes with parameters.
 
 use assur::mobility::{CutError, SchemeDefect};
 use serde::Serialize;
 
 use crate::Problem;
 
-/// What can be wrong with a scheme; serialised as [`Problem`] is.
+/// A problem of a scheme; serialised like [`Problem`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 #[expect(
@@ -15,27 +15,27 @@ use crate::Problem;
 pub enum SchemeProblem {
     /// There is no pair.
     NoPairs,
-    /// No pair has the link that is the ground.
+    /// No pair joins the link that is the ground.
     NoGround { link: String },
     /// Two pairs have this name, or it is empty.
     SamePair { pair: String },
     /// A pair joins a link to itself.
     PairWithItself { pair: String, link: String },
-    /// A pair has not two links, and is no compound hinge.
+    /// A pair that does not join two links and is not a compound hinge.
     LinksOfPair { pair: String, count: usize },
-    /// A number of freedoms that no pair has.
+    /// An impossible number of freedoms of a pair.
     FreedomsOfPair { pair: String, freedoms: u8 },
     /// A pair that does not let its links move in the plane.
     OutOfPlane { pair: String },
-    /// Numbers of a pair that make no place or no axes.
+    /// A pair with an invalid place or axis.
     PairGeometry { pair: String },
     /// Links that are not joined to the ground.
     SchemeApart { links: Vec<String> },
-    /// A cut of what is no pair.
+    /// A cut of a pair that does not exist.
     NoSuchPair { pair: String },
-    /// A cut that takes a link off a pair that has it not.
+    /// A cut that takes a link off a pair that does not join it.
     NotOfPair { pair: String, link: String },
-    /// More than two links meet in a pair that is cut: which of them is taken off?
+    /// A cut pair of more than two links, without the link that is taken off.
     WhichLink { pair: String },
     /// A pair is cut twice.
     CutTwice { pair: String },
@@ -54,7 +54,7 @@ impl From<SchemeProblem> for Problem {
 }
 
 impl SchemeProblem {
-    /// All that is wrong with a scheme.
+    /// All problems of a scheme.
     pub fn all(defects: Vec<SchemeDefect>) -> Vec<Problem> {
         let problems = defects.into_iter().map(Self::from);
         problems.map(Problem::from).collect()
