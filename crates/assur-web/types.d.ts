@@ -4,24 +4,24 @@ import { KindDocument, LinkageDocument, Only } from "assur/types/file.js";
 export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type AssembliesHere = { 
 /**
- * In the order of their angles.
+ * Assemblies in ascending order of their angles.
  */
 all: Array<AssemblyHere>, 
 /**
- * Which of them moves, from 0; none where it has no pose at the input.
+ * Index of the assembly that moves; none if it has no pose at the input.
  */
 shown: number | null, 
 /**
- * How many solutions a group's equations have over the complex numbers, where one group has them.
+ * Number of solutions of a group's equations over the complex numbers, if a single group has them.
  */
 complex: number | null, 
 /**
- * Whether these are all.
+ * Whether all assemblies were found.
  */
 whole: boolean, };
 export type AssemblyHere = { 
 /**
- * By which it is called, and chosen: by a document that counts its assemblies otherwise, as it does.
+ * Number by which it is shown and chosen; a mixer numbers its assemblies by itself.
  */
 number: number, 
 /**
@@ -29,21 +29,21 @@ number: number,
  */
 angle: number, 
 /**
- * Where the bodies are, as of a frame.
+ * Poses of the bodies, as in a frame.
  */
 bodies: Array<number>, };
 export type PolygonsHere = { 
 /**
- * What is drawn in turn, alike in both.
+ * Steps of the construction, the same for both polygons.
  */
 steps: Array<PolygonStepHere>, 
 /**
- * That of velocities and that of accelerations, after as many steps as were asked for.
+ * Pictures of the velocity and acceleration polygons, after the requested number of steps.
  */
 pictures: [PolygonPictureHere, PolygonPictureHere], };
 export type PolygonPictureHere = { 
 /**
- * The display list, and what its labels stand for.
+ * The display list, and the names to which its labels refer.
  */
 list: Array<number>, names: Array<string>, 
 /**
@@ -51,16 +51,16 @@ list: Array<number>, names: Array<string>,
  */
 bounds: [number, number, number, number], 
 /**
- * How long the line is that shows the scale.
+ * Length of the scale bar.
  */
 bar: number, 
 /**
- * How many times smaller the scale is than usual in the motion: 1, unless the polygon would have no room.
+ * Factor by which the scale is smaller than usual in the motion: 1, unless the polygon would not fit.
  */
 smaller: number, };
 export type PolygonStepHere = { 
 /**
- * The pole, an equation, points by the image of their link, points of a group that is no dyad.
+ * Kind of step: the pole, an equation, points by the image of their link, points of a group other than a dyad.
  */
 kind: "pole" | "equation" | "image" | "group", 
 /**
@@ -68,15 +68,15 @@ kind: "pole" | "equation" | "image" | "group",
  */
 target?: string | null, from?: string | null, 
 /**
- * The number of the link that has both, or the line; 0 of the frame.
+ * Number of the link with both points, or with the line; 0 for the frame.
  */
 link?: string | null, 
 /**
- * What is added to its velocity, and to its acceleration.
+ * Terms added to its velocity and to its acceleration.
  */
 legs: [Array<LegHere>, Array<LegHere>], 
 /**
- * The points that are known when it is done, each with the size of its velocity and acceleration.
+ * The points found by this step, each with the magnitudes of its velocity and acceleration.
  */
 found: Array<FoundHere>, };
 export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
@@ -88,7 +88,7 @@ export type FoundHere = { name: string, rates: [number, number], };
 export type CurvatureHere = { circles: Array<CircleHere>, inflection: InflectionHere | null, };
 export type CircleHere = { point: string, 
 /**
- * The radius with two derivatives, as the axes have them.
+ * The radius with two derivatives, as the axes define them.
  */
 radius: [number, number, number] | null, centre: [number, number] | null, reason: import("assur/core/problem.js").Problem | null, };
 export type InflectionHere = { link: string, diameter: number | null, reason: import("assur/core/problem.js").Problem | null, };
@@ -98,61 +98,61 @@ export type MotionsMap = {
  */
 output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
 /**
- * Whether these are all, each followed to its ends.
+ * Whether all branches were found, each followed to its ends.
  */
 whole: boolean, };
 export type BranchLine = { 
 /**
- * From 0.
+ * Index of its circuit.
  */
 circuit: number, 
 /**
- * Input and output, one after the other, in pieces that neither wraps: radians in [0, 2π], or the way of a slide.
+ * Inputs and outputs in alternation, split where either wraps: radians in [0, 2π], or the displacement of a slide.
  */
 pieces: Array<Array<number>>, };
 export type MeetingPlace = { kind: "fold" | "crossing", branches: [number, number], input: number, output: number, };
 export type Belonging = { 
 /**
- * Of each assembly, in the order of their numbers, its branch, from 0.
+ * Index of the branch of each assembly, in the order of their numbers.
  */
 branches: Array<number>, 
 /**
- * Of each the meetings to be passed from the one that is asked for, none for its own branch; null where none lead
- * there.
+ * For each assembly, the meetings on the way from the chosen one: empty for the same branch,
+ * null if it cannot be reached.
  */
 reached: Array<Array<number> | null>, };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * Passive wheels, whose meshes repeat what others do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type CourseSummary = { 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -160,32 +160,32 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], };
 export type MotionSummary = { equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -193,44 +193,44 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * Passive wheels, whose meshes repeat what others do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
 /**
- * What can drive it, by the links that are turned or slide.
+ * The links that can drive it, by turning or sliding.
  */
 drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -238,15 +238,15 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * Passive wheels, whose meshes repeat what others do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type RateSummary = { field: string, link: string, rate: number, role: string, };
@@ -257,35 +257,35 @@ export type MixerSummary = {
  */
 ratios: Array<number>, 
 /**
- * Peripheral wheels of which two would lie one over the other.
+ * Pairs of peripheral wheels that would overlap.
  */
 overlaps: Array<[number, number]>, 
 /**
- * The direction from wheel 4 in which there is most room.
+ * The direction from wheel 4 with the most room.
  */
 free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -293,24 +293,24 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * Passive wheels, whose meshes repeat what others do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type DraftSummary = { 
 /**
- * Nothing does.
+ * Always null.
  */
 moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
 /**
- * W by the count; none where what is named is not there.
+ * Mobility W by count; none if a named part does not exist.
  */
 mobility: number | null, drivers: number, 
 /**
@@ -319,11 +319,11 @@ mobility: number | null, drivers: number,
 reasons: readonly import("assur/core/problem.js").Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
 export type LinkHere = { link: string, 
 /**
- * How far off it is drawn, in the unit of the lengths.
+ * Its distance from the place, in the unit of the lengths.
  */
 off: number, 
 /**
- * The wheel on which the place is, a ring by its rim.
+ * The wheel at the place, a ring only on its rim.
  */
 wheel: string | null, };
 export type RelationHere = { item: string, name: string, 
@@ -332,32 +332,32 @@ export type RelationHere = { item: string, name: string,
  */
 angle: boolean, 
 /**
- * Whether it is an angle through which something has turned, so that whole turns count.
+ * Whether it is an angle of rotation, of which whole turns count.
  */
 turned: boolean, 
 /**
- * Whether it counts something, and is a whole number.
+ * Whether it is a count, and so a whole number.
  */
 count: boolean, value: number, 
 /**
- * The value by the relation as it is printed; none where that divides by zero.
+ * The value by the relation as printed; none if that divides by zero.
  */
 printed: number | null, };
 export type SchemeSummary = { 
 /**
- * Nothing does.
+ * Always null.
  */
 moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, planar: boolean, 
 /**
- * The ground is the first.
+ * Names of the links, the ground first.
  */
 links: Array<string>, pairs: Array<PairSummary>, counts: CountSummary, mobility: number, redundant: number, 
 /**
- * (6), where it holds.
+ * q by (6), if it applies.
  */
 redundant_by_plane: number | null, 
 /**
- * What the cuts come to, where they open every contour.
+ * The result of the cuts, if they open every contour.
  */
 sections: SectionsSummary | null, 
 /**
@@ -373,12 +373,12 @@ apart: Array<string>,
  */
 automatic: Array<string>, plane: JudgedSummary | null, space: JudgedSummary | null, 
 /**
- * A pair of which too little is known for the rank.
+ * A pair with too few data for the rank.
  */
 missing: string | null, mended: MendedSummary | null, };
 export type PairSummary = { name: string, freedoms: number, constraints: number, spatial_freedoms: number, 
 /**
- * What is cut of it when it is cut: itself, or one link of a compound hinge.
+ * The cuts of this pair if it is cut: itself, or one link of a compound hinge.
  */
 cuts: Array<string>, };
 export type CountSummary = { 
@@ -393,29 +393,29 @@ pairs: Array<ClassSummary>, spatial_pairs: Array<ClassSummary>, planar: number |
 export type ClassSummary = { freedoms: number, count: number, };
 export type SectionsSummary = { cuts: Array<string>, 
 /**
- * Of the pairs that are left: i, and how many.
+ * Remaining pairs: i, and their number.
  */
 left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
 export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
 export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 
 /**
- * W in a pose near by.
+ * W in a nearby pose.
  */
 generic: number | null, 
 /**
- * There is none near by, though W is not 0.
+ * Whether there is no nearby pose, though W is not 0.
  */
 instantaneous: boolean, };
 export type RedundancySummary = { count: number, pairs: Array<string>, };
 export type MendedSummary = { list: Array<Array<ChangedPair>>, 
 /**
- * Whether these are all.
+ * Whether the list is complete.
  */
 complete: boolean, };
 export type ChangedPair = { pair: string, kind: KindDocument, };
 export type SynthesisSummary = { 
 /**
- * What there is to choose from.
+ * Source of the solutions.
  */
 from: "family" | "exact" | "found" | "trial", 
 /**
@@ -431,7 +431,7 @@ shown: Array<number>,
  */
 turned: boolean, 
 /**
- * Which of them is drawn, from 1.
+ * Number of the drawn solution, from 1.
  */
 number: number | null, drawn: SolutionSummary, 
 /**
@@ -439,15 +439,15 @@ number: number | null, drawn: SolutionSummary,
  */
 frame: number, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
 /**
- * How many of the positions can be closed, over l₁ and l₂.
+ * Number of positions that can be closed, over l₁ and l₂.
  */
 closed: PlaneSummary, 
 /**
- * What the method of the paper comes to, where the document gives every coupler angle.
+ * Result of the paper's method, if the document gives every coupler angle.
  */
 printed: PrintedSummary | null, 
 /**
- * What Levitsky's quadratic approximation comes to.
+ * Result of Levitsky's quadratic approximation.
  */
 weighted: WeightedSummary | null, 
 /**
@@ -455,31 +455,31 @@ weighted: WeightedSummary | null,
  */
 function: FunctionSummary | null, 
 /**
- * What is drawn, as a linkage for the simulator.
+ * The drawn solution, as a linkage for the simulator.
  */
 linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -487,28 +487,28 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * Passive wheels, whose meshes repeat what others do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type FunctionSummary = { 
 /**
- * x in even steps, and the error of the linkage's y there; null beyond its reach.
+ * x in even steps, with the error of the linkage's y; null beyond its reach.
  */
 curve: Array<[number, number | null]>, 
 /**
- * The same where the error is greatest; none where the linkage reaches nothing of the interval.
+ * x and error at the greatest error; none if the linkage reaches nothing of the interval.
  */
 greatest: [number, number] | null, 
 /**
- * Whether it goes through the whole interval without a break.
+ * Whether it covers the whole interval without a break.
  */
 complete: boolean, };
 export type SolutionSummary = { 
@@ -521,7 +521,7 @@ lengths: [number, number, number],
  */
 starts: [number, number], 
 /**
- * The greatest length left open at the coupler in a position.
+ * The greatest gap at the coupler over the positions.
  */
 gap: number, 
 /**
@@ -529,11 +529,11 @@ gap: number,
  */
 sum: number, 
 /**
- * Maximum error of the output angle, radians; none where a position is not reached.
+ * Maximum error of the output angle, radians; none if a position is not reached.
  */
 output_error: number | null, 
 /**
- * Whether a length is at the end of what is searched.
+ * Whether a length is at a bound of the search.
  */
 at_bound: boolean, verdict: VerdictSummary | null, };
 export type VerdictSummary = { passage: "continuous" | "through_change_point" | "across_dead_point" | "other_circuit" | "unreached", order: "growing" | "falling" | "either" | "mixed", grashof: string, turns: boolean, 
@@ -543,11 +543,11 @@ export type VerdictSummary = { passage: "continuous" | "through_change_point" | 
 transmission: number, transmission_between: number | null, size_ratio: number, };
 export type FamilySummary = { 
 /**
- * Of l₁, l₂, l₃ the least and the greatest; null where there is none.
+ * Minimum and maximum of l₁, l₂, l₃; null if there is none.
  */
 lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
 /**
- * Between which angles the coupler is in each position, radians.
+ * Range of the coupler's angle in each position, radians.
  */
 couplers: [[number, number], [number, number]], curve: FamilyCurve, 
 /**
@@ -557,33 +557,33 @@ changes: Array<[number, number, number]>, };
 export type FamilyCurve = { l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
 export type FoundSummary = { 
 /**
- * From how many starts it went.
+ * Number of its starts.
  */
 starts: number, 
 /**
- * How many of them ended in the one that is shown first.
+ * Number of starts that ended in the solution shown first.
  */
 best: number, 
 /**
- * l₂ and l₃ along the way from each of the starts.
+ * l₂ and l₃ along the path from each start.
  */
 paths: Array<Array<[number, number]>>, 
 /**
- * ΣJ, by its decimal logarithm, over l₂ and l₃.
+ * Decimal logarithm of ΣJ over l₂ and l₃.
  */
 sum: PlaneSummary, };
 export type PlaneSummary = { 
 /**
- * Between which lengths they are.
+ * Minimum and maximum of both lengths.
  */
 bounds: [number, number], values: Array<Array<number>>, };
 export type WantedSummary = { 
 /**
- * φ₂ and φ₃ with their starts, and φ₁ of what is drawn, radians.
+ * φ₂ and φ₃ with their starts, and φ₁ of the drawn linkage, radians.
  */
 output: number, input: number, coupler: number, 
 /**
- * By how much the contour is open at the coupler.
+ * Gap of the contour at the coupler.
  */
 error: number, 
 /**
@@ -591,8 +591,8 @@ error: number,
  */
 equation: [number, number, number, number], 
 /**
- * φ₁ at which the conditions are evaluated, and the length by which the contour is open with
- * the coupler there.
+ * φ₁ at which the conditions are evaluated, and the gap of the contour with the coupler at
+ * this angle.
  */
 at: number, open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
 /**
@@ -600,13 +600,12 @@ at: number, open: number, conditions: Array<ConditionSummary>, theorems: Array<T
  */
 pair: LeftOutSummary | null, 
 /**
- * Between which l₁ l₂ is positive, and between which l₃: null where it never is, and where there is no greatest; null
+ * Ranges of l₁ in which l₂ and l₃ are positive: null if there is none, or no maximum; null
  * altogether where (13) fails.
  */
 ranges: [[number, number | null] | null, [number, number | null] | null] | null, 
 /**
- * Between which l₁ all lengths are positive: null where there are none, and where there is
- * no greatest.
+ * Range of l₁ in which all lengths are positive: null if there is none, or no maximum.
  */
 interval: [number, number | null] | null, };
 export type ConditionSummary = { 
@@ -615,15 +614,15 @@ export type ConditionSummary = {
  */
 number: number, 
 /**
- * The length that it is about.
+ * The length that it concerns.
  */
 about: string | null, 
 /**
- * The two numbers whose signs it judges; null where one is infinite.
+ * The two numbers whose signs it compares; null where one is infinite.
  */
 values: [number | null, number | null], 
 /**
- * Whether it holds as printed, and whether what it is printed for is so.
+ * Whether it holds as printed, and whether its conclusion is true.
  */
 holds: boolean, truth: boolean, };
 export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
@@ -634,7 +633,7 @@ export type PrintedSummary = {
  */
 lengths: [number, number, number], 
 /**
- * ΣJ there and of what is drawn: a number, as J is of zᵢ = lᵢ/l₀.
+ * ΣJ of these lengths and of the drawn linkage: dimensionless, since J is of zᵢ = lᵢ/l₀.
  */
 least: number, drawn: number, };
 export type WeightedSummary = { 
@@ -643,7 +642,7 @@ export type WeightedSummary = {
  */
 lengths: [number, number, number], 
 /**
- * ΣJ there, with the best coupler angles, and of what is drawn: numbers.
+ * ΣJ of these lengths, with the best coupler angles, and of the drawn linkage: dimensionless.
  */
 sum: number, drawn: number, };
 export type GearTrainSummary = { bounds: [number, number, number, number], roles: { [key in string]: string }, 
@@ -660,23 +659,23 @@ weights: [number, number], ratios: Array<RatioSummary>, identities: Array<Identi
  */
 builds: boolean, 
 /**
- * Trains near by that can be built, where this one cannot.
+ * Similar trains that can be built, if this one cannot.
  */
 suggestions: Array<SuggestionSummary>, 
 /**
- * z₂ with which gears of these z₁ and z₄ are in contact, where there is one.
+ * z₂ with which gears of these z₁ and z₄ are in contact, if there is one.
  */
 in_contact: number | null, mobility: MobilitySummary, 
 /**
- * Of magnets at sun and ring, mm.
+ * Gaps of magnets at sun and ring, mm.
  */
 gaps: [number, number] | null, axis_distance: number, 
 /**
- * At the last speeds, mm and mm/s.
+ * Velocities at the last speeds, mm and mm/s.
  */
 velocities: VelocitySummary | null, 
 /**
- * Torques from outside without losses, relative to the sun's, and what each shaft takes in of the power.
+ * External torques without losses, relative to the sun's, and the power that each shaft takes in.
  */
 torques: ShaftNumbers, powers: ShaftNumbers, 
 /**
@@ -684,39 +683,39 @@ torques: ShaftNumbers, powers: ShaftNumbers,
  */
 limits: BodyNumbers | null, 
 /**
- * Own frequencies of the meshes with sun and ring, Hz.
+ * Natural frequencies of the meshes with sun and ring, Hz.
  */
 swings: [number, number] | null, 
 /**
- * The greatest torque of the load, and how far it can be set, N·m.
+ * The greatest torque of the load, and its upper limit, N·m.
  */
 load: PullSummary | null, 
 /**
- * Periods by which the meshes with sun and ring have slipped at the end of a run.
+ * Slips of the meshes with sun and ring at the end of a run, in periods.
  */
 slips: [number, number] | null, halt: HaltSummary | null, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -724,7 +723,7 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], };
 export type BodyNumbers = { sun: number, satellite: number, carrier: number, ring: number, };
@@ -737,7 +736,7 @@ largest: boolean, };
 export type IdentitySummary = { terms: [string, string], sum: number, };
 export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, 
 /**
- * Whether gears with profile shift may be built all the same.
+ * Whether gears with profile shift may still be built.
  */
 shifted: boolean, };
 export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
@@ -761,55 +760,55 @@ export type ListedSummary = { name: string,
  */
 what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
 /**
- * The number by which the angle is called.
+ * The number that denotes the angle.
  */
 number: string | null, role: string, };
 export type HandleSummary = { name: string, role: string, 
 /**
- * Whether something comes of pressing it without a drag.
+ * Whether pressing it without a drag has an effect.
  */
 pressed: boolean, };
 export type EquationSummary = { "kind": "distance", link: string, points: [string, string], } | { "kind": "offset", link: string, points: [string, string, string], } | { "kind": "direction", link: string, on: string, } | { "kind": "mesh", links: [string, string], carrier: string, teeth: [number, number], };
 export type ProfileSummary = { 
 /**
- * Degrees, or in the unit of the lengths.
+ * Width of the band, degrees or in the unit of the lengths.
  */
 width: number, 
 /**
- * From the least value to the greatest; none of what turns on and on.
+ * Stroke from minimum to maximum; none if the output turns on and on.
  */
 stroke: number | null, dwell: DwellSummary | null, phases: Array<PhaseSummary>, };
 export type DwellSummary = { arc: [number, number], band: [number, number], };
 export type PhaseSummary = { kind: "rise" | "dwell" | "return", arc: [number, number], };
 export type ChartRequest = { width: number, height: number, palette: Array<[number, number, number]>, 
 /**
- * How much larger than usual text and lines are.
+ * Scale of text and lines relative to the usual size.
  */
 scale: number, 
 /**
- * Pixels of the screen to one of the reader.
+ * Pixels of the screen per pixel of the reader.
  */
 ratio: number, 
 /**
- * Whether curves go through all their points: for a picture that may be enlarged.
+ * Whether curves go through all their points, for a picture that may be enlarged.
  */
 whole: boolean, 
 /**
- * The plot that has all of the room, if one has.
+ * The plot that takes all the room, if any.
  */
 only: Only, 
 /**
- * The input around which a motion is plotted that goes on and on.
+ * The input around which an endless motion is plotted.
  */
 around: number, };
 export type ChartLayout = { panels: Array<PanelLayout>, 
 /**
- * What is plotted against each other instead of the panels, where anything is and has room.
+ * The plot of one quantity against another that replaces the panels, if there is one and it has room.
  */
 against: AgainstLayout | null, };
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
 /**
- * What is seen of the curve, run by run: x and y in pixels of the reader, and the input.
+ * Visible runs of the curve: x and y in pixels of the reader, and the input.
  */
 curve: Array<Array<number>>, };
 export type AxisLayout = { 
@@ -818,53 +817,53 @@ export type AxisLayout = {
  */
 name: string | null, 
 /**
- * The number by which the angle is called, where it is.
+ * The number that denotes the angle, if it has one.
  */
 number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
 export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
 export type TickLayout = { value: number, at: number, };
 export type SeriesLayout = { name: string, 
 /**
- * The number by which the angle is called, where it is.
+ * The number that denotes the angle, if it has one.
  */
 number: string | null, role: string, 
 /**
- * The value that the curve has throughout, where it does not change.
+ * The value of the curve if it is constant.
  */
 level: number | null, };
 export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
 export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, 
 /**
- * Of what it is compared with the table at the same inputs.
+ * Table of the compared mechanism at the same inputs.
  */
 compared: SweepTable | null, };
 export type SweepDimension = { kind: "length" | "x" | "y", 
 /**
- * Of two points, as in `A-B`, or of one.
+ * Names of two points, as in `A-B`, or of one.
  */
 of: string, value: number, };
 export type SweepColumn = { 
 /**
- * As in all tables: `rocker.dangle`.
+ * Name as in all tables: `rocker.dangle`.
  */
 name: string, 
 /**
- * None if the name says it all.
+ * None if the name is sufficient.
  */
 quantity: SweepQuantity | null, };
 export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner" | "between" | "transmission" | "pressure" | "radius" | "centre_x" | "centre_y", of: string, order: number, };
 export type SweepRow = { 
 /**
- * Degrees of a crank, else in the unit of the lengths.
+ * Degrees of a crank, otherwise in the unit of the lengths.
  */
 input: number, values: Array<number | null>, reason: { readonly code: string } | null, };
 export type Wishes = { 
 /**
- * The arc of the crank over which it stands at least, radians.
+ * Minimum arc of the crank over which the output dwells, radians.
  */
 arc: number, 
 /**
- * From its least to its greatest value: radians, or in the unit of the lengths.
+ * Stroke of the output, from minimum to maximum: radians, or in the unit of the lengths.
  */
 stroke: number, movable: Array<Movement>, };
 export type Movement = { field: string, by: number, };

@@ -1,4 +1,4 @@
-//! The mixer on the page: a linkage that its parameters describe.
+//! The mixer on the page: a linkage described by its parameters.
 
 use assur::gears::GearPair;
 use assur::mechanism::{LinkId, Mechanism, Quantity, Unsolved};
@@ -18,13 +18,13 @@ use crate::convert::to_js;
 use crate::moving::Moving;
 use crate::summary::MotionSummary;
 
-/// A mixer with all that is drawn of it.
+/// A mixer with its drawing.
 pub(crate) struct Mixer {
     parameters: Parameters,
     moving: Moving,
 }
 
-/// What is said of it beyond its motion.
+/// Summary of a mixer beyond its motion.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MixerSummary<'a> {
@@ -32,9 +32,9 @@ pub(crate) struct MixerSummary<'a> {
     motion: MotionSummary<'a>,
     /// The ratios of the peripheral wheels to the rocker.
     ratios: Vec<f64>,
-    /// Peripheral wheels of which two would lie one over the other.
+    /// Pairs of peripheral wheels that would overlap.
     overlaps: Vec<[usize; 2]>,
-    /// The direction from wheel 4 in which there is most room.
+    /// The direction from wheel 4 with the most room.
     free_direction: f64,
 }
 
@@ -49,13 +49,13 @@ struct Lengths {
     assembly: u8,
 }
 
-/// The assembly, where another is chosen.
+/// Change of the assembly.
 #[derive(Serialize)]
 struct Assembled {
     assembly: u8,
 }
 
-/// The traced points, where one of them was put somewhere.
+/// Change of the traced points.
 #[derive(Serialize)]
 struct Tracers {
     tracers: Vec<MixerTracerDocument>,
@@ -74,7 +74,7 @@ impl Mixer {
         let parameters = document.mixer()?;
         let linkage = parameters.linkage;
         let assembly = parameters.assembly;
-        // Of a four-bar more can be said than that two links do not meet.
+        // For a four-bar the reason can be more precise than that two links do not meet.
         let explain = move |mechanism: &Mechanism, unsolved: &Unsolved| match linkage
             .pose::<3>(assembly, unsolved.input)
         {
@@ -107,7 +107,7 @@ impl Mixer {
     }
 }
 
-/// An assembly as the document counts them.
+/// An assembly as the document numbers it.
 fn number_of(assembly: Assembly) -> u8 {
     match assembly {
         Assembly::First => 1,
@@ -115,8 +115,8 @@ fn number_of(assembly: Assembly) -> u8 {
     }
 }
 
-/// What is read of it: all but the input itself, what stands still, and what turns as one
-/// with another link.
+/// The read-outs of a mixer: all quantities except the input itself, links at rest, and links fixed
+/// to another link.
 fn readouts(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
     let driven = document
         .drivers
@@ -205,7 +205,7 @@ impl Edited for Mixer {
     fn assemblies(&self, input: f64) -> Option<AssembliesHere> {
         let mut here = self.moving.assemblies(input);
         let drawn = usize::from(number_of(self.parameters.assembly));
-        // There are two: of a dyad.
+        // A dyad has two assemblies.
         if let Some(shown) = here.shown {
             for (k, one) in here.all.iter_mut().enumerate() {
                 one.number = if k == shown { drawn } else { 3 - drawn };
