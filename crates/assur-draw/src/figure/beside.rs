@@ -1,4 +1,4 @@
-//! Another assembly, dashed beside the one that is drawn.
+//! Another assembly, dashed beside the drawn one.
 
 use assur::Point;
 use assur::mechanism::{Mechanism, PointId, Pose};
@@ -6,7 +6,7 @@ use assur::mechanism::{Mechanism, PointId, Pose};
 use super::layout::Layout;
 use crate::list::{List, Look};
 
-/// Each link by lines between its joints, in its colour.
+/// Draws each link by lines between its joints, in its colour.
 pub(super) fn draw<const N: usize>(
     list: &mut List,
     layout: &Layout,
