@@ -145,7 +145,7 @@ enum Command {
     Synth(synth::Asked),
 }
 
-/// What went wrong, with what is said of it.
+/// A failure, with its message.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// Reading or writing: exit status 1.
@@ -179,7 +179,7 @@ fn main() -> ExitCode {
         Err(Failure::Io(said)) => (said, 1),
         Err(Failure::Input(said)) => (said, 2),
     };
-    // With standard error gone there is nobody left to tell.
+    // Without standard error nobody can be informed.
     let _ = writeln!(io::stderr(), "assur: {said}");
     ExitCode::from(status)
 }
@@ -223,7 +223,7 @@ fn run(command: Command) -> Result<(), Failure> {
             let text = plot::svg(&moved, &name)?;
             if let Err(turns) = moved.motion.searchable() {
                 let said = words::Words::english()?.sentence(&LinkageProblem::from(turns))?;
-                // With standard error gone there is nobody left to tell.
+                // Without standard error nobody can be informed.
                 let _ = writeln!(io::stderr(), "{name}: zeros and extrema: {said}");
             }
             if svg.as_os_str() == "-" {

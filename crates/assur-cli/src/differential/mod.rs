@@ -15,10 +15,10 @@ use serde_json::{Map, Value, json};
 use crate::Failure;
 use crate::words::number;
 
-/// So many trains near by are shown.
+/// Maximum number of suggested trains.
 const SUGGESTIONS: usize = 5;
 
-/// What is asked for.
+/// Arguments of `assur differential`.
 #[derive(Args)]
 pub(crate) struct Asked {
     /// Teeth or poles of the sun.
@@ -117,7 +117,7 @@ fn tie(text: &str) -> Result<Input, String> {
 }
 
 impl Asked {
-    /// The wheels; none where no satellite is given and none would be in contact.
+    /// The wheels; none if no satellite is given and none would be in contact.
     fn train(&self) -> Result<Option<Train>, Vec<TrainError>> {
         let Self { z1, z4, .. } = *self;
         match (self.z2, self.z2_step) {
@@ -128,7 +128,7 @@ impl Asked {
         }
     }
 
-    /// The kinds of coupling whose conditions people are shown.
+    /// The kinds of coupling whose conditions are shown to people.
     fn couplings(&self, layout: &Layout) -> Vec<Coupling> {
         let both = [Coupling::Contact, Coupling::Magnetic];
         let coaxial = layout.conditions(Coupling::Contact);
@@ -154,11 +154,11 @@ impl Asked {
     }
 }
 
-/// Writes what there is to tell, as lines for people or as JSON.
+/// Writes the report, as lines for people or as JSON.
 ///
 /// # Errors
-/// Every number that is none, at once; else a train that is none, inputs that do
-/// not determine its motion, what cannot be written.
+/// All invalid numbers at once; otherwise an impossible train, inputs that do not determine its
+/// motion, output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let told = told(asked).map_err(|sentences| Failure::Input(sentences.join("\n")))?;
     if asked.json {
@@ -169,7 +169,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     Ok(())
 }
 
-/// What there is to tell, or why there is nothing.
+/// The report, or the reasons why there is none.
 fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
     let of_train = |errors: Vec<TrainError>| -> Vec<String> {
         errors.iter().map(words::train_error).collect()
@@ -200,7 +200,7 @@ fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
             told.append(&mut fields);
         }
     };
-    // Whole by now.
+    // Checked to be whole by now.
     let [z1, z4] = [asked.z1, asked.z4].map(|teeth| teeth as u32);
     tell(json!({"z1": z1, "z4": z4, "satellites": counts.satellites}));
     tell(of_speeds(&speeds, train.as_ref()));
@@ -226,7 +226,7 @@ fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
     Ok(told)
 }
 
-/// ω₂ is null where the satellite is not known.
+/// The speeds; ω₂ is null if the satellite is unknown.
 fn of_speeds(speeds: &Shafts, train: Option<&Train>) -> Value {
     let spin = train.map(|train| train.spin(speeds));
     json!({
@@ -305,7 +305,7 @@ fn of_layout(layout: &Layout, speeds: &Shafts) -> Value {
     })
 }
 
-/// The names of couplings; where none is chosen, of both.
+/// The names of couplings; of both if none is chosen.
 fn couplings(all: &[Coupling]) -> Value {
     let name = |coupling: &Coupling| match coupling {
         Coupling::Contact => "contact",
@@ -317,7 +317,7 @@ fn couplings(all: &[Coupling]) -> Value {
     }
 }
 
-/// What else is said of a train.
+/// Notes on a train.
 fn notes(layout: &Layout) -> Value {
     let conditions = layout.conditions(Coupling::Contact).into_iter();
     let shifted = conditions.filter(Condition::within_profile_shift);

@@ -15,7 +15,7 @@ use crate::{Failure, source};
 use columns::Names;
 pub(crate) use grid::asked_for;
 
-/// What is asked for.
+/// Arguments of `assur sweep`.
 #[derive(Args)]
 pub(crate) struct Asked {
     /// Catalogue name or file.
@@ -68,7 +68,7 @@ pub(crate) struct Asked {
 /// Writes the table.
 ///
 /// # Errors
-/// What is no mechanism; a number, step or column that is none; what cannot be written.
+/// Not a mechanism; an invalid number, step or column; output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let drawn = source::moved(&asked.name)?;
     let motion: Motion = match asked.assembly {

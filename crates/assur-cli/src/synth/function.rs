@@ -7,7 +7,7 @@ use super::Degrees;
 use crate::Failure;
 use crate::words::Words;
 
-/// What is asked for.
+/// Arguments of a wanted function.
 #[derive(Args)]
 pub(crate) struct OnFunction {
     /// Instead of positions a function y = f(x): log10, exp, sin (x in degrees), x^P with a number P, or a file with x
@@ -36,7 +36,7 @@ pub(crate) struct OnFunction {
     even: bool,
 }
 
-/// How what is at fault is called here.
+/// Options that correspond to fields of the document.
 const OPTIONS: [(&str, &str); 4] = [
     ("function.of", "--function"),
     ("function.x", "--x"),
@@ -58,10 +58,10 @@ fn numbers(text: &str) -> Option<[f64; 2]> {
 }
 
 impl OnFunction {
-    /// The positions on the function and the function, where one is asked for.
+    /// The positions on the function and the function, if one is given.
     ///
     /// # Errors
-    /// What is no function, or cannot be read.
+    /// Not a function; a file that cannot be read.
     pub(super) fn wanted(&self) -> Result<Option<(Vec<Degrees>, Wanted)>, Failure> {
         let (Some(name), Some(input_deg), Some(output_deg)) =
             (&self.function, self.input, self.output)
@@ -124,7 +124,7 @@ fn formula(name: &str) -> Result<FormulaDocument, Failure> {
     let text =
         std::fs::read_to_string(name).map_err(|error| Failure::Io(format!("{name}: {error}")))?;
     let lines = text.lines().filter(|line| !line.trim().is_empty());
-    // An invalid line is named by its number, and so is a line whose x does not grow.
+    // Invalid lines are reported by number, as are lines whose x does not increase.
     let rows = lines.map(|line| numbers(line).unwrap_or([f64::NAN; 2]));
     Ok(FormulaDocument::Table(rows.collect()))
 }

@@ -1,4 +1,4 @@
-//! The four-bar from given positions: which linkages there are, and what they are worth.
+//! The four-bar for given positions: the possible linkages and their verdicts.
 
 mod described;
 mod function;
@@ -19,10 +19,10 @@ use crate::words::number;
 use described::Report;
 use function::OnFunction;
 
-/// Of a family so many members are shown, and of a search so many minima.
+/// Maximum number of members of a family, or minima of a search, that are shown.
 const SHOWN: usize = 5;
 
-/// What is asked for.
+/// Arguments of `assur synth`.
 #[derive(Args)]
 pub(crate) struct Asked {
     /// Angles of the output link and the driver that belong together, degrees from the x-axis; a weight may follow.
@@ -67,7 +67,7 @@ pub(crate) struct Asked {
     json: bool,
 }
 
-/// A position as it is typed, or on a function.
+/// A position, from the command line or on a function.
 #[derive(Clone, Copy)]
 pub(crate) struct Degrees {
     output: f64,
@@ -134,7 +134,7 @@ impl Degrees {
 /// Writes the linkages, as lines for people or as JSON.
 ///
 /// # Errors
-/// What is no task, has no linkage, or cannot be written.
+/// An invalid task, a task without a linkage, output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let frame = Frame {
         length: asked.frame,
@@ -172,7 +172,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     Ok(())
 }
 
-/// What there is, or the sentence that says why there is nothing.
+/// The report, or the sentence that says why there is none.
 fn report(task: &Task, asked: &Asked, wanted: Option<&Wanted>) -> Result<Report, String> {
     let count = task.positions().len();
     if asked.l2.is_some() && (count != 2 || asked.free) {
