@@ -2,11 +2,11 @@
 import { LinkageDocument } from "assur/types/file.js";
 export type Edit = { "edit": "point", 
 /**
- * Where it is.
+ * Its position.
  */
 at: [number, number], 
 /**
- * Whether the frame has it.
+ * Whether it belongs to the frame.
  */
 fixed: boolean, } | { "edit": "bar", 
 /**
@@ -22,11 +22,11 @@ link: string,
  */
 end: End, } | { "edit": "block", 
 /**
- * Where it is hinged.
+ * Its hinge.
  */
 end: End, 
 /**
- * What it slides along.
+ * The line along which it slides.
  */
 along: Line, } | { "edit": "slide", 
 /**
@@ -34,7 +34,7 @@ along: Line, } | { "edit": "slide",
  */
 link: string, 
 /**
- * What it slides along.
+ * The line along which it slides.
  */
 along: Line, } | { "edit": "dyad", 
 /**
@@ -62,7 +62,7 @@ links: [string, string],
  */
 teeth: [number, number], 
 /**
- * Whether the larger one is a ring.
+ * Whether the larger wheel is a ring.
  */
 internal: boolean, } | { "edit": "drive", 
 /**
@@ -78,7 +78,7 @@ point: string, } | { "edit": "make_exact", } | { "edit": "weld",
  */
 links: [string, string], } | { "edit": "join", 
 /**
- * The point that goes, and the one that stays.
+ * The point to be removed, and the one that stays.
  */
 points: [string, string], } | { "edit": "part", 
 /**
@@ -90,7 +90,7 @@ point: string, } | { "edit": "trace",
  */
 link: string, 
 /**
- * Where it is in the drawing.
+ * Its position in the drawing.
  */
 at: [number, number], } | { "edit": "mass", 
 /**
@@ -98,7 +98,7 @@ at: [number, number], } | { "edit": "mass",
  */
 link: string, 
 /**
- * Where it is in the drawing.
+ * Its position in the drawing.
  */
 at: [number, number] | null, } | { "edit": "move", 
 /**
@@ -106,7 +106,7 @@ at: [number, number] | null, } | { "edit": "move",
  */
 points: Array<string>, 
 /**
- * By how much.
+ * The displacement.
  */
 by: [number, number], } | { "edit": "place", 
 /**
@@ -122,7 +122,7 @@ at: [number, number], } | { "edit": "stretch",
  */
 link: string, 
 /**
- * Its length.
+ * The new length.
  */
 length: number, } | { "edit": "turn", 
 /**
@@ -134,11 +134,11 @@ link: string,
  */
 angle_deg: number, } | { "edit": "rename", 
 /**
- * What is renamed: a point or a tracer, or else a link.
+ * The present name, of a point or a tracer, or else of a link.
  */
 name: string, 
 /**
- * Its name from now on.
+ * The new name.
  */
 to: string, } | { "edit": "remove", 
 /**
@@ -150,11 +150,11 @@ points: Array<string>,
  */
 links: Array<string>, } | { "edit": "paste", 
 /**
- * What is put there.
+ * The drawing to be added.
  */
 drawing: LinkageDocument, 
 /**
- * By how much it is moved.
+ * Its displacement.
  */
 by: [number, number], } | { "edit": "mirror", 
 /**
@@ -162,7 +162,7 @@ by: [number, number], } | { "edit": "mirror",
  */
 points: Array<string>, } | { "edit": "lock", 
 /**
- * Two points or three.
+ * Two or three points.
  */
 points: Array<string>, };
 export type End = { "point": string } | { "at": [number, number] } | { "on": [string, [number, number]] };
@@ -175,6 +175,6 @@ export type Mend = { "drive": string } | { "release": string } | { "remove": str
  */
 point: string, 
 /**
- * By this length.
+ * Length of its move.
  */
 by: number, } };

@@ -1,196 +1,196 @@
-//! What can be done to a drawing, as the page asks for it.
+//! Edits of a drawing, as requested by the page.
 
 use assur_file::LinkageDocument;
 use serde::{Deserialize, Serialize};
 
-/// One edit of a drawing. Lengths are those of the drawing; things are named as they are in it.
+/// One edit of a drawing. Lengths are in the unit of the drawing; parts are given by name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(tag = "edit", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Edit {
-    /// A point by itself; with `fixed` one of the frame.
+    /// Adds a point, with `fixed` one of the frame.
     Point {
-        /// Where it is.
+        /// Its position.
         at: [f64; 2],
-        /// Whether the frame has it.
+        /// Whether it belongs to the frame.
         fixed: bool,
     },
-    /// A link between two places.
+    /// Adds a link between two ends.
     Bar {
         /// Its ends.
         ends: [End; 2],
     },
-    /// One more point of a link, which makes a plate of a bar.
+    /// Adds a point to a link, which makes a bar a plate.
     Corner {
         /// The link.
         link: String,
         /// The point.
         end: End,
     },
-    /// A block that is hinged at a point and slides along a line.
+    /// Adds a block that is hinged at a point and slides along a line.
     Block {
-        /// Where it is hinged.
+        /// Its hinge.
         end: End,
-        /// What it slides along.
+        /// The line along which it slides.
         along: Line,
     },
-    /// A link that slides as a whole along a line, with no hinge between.
+    /// Lets a link slide as a whole along a line, without a hinge between them.
     Slide {
         /// The link.
         link: String,
-        /// What it slides along.
+        /// The line along which it slides.
         along: Line,
     },
-    /// Two links and three pairs between what is there: an Assur group of Class II.
+    /// Adds two links and three pairs to the existing ones: an Assur group of Class II.
     Dyad {
         /// Its outer pairs, in turn.
         outer: [Outer; 2],
         /// Its inner pair.
         inner: Inner,
     },
-    /// A plate on three bars: the Assur group of Class III with hinges alone.
+    /// Adds a plate on three bars: the Assur group of Class III with only hinges.
     Triad {
         /// The ends of its bars.
         ends: [End; 3],
     },
-    /// A wheel that turns about a point.
+    /// Adds a wheel that turns about a point.
     Wheel {
         /// Its centre.
         end: End,
     },
-    /// Two wheels come into mesh.
+    /// Puts two wheels in mesh.
     Mesh {
         /// The links.
         links: [String; 2],
         /// Their numbers of teeth.
         teeth: [f64; 2],
-        /// Whether the larger one is a ring.
+        /// Whether the larger wheel is a ring.
         internal: bool,
     },
-    /// A link is driven, or no more if it was.
+    /// Drives a link, or stops driving it.
     Drive {
         /// The link.
         link: String,
     },
-    /// A point becomes one of the frame, or is let go.
+    /// Makes a point one of the frame, or releases it.
     Fix {
         /// The point.
         point: String,
     },
-    /// Points go where redundant constraints hold that nearly did: those of a drawing by hand.
+    /// Moves points so that nearly satisfied redundant constraints, as in a drawing by hand, hold exactly.
     MakeExact {},
-    /// Two links turn as one from now on, or no more if they did.
+    /// Fixes two links to each other, or releases them.
     Weld {
         /// The links: the first is fixed to the second, which may be the frame.
         links: [String; 2],
     },
-    /// Two points become one hinge, where the second is.
+    /// Joins two points in one hinge, at the second one.
     Join {
-        /// The point that goes, and the one that stays.
+        /// The point to be removed, and the one that stays.
         points: [String; 2],
     },
-    /// Every link gets a point of its own where they were hinged.
+    /// Separates the links hinged at a point: each gets a point of its own.
     Part {
         /// The point.
         point: String,
     },
-    /// A point that a link carries and whose path is drawn.
+    /// Adds a traced point to a link.
     Trace {
         /// The link.
         link: String,
-        /// Where it is in the drawing.
+        /// Its position in the drawing.
         at: [f64; 2],
     },
-    /// A link's centre of mass is where a point is put; without one it has none.
+    /// Sets a link's centre of mass, or removes it.
     Mass {
         /// The link.
         link: String,
-        /// Where it is in the drawing.
+        /// Its position in the drawing.
         at: Option<[f64; 2]>,
     },
-    /// Points move by as much.
+    /// Moves points by a displacement.
     Move {
         /// The points.
         points: Vec<String>,
-        /// By how much.
+        /// The displacement.
         by: [f64; 2],
     },
-    /// A point, or a tracer, stands at a place.
+    /// Moves a point, or a tracer, to a place.
     Place {
         /// The point.
         point: String,
         /// The place.
         at: [f64; 2],
     },
-    /// A link of two points has a length from now on: its second point moves along it.
+    /// Gives a link of two points a length: its second point moves along it.
     Stretch {
         /// The link.
         link: String,
-        /// Its length.
+        /// The new length.
         length: f64,
     },
-    /// A link stands at an angle: its other points turn about its first one.
+    /// Turns a link about its first point to an angle.
     Turn {
         /// The link.
         link: String,
         /// The direction from its first point to its second, degrees.
         angle_deg: f64,
     },
-    /// Another name.
+    /// Renames a part.
     Rename {
-        /// What is renamed: a point or a tracer, or else a link.
+        /// The present name, of a point or a tracer, or else of a link.
         name: String,
-        /// Its name from now on.
+        /// The new name.
         to: String,
     },
-    /// What is named goes, and with it what cannot be without it.
+    /// Removes parts, and those that cannot exist without them.
     Remove {
         /// Points and tracers.
         points: Vec<String>,
         /// Links.
         links: Vec<String>,
     },
-    /// Another drawing is put beside what is there, under names that are free.
+    /// Adds another drawing beside the existing one, with free names.
     Paste {
-        /// What is put there.
+        /// The drawing to be added.
         #[cfg_attr(test, ts(type = "LinkageDocument"))]
         drawing: Box<LinkageDocument>,
-        /// By how much it is moved.
+        /// Its displacement.
         by: [f64; 2],
     },
-    /// Points are reflected in the vertical through their middle.
+    /// Reflects points in the vertical through their middle.
     Mirror {
         /// The points.
         points: Vec<String>,
     },
-    /// While points are moved the distance of two stays as it is, or the angle at the second of three, or no more if it did.
+    /// Locks the distance of two points, or the angle at the second of three, while points are moved, or unlocks it.
     Lock {
-        /// Two points or three.
+        /// Two or three points.
         points: Vec<String>,
     },
 }
 
-/// An end of what is drawn.
+/// An end of a new part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum End {
-    /// A point that is there: a hinge.
+    /// An existing point: a hinge.
     Point(String),
     /// A new point.
     At([f64; 2]),
-    /// A new point of a link that is there.
+    /// A new point of an existing link.
     On(String, [f64; 2]),
 }
 
-/// What something slides along.
+/// A line along which something slides.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Line {
     /// The line of a link.
     Link(String),
-    /// A line of the frame from where the block is towards a place.
+    /// A line of the frame from the block towards a place.
     Toward([f64; 2]),
 }
 
@@ -203,7 +203,7 @@ pub enum Outer {
     Hinge(End),
     /// A slide along a line of a link, near a place.
     Slide(String, [f64; 2]),
-    /// A slide along a line of the frame through a place, level.
+    /// A slide along a horizontal line of the frame through a place.
     Level([f64; 2]),
 }
 
