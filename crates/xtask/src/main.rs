@@ -1,8 +1,8 @@
-//! `cargo xtask`: everything around the code that is not the code: fetching the tools, building and
-//! serving the page, running every test, writing the one-file page.
+//! `cargo xtask`: tasks around the code: fetching the tools, building and serving the page, running
+//! every test, writing the one-file page.
 //!
-//! Whatever a command needs and does not find it installs first, each step announced on one line.
-//! Tools go into a folder of their own below cargo's, by name and version, so nobody's own are overwritten.
+//! A command first installs what it needs and does not find, each step announced on one line. Tools
+//! go into a folder of their own below cargo's, by name and version, so that no other ones are overwritten.
 
 mod bench;
 mod browser;
@@ -126,7 +126,7 @@ fn perform(task: &Task) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Serves the page by `build/serve.js`, whose first line is the address, until that ends.
+/// Serves the page by `build/serve.js`, whose first line is the address, until that process ends.
 fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     site::set_up_and_build(workspace)?;
     let (site, port) = (workspace.site(), port.to_string());
@@ -137,7 +137,7 @@ fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     let mut node = Command::from(node);
     node.stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut server = node.spawn().context("the server cannot be started")?;
-    // It ends with its input, which `wait` would close.
+    // The server ends when its input is closed, which `wait` would do.
     let input = server.stdin.take();
     let mut url = String::new();
     let said = server.stdout.take().context("the server has no output")?;
@@ -145,7 +145,7 @@ fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     let url = url.trim_end();
     if !url.is_empty() {
         println!("The page is at {url} (Ctrl-C stops it)");
-        // The address is on the screen already, so a browser that does not come up stops nothing.
+        // The address is already on the screen, so a browser that fails to open is no error.
         if open
             && browser::display_present()
             && let Err(error) = open::that_detached(url)
