@@ -17,10 +17,10 @@ use crate::{Failure, source};
 pub(crate) struct Asked {
     /// Catalogue name or file.
     name: Name,
-    /// The input: degrees, of a driven slide a length [default: the drawn one]
+    /// The input: degrees, or a length for a driven slide [default: the drawn one]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     at: Option<f64>,
-    /// Instead of the table, the linkage drawn in the assembly of this number, as a file
+    /// Writes the linkage drawn in the assembly with this number, as a file, instead of the table
     #[arg(long, value_name = "N")]
     assemble: Option<usize>,
 }

@@ -24,13 +24,13 @@ pub(crate) struct Asked {
     /// Teeth or poles of the sun.
     #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z1: f64,
-    /// Those of the ring; with --bevel of the second side wheel.
+    /// Teeth or poles of the ring; with --bevel of the second side wheel.
     #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z4: f64,
-    /// Those of the satellite [default: of gears in contact, (z4 - z1)/2]
+    /// Teeth or poles of the satellite [default: (z4 - z1)/2, for gears in contact]
     #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z2: Option<f64>,
-    /// Those of a stepped satellite's second wheel, which meets the ring.
+    /// Teeth or poles of a stepped satellite's second wheel, in mesh with the ring.
     #[arg(
         value_parser = number,
         long,
@@ -55,7 +55,7 @@ pub(crate) struct Asked {
     /// One shaft tied to another: 4/1=0.5 makes the ring half as fast as the sun.
     #[arg(long = "tie", value_name = "I/J=K", value_parser = tie)]
     ties: Vec<Input>,
-    /// How many satellites there are, 1 to 6.
+    /// Number of satellites, 1 to 6.
     #[arg(
         value_parser = number,
         long,
@@ -64,7 +64,7 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     satellites: f64,
-    /// Module: a wheel's diameter over its number.
+    /// Module: a wheel's diameter divided by its number of teeth or poles.
     #[arg(
         value_parser = number,
         long,
@@ -73,7 +73,7 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     module: f64,
-    /// Of magnets: how far the satellites' axes are from the main one [default: with equal gaps]
+    /// Distance of the satellites' axes from the main one, for magnets [default: with equal gaps]
     #[arg(
         value_parser = number,
         long,
@@ -82,8 +82,8 @@ pub(crate) struct Asked {
         requires = "z2"
     )]
     axis_distance: Option<f64>,
-    /// How the wheels turn each other: conditions of the other kind are not shown [default: contact where the numbers of
-    /// teeth let gears mesh, with profile shift or without, magnets with --axis-distance, else both]
+    /// Kind of coupling; conditions of the other kind are not shown [default: contact if the numbers of teeth
+    /// let gears mesh, with profile shift or without, magnets with --axis-distance, otherwise both]
     #[arg(long, value_name = "KIND", value_parser = coupling)]
     coupling: Option<Coupling>,
     /// Prints JSON.

@@ -25,8 +25,8 @@ const SHOWN: usize = 5;
 /// Arguments of `assur synth`.
 #[derive(Args)]
 pub(crate) struct Asked {
-    /// Angles of the output link and the driver that belong together, degrees from the x-axis; a weight may follow.
-    /// The output link points from its hinge with the coupler to its fixed pivot.
+    /// Corresponding angles of the output link and the driver, degrees from the x-axis; a weight
+    /// may follow. The output link points from its hinge with the coupler to its fixed pivot.
     #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required_unless_present = "function", conflicts_with = "function", value_parser = degrees, allow_hyphen_values = true)]
     positions: Vec<Degrees>,
     #[command(flatten)]
@@ -49,14 +49,14 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     frame_angle: f64,
-    /// Of two positions: the linkage with this length of the output link.
+    /// Length of the output link, for two positions: selects that linkage of the family.
     #[arg(long, value_parser = number, value_name = "LENGTH", allow_hyphen_values = true)]
     l2: Option<f64>,
-    /// Coupler angles, degrees from the x-axis, one for each position: the conditions and theorems of the source paper there,
-    /// as they are printed and as they are, and the ranges of the lengths.
+    /// Coupler angles, degrees from the x-axis, one for each position: the conditions and theorems
+    /// of the source paper there, as printed and in fact, and the ranges of the lengths.
     #[arg(long, value_name = "PHI1,...", value_delimiter = ',', value_parser = number, allow_hyphen_values = true)]
     coupler: Vec<f64>,
-    /// Trial lengths of coupler, output link and driver instead of a solution: what they leave open in each position.
+    /// Trial lengths of coupler, output link and driver instead of a solution: their gap in each position.
     #[arg(long, value_name = "L1,L2,L3", value_parser = lengths, allow_hyphen_values = true)]
     lengths: Option<[f64; 3]>,
     /// The starting angles of the output link and the driver are free (exact for five positions).
