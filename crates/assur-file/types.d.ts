@@ -233,7 +233,7 @@ x: number,
 y: number, };
 export type LinkageDocument = { 
 /**
- * What it is called.
+ * Its title.
  */
 title?: string | null, 
 /**
@@ -414,11 +414,11 @@ link: string,
 at: [number, number], };
 export type SchemeDocument = { 
 /**
- * What it is called.
+ * Its title.
  */
 title?: string | null, 
 /**
- * Where it comes from.
+ * Its source.
  */
 source?: string | null, 
 /**
@@ -573,11 +573,11 @@ output_deg: [number, number], };
 export type FormulaDocument = "log10" | "exp" | "sin" | { "power": number } | { "table": Array<[number, number]> };
 export type GearTrainDocument = { 
 /**
- * What it is called.
+ * Its title.
  */
 title?: string | null, 
 /**
- * Where it comes from.
+ * Its source.
  */
 source?: string | null, 
 /**
@@ -633,7 +633,7 @@ members: MembersDocument,
  */
 observer: ObserverDocument, 
 /**
- * Whether it runs under load; else nothing slips.
+ * Whether it runs under load; otherwise nothing slips.
  */
 loaded: boolean, 
 /**
@@ -662,7 +662,7 @@ export type DriveDocument = {
  */
 shaft: ShaftDocument, 
 /**
- * Its speed, revolutions per minute; 0: it is held. Of a tied shaft, the speed that it has without the tie.
+ * Its speed, revolutions per minute; 0: it is held. For a tied shaft, its speed without the tie.
  */
 rpm: number, 
 /**
@@ -725,7 +725,7 @@ mass: number,
 damping: [number, number, number, number], };
 export type LessonDocument = { 
 /**
- * What it is called.
+ * Its title.
  */
 title: string, 
 /**
@@ -738,7 +738,7 @@ author?: string,
 steps: Array<StepDocument>, };
 export type StepDocument = { 
 /**
- * What it is called.
+ * Its title.
  */
 title: string, 
 /**

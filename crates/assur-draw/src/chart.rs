@@ -133,7 +133,7 @@ pub struct Panel {
 #[derive(Clone, Debug)]
 pub struct Chart {
     axis: [f64; 2],
-    /// Whether the input is an angle; else it is a length.
+    /// Whether the input is an angle; otherwise it is a length.
     turns: bool,
     kind: Kind,
     settings: Settings,
@@ -180,7 +180,7 @@ impl Chart {
         }
     }
 
-    /// Whether the input is an angle, labelled in degrees; else it is a length.
+    /// Whether the input is an angle, labelled in degrees; otherwise it is a length.
     pub fn turns(&self) -> bool {
         self.turns
     }

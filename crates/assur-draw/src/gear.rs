@@ -20,7 +20,7 @@ const FLANK: usize = 7;
 pub(crate) struct Teeth {
     count: f64,
     ring: bool,
-    /// Radius of the tips: above the pitch circle, of a ring below it.
+    /// Radius of the tips: above the pitch circle, for a ring below it.
     tip: f64,
 }
 

@@ -192,7 +192,7 @@ pub(crate) fn distance_to_plate(place: Point, corners: &[Point]) -> Option<f64> 
     Some(if inside { 0.0 } else { nearest })
 }
 
-/// The centroid of a convex plate; of a bar its middle.
+/// The centroid of a convex plate, or the middle of a bar.
 pub(crate) fn centroid(corners: &[Point]) -> Option<Point> {
     let [first, rest @ ..] = corners else {
         return None;

@@ -31,7 +31,7 @@ const FORMULA: usize = 1000;
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct LessonDocument {
-    /// What it is called.
+    /// Its title.
     pub title: String,
     /// Its author.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -46,7 +46,7 @@ pub struct LessonDocument {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct StepDocument {
-    /// What it is called.
+    /// Its title.
     pub title: String,
     /// Paragraphs, one per line; `*emphasis*`, and `_` starts a subscript in a symbol.
     pub text: String,
@@ -106,7 +106,7 @@ pub struct QuestionDocument {
     pub reach: Option<ReachDocument>,
 }
 
-/// An answer that is a number: a quantity of what the step shows, or a fixed value.
+/// An answer that is a number: a quantity of the shown document, or a fixed value.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
@@ -140,7 +140,7 @@ fn is_false(value: &bool) -> bool {
     !value
 }
 
-/// Options of which one is right.
+/// Options, one of which is right.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
@@ -289,7 +289,7 @@ impl<'de> Deserialize<'de> for ShownDocument {
     }
 }
 
-/// The fields of what a step shows.
+/// The fields of a shown document.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Head {

@@ -37,7 +37,7 @@ pub enum Problem {
     NotWhole { field: Field, value: f64 },
     /// A field has none of its allowed values.
     UnknownChoice { field: Field },
-    /// In real time a driver that stands still shows nothing.
+    /// A driver at rest shows nothing in real time.
     AtRest { field: Field },
     /// A link is at least as long as the others together.
     TooLong { field: Field, by: f64 },

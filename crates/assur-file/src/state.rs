@@ -1,4 +1,4 @@
-//! The whole state of the page: what an address, a file and an undo step hold.
+//! The whole state of the page: the contents of an address, a file and an undo step.
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};

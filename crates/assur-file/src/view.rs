@@ -166,7 +166,7 @@ pub enum Only {
 }
 
 impl Only {
-    /// The order of the derivatives that are shown alone; none where all are.
+    /// The order of the derivatives that are shown alone; none if all are.
     pub fn order(self) -> Option<usize> {
         match self {
             Self::All => None,

@@ -45,7 +45,7 @@ pub enum LeftOut {
     OneWay { names: Vec<String> },
     /// A crank that oscillates by an angle, in degrees, turns on.
     Swing { link: String, angle: f64 },
-    /// A driver that is moved only by hand stands still.
+    /// A driver moved only by hand is at rest.
     ByHand { link: String },
     /// A driver that turns or moves nothing.
     Driver { point: String },

@@ -19,7 +19,7 @@ const UNSEEN: f64 = 1.0 / 32.0;
 
 type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 
-/// A canvas of a width and height in pixels of the reader.
+/// A canvas with its size in pixels of the reader.
 pub(crate) struct Canvas<'a> {
     context: &'a CanvasRenderingContext2d,
     size: (u32, u32),

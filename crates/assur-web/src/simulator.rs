@@ -148,7 +148,7 @@ impl Simulator {
     }
 
     /// The open document, drawn at an input, after one edit (the type `Edit`): `{kind, document,
-    /// point, link}` with what was added. It is a linkage if it moves, otherwise a drawing.
+    /// point, link}` with the added parts. It is a linkage if it moves, otherwise a drawing.
     ///
     /// # Errors
     /// A document that cannot be drawn on; the reason why the edit is impossible.

@@ -61,26 +61,26 @@ enum Task {
     ///
     /// With WORDS or a browser, only page tests are run.
     Test {
-        /// Also long tests, ten times the counts of random input, and the page in Firefox, whose driver cargo builds
+        /// Also runs long tests, ten times as much random input, and the page in Firefox, whose driver cargo builds
         #[arg(long)]
         all: bool,
         /// Only page tests, in this browser
         #[arg(long)]
         browser: Option<Kind>,
-        /// Only page tests whose names hold one of these words, in Chromium unless a browser is named
+        /// Only page tests whose names contain one of these words, in Chromium unless a browser is named
         words: Vec<String>,
     },
     /// Runs the tests of random input that take more than five minutes: 200,000 drawings, 100,000 damaged files
     Soak {
-        /// The seed that the input begins with, for a run that differs from the last
+        /// Seed of the random input, for a run that differs from the last
         #[arg(long, default_value_t = 777)]
         seed: u64,
     },
-    /// Prints how fast engine and page are, beside a yardstick of the same run
+    /// Prints the speed of engine and page, relative to a yardstick in the same run
     ///
-    /// Installs what is missing as `test` does. Nothing fails for being slow.
+    /// Installs what is missing as `test` does. A slow result is not a failure.
     Bench {
-        /// How long the page is played and dragged with an eye on its memory
+        /// Minutes for which the page is played and dragged while its memory is watched
         #[arg(long, default_value_t = 0.5)]
         minutes: f64,
     },

@@ -37,11 +37,11 @@ const MOST_KNOTS: usize = 100;
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct GearTrainDocument {
-    /// What it is called.
+    /// Its title.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub title: Option<String>,
-    /// Where it comes from.
+    /// Its source.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub source: Option<String>,
@@ -83,7 +83,7 @@ pub struct GearTrainDocument {
     /// The observer in whose frame of reference the train is shown.
     #[serde(default)]
     pub observer: ObserverDocument,
-    /// Whether it runs under load; else nothing slips.
+    /// Whether it runs under load; otherwise nothing slips.
     #[serde(default)]
     pub loaded: bool,
     /// Plotted time span, and duration of a run under load.
@@ -166,7 +166,7 @@ pub enum ObserverDocument {
 pub struct DriveDocument {
     /// The driven shaft.
     pub shaft: ShaftDocument,
-    /// Its speed, revolutions per minute; 0: it is held. Of a tied shaft, the speed that it has without the tie.
+    /// Its speed, revolutions per minute; 0: it is held. For a tied shaft, its speed without the tie.
     #[serde(default)]
     pub rpm: f64,
     /// Time of a uniform rise of the speed from rest, seconds; 0: full speed at once.

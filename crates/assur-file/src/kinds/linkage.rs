@@ -22,7 +22,7 @@ pub use problem::{LinkageProblem, dimension_field, in_field, of_field, rate_fiel
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct LinkageDocument {
-    /// What it is called.
+    /// Its title.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub title: Option<String>,

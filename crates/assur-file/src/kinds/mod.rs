@@ -53,10 +53,10 @@ pub trait Kind {
         Ok(Vec::new())
     }
 
-    /// The motion of what it describes.
+    /// The motion of the linkage that it describes.
     ///
     /// # Errors
-    /// Every problem for which it does not move.
+    /// Every problem that prevents its motion.
     fn motion(&self) -> Result<Motion, Vec<Problem>> {
         self.linkage()?.motion()
     }
@@ -179,7 +179,7 @@ impl Document {
         self.kind().linkage()
     }
 
-    /// The motion of what it describes; a mixer's over every arc of its crank.
+    /// The motion of the linkage that it describes; a mixer's over every arc of its crank.
     ///
     /// # Errors
     /// Every problem that prevents its motion.

@@ -22,11 +22,11 @@ const LONGEST_TEXT: usize = 400;
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct SchemeDocument {
-    /// What it is called.
+    /// Its title.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub title: Option<String>,
-    /// Where it comes from.
+    /// Its source.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional = nullable))]
     pub source: Option<String>,

@@ -13,7 +13,7 @@ use crate::{ImportProblem, LeftOut};
 
 /// The name of the parameter that holds the joints.
 const JOINTS: &str = "mech";
-/// Names of the ground, beside all that begin with [`GROUND`].
+/// Names of the ground, besides all that begin with [`GROUND`].
 const GROUNDS: [&str; 6] = ["0", "gnd", "grnd", "grond", "gound", "groud"];
 const GROUND: &str = "ground";
 

@@ -286,7 +286,7 @@ fn on_axis(time: f64) -> f64 {
 }
 
 impl Known {
-    /// A quantity with two derivatives by time.
+    /// A quantity with two derivatives with respect to time.
     fn rates(&self, quantity: Quantity) -> [f64; 3] {
         match quantity {
             Quantity::Angle(body) => {

@@ -18,7 +18,7 @@ use crate::summary::{CourseSummary, CycleSummary, ListedSummary};
 /// Maximum number of suggested trains.
 const SUGGESTED: usize = 5;
 
-/// Maximum load, as a multiple of what the magnets hold.
+/// Maximum load, as a multiple of the torque that the magnets hold.
 const OVERLOAD: f64 = 1.5;
 
 /// Summary of a differential. Speeds are in revolutions per minute after the rise of all drives.
