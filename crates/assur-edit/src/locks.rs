@@ -371,7 +371,7 @@ impl Held {
     }
 }
 
-/// Coefficients of the rows in `sides`, by least squares, since rows may be dependent.
+/// The solution x of rows·rowsᵀ·x = `sides`, regularised since rows may be dependent.
 fn factors(rows: &DMatrix<f64>, sides: &DVector<f64>) -> Option<DVector<f64>> {
     let count = rows.nrows();
     let square = rows * rows.transpose() + DMatrix::identity(count, count) * TWICE;

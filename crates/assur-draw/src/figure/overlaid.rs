@@ -56,7 +56,7 @@ struct InputArc {
     base: LinkOrFrame,
     pivot: PointId,
     radius: f64,
-    /// The least angle of the range: a negative one is drawn clockwise.
+    /// The least angle of the range; angles below zero are drawn clockwise.
     least: f64,
     role: Role,
     name: usize,
