@@ -761,20 +761,19 @@ to: number,
 step: number, };
 export type View = { 
 /**
- * Where the input is, if it is an angle: the crank angle, degrees.
+ * Input, if it is an angle: the crank angle, degrees.
  */
 phi_deg: number, 
 /**
- * Where the input is, if it is a length: the way of the driven slide, in the unit of
- * the lengths.
+ * Input, if it is a length: the displacement of the driven slide, in the unit of the lengths.
  */
 s: number, 
 /**
- * Where the input is, if it is time, seconds.
+ * Input, if it is time, seconds.
  */
 t: number, 
 /**
- * In motion or at rest.
+ * Whether the mechanism is moving.
  */
 playing: boolean, 
 /**
@@ -790,7 +789,7 @@ speed: number,
  */
 traces: boolean, 
 /**
- * Centres of mass shown. Older states say nothing of this and the next.
+ * Centres of mass shown. Older states lack this field and the next.
  */
 centres: boolean, 
 /**
@@ -838,32 +837,32 @@ centrodes: boolean,
  */
 curvature: boolean, 
 /**
- * The link that these are of; none: the first coupler.
+ * The link of these instant centres, centrodes and circles; empty: the first coupler.
  */
 about: string, 
 /**
- * The link against which the instant centre of `about` is given by lines; none: the frame.
+ * The reference link of the instant centre of `about`; empty: the frame.
  */
 relative_to: string, 
 /**
- * What is measured between points or links, by its names (`A-C.distance`, `A-B-C.corner`, `crank-rocker.between`): drawn,
- * read and listed.
+ * Measures between points or links, by name (`A-C.distance`, `A-B-C.corner`,
+ * `crank-rocker.between`): drawn, read out and listed.
  */
 measures: Array<string>, 
 /**
- * What is plotted: `angles`, or the name of a point (`C2`).
+ * Plotted quantities: `angles`, or the name of a point (`C2`).
  */
 plot: string, 
 /**
- * What is plotted against each other instead, if anything is.
+ * Quantities plotted against each other instead, if any.
  */
 against?: Against | null, 
 /**
- * Which of the plots is shown alone, if one is.
+ * The plot that is shown alone, if any.
  */
 only: Only, 
 /**
- * What the derivatives are by.
+ * Variable by which derivatives are taken.
  */
 axes: Axes, 
 /**
@@ -879,7 +878,7 @@ omega_unit: SpeedUnit,
  */
 epsilon: number, 
 /**
- * Played with ω₁ instead of `speed`.
+ * Playback at ω₁ instead of `speed`.
  */
 true_time: boolean, 
 /**
@@ -887,11 +886,11 @@ true_time: boolean,
  */
 drawing: boolean, 
 /**
- * Differences of φ′ shown over φ″.
+ * Difference quotients of φ′ shown over φ″.
  */
 differenced: boolean, 
 /**
- * The lesson that is open, if one is.
+ * The open lesson, if any.
  */
 lesson?: OpenLesson | null, 
 /**

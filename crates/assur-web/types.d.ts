@@ -9,24 +9,24 @@ export type AgainstLayout = { left: number, top: number, width: number, height: 
 curve: Array<Array<number>>, };
 export type AssembliesHere = { 
 /**
- * In the order of their angles.
+ * Assemblies in ascending order of their angles.
  */
 all: Array<AssemblyHere>, 
 /**
- * Which of them moves, from 0; none where it has no pose at the input.
+ * Index of the assembly that moves; none if it has no pose at the input.
  */
 shown: number | null, 
 /**
- * How many solutions a group's equations have over the complex numbers, where one group has them.
+ * Number of solutions of a group's equations over the complex numbers, if a single group has them.
  */
 complex: number | null, 
 /**
- * Whether these are all.
+ * Whether all assemblies were found.
  */
 whole: boolean, };
 export type AssemblyHere = { 
 /**
- * By which it is called, and chosen: by a document that counts its assemblies otherwise, as it does.
+ * Number by which it is shown and chosen; a mixer numbers its assemblies by itself.
  */
 number: number, 
 /**
@@ -34,7 +34,7 @@ number: number,
  */
 angle: number, 
 /**
- * Where the bodies are, as of a frame.
+ * Poses of the bodies, as in a frame.
  */
 bodies: Array<number>, };
 export type AxisLayout = { 
@@ -48,12 +48,12 @@ name: string | null,
 number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
 export type Belonging = { 
 /**
- * Of each assembly, in the order of their numbers, its branch, from 0.
+ * Index of the branch of each assembly, in the order of their numbers.
  */
 branches: Array<number>, 
 /**
- * Of each the meetings to be passed from the one that is asked for, none for its own branch; null where none lead
- * there.
+ * For each assembly, the meetings on the way from the chosen one: empty for the same branch,
+ * null if it cannot be reached.
  */
 reached: Array<Array<number> | null>, };
 export type Between = { min: number, max: number, stroke: number, };
@@ -129,27 +129,27 @@ pairs: Array<ClassSummary>, spatial_pairs: Array<ClassSummary>, planar: number |
 export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, by_count: number, };
 export type CourseSummary = { 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -157,7 +157,7 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], };
 export type CurvatureHere = { circles: Array<CircleHere>, inflection: InflectionHere | null, };
@@ -275,27 +275,27 @@ load: PullSummary | null,
  */
 slips: [number, number] | null, halt: HaltSummary | null, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -303,7 +303,7 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], };
 export type GroupSummary = { term: string, role: string, };
@@ -342,31 +342,31 @@ off: number,
 wheel: string | null, };
 export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
 /**
- * What can drive it, by the links that are turned or slide.
+ * The links that can drive it, by turning or sliding.
  */
 drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -374,15 +374,15 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * Passive wheels, whose meshes repeat what others do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type ListedSummary = { name: string, 
@@ -408,35 +408,35 @@ export type MixerSummary = {
  */
 ratios: Array<number>, 
 /**
- * Peripheral wheels of which two would lie one over the other.
+ * Pairs of peripheral wheels that would overlap.
  */
 overlaps: Array<[number, number]>, 
 /**
- * The direction from wheel 4 in which there is most room.
+ * The direction from wheel 4 with the most room.
  */
 free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -444,15 +444,15 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * Passive wheels, whose meshes repeat what others do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
@@ -600,32 +600,32 @@ export type RelationHere = { item: string, name: string,
  */
 angle: boolean, 
 /**
- * Whether it is an angle through which something has turned, so that whole turns count.
+ * Whether it is an angle of rotation, of which whole turns count.
  */
 turned: boolean, 
 /**
- * Whether it counts something, and is a whole number.
+ * Whether it is a count, and so a whole number.
  */
 count: boolean, value: number, 
 /**
- * The value by the relation as it is printed; none where that divides by zero.
+ * The value by the relation as printed; none if that divides by zero.
  */
 printed: number | null, };
 export type SchemeSummary = { 
 /**
- * Nothing does.
+ * Always null.
  */
 moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, planar: boolean, 
 /**
- * The ground is the first.
+ * Names of the links, the ground first.
  */
 links: Array<string>, pairs: Array<PairSummary>, counts: CountSummary, mobility: number, redundant: number, 
 /**
- * (6), where it holds.
+ * q by (6), if it applies.
  */
 redundant_by_plane: number | null, 
 /**
- * What the cuts come to, where they open every contour.
+ * The result of the cuts, if they open every contour.
  */
 sections: SectionsSummary | null, 
 /**
@@ -641,12 +641,12 @@ apart: Array<string>,
  */
 automatic: Array<string>, plane: JudgedSummary | null, space: JudgedSummary | null, 
 /**
- * A pair of which too little is known for the rank.
+ * A pair with too few data for the rank.
  */
 missing: string | null, mended: MendedSummary | null, };
 export type SectionsSummary = { cuts: Array<string>, 
 /**
- * Of the pairs that are left: i, and how many.
+ * Remaining pairs: i, and their number.
  */
 left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
 export type SeriesLayout = { name: string, 
@@ -722,7 +722,7 @@ export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<Swe
 compared: SweepTable | null, };
 export type SynthesisSummary = { 
 /**
- * What there is to choose from.
+ * Source of the solutions.
  */
 from: "family" | "exact" | "found" | "trial", 
 /**
@@ -738,7 +738,7 @@ shown: Array<number>,
  */
 turned: boolean, 
 /**
- * Which of them is drawn, from 1.
+ * Number of the drawn solution, from 1.
  */
 number: number | null, drawn: SolutionSummary, 
 /**
@@ -746,15 +746,15 @@ number: number | null, drawn: SolutionSummary,
  */
 frame: number, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
 /**
- * How many of the positions can be closed, over l₁ and l₂.
+ * Number of positions that can be closed, over l₁ and l₂.
  */
 closed: PlaneSummary, 
 /**
- * What the method of the paper comes to, where the document gives every coupler angle.
+ * Result of the paper's method, if the document gives every coupler angle.
  */
 printed: PrintedSummary | null, 
 /**
- * What Levitsky's quadratic approximation comes to.
+ * Result of Levitsky's quadratic approximation.
  */
 weighted: WeightedSummary | null, 
 /**
@@ -762,31 +762,31 @@ weighted: WeightedSummary | null,
  */
 function: FunctionSummary | null, 
 /**
- * What is drawn, as a linkage for the simulator.
+ * The drawn solution, as a linkage for the simulator.
  */
 linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -794,15 +794,15 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * Passive wheels, whose meshes repeat what others do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
@@ -822,11 +822,11 @@ export type VerdictSummary = { passage: "continuous" | "through_change_point" | 
 transmission: number, transmission_between: number | null, size_ratio: number, };
 export type WantedSummary = { 
 /**
- * φ₂ and φ₃ with their starts, and φ₁ of what is drawn, radians.
+ * φ₂ and φ₃ with their starts, and φ₁ of the drawn linkage, radians.
  */
 output: number, input: number, coupler: number, 
 /**
- * By how much the contour is open at the coupler.
+ * Gap of the contour at the coupler.
  */
 error: number, 
 /**
@@ -834,8 +834,8 @@ error: number,
  */
 equation: [number, number, number, number], 
 /**
- * φ₁ at which the conditions are evaluated, and the length by which the contour is open with
- * the coupler there.
+ * φ₁ at which the conditions are evaluated, and the gap of the contour with the coupler at
+ * this angle.
  */
 at: number, open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
 /**
@@ -843,13 +843,12 @@ at: number, open: number, conditions: Array<ConditionSummary>, theorems: Array<T
  */
 pair: LeftOutSummary | null, 
 /**
- * Between which l₁ l₂ is positive, and between which l₃: null where it never is, and where there is no greatest; null
+ * Ranges of l₁ in which l₂ and l₃ are positive: null if there is none, or no maximum; null
  * altogether where (13) fails.
  */
 ranges: [[number, number | null] | null, [number, number | null] | null] | null, 
 /**
- * Between which l₁ all lengths are positive: null where there are none, and where there is
- * no greatest.
+ * Range of l₁ in which all lengths are positive: null if there is none, or no maximum.
  */
 interval: [number, number | null] | null, };
 export type WeightedSummary = { 
@@ -858,15 +857,15 @@ export type WeightedSummary = {
  */
 lengths: [number, number, number], 
 /**
- * ΣJ there, with the best coupler angles, and of what is drawn: numbers.
+ * ΣJ of these lengths, with the best coupler angles, and of the drawn linkage: dimensionless.
  */
 sum: number, drawn: number, };
 export type Wishes = { 
 /**
- * The arc of the crank over which it stands at least, radians.
+ * Minimum arc of the crank over which the output dwells, radians.
  */
 arc: number, 
 /**
- * From its least to its greatest value: radians, or in the unit of the lengths.
+ * Stroke of the output, from minimum to maximum: radians, or in the unit of the lengths.
  */
 stroke: number, movable: Array<Movement>, };

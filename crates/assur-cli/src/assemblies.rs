@@ -12,23 +12,23 @@ use crate::sweep::asked_for;
 use crate::words::number;
 use crate::{Failure, source};
 
-/// What is asked for.
+/// Arguments of `assur assemblies`.
 #[derive(Args)]
 pub(crate) struct Asked {
     /// Catalogue name or file.
     name: Name,
-    /// The input: degrees, of a driven slide a length [default: the drawn one]
+    /// The input: degrees, or a length for a driven slide [default: the drawn one]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     at: Option<f64>,
-    /// Instead of the table, the linkage drawn in the assembly of this number, as a file
+    /// Writes the linkage drawn in the assembly with this number, as a file, instead of the table
     #[arg(long, value_name = "N")]
     assemble: Option<usize>,
 }
 
-/// Writes the table, or the drawing of one of the assemblies; where there may be more assemblies standard error says so.
+/// Writes the table, or the drawing of one assembly; standard error says if there may be more assemblies.
 ///
 /// # Errors
-/// What is no mechanism; a number that is none; what cannot be written.
+/// Not a mechanism; an invalid number; output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let at = |turns: bool| {
         let at = asked.at.map(|at| asked_for("--at", at, turns));
@@ -72,7 +72,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     if !found.whole {
         let at = source::at(mechanism.turns(), input);
         let name = &asked.name;
-        // With standard error gone there is nobody left to tell.
+        // Without standard error nobody can be informed.
         let _ = writeln!(
             io::stderr(),
             "assur: {name}: there may be more assemblies at {at}"

@@ -11,10 +11,10 @@ use serde_json::{Value, json};
 use crate::Failure;
 use crate::source::{Moved, Name, at};
 
-/// Writes them, as lines for people or as JSON.
+/// Writes branches and circuits, as lines for people or as JSON.
 ///
 /// # Errors
-/// What cannot be written.
+/// Output that cannot be written.
 pub(crate) fn write<W: Write>(
     out: &mut W,
     moved: &Moved,
@@ -37,7 +37,7 @@ struct Told<'a> {
     found: Circuits,
 }
 
-/// How a branch ends or what crosses it: where, in what, and which branch goes on from there.
+/// An end or a crossing of a branch: its input, kind and links, and the branch that continues from it.
 struct Joint<'a> {
     input: f64,
     what: &'static str,
@@ -85,7 +85,7 @@ impl Told<'_> {
         at(self.mechanism.turns(), input)
     }
 
-    /// The ends of a branch, then what crosses it.
+    /// The ends of a branch, then its crossings.
     fn joints(&self, number: usize) -> Vec<Joint<'_>> {
         let motion = &self.found.branches()[number].motion;
         let meetings = self.found.meetings().iter();
@@ -159,7 +159,7 @@ impl Told<'_> {
                 "turns_fully": cycle.is_full(),
                 "turns": turns(branch),
                 "range": range.collect::<Vec<_>>(),
-                // What stops it, and which branch meets it there.
+                // Dead points, each with the branch that meets it there.
                 "ends": joints(false),
                 "crossings": joints(true),
             })
@@ -171,7 +171,7 @@ impl Told<'_> {
             json!({key: at, "branches": meeting.branches.map(|branch| branch + 1)})
         });
         json!({
-            // By the angle of this link assemblies, and so branches, are numbered.
+            // The link by whose angle assemblies, and so branches, are numbered.
             "output": self.mechanism.link_name(self.found.output()),
             "whole": self.found.is_whole(),
             "circuits": self.found.count(),
@@ -181,7 +181,7 @@ impl Told<'_> {
     }
 }
 
-/// After how many turns a branch repeats that is a cycle.
+/// Number of turns after which a cyclic branch repeats.
 fn turns(branch: &Branch) -> Option<u64> {
     let cycle = branch.motion.cycle();
     let period = cycle.period().filter(|_| cycle.is_full());

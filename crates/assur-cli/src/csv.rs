@@ -2,14 +2,14 @@
 
 use std::io::{self, Write};
 
-/// How a table is written.
+/// Format of a table.
 #[derive(Clone, Copy)]
 pub(crate) struct Csv {
     /// 0,5 for 0.5, and so a semicolon between cells.
     pub(crate) decimal_comma: bool,
 }
 
-/// What stands between two separators.
+/// A cell of a table.
 pub(crate) enum Cell {
     Text(String),
     Number(f64),
@@ -17,7 +17,7 @@ pub(crate) enum Cell {
 }
 
 impl Csv {
-    /// One line, texts quoted where they must be.
+    /// Writes a line, with texts quoted if necessary.
     pub(crate) fn line(
         self,
         out: &mut impl Write,
@@ -40,8 +40,8 @@ impl Csv {
         out.write_all(b"\n")
     }
 
-    /// The shortest text that reads back as the same number. Long tables are little else than numbers: nothing is
-    /// allocated for one.
+    /// Writes the shortest text that reads back as the same number. Long tables consist mainly of
+    /// numbers, so this allocates nothing.
     fn number(self, out: &mut impl Write, value: f64) -> io::Result<()> {
         let mut buffer = zmij::Buffer::new();
         let text = buffer.format(value + 0.0);

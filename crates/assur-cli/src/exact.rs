@@ -8,7 +8,7 @@ use crate::{Failure, source};
 /// Writes the exact drawing as a file, and the greatest move of a point to standard error.
 ///
 /// # Errors
-/// No such name or file; a drawing that moves already, or that no small change lets move; what cannot be written.
+/// An unknown name or file; a drawing that moves already, or after no small change; output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, name: &Name) -> Result<(), Failure> {
     let document = source::linkage(name)?;
     let Some(exact) = document.spec().made_exact() else {
@@ -18,7 +18,7 @@ pub(crate) fn write(out: &mut impl Write, name: &Name) -> Result<(), Failure> {
     serde_json::to_writer_pretty(&mut *out, &document.redrawn(&exact.spec))
         .map_err(io::Error::from)?;
     writeln!(out)?;
-    // With standard error gone there is nobody left to tell.
+    // Without standard error nobody can be informed.
     let _ = writeln!(
         io::stderr(),
         "{name}: point {} moves farthest, by {:.3e}",

@@ -49,22 +49,22 @@ enum Command {
     /// One row for each input, ascending, over the motion's own range (see `assur structure`). A crank that turns
     /// fully has rows from 0° to 360°, or to as many turns as the motion takes to repeat, the last one where the
     /// steps meet it. A driver that turns back has rows at the multiples of the step between its dead points, and at
-    /// the dead points themselves; a driven slide from the least to the greatest of its range. An angle that is asked
-    /// for outside the range is brought into it by whole turns.
+    /// the dead points themselves; a driven slide over its whole range. A requested angle outside the range is brought
+    /// into it by whole turns.
     ///
     /// The first column is the input: `phi_deg`, degrees of a crank, or `s`, the length of a driven slide. Then for
     /// each link LINK.angle (radians, never folded), LINK.dangle, LINK.ddangle; for each point P.x, P.y, P.dx, P.dy,
-    /// P.ddx, P.ddy, in the unit of the file's lengths. Derivatives are by the input, by radians of a crank. With
-    /// --omega they are by time, in seconds: LINK.omega, LINK.epsilon, P.vx, P.vy, P.ax, P.ay. With --degrees angles
-    /// are in degrees, and derivatives by degrees of a crank. The last column, `reason`, says why there is no pose, or
-    /// none of its derivatives.
+    /// P.ddx, P.ddy, in the unit of the file's lengths. Derivatives are with respect to the input, a crank's in radians.
+    /// With --omega they are with respect to time, in seconds: LINK.omega, LINK.epsilon, P.vx, P.vy, P.ax, P.ay. With
+    /// --degrees angles are in degrees, and derivatives with respect to degrees of a crank. The last column, `reason`,
+    /// says why there is no pose or no derivative.
     Sweep(sweep::Asked),
     /// Shows mobility, class, formula, passive wheels, the Assur groups in their order, and the range of the motion
     /// with its dead points and change points.
     ///
     /// Then for each output its swing or stroke, its travel there and back and, where it goes there and back once a turn,
-    /// its time ratio (outputs are what the file plots, else all angles and what slides on the frame); the Grashof class of each four-bar; of each dyad RRR the minimum
-    /// transmission angle, of each dyad RRP the maximum pressure angle.
+    /// its time ratio (outputs are those plotted by the file, or else all angles and the points that slide on the frame); the Grashof class of each four-bar;
+    /// the minimum transmission angle of each dyad RRR, the maximum pressure angle of each dyad RRP.
     ///
     /// A drawing whose redundant constraints hold only nearly is locked; with --make-exact it is written to standard output
     /// with its points moved as little as possible so that it moves; standard error gives the greatest move.
@@ -74,26 +74,26 @@ enum Command {
         /// Prints JSON.
         #[arg(long)]
         json: bool,
-        /// Instead of the structure, the drawing made exact, as a file
+        /// Writes the drawing made exact, as a file, instead of the structure
         #[arg(long, conflicts_with = "json")]
         make_exact: bool,
     },
-    /// Writes all assemblies at an input as a table (CSV): every way in which the links can be joined there.
+    /// Writes all assemblies at an input as a table (CSV): every way in which the links can be joined.
     ///
     /// One row for each, numbered from 1 by the angle of the output from 0 to 2π: the link whose angle the file plots
-    /// first, or else the one that is placed last. Dyads are joined in closed form; the equations of groups of Class III
+    /// first, or else the link placed last. Dyads are joined in closed form; the equations of groups of Class III
     /// and higher are solved over the complex numbers, so that none is missed. Then for each link LINK.angle, radians
     /// from 0 to 2π. Wheels in mesh stay as they are mounted.
     ///
-    /// A linkage that does not close as it is drawn, as one of which lengths alone are known, has its assemblies too;
-    /// with --assemble N it is written to standard output drawn in the assembly of that number.
+    /// A linkage that does not close as drawn, such as one with only known lengths, also has assemblies; with
+    /// --assemble N it is written to standard output, drawn in the assembly with that number.
     Assemblies(assemblies::Asked),
-    /// Shows every motion that the linkage can have, and which of them can be reached from each other.
+    /// Shows every motion of the linkage, and which of them can be reached from each other.
     ///
     /// A branch is a piece of motion between two dead points, or a whole cycle. In a fold, a dead point, two branches
-    /// meet; at a crossing, a change point, they pass through one pose. Branches that meet are of one circuit: the links
-    /// need not be taken apart to come from one to the other. Branches and circuits are numbered by the least input that
-    /// they come to, and there as `assur assemblies` numbers assemblies.
+    /// meet; at a crossing, a change point, they pass through one pose. Branches that meet belong to one circuit: the links
+    /// need not be taken apart to get from one to the other. Branches and circuits are numbered by their least input, and
+    /// there as `assur assemblies` numbers assemblies.
     Circuits {
         /// Catalogue name or file.
         name: Name,
@@ -103,16 +103,16 @@ enum Command {
     },
     /// Counts mobility and redundant constraints, and judges them by the rank of the constraints.
     ///
-    /// A scheme of links and pairs, or any linkage as one, also a drawing that is locked, lacks drivers or does not
-    /// close: it is taken where it is drawn. Pairs are cut until every contour is open: W is the sum of
-    /// the freedoms of what is left, less the constraints of what was cut. q counts the constraints that are
+    /// NAME is a scheme of links and pairs, or any linkage, even a drawing that is locked, lacks drivers or does not
+    /// close: it is taken as drawn. Pairs are cut until every contour is open: W is the sum of
+    /// the freedoms of the remaining pairs, less the constraints of the cut ones. q counts the constraints that are
     /// redundant in space. If places and axes are known the rank gives the true number of motions, which
     /// pairs carry redundant constraints, which links move by themselves, and which pairs to replace.
     Mobility {
         /// Catalogue name or file.
         name: Name,
-        /// Pairs to cut; of a hinge of more than two links one of them, as in Q:3 [default: those of the file, or
-        /// else those that the way from the ground finds]
+        /// Pairs to cut; for a hinge of more than two links with one of these, as in Q:3 [default:
+        /// those of the file, or else automatic ones]
         #[arg(long, value_name = "PAIR,PAIR", value_delimiter = ',')]
         cut: Option<Vec<String>>,
         /// Prints JSON.
@@ -124,28 +124,27 @@ enum Command {
     /// Sun 1, satellite 2, carrier 3, ring 4, with gears in contact or magnets with gaps. Two of the speeds w1, w3,
     /// w4 and ties determine all; i/j(k) is the ratio of wi to wj with k held.
     Differential(differential::Asked),
-    /// Draws the mechanism where it is drawn in its file, with its traces, and its
-    /// plots below.
+    /// Draws the mechanism as it is drawn in its file, with its traces, and its plots below.
     Plot {
         /// Catalogue name or file.
         name: Name,
         /// The file to write, `-` for standard output.
         #[arg(long, value_name = "OUT")]
         svg: PathBuf,
-        /// The assembly of this number at the drawn input, as `assur assemblies` numbers them [default: the one that is
-        /// drawn]
+        /// The assembly with this number at the drawn input (see `assur assemblies`) [default: the
+        /// drawn one]
         #[arg(long, value_name = "N")]
         assembly: Option<usize>,
     },
-    /// Finds the four-bars that take up given positions, with a verdict on each.
+    /// Finds the four-bars for given positions, with a verdict on each.
     ///
     /// l0 is the frame, l1 the coupler, l2 the output link, l3 the driver. Two positions leave a family, three one
     /// linkage, more the best compromise with l1, l2, l3 from a tenth of l0 to ten times l0. With --function the positions
-    /// are put on a function y = f(x), and the greatest error of y is given with its x.
+    /// lie on a function y = f(x), and the greatest error of y is given with its x.
     Synth(synth::Asked),
 }
 
-/// What went wrong, with what is said of it.
+/// A failure, with its message.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// Reading or writing: exit status 1.
@@ -179,7 +178,7 @@ fn main() -> ExitCode {
         Err(Failure::Io(said)) => (said, 1),
         Err(Failure::Input(said)) => (said, 2),
     };
-    // With standard error gone there is nobody left to tell.
+    // Without standard error nobody can be informed.
     let _ = writeln!(io::stderr(), "assur: {said}");
     ExitCode::from(status)
 }
@@ -223,7 +222,7 @@ fn run(command: Command) -> Result<(), Failure> {
             let text = plot::svg(&moved, &name)?;
             if let Err(turns) = moved.motion.searchable() {
                 let said = words::Words::english()?.sentence(&LinkageProblem::from(turns))?;
-                // With standard error gone there is nobody left to tell.
+                // Without standard error nobody can be informed.
                 let _ = writeln!(io::stderr(), "{name}: zeros and extrema: {said}");
             }
             if svg.as_os_str() == "-" {

@@ -37,11 +37,11 @@ const LINES: [&str; 21] = [
     "replacements",
 ];
 
-/// Writes what there is to tell, as lines for people or as JSON. The cuts are those that are asked for, or those of
-/// the document, or else automatic.
+/// Writes the report, as lines for people or as JSON. The cuts are those of the command line, or
+/// else of the document, or else automatic.
 ///
 /// # Errors
-/// What is no scheme; cuts that do not open it; what cannot be written.
+/// Not a scheme; cuts that do not open it; output that cannot be written.
 pub(crate) fn write(
     out: &mut impl Write,
     name: &Name,
@@ -52,7 +52,7 @@ pub(crate) fn write(
     let refuse = |error| refused(name, &[Problem::from(error)]);
     let cuts: Vec<Cut> = match cut {
         Some(names) => {
-            // Nothing between commas is no cut.
+            // An empty name between commas is not a cut.
             let names = names.iter().filter(|name| !name.is_empty());
             let cuts = names
                 .map(|name| scheme.cut_named(name))
@@ -85,13 +85,13 @@ pub(crate) fn write(
     Ok(())
 }
 
-/// P₁ and so on.
+/// Numbers of pairs as P₁ and so on.
 fn numbers_of_pairs(numbers: &Map<String, Value>) -> String {
     let numbers = numbers.iter().map(|(i, count)| format!("P{i} = {count}"));
     numbers.collect::<Vec<_>>().join(", ")
 }
 
-/// A value on one line; nothing where there is none.
+/// A value on one line; empty if it is null.
 fn in_line(value: &Value) -> String {
     match value {
         Value::Null => String::new(),
@@ -113,7 +113,7 @@ fn fields(value: Value) -> Map<String, Value> {
     }
 }
 
-/// What counting tells.
+/// The results of counting.
 fn counted(scheme: &Scheme, sections: &Sections) -> Map<String, Value> {
     let counts = scheme.counts();
     let numbered = |pairs: &std::collections::BTreeMap<u8, usize>| {
@@ -152,8 +152,8 @@ fn counted(scheme: &Scheme, sections: &Sections) -> Map<String, Value> {
     }))
 }
 
-/// What the rank tells: in the plane of planar schemes, and in space. All is null where places, axes or forms of
-/// pairs are missing.
+/// The results of the rank: in the plane for planar schemes, and in space. All null if places, axes
+/// or forms of pairs are missing.
 fn rank_report(scheme: &Scheme) -> Map<String, Value> {
     let own = if scheme.is_planar() {
         Space::Plane

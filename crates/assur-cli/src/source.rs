@@ -1,4 +1,4 @@
-//! The mechanism that a name stands for.
+//! The mechanism denoted by a name.
 
 use std::fmt::{self, Display, Formatter};
 use std::fs::File;
@@ -15,7 +15,7 @@ use serde::Serialize;
 use crate::Failure;
 use crate::words::Words;
 
-/// No larger file is read: the largest linkage that is taken is far smaller.
+/// Maximum size of a file, in bytes: the largest possible linkage is far smaller.
 const LARGEST: u64 = 4 << 20;
 
 /// Maximum number of characters of a link shown after its host.
@@ -23,8 +23,8 @@ const SHOWN: usize = 16;
 /// Maximum number of characters of the host shown.
 const LONGEST_HOST: usize = 60;
 
-/// The name of a mechanism on the command line: a name of the catalogue, a file, or a link of another program. Shown
-/// whole, except a link, which may have thousands of characters: its beginning.
+/// The name of a mechanism on the command line: a name of the catalogue, a file, or a link of another
+/// program. A link, which may have thousands of characters, is displayed only by its beginning.
 #[derive(Clone, Debug)]
 pub(crate) struct Name(String);
 
@@ -59,16 +59,16 @@ impl Display for Name {
     }
 }
 
-/// A mechanism in motion, with the document it is from.
+/// A mechanism in motion, with its document.
 pub(crate) struct Moved {
     pub(crate) document: LinkageDocument,
     pub(crate) motion: Motion,
 }
 
-/// The motion of a name in the assembly that its document says, or else the drawn one.
+/// The motion of a named mechanism in the assembly of its document, or else in the drawn one.
 ///
 /// # Errors
-/// No such name or file; every reason why it is no mechanism.
+/// An unknown name or file; every reason why it is not a mechanism.
 pub(crate) fn moved(name: &Name) -> Result<Moved, Failure> {
     moving(name, &any(name)?)
 }
@@ -99,26 +99,26 @@ fn moving(name: &Name, whole: &Document) -> Result<Moved, Failure> {
 /// The document of a linkage, whether it moves or not.
 ///
 /// # Errors
-/// No such name or file; what is no linkage.
+/// An unknown name or file; not a linkage.
 pub(crate) fn linkage(name: &Name) -> Result<LinkageDocument, Failure> {
     let linkage = any(name)?.linkage();
     linkage.map_err(|problems| refused(name, &problems))
 }
 
-/// What can be done where links can be joined, only not as they are drawn.
+/// Advice for links that can be joined, but not as they are drawn.
 const ASSEMBLE: &str = "`assur assemblies` lists the ways in which these links can be joined, `--at` at other inputs, \
      and draws the linkage in one of them by `--assemble N`";
 
-/// Whether only the drawing is at fault.
+/// Whether the linkage closes in some assembly although not as drawn.
 fn can_be_assembled(document: &LinkageDocument) -> bool {
     document.assembly.is_none() && document.assembled(None).is_ok()
 }
 
-/// The same; a linkage that does not close as it is drawn is laid out in one of its assemblies by its dimensions
-/// alone, at the input that is asked for.
+/// The motion of a named mechanism; one that does not close as drawn is laid out in one of its
+/// assemblies by its dimensions alone, at the requested input.
 ///
 /// # Errors
-/// No such name or file; every reason why it is no mechanism even so.
+/// An unknown name or file; every reason why it is not a mechanism even so.
 pub(crate) fn laid_out(
     name: &Name,
     asked: impl FnOnce(bool) -> Result<Option<f64>, Failure>,
@@ -146,7 +146,7 @@ pub(crate) fn laid_out(
     Ok(Moved { document, motion })
 }
 
-/// That there is no assembly at an input.
+/// The failure that there is no assembly at an input.
 fn unjoined(name: &Name, turns: bool, input: f64) -> Failure {
     let at = at(turns, input);
     Failure::Input(format!("{name}: there is no assembly at {at}"))
@@ -162,8 +162,8 @@ impl Moved {
         output.ok_or_else(|| Failure::Input(format!("{name}: there are no links")))
     }
 
-    /// The quantities that the document plots, or else the angles of all links and the coordinates of what slides on the
-    /// frame.
+    /// The quantities that the document plots, otherwise the angles of all links and the
+    /// coordinates of points that slide on the frame.
     pub(crate) fn outputs(&self) -> Vec<Quantity> {
         let mechanism = self.motion.mechanism();
         if !self.document.plots.is_empty() {
@@ -178,7 +178,7 @@ impl Moved {
     }
 }
 
-/// The same in the assembly of a number, from 1, at an input; none: at the drawn one.
+/// The motion in the assembly of this number, from 1, at an input, by default the drawn one.
 ///
 /// # Errors
 /// There is no such assembly.
@@ -199,7 +199,7 @@ pub(crate) fn in_assembly(
     Ok(Moved { document, motion })
 }
 
-/// That at an input there is no assembly of a number.
+/// The failure that there is no assembly of this number at an input.
 pub(crate) fn no_assembly(
     name: &Name,
     mechanism: &Mechanism,
@@ -216,7 +216,7 @@ pub(crate) fn no_assembly(
     })
 }
 
-/// An input as people read it: degrees of a crank, else the way of a slide.
+/// An input for people: degrees of a crank, otherwise the displacement of a slide.
 pub(crate) fn at(turns: bool, input: f64) -> String {
     if turns {
         format!("{}°", (input.to_degrees() * 1e6).round() / 1e6 + 0.0)
@@ -225,20 +225,20 @@ pub(crate) fn at(turns: bool, input: f64) -> String {
     }
 }
 
-/// A scheme with the cuts that its document has.
+/// A scheme with the cuts of its document.
 pub(crate) struct Schemed {
     pub(crate) scheme: Scheme,
     pub(crate) cuts: Vec<Cut>,
 }
 
-/// The scheme of a name; a linkage as it is drawn, also one that does not move. Why it does not is said beside the
-/// output, unless it only has too few drivers, on which the count does not depend.
+/// The scheme of a name; a linkage as it is drawn, even if it does not move. Standard error gives
+/// the reasons, except too few drivers, which do not affect the count.
 ///
 /// # Errors
-/// No such name or file; every reason why it is no scheme.
+/// An unknown name or file; every reason why it is not a scheme.
 pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
-    // Read once: a pipe has nothing more to give.
+    // Read only once: a pipe cannot be read again.
     let whole = any(name)?;
     if let Document::Scheme(document) = whole {
         let scheme = document.scheme().map_err(refuse)?;
@@ -268,7 +268,7 @@ pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
     Ok(Schemed { scheme, cuts })
 }
 
-/// Says on standard error why a linkage does not move, a line for each reason other than too few drivers.
+/// Writes to standard error why a linkage does not move, a line for each reason except too few drivers.
 fn unmoved(name: &Name, problems: &[Problem]) -> Result<(), Failure> {
     let words = Words::english()?;
     for problem in problems {
@@ -279,16 +279,16 @@ fn unmoved(name: &Name, problems: &[Problem]) -> Result<(), Failure> {
             ))
         );
         if !undriven {
-            // With standard error gone there is nobody left to tell.
+            // Without standard error nobody can be informed.
             let _ = writeln!(io::stderr(), "{name}: {}", words.sentence(problem)?);
         }
     }
     Ok(())
 }
 
-/// What a name stands for, of any kind: a name of the catalogue, a link of another program, a file.
+/// The document denoted by a name, of any kind: a name of the catalogue, a link of another program, a file.
 fn any(name: &Name) -> Result<Document, Failure> {
-    // Nothing is fetched: what is in the address of the link itself is all there is to read.
+    // Nothing is fetched: the link itself contains everything that is read.
     if name.is_link() {
         return imported(name, &name.0);
     }
@@ -305,7 +305,7 @@ fn any(name: &Name) -> Result<Document, Failure> {
     found.map_err(|problems| refused(name, &problems))
 }
 
-/// What another program made. What could not be taken over is said beside the output.
+/// A document of another program. Standard error lists what could not be imported unchanged.
 fn imported(name: &Name, text: &str) -> Result<Document, Failure> {
     let Imported { document, left_out } =
         assur_import::read(text).map_err(|problem| refused(name, &[problem]))?;
@@ -326,7 +326,7 @@ fn text(name: &Name) -> Result<String, Failure> {
             Failure::Io(format!("{name}: {error}"))
         }
     };
-    // Not by its size: devices and pipes have none.
+    // Limited while reading: devices and pipes have no size.
     let mut bytes = Vec::new();
     let file = File::open(&name.0).map_err(unread)?;
     file.take(LARGEST + 1)
@@ -339,7 +339,7 @@ fn text(name: &Name) -> Result<String, Failure> {
     }
     match String::from_utf8(bytes) {
         Ok(text) => Ok(text),
-        // Linkage writes names in the code page of its machine; all else of a file is in ASCII.
+        // Linkage writes names in the code page of its machine; the rest of a file is ASCII.
         Err(other) if other.as_bytes().starts_with(b"<") => {
             Ok(String::from_utf8_lossy(other.as_bytes()).into_owned())
         }
@@ -347,7 +347,7 @@ fn text(name: &Name) -> Result<String, Failure> {
     }
 }
 
-/// One line for each problem.
+/// The problems as a failure, one line each.
 pub(crate) fn refused(name: &Name, problems: &[impl Serialize]) -> Failure {
     let sentences = Words::english().and_then(|words| {
         let sentences = problems.iter().map(|problem| words.sentence(problem));

@@ -7,13 +7,13 @@ use assur_import::LeftOut;
 use serde::{Deserialize, Serialize};
 use serde_json::{Error, Map, Value};
 
-/// What is said of files in place of what the page says of its settings.
+/// Sentences on files, in place of those of the page on its settings.
 const OF_FILES: [(&str, &str); 2] = [
     ("problem.bad_state", "{path} has the wrong form: {detail}."),
     ("problem.not_json", "This is not JSON: {detail}."),
 ];
 
-/// What serde calls faults, by how it begins, in the words of JSON.
+/// Names of faults in serde, by their beginnings, with JSON terms for them.
 const FAULTS: [(&str, &str); 5] = [
     ("invalid type: ", ""),
     ("invalid value: ", ""),
@@ -22,7 +22,7 @@ const FAULTS: [(&str, &str); 5] = [
     ("unknown variant ", "unknown choice "),
 ];
 
-/// What serde calls types in Rust, by how it begins, in the words of JSON.
+/// Names of Rust types in serde, by their beginnings, with JSON terms for them.
 const TYPES: [(&str, &str); 16] = [
     ("struct ", "an object"),
     ("internally tagged enum ", "an object"),
@@ -42,10 +42,10 @@ const TYPES: [(&str, &str); 16] = [
     ("unit", "null"),
 ];
 
-/// The English tables: what all kinds have, and what some have of their own.
+/// The English tables: those of all kinds, and those of single kinds.
 pub(crate) struct Words(BTreeMap<String, String>);
 
-/// A problem as it is written for programs.
+/// A problem in its form for programs.
 #[derive(Deserialize)]
 struct Written {
     code: String,
@@ -55,7 +55,7 @@ struct Written {
 
 impl Words {
     /// # Errors
-    /// A table that is none, which tests of the workspace rule out.
+    /// An invalid table, which tests of the workspace exclude.
     pub(crate) fn english() -> Result<Self, Error> {
         let tables = [
             include_str!("../../../lang/en.json"),
@@ -71,7 +71,7 @@ impl Words {
         Ok(Self(tables.into_iter().flatten().chain(of_files).collect()))
     }
 
-    /// The sentence of a problem, or its code where there is none.
+    /// The sentence of a problem, or its code if there is none.
     ///
     /// # Errors
     /// A problem that cannot be written.
@@ -79,15 +79,15 @@ impl Words {
         self.said("problem", problem)
     }
 
-    /// The sentence of something that could not be taken over from another program.
+    /// The sentence of a part that could not be imported from another program.
     ///
     /// # Errors
-    /// What cannot be written.
+    /// A part that cannot be written.
     pub(crate) fn left_out(&self, told: &LeftOut) -> Result<String, Error> {
         self.said("import", told)
     }
 
-    /// The sentence of a code with parameters, from a space of keys.
+    /// The sentence of a code with parameters, with keys from this space.
     fn said(&self, space: &str, told: &impl Serialize) -> Result<String, Error> {
         let Written { code, parameters } = serde_json::from_value(serde_json::to_value(told)?)?;
         let Some(text) = self.0.get(&format!("{space}.{code}")) else {
@@ -111,10 +111,10 @@ impl Words {
     }
 }
 
-/// What stands in a place of a sentence.
+/// The text of a parameter in a sentence.
 fn filled(place: &str, value: &Value) -> String {
     match value {
-        // The path of what is nowhere in particular.
+        // The path of a fault without a particular place.
         Value::String(path) if place == "path" && [".", "?"].contains(&path.as_str()) => {
             "The file".to_owned()
         }
@@ -124,7 +124,7 @@ fn filled(place: &str, value: &Value) -> String {
             let all: Vec<String> = all.iter().map(|one| filled(place, one)).collect();
             all.join(", ")
         }
-        // A count has all its digits.
+        // A count is written with all its digits.
         Value::Number(count) if count.is_u64() => count.to_string(),
         other => match other.as_f64() {
             Some(phi) if place == "phi" => format!("{}°", short(phi.to_degrees())),
@@ -134,7 +134,7 @@ fn filled(place: &str, value: &Value) -> String {
     }
 }
 
-/// A text of a file for a message: the beginning and the end of a long one.
+/// A text of a file for a message: if long, only its beginning and end.
 fn shortened(text: &str) -> String {
     const MOST: usize = 300;
     const END: usize = 100;
@@ -147,14 +147,14 @@ fn shortened(text: &str) -> String {
     format!("{beginning}…{end}")
 }
 
-/// What serde says of a value, in the words of JSON.
+/// A serde message with JSON terms.
 fn plain(detail: &str) -> String {
     let replaced = |text: &str, words: &[(&str, &str)]| {
         let mut words = words.iter();
         let found = words.find_map(|(start, said)| Some((*said, text.strip_prefix(start)?)));
         found.map(|(said, rest)| (said.to_owned(), rest.to_owned()))
     };
-    // A type is all that is said of what is expected or found.
+    // Only the type of the expected or found value is named.
     let typed = |text: &str| {
         let named = replaced(text, &TYPES);
         named.map_or_else(|| text.to_owned(), |(said, _)| said)
@@ -173,7 +173,7 @@ fn plain(detail: &str) -> String {
 /// Reads the number of an option.
 ///
 /// # Errors
-/// A unit behind it, a decimal comma, or anything else that is no number.
+/// A number with a unit, with a decimal comma, or anything else that is not a number.
 pub(crate) fn number(text: &str) -> Result<f64, String> {
     let said = "give a number alone, as 0.5: without a unit, which `--help` tells, and with a decimal point";
     text.trim().parse().map_err(|_| said.to_owned())
@@ -184,10 +184,10 @@ pub(crate) fn class(class: Grashof) -> String {
     class.code().replace('_', "-")
 }
 
-/// A number with four digits that count.
+/// A number with four significant digits.
 pub(crate) fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    // Rounded up, the greatest number would be infinite.
+    // The greatest number would be infinite if rounded up.
     let rounded = if rounded.is_finite() { rounded } else { value };
     if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {
         format!("{}", rounded + 0.0)
@@ -248,7 +248,7 @@ mod tests {
             for (key, inner) in value.as_object().into_iter().flatten() {
                 places(inner, &format!("{at}/{key}"), all);
             }
-            // Of a list the first ones tell all.
+            // The first entries of a list are representative.
             for (k, inner) in value.as_array().into_iter().flatten().take(2).enumerate() {
                 places(inner, &format!("{at}/{k}"), all);
             }
@@ -305,7 +305,7 @@ mod tests {
             rust.contains(&word) || word == "usize" || numbered || camel
         };
         let rusty = said.iter().filter(|sentence| {
-            // Keys of files are called as they are: where something is wrong, and in quotes.
+            // Keys are left out: before the fault, and in backquotes.
             let prose: String = sentence.split('`').step_by(2).collect();
             let prose = prose
                 .split_once(" has the wrong form")

@@ -1,4 +1,4 @@
-//! What a document says of its drawing beyond the linkage itself.
+//! Annotations of a document for its drawing.
 
 use assur::Point;
 use assur::gears::GearSet;
@@ -6,35 +6,34 @@ use assur::mixer::Mixer;
 
 use crate::list::Role;
 
-/// Notes to a drawing. Links and points are meant by their names; a note to one
-/// that the linkage has not is passed over.
+/// Annotations of a drawing. Links and points are identified by name; annotations of unknown ones
+/// are ignored.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Annotations {
-    /// The colours of links; the others have theirs in turn.
+    /// The colours of links; the remaining ones take theirs in turn.
     pub roles: Vec<(String, Role)>,
-    /// The numbers of links, by which their angles are called: φ₃. The angles of the others
-    /// go by the links' names.
+    /// The numbers of links, which denote their angles: φ₃. Angles of other links have the names of
+    /// the links.
     pub numbers: Vec<(String, String)>,
-    /// Links whose wheels carry stirrer blades, and how many.
+    /// Links whose wheels carry stirrer blades, with the number of blades.
     pub blades: Vec<(String, usize)>,
     /// Numbers of wheels.
     pub tags: Vec<Tag>,
-    /// The symbol of the input angle, whose arc is drawn then; where a slide drives, an arrow
-    /// beside its block is.
+    /// The symbol of the input angle, with which its arc is drawn; if a slide is driven, an arrow
+    /// beside its block is drawn instead.
     pub input: Option<String>,
-    /// Symbols of vectors of the loops, each by its two points; where there are any, these vectors are drawn and no others.
+    /// Symbols of loop vectors, each between two points; if there are any, only these vectors are drawn.
     pub loop_vectors: Vec<([String; 2], String)>,
-    /// Symbols of angles that are drawn with them, each at the second of its three points, from the first to the third.
+    /// Symbols of angles to be drawn, each at the second of three points, from the first to the third.
     pub corners: Vec<([String; 3], String)>,
-    /// The positions that it was made for.
+    /// The given positions of a synthesis.
     pub given: Vec<GivenPosition>,
-    /// The height of the ground that it stands on. Where that is farther off than the drawing is
-    /// large, none is drawn.
+    /// The height of the ground. It is not drawn farther from the drawing than the drawing's size.
     pub ground: Option<f64>,
 }
 
 impl Annotations {
-    /// What any linkage has noted: how it is driven, and its ground, if it has one.
+    /// Annotations of any linkage: its driver, and its ground, if it has one.
     pub fn of_linkage(ground: Option<f64>) -> Self {
         Self {
             input: Some("φ₁".to_owned()),
@@ -43,8 +42,8 @@ impl Annotations {
         }
     }
 
-    /// The same with the letters of the paper on the combined method (Sakhabutdinova): the sides of the rigid triangles, the
-    /// angles from the first side to the second, the output.
+    /// Adds the letters of the paper on the combined method (Sakhabutdinova): the sides of the
+    /// rigid triangles, the angles from the first side to the second, the output.
     #[must_use]
     pub fn with_letters_of_combined_method(mut self) -> Self {
         let owned = |letters: &str| letters.chars().map(String::from).collect::<Vec<_>>();
@@ -70,33 +69,33 @@ impl Annotations {
     }
 }
 
-/// A position that a linkage was made for; lines go from the first point to the second.
+/// A given position of a linkage; lines go from the first point to the second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenPosition {
-    /// By which number it is called.
+    /// Its number.
     pub number: String,
-    /// What is given: directions, to be taken hold of at their ends.
+    /// The given directions, with handles at their ends.
     pub directions: Vec<([Point; 2], Role)>,
-    /// The links as they are there.
+    /// The links in this position.
     pub links: Vec<([Point; 2], Role)>,
 }
 
-/// The number of a wheel, written by its rim. A wheel that has one and is its
-/// link's only part turns on a plain shaft: no support, no name of its centre.
+/// The number of a wheel, written by its rim. A wheel with a number that is its link's only part
+/// turns on a plain shaft: without a support and without the name of its centre.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
     /// The link of the wheel.
     pub link: String,
-    /// What is written.
+    /// The text of the number.
     pub text: String,
-    /// In which direction from the wheel's centre, radians.
+    /// Direction from the wheel's centre, radians.
     pub direction: f64,
 }
 
 /// Blades of the wheel on the rocker's shaft, and of those around it.
 const BLADES: [usize; 2] = [3, 4];
 
-/// How far from the centre line the number of a mixer's wheel stands, radians.
+/// Angle between the centre line and the number of a mixer's wheel, radians.
 const BESIDE_LINE: f64 = 1.9;
 
 /// Colours of wheel 4 and of the wheels around it: wheel 5, 6, …
@@ -111,8 +110,8 @@ const WHEELS: [Role; 1 + GearSet::MOST] = [
 ];
 
 impl From<&Mixer> for Annotations {
-    /// The notes to the draft of a mixer, in the symbols of fig. 1 and 4 of the
-    /// paper by Smelyagin and Prikhodko.
+    /// Annotations of a mixer, in the symbols of fig. 1 and 4 of the paper by Smelyagin and
+    /// Prikhodko.
     fn from(mixer: &Mixer) -> Self {
         let links = [
             ("crank", Role::Crank),
@@ -121,7 +120,7 @@ impl From<&Mixer> for Annotations {
         ];
         let links = links.map(|(link, role)| (link.to_owned(), role));
         let pairs = mixer.gears.pairs();
-        // Wheel 4 has its number beside the first of the wheels it drives.
+        // The number of wheel 4 is beside the first of the wheels it drives.
         let lines = pairs.first().into_iter().chain(pairs);
         let lines: Vec<f64> = lines.map(|pair| pair.centre_line()).collect();
         let wheels = || (0..lines.len()).map(|k| format!("wheel{}", k + 4));

@@ -1,10 +1,10 @@
-//! Plots of quantities and of their first two derivatives, stacked on one
-//! crank-angle axis, drawn by plotters on any backend.
+//! Plots of quantities and of their first two derivatives, stacked on one crank-angle axis, drawn
+//! by plotters on any backend.
 //!
 //! plotters draws lines and dots only. Tick labels, titles and the labels of
-//! zeros and extrema are the caller's: each [`Panel`] says where they stand
-//! (plotters' own text measuring inserts elements into the page, and the decimal
-//! sign is the reader's).
+//! zeros and extrema are left to the caller: each [`Panel`] has their places
+//! (plotters would measure text by inserting elements into the page, and the
+//! decimal sign depends on the reader).
 
 mod against;
 mod compared;
@@ -26,8 +26,8 @@ use curves::{Plot, Range};
 pub(crate) use curves::{sampled, sampling};
 pub use ticks::Tick;
 
-/// Units of a backend's whole-numbered coordinates to a pixel of the reader:
-/// whole pixels would make steps of a curve.
+/// Units of the backend's integer coordinates per pixel of the reader: in whole pixels a curve
+/// would look stepped.
 pub const FINE: i32 = 16;
 
 /// Room around the plots for tick labels and titles, pixels.
@@ -38,11 +38,11 @@ const MARGIN: Margin = Margin {
     bottom: 22,
 };
 
-/// An axis is not cut to the arcs of a motion where these are a greater share of it: a turn is recognised at once.
+/// Greatest share of a turn for which the axis is cut to the arcs of a motion: nearly a turn is shown as a turn.
 const MOST_OF_A_TURN: f64 = 0.8;
-/// Nor where they are a lesser one: of some motions only an instant is left.
+/// Least share for which it is cut: some motions consist of an instant.
 const LEAST_OF_A_TURN: f64 = 0.001;
-/// Room beside the arcs, as a share of what they span.
+/// Margin beside the arcs, as a share of their span.
 const BESIDE: f64 = 0.04;
 
 struct Margin {
@@ -68,7 +68,7 @@ impl Margin {
 /// A colour for every role, in the order of [`ROLES`].
 pub type Palette = [RGBColor; ROLES.len()];
 
-/// What the quantities of a chart are.
+/// Kind of the quantities of a chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Angles, in radians; the values' axis is labelled in degrees.
@@ -77,26 +77,25 @@ pub enum Kind {
     Length,
 }
 
-/// A quantity that is plotted.
+/// A plotted quantity.
 #[derive(Clone, Debug)]
 pub struct Series {
     /// Its name.
     pub name: String,
-    /// Whose colour its curves have.
+    /// The role whose colour its curves have.
     pub role: Role,
-    /// Zeros and extrema of it and of its first two derivatives; none where they were not looked for.
+    /// Zeros and extrema of it and of its first two derivatives; none if they were not searched.
     pub features: Option<[Features; 3]>,
 }
 
-/// How a motion is plotted.
+/// Settings of a plot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// How the crank turns: what the derivatives are by.
+    /// The input rate, which defines the derivatives.
     pub input: InputRate,
-    /// Whether the input is that of a machine, so that derivatives are by time.
+    /// Whether the input rate is that of a machine, so that derivatives are with respect to time.
     pub physical: bool,
-    /// The second derivative is also shown as differences of the first one's
-    /// samples.
+    /// Whether difference quotients of the first derivative are plotted over the second one.
     pub differenced: bool,
 }
 
@@ -112,7 +111,7 @@ impl Settings {
 /// One plot: where it stands, in pixels of the reader, and what its axes span.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// 0: the quantity, 1 and 2: its derivatives.
+    /// Order of the derivative: 0 for the quantity itself.
     pub order: usize,
     /// Left edge of the plot rectangle.
     pub left: f64,
@@ -126,35 +125,35 @@ pub struct Panel {
     pub x: [f64; 2],
     /// Values at the lower and the upper edge.
     pub y: [f64; 2],
-    /// Places for labels along x, values of angles in degrees.
+    /// Ticks along x, values of angles in degrees.
     pub x_ticks: Vec<Tick>,
-    /// Places for labels along y, values of angles in degrees.
+    /// Ticks along y, values of angles in degrees.
     pub y_ticks: Vec<Tick>,
-    /// What is to be labelled on each curve, in the order of the series.
+    /// The marks of each curve, in the order of the series.
     pub marks: Vec<Vec<Mark>>,
-    /// The value that a curve has throughout, where it does not change, in the order of the series.
+    /// The values of constant curves, in the order of the series.
     pub levels: Vec<Option<f64>>,
-    /// Points of the curves a few pixels apart, in pixels of the reader: x and y
-    /// of each, one after the other. Labels keep off them.
+    /// Points of the curves a few pixels apart, in pixels of the reader: x and y of each in turn.
+    /// Labels are kept clear of them.
     pub points: Vec<f64>,
 }
 
-/// A chart ready to be drawn: the curves, sampled once for every drawing.
+/// A chart ready to be drawn: the curves, sampled once for all drawings.
 #[derive(Clone, Debug)]
 pub struct Chart {
     axis: [f64; 2],
-    /// Whether the input is an angle; else it is a length.
+    /// Whether the input is an angle; otherwise it is a length.
     turns: bool,
     kind: Kind,
     settings: Settings,
     series: Vec<Series>,
-    /// For each order.
+    /// The plot of each order.
     plots: [Plot; 3],
 }
 
 impl Chart {
-    /// The chart of quantities of one kind over a cycle, from unbroken runs of samples that have them in the order of
-    /// `series`.
+    /// The chart of quantities of one kind over a cycle, from unbroken runs of samples in the order
+    /// of `series`.
     pub fn new(
         cycle: &Cycle,
         kind: Kind,
@@ -172,8 +171,8 @@ impl Chart {
         }
     }
 
-    /// The chart of quantities of one kind by time, from samples over a span of it with derivatives
-    /// by time.
+    /// The chart of quantities of one kind over time, from samples over a span with derivatives
+    /// with respect to time.
     pub fn by_time(span: [f64; 2], kind: Kind, series: Vec<Series>, samples: Vec<At>) -> Self {
         let settings = Settings::BY_TIME;
         Self {
@@ -186,17 +185,17 @@ impl Chart {
         }
     }
 
-    /// Whether the input is an angle, labelled in degrees; else it is a length.
+    /// Whether the input is an angle, labelled in degrees; otherwise it is a length.
     pub fn turns(&self) -> bool {
         self.turns
     }
 
-    /// What the quantities are.
+    /// The kind of the quantities.
     pub fn kind(&self) -> Kind {
         self.kind
     }
 
-    /// How they are plotted.
+    /// The settings of the plots.
     pub fn settings(&self) -> Settings {
         self.settings
     }
@@ -206,13 +205,12 @@ impl Chart {
         &self.series
     }
 
-    /// Draws the chart on an area [`FINE`] times as many units wide and high as
-    /// it has pixels, and says where the text belongs. Margins, lines and dots are
-    /// `scale` times as large as usual. `only`: the order of the plot that has all of it.
+    /// Draws the chart on an area with [`FINE`] units per pixel, and returns the places of the
+    /// text. Margins, lines and dots are `scale` times as large as usual. `only`: the order of the
+    /// plot that takes all the room.
     ///
     /// # Errors
-    /// What the backend could not draw. An area too small for a plot is left
-    /// empty, with no panels.
+    /// Errors of the backend. An area too small for a plot is left empty, with no panels.
     pub fn draw<B: DrawingBackend>(
         &self,
         area: &DrawingArea<B, Shift>,
@@ -227,7 +225,7 @@ impl Chart {
         Ok(panels)
     }
 
-    /// The panels of an area, none where they would have no room.
+    /// The panels of an area; none if it is too small.
     fn panels(&self, (width, height): (u32, u32), scale: f64, only: Option<usize>) -> Vec<Panel> {
         let plots = self.plots.iter().enumerate();
         let plots = plots.filter(|(order, _)| only.is_none_or(|only| only == *order));
@@ -291,7 +289,7 @@ impl Chart {
         let (left, top) = (fine(panel.left), fine(panel.top));
         let (right, bottom) = (left + fine(panel.width), top + fine(panel.height));
         let ([x0, x1], [y0, y1]) = (panel.x, panel.y);
-        // y grows upwards: its pixels run from the bottom to the top.
+        // y grows upwards: its pixels run from bottom to top.
         let area = area.apply_coord_spec(Place::new(x0..x1, y0..y1, (left..right, bottom..top)));
         let mut lines: Vec<Line> = Vec::new();
         for tick in &panel.x_ticks {
@@ -313,7 +311,7 @@ impl Chart {
         if y0 < 0.0 && y1 > 0.0 {
             lines.push((vec![(x0, 0.0), (x1, 0.0)], Role::Secondary, FINE));
         }
-        // Extrema are full dots, zeros open ones, differences small ones.
+        // Extrema are filled dots, zeros open ones, differences small ones.
         let mut dots: Vec<Dot> = Vec::new();
         for (curve, series) in plot.curves.iter().zip(&self.series) {
             let dashes = curve.compared_within(y0, y1).into_iter();
@@ -358,7 +356,7 @@ fn paint<B: DrawingBackend>(
 
 type Place = Cartesian2d<RangedCoordf64, RangedCoordf64>;
 
-/// What is drawn with a colour: its points and its width, its place and its radius.
+/// A line with its points, its colour and its width; a dot with its place, colour and radius.
 type Line = (Vec<(f64, f64)>, Role, i32);
 type Dot = ((f64, f64), Role, i32);
 

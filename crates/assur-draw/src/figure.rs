@@ -1,5 +1,5 @@
-//! Any linkage to scale: supports, links, blocks on guides, wheels in mesh, paths,
-//! and what is laid over it.
+//! The drawing of any linkage to scale: supports, links, blocks on guides, wheels in mesh, paths
+//! and overlays.
 
 mod beside;
 mod bounds;
@@ -40,24 +40,24 @@ use wheels::Gearing;
 /// A name beyond a link's end stands at least this angle off the other links there.
 const ASIDE: f64 = 0.7;
 
-/// What is shown of a linkage besides its links.
+/// View of a linkage: everything drawn besides its links.
 #[derive(Clone, Debug, Default)]
 pub struct View {
-    /// What is laid over it.
+    /// Overlays of the drawing.
     pub overlays: Overlays,
-    /// The points asked for, besides tracers: their paths are drawn with
-    /// [`Overlays::traces`], their derivatives with [`Overlays::vectors`].
+    /// Points with paths and derivatives, besides tracers: paths are drawn with
+    /// [`Overlays::traces`], derivatives with [`Overlays::vectors`].
     pub traced: Vec<PointId>,
-    /// What lecturers draw over it.
+    /// Lecturer's lines.
     pub lines: Lines,
-    /// What is measured between points or links.
+    /// Measures between points or links.
     pub measures: Vec<Quantity>,
-    /// What the document notes.
+    /// Annotations of the document.
     pub annotations: Annotations,
 }
 
 impl View {
-    /// The symbol of a vector of a loop; where none is noted, its points.
+    /// The symbol of a loop vector; without an annotation, its points.
     fn symbol(&self, ends: &[String; 2]) -> String {
         let [from, to] = ends;
         let mut noted = self.annotations.loop_vectors.iter();
@@ -67,7 +67,7 @@ impl View {
     }
 }
 
-/// A direction turned so far that nothing is within [`ASIDE`] of it.
+/// A direction, turned until nothing is within [`ASIDE`] of it.
 fn clear_of(others: impl Iterator<Item = Vector>, direction: Vector) -> Vector {
     let angle = |other: Vector| other.perp(&direction).atan2(other.dot(&direction));
     let nearest = others
@@ -78,12 +78,12 @@ fn clear_of(others: impl Iterator<Item = Vector>, direction: Vector) -> Vector {
     layout::turned(direction, by)
 }
 
-/// A point and its path.
+/// A point with its paths.
 type Ways = (PointId, Vec<Path>);
 
-/// A linkage as a drawing: what is rigid, drawn once in the coordinates of its
-/// bodies, and the bodies' poses in any pose. Body 0 is the frame, then come the
-/// links, each with its first point as origin and its angle, then idlers.
+/// The drawing of a linkage: a rigid part, drawn once in the coordinates of the bodies, and the
+/// bodies' poses. Body 0 is the frame, followed by the links, each with its first point as origin
+/// and its angle, then idlers.
 #[derive(Clone, Debug)]
 pub struct Figure {
     motion: Motion,
@@ -94,7 +94,7 @@ pub struct Figure {
     lines: lines::Drawn,
     numbers: Vec<Number>,
     given: Given,
-    /// Numbers of wheels: each where it stands in a pose, and its name.
+    /// Numbers of wheels, each with its position in a pose and its name.
     tags: Vec<(LinkId, Tag, usize)>,
     bounds: [f64; 4],
     /// The unit of symbols, a hundredth of the drawing's size.
@@ -106,7 +106,7 @@ impl Figure {
     /// The drawing of a mechanism in its motion.
     ///
     /// # Errors
-    /// Why there is no pose to draw it in.
+    /// The reason why there is no pose to draw it in.
     pub fn new(motion: &Motion, view: &View) -> Result<Self, Unsolved> {
         let mechanism = motion.mechanism();
         let home = motion.pose::<1>(motion.drawn_input())?;
@@ -198,32 +198,30 @@ impl Figure {
         Ok(figure)
     }
 
-    /// Whether a point is drawn by itself: a joint, a tracer, a centre of mass that
-    /// is shown.
+    /// Whether a point has a symbol of its own: a joint, a tracer, a shown centre of mass.
     pub fn is_drawn(&self, point: PointId) -> bool {
         self.layout.is_drawn(point)
     }
 
-    /// The display list of what is rigid.
+    /// The display list of the rigid part.
     pub fn rigid(&self) -> &List {
         &self.rigid
     }
 
-    /// The rectangle that holds the drawing in every pose: left, bottom, right, top.
-    /// What is laid over it may leave the rectangle where it goes beyond all measure.
+    /// The rectangle that holds the drawing in every pose: left, bottom, right, top. Overlays that
+    /// grow without bound may leave it.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }
 
-    /// What the labels' numbers stand for: the names of the points, then symbols. One
-    /// followed by a tab and the name of a read-out, as `μ` and `C.transmission`, is written with its value (of
-    /// `input`: the input), an angle.
+    /// The names to which the labels refer: the names of the points, then symbols. A symbol
+    /// followed by a tab and the name of a read-out, such as `μ` and `C.transmission`, is written
+    /// with the read-out's value, an angle (`input`: the input).
     pub fn names(&self) -> &[String] {
         self.names.all()
     }
 
-    /// The role of a link: whose colour it has in plots, and in a drawing that does
-    /// not show [`Overlays::groups`].
+    /// The role of a link: its colour in plots, and in a drawing without [`Overlays::groups`].
     pub fn role(&self, link: LinkId) -> Role {
         self.layout.role(link)
     }
@@ -238,14 +236,14 @@ impl Figure {
         roles::of_terms(self.motion.mechanism())
     }
 
-    /// What moves, in a pose of the motion: `n, x₀, y₀, θ₀, …` of the n bodies, then
-    /// a display list in the coordinates of the frame. Derivatives are drawn of a
-    /// pose that has them, with `N` of 3 and more.
+    /// The moving part in a pose of the motion: `n, x₀, y₀, θ₀, …` of the n bodies, then a display
+    /// list in the coordinates of the frame. Derivatives are drawn if the pose has them, with `N`
+    /// of 3 and more.
     pub fn frame<const N: usize>(&self, pose: &Pose<N>) -> Vec<f32> {
         self.frame_beside(pose, &[])
     }
 
-    /// The same with other assemblies dashed under the names.
+    /// The frame with other assemblies, dashed, below the names.
     pub fn frame_beside<const N: usize>(&self, pose: &Pose<N>, others: &[Pose<1>]) -> Vec<f32> {
         let posed = self.posed(pose);
         let mut list = List::default();
@@ -260,7 +258,7 @@ impl Figure {
         numbers
     }
 
-    /// Where the bodies are in a pose, as a frame begins: `n, x₀, y₀, θ₀, …`.
+    /// Poses of the bodies, as at the beginning of a frame: `n, x₀, y₀, θ₀, …`.
     pub fn bodies<const N: usize>(&self, pose: &Pose<N>) -> Vec<f32> {
         let posed = self.posed(pose);
         let links = posed.mechanism.link_ids();
@@ -310,7 +308,7 @@ impl Figure {
             parts::support(&mut list, centre, u);
         }
         self.gearing.draw(&mut list, u);
-        // The first link, the crank as a rule, on top.
+        // The first link, usually the crank, is on top.
         for link in mechanism.link_ids().rev() {
             list.body(layout::number(Some(link)));
             let (role, outline) = (self.layout.drawn_role(link), self.layout.outline(link));

@@ -1,16 +1,16 @@
-//! Outlines of toothed wheels that mesh: involute teeth (pressure angle 20°) of
-//! standard proportions, shortened where the mate would be cut into.
+//! Outlines of toothed wheels in mesh: involute teeth (pressure angle 20°) of standard proportions,
+//! shortened to avoid undercutting the mate.
 
 use std::f64::consts::PI;
 
 use assur::Point;
 
-/// cos and tan of the pressure angle come from this.
+/// Pressure angle of the teeth.
 const PRESSURE_ANGLE: f64 = 20.0 * PI / 180.0;
-/// In modules: tooth height above and depth below the pitch circle.
+/// Tooth height above the pitch circle and depth below it, in modules.
 const ADDENDUM: f64 = 1.0;
 const DEDENDUM: f64 = 1.25;
-/// In modules: how much thinner a tooth is than its gap, for both to be seen.
+/// Difference of the widths of gap and tooth, for both to be visible, in modules.
 const BACKLASH: f64 = 0.06;
 /// Points along a flank.
 const FLANK: usize = 7;
@@ -20,7 +20,7 @@ const FLANK: usize = 7;
 pub(crate) struct Teeth {
     count: f64,
     ring: bool,
-    /// Where a tooth ends: above the pitch circle, of a ring below it.
+    /// Radius of the tips: above the pitch circle, for a ring below it.
     tip: f64,
 }
 
@@ -48,7 +48,7 @@ impl Teeth {
             match (ring, mate_ring) {
                 (false, false) => tip.min(limit),
                 (true, _) => tip.max(limit),
-                // With few teeth between them, tips foul away from the contact.
+                // With few teeth of difference, tips interfere away from the contact.
                 (false, true) => tip.min(pitch + ADDENDUM * ((mate - z) / 12.0).min(1.0)),
             }
         });
@@ -118,7 +118,7 @@ mod tests {
     use super::*;
     use assur::gears::{GearSet, Mate, Mesh, Wheel};
 
-    /// How far `point` is from the polygon's line, negative inside.
+    /// Distance of `point` from the polygon's line, negative inside.
     fn distance(point: Point, polygon: &[Point]) -> f64 {
         let (mut inside, mut nearest) = (false, f64::INFINITY);
         for (i, a) in polygon.iter().enumerate() {

@@ -1,13 +1,13 @@
 //! Drawings of mechanisms and charts of their motion, in numbers: a mechanism
 //! becomes a flat display list in model coordinates that any painter can paint,
-//! a chart is drawn by plotters on any of its backends. No text is drawn here,
-//! only said where it stands.
+//! a chart is drawn by plotters on any of its backends. No text is drawn here;
+//! only its places are given.
 //!
 //! | file | subject |
 //! |---|---|
 //! | `figure.rs`, `figure/` | the drawing of any motion: joints, bars, plates, slides, wheels, paths, numbers, overlaid arrows and circles |
 //! | `sketch.rs`, `scheme.rs`, `train.rs`, `polygon.rs` | an unfinished drawing; links and pairs, cut open; a differential; polygons to scale |
-//! | `annotations.rs`, `overlays.rs`, `parts.rs`, `gear.rs` | what a document notes; what can be laid over; symbols of textbooks; involute teeth |
+//! | `annotations.rs`, `overlays.rs`, `parts.rs`, `gear.rs` | annotations of a document; overlays; symbols of textbooks; involute teeth |
 //! | `list.rs` | the display list |
 //! | `chart.rs`, `chart/`, `svg.rs`, `svg/` | plots by plotters; sheets of SVG, the only place with colours and text |
 

@@ -2,14 +2,14 @@
 //!
 //! | record | meaning |
 //! |---|---|
-//! | `0, body` | what follows is in the coordinates of that body (0: the frame) |
+//! | `0, body` | the following records are in the coordinates of that body (0: the frame) |
 //! | `1, role, look, loops, n₁, x, y, …, n₂, …` | closed polygons, filled by the even-odd rule |
 //! | `2, role, look, n, x, y, …` | an open polyline |
 //! | `3, role, look, x, y, r` | a circle |
-//! | `4, role, label, x, y, dx, dy` | a label whose middle stands off the point by (dx, dy) text heights |
+//! | `4, role, label, x, y, dx, dy` | a label whose middle is offset from the point by (dx, dy) text heights |
 //!
-//! Roles and looks are numbers in the order of their enumerations; what the labels'
-//! numbers stand for, the drawing says ([`crate::Figure::names`]).
+//! Roles and looks are numbers in the order of their enumerations; the drawing
+//! has the names to which the numbers of labels refer ([`crate::Figure::names`]).
 //! Coordinates are the model's, y up. Numbers are `f32`: a screen shows no more.
 
 use assur::Point;
@@ -71,14 +71,14 @@ pub(crate) const IN_TURN: [Role; 6] = [
     Role::Accent6,
 ];
 
-/// How it is drawn.
+/// Look of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Look {
     /// Filled.
     Solid,
     /// Filled faintly, with an outline.
     Pale,
-    /// A line.
+    /// A plain line.
     Line,
     /// A dashed line.
     Dashed,
@@ -128,7 +128,7 @@ impl List {
             .extend([centre.x, centre.y, radius].map(|x| x as f32));
     }
 
-    /// A label, by its number.
+    /// Adds a label by its number.
     pub(crate) fn name(&mut self, role: Role, name: usize, at: Point, off: [f64; 2]) {
         self.0.extend([4.0, role as u8 as f32, name as f32]);
         self.0

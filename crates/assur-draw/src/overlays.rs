@@ -1,5 +1,5 @@
-//! What can be laid over the drawing: paths, centres of mass, analogues of
-//! velocity and acceleration, the loop's vectors, the transmission angle.
+//! Overlays of a drawing: paths, centres of mass, analogues of velocity and acceleration, the
+//! loop's vectors, the transmission angle.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -9,43 +9,43 @@ use crate::list::{List, Look, Role};
 use crate::parts;
 use assur::sorting::sort_by;
 
-/// What is shown over the mechanism.
+/// Choice of overlays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Overlays {
-    /// The paths of the points asked for.
+    /// The paths of traced points.
     pub traces: bool,
-    /// The centre of mass of each link: where it is given, else the middle of a bar
-    /// and the centroid of a plate.
+    /// The centre of mass of each link: as given, otherwise the middle of a bar or the centroid of
+    /// a plate.
     pub centres: bool,
-    /// First and second derivatives of the moving points by the input.
+    /// First and second derivatives of the moving points with respect to the input.
     pub vectors: bool,
     /// The vectors of the loops: along links and frame, and the diagonal of each
     /// RRR dyad.
     pub loop_vectors: bool,
     /// The arc of the transmission angle μ at the inner hinge of each RRR dyad.
     pub transmission: bool,
-    /// Each link in the colour of its Assur group.
+    /// Links in the colours of their Assur groups.
     pub groups: bool,
     /// The number of each link; the frame is 0.
     pub numbers: bool,
 }
 
-/// How long the vectors of a motion are drawn: lengths of the drawing per
-/// analogue of velocity and of acceleration.
+/// Scales of the vectors of a motion: lengths of the drawing per analogue of velocity and of
+/// acceleration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scales([f64; 2]);
 
 impl Scales {
-    /// The longest usual vector relative to the drawing's size.
+    /// Length of the longest usual vector relative to the drawing's size.
     const LONGEST: f64 = 0.3;
-    /// The longest for which room is made, relative to the drawing's size.
+    /// Greatest length of vectors kept within the drawing, relative to its size.
     const ROOM: f64 = 0.5;
-    /// Vectors shorter than this, relative to the drawing's size, are none.
+    /// Least length of vectors that count, relative to the drawing's size.
     const LEAST: f64 = 1e-9;
 
-    /// The scales by which nine tenths of the vectors of every point have room, from
-    /// the points over a motion. Next to dead points some grow without bound, so the
-    /// longest tenth of them does not count.
+    /// The scales at which nine tenths of the vectors of every point fit, from the points over a
+    /// motion. The longest tenth does not count, since vectors grow without bound next to dead
+    /// points.
     pub(crate) fn of(paths: &[Vec<JetPoint<3>>], size: f64) -> Self {
         Self([1, 2].map(|order| {
             let usual = |path: &Vec<JetPoint<3>>| {
@@ -59,7 +59,7 @@ impl Scales {
         }))
     }
 
-    /// The tips for which there must be room.
+    /// The tips to be within the drawing.
     pub(crate) fn tips(self, points: &[JetPoint<3>], size: f64) -> Vec<Point> {
         let tips = points.iter().flat_map(|joint| {
             [1, 2].map(|order| (joint.place(), joint.derivative(order) * self.0[order - 1]))
@@ -82,8 +82,8 @@ pub(crate) fn mass(list: &mut List, at: Point, unit: f64) {
     list.polygons(Role::Ink, Look::Solid, &[quarter(0.0), quarter(PI)]);
 }
 
-/// The first two derivatives of a point as arrows, with names at their tips; next to
-/// a dead point, where they leave every sheet, none.
+/// Draws the first two derivatives of a point as arrows, with names at their tips; none next to a
+/// dead point, where they leave every sheet.
 pub(crate) fn vectors<const N: usize>(
     list: &mut List,
     point: &JetPoint<N>,
@@ -106,8 +106,7 @@ pub(crate) fn vectors<const N: usize>(
     }
 }
 
-/// A vector of a loop from hinge to hinge, and its name; none between hinges that
-/// all but touch.
+/// Draws a loop vector from hinge to hinge, with its name; none between hinges that nearly touch.
 pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, unit: f64) {
     let along = to - from;
     let length = along.norm();
@@ -115,15 +114,14 @@ pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, 
         return;
     }
     let along = along / length;
-    // Hinges stay free.
+    // Hinges are left free.
     let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
     parts::arrow(list, Role::Ink, start, tip, unit);
     let left = [-1.1 * along.y, 1.1 * along.x];
     list.name(Role::Ink, name, from + along * (0.26 * length), left);
 }
 
-/// The acute angle at a dyad's inner hinge c between the lines to its outer ones,
-/// b and d.
+/// Draws the acute angle at a dyad's inner hinge c between the lines to its outer ones, b and d.
 pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, unit: f64) {
     let direction = |to: Point| (to.y - c.y).atan2(to.x - c.x);
     let wrapped = |angle: f64| angle - TAU * (angle / TAU).round();
@@ -132,7 +130,7 @@ pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, 
     let at = |angle: f64, radius: f64| c + Vector::new(angle.cos(), angle.sin()) * radius;
     let mut turn = wrapped(direction(d) - from);
     if turn.abs() > FRAC_PI_2 {
-        // The line of d beyond c.
+        // The line of d is extended beyond c.
         turn = wrapped(turn + PI);
         list.polyline(
             Role::Secondary,
@@ -144,10 +142,10 @@ pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, 
     arc(list, look, c, radius, [from, turn], (name, OFF[0]));
 }
 
-/// How far off an arc a name with a value stands to a side, and a bare symbol, in heights of the text.
+/// Lateral offset from an arc of a name with a value, and of a bare symbol, in heights of the text.
 const OFF: [f64; 2] = [2.6, 1.1];
 
-/// An arc with a name off its middle, from an angle by a turn.
+/// Draws an arc from an angle over a turn, with a name beside its middle.
 fn arc(
     list: &mut List,
     (role, look): (Role, Look),
@@ -166,7 +164,7 @@ fn arc(
     list.name(role, name, at(middle), off);
 }
 
-/// How far two points are apart: a line between them with a stroke across each end, its name beside its middle.
+/// Draws the distance of two points: a line with a stroke across each end, and its name beside its middle.
 pub(crate) fn distance(list: &mut List, [a, b]: [Point; 2], name: usize, unit: f64) {
     let way = b - a;
     let length = way.norm();
@@ -183,13 +181,13 @@ pub(crate) fn distance(list: &mut List, [a, b]: [Point; 2], name: usize, unit: f
     list.name(Role::Accent3, name, a + way * 0.5, off);
 }
 
-/// The angle at the second of three points between the others: its legs and an arc, the name with its value at its middle.
+/// Draws the angle at the second of three points between the others: its legs, an arc, and the name with its value.
 pub(crate) fn corner(list: &mut List, points: [Point; 3], name: usize, unit: f64) {
     list.polyline(Role::Accent4, Look::Thin, &points);
     corner_arc(list, points, 11.0 * unit, (name, OFF[0]));
 }
 
-/// The same of sides that are drawn, by a symbol: within the sides, however short they are.
+/// Draws the angle of two drawn sides with a symbol between them, however short they are.
 pub(crate) fn side_angle(list: &mut List, points: [Point; 3], name: usize, unit: f64) {
     let [a, b, c] = points;
     let shorter = (a - b).norm().min((c - b).norm());
@@ -210,15 +208,15 @@ fn corner_arc(list: &mut List, [a, b, c]: [Point; 3], radius: f64, name: (usize,
     arc(list, look, b, radius, [from, turn], name);
 }
 
-/// The angle of two links at a place, by their own angles: the direction of each, and an arrow along an arc from the first to
-/// the second, the name at its middle.
+/// Draws the angle of two links at a place, from their own angles: the direction of each, and an
+/// arrow along an arc from the first to the second, with the name at its middle.
 pub(crate) fn between(list: &mut List, centre: Point, [a, b]: [f64; 2], name: usize, unit: f64) {
     let role = Role::Accent4;
     let radius = 11.0 * unit;
     let at = |angle: f64, radius: f64| centre + Vector::new(angle.cos(), angle.sin()) * radius;
     let legs = [at(a, 1.3 * radius), centre, at(b, 1.3 * radius)];
     list.polyline(role, Look::Thin, &legs);
-    // Whole turns are not drawn.
+    // Whole turns are left out.
     let turn = (b - a) % TAU;
     let look = (role, Look::Thin);
     arc(list, look, centre, radius, [a, turn], (name, OFF[0]));
@@ -234,8 +232,8 @@ mod tests {
     use super::*;
     use assur::Jet;
 
-    /// A distance is a line with a stroke across each end and its name beside the middle; between points at one place
-    /// there is nothing.
+    /// A distance is a line with a stroke across each end and its name beside the middle; nothing
+    /// is drawn between coincident points.
     #[test]
     fn distances_are_drawn_across() {
         let mut list = List::default();
@@ -254,7 +252,7 @@ mod tests {
         assert_eq!(list.numbers(), expected.concat());
     }
 
-    /// The arc of an angle is the shorter way round, whichever leg is first.
+    /// The arc of an angle takes the shorter way round, whichever leg is first.
     #[test]
     fn corners_are_within_half_a_turn() {
         let [a, b, c] = [[0.0, -1.0], [0.0, 0.0], [-1.0, 1.0]].map(Point::from);
@@ -292,8 +290,8 @@ mod tests {
         }
     }
 
-    /// The arrow of an angle of links goes from the first direction to the second in the sense of the angle, the long way
-    /// round, too; whole turns are left out.
+    /// The arrow of an angle of links goes from the first direction to the second in the sense of
+    /// the angle, also the long way round; whole turns are left out.
     #[test]
     fn angles_of_links_keep_their_sense() {
         for (angles, tip) in [
@@ -317,8 +315,8 @@ mod tests {
         }
     }
 
-    /// The longest of the usual vectors has the length meant, the scale is one that can
-    /// be; also where nothing moves, and where a tenth grows without bound.
+    /// The longest usual vector has the intended length, and the scale is finite and positive, also
+    /// if nothing moves or a tenth grows without bound.
     #[test]
     fn scales_are_finite_and_positive() {
         let moving = |speed: f64| JetPoint {

@@ -1,4 +1,4 @@
-//! The textbook's symbols, in the coordinates of the body they belong to.
+//! Symbols of textbooks, in the coordinates of their bodies.
 
 use std::f64::consts::{PI, TAU};
 
@@ -38,7 +38,7 @@ pub(crate) fn block(
 /// A bar with round ends between two places.
 pub(crate) fn bar(list: &mut List, role: Role, from: Point, to: Point, half_width: f64) {
     list.polygons(role, Look::Solid, &[capsule(from, to, half_width)]);
-    // A lighter line along the middle keeps bars apart where they cross.
+    // A lighter line along the middle distinguishes bars where they cross.
     let inset = 0.38 * half_width;
     list.polygons(Role::Paper, Look::Soft, &[capsule(from, to, inset)]);
 }
@@ -60,8 +60,7 @@ pub(crate) fn plate(list: &mut List, role: Role, corners: &[Point], half_width: 
     list.polygons(role, Look::Pale, &[outline]);
 }
 
-/// The corners of the convex hull, counter-clockwise; of places in line the two
-/// ends.
+/// The corners of the convex hull, counter-clockwise; for collinear places the two ends.
 pub(crate) fn hull(mut places: Vec<Point>) -> Vec<Point> {
     sort_by(&mut places, |a, b| {
         a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
@@ -94,7 +93,7 @@ pub(crate) fn hinge(list: &mut List, at: Point, radius: f64) {
     list.circle(Role::Ink, Look::Hollow, at, radius);
 }
 
-/// An arrow: a line with a filled head, which is never longer than half of it.
+/// Draws an arrow: a line with a filled head, at most half as long as the arrow.
 pub(crate) fn arrow(list: &mut List, role: Role, from: Point, to: Point, unit: f64) {
     let along = to - from;
     let length = along.norm();
@@ -104,7 +103,7 @@ pub(crate) fn arrow(list: &mut List, role: Role, from: Point, to: Point, unit: f
     head(list, role, neck, to);
 }
 
-/// How long the head of an arrow is, in units, where there is room.
+/// Length of the head of an arrow, in units, if there is room.
 pub(crate) const HEAD: f64 = 2.6;
 
 /// The head of an arrow, from its neck to its tip.
@@ -118,9 +117,9 @@ pub(crate) fn head(list: &mut List, role: Role, neck: Point, tip: Point) {
     );
 }
 
-/// How far hatching is seen beside its line, in units.
+/// Width of hatching beside its line, in units.
 pub(crate) const HATCH: f64 = 1.1;
-/// Distance of the strokes of a hatching, in units; the maximum number of strokes of a line.
+/// Distance between the strokes of a hatching, in units; maximum number of strokes of a line.
 const STROKES: f64 = 1.5;
 const MOST_STROKES: f64 = 400.0;
 
@@ -137,7 +136,7 @@ pub(crate) fn hatched(list: &mut List, [from, to]: [Point; 2], side: Vector, uni
     }
 }
 
-/// A bar with a slot along it; half the widths of both.
+/// Draws a bar with a slot along it; `half`: half the widths of both.
 pub(crate) fn slot(list: &mut List, role: Role, [from, to]: [Point; 2], half: [f64; 2]) {
     let around = half.map(|half| capsule(from, to, half));
     list.polygons(role, Look::Solid, &around);
@@ -181,7 +180,7 @@ pub(crate) fn tracer(list: &mut List, role: Role, at: Point, unit: f64) {
     list.circle(role, Look::Solid, at, 0.5 * unit);
 }
 
-/// Stirrer blades: `count` of them, even around the shaft.
+/// Outlines of `count` stirrer blades, evenly around the shaft.
 pub(crate) fn blades(count: usize, length: f64, half_width: f64) -> Vec<Vec<Point>> {
     let blade = |index: usize| {
         let (sin, cos) = (TAU * index as f64 / count as f64).sin_cos();
@@ -199,13 +198,13 @@ pub(crate) fn round(radius: f64, count: usize) -> Vec<Point> {
         .collect()
 }
 
-/// How far a place is from the line between two others.
+/// The distance of a place from the segment between two others.
 pub(crate) fn distance(place: Point, from: Point, to: Point) -> f64 {
     (place - nearest(place, from, to)).norm()
 }
 
-/// How far a place is from a convex plate, given counter-clockwise: zero on it. None
-/// where it has no corner.
+/// The distance of a place from a convex plate, given counter-clockwise: zero on it. None if it has
+/// no corners.
 pub(crate) fn distance_to_plate(place: Point, corners: &[Point]) -> Option<f64> {
     if let [only] = corners {
         return Some((place - only).norm());
@@ -218,7 +217,7 @@ pub(crate) fn distance_to_plate(place: Point, corners: &[Point]) -> Option<f64> 
     Some(if inside { 0.0 } else { nearest })
 }
 
-/// The centroid of a convex plate; of a bar its middle.
+/// The centroid of a convex plate, or the middle of a bar.
 pub(crate) fn centroid(corners: &[Point]) -> Option<Point> {
     let [first, rest @ ..] = corners else {
         return None;

@@ -1,4 +1,4 @@
-//! A polygon of velocities or accelerations as a drawing of its own, to scale, step by step.
+//! The drawing of a velocity or acceleration polygon, to scale, step by step.
 
 mod sheet;
 
@@ -10,27 +10,27 @@ use crate::list::{List, Look, Role};
 use crate::parts;
 pub use sheet::PolygonSheet;
 
-/// Vectors shorter than this, in units, are points.
+/// Length below which vectors are drawn as points, in units.
 const LEAST: f64 = 0.3;
-/// How far a direction is drawn beyond its beginning before the point on it is found, in units.
+/// Length of a direction before the point on it is found, in units.
 const DIRECTION: f64 = 120.0;
-/// How far below the polygon its scale is, in units, and how much of the width it takes at most.
+/// Distance of the scale below the polygon, in units, and greatest share of the width that it takes.
 const BELOW: f64 = 9.0;
 const BAR: f64 = 0.4;
-/// What the line that shows the scale stands for, but for powers of ten.
+/// Lengths of the scale bar, up to powers of ten.
 const SCALES: [f64; 3] = [5.0, 2.0, 1.0];
 
 /// One step of the drawing: a vector equation, or points that follow.
 #[derive(Clone, Copy, Debug)]
 pub struct PolygonStep<'a> {
-    /// The stage that it belongs to.
+    /// The stage to which it belongs.
     pub stage: &'a Stage,
-    /// Which of its equations; none where points follow.
+    /// Index of its equation; none if points follow.
     pub route: Option<usize>,
 }
 
 impl PolygonStep<'_> {
-    /// Whether its points are known when it is done.
+    /// Whether its points are known after it.
     pub fn finds(&self) -> bool {
         self.route
             .is_none_or(|route| route + 1 == self.stage.routes.len())
@@ -49,18 +49,18 @@ pub fn polygon_steps(polygon: &Polygon) -> Vec<PolygonStep<'_>> {
     steps.collect()
 }
 
-/// A polygon that is drawn.
+/// A drawn polygon.
 #[derive(Clone, Debug)]
 pub struct PolygonPicture {
     /// The display list.
     pub list: List,
-    /// What its labels stand for.
+    /// The names to which its labels refer.
     pub names: Vec<String>,
     /// Its rectangle: left, bottom, right, top.
     pub bounds: [f64; 4],
-    /// How long the line is that shows the scale: a round number.
+    /// Length of the scale bar: a round number.
     pub bar: f64,
-    /// How many times smaller the scale is than usual in the motion: 1, unless the polygon would have no room.
+    /// Factor by which the scale is smaller than usual in the motion: 1, unless the polygon would not fit.
     pub smaller: f64,
 }
 
@@ -95,7 +95,7 @@ impl PolygonPicture {
         drawing.point(pole.to_owned(), Vector::zeros(), Vector::new(-1.0, -1.0));
         for step in steps[..shown].iter().filter(|step| step.finds()) {
             for (node, at) in &step.stage.nodes {
-                // What stands still is at the pole, and goes by its name.
+                // Points at rest are at the pole and have its name.
                 if at.norm() > LEAST * unit {
                     drawing.point(name(*node), *at, *at);
                 }
@@ -113,7 +113,7 @@ impl PolygonPicture {
     }
 }
 
-/// The greatest of the scales, times a power of ten, that is no greater.
+/// The greatest of the scales, times a power of ten, that does not exceed a length.
 fn round(length: f64) -> f64 {
     let power = 10.0_f64.powf(length.log10().floor());
     let mut whole = SCALES.iter().map(|digit| digit * power);
@@ -128,7 +128,7 @@ struct Drawing {
 }
 
 impl Drawing {
-    /// What points have of velocity or acceleration has its colour, what they have more than others is ink.
+    /// The colour of a leg: absolute velocity or acceleration has its own, relative parts are black.
     fn role(&self) -> Role {
         match self.order {
             Order::Velocity => Role::Velocity,
@@ -189,7 +189,7 @@ impl Drawing {
         }
     }
 
-    /// A point with its name, which stands off it in a direction.
+    /// A point with its name, offset from it in a direction.
     fn point(&mut self, name: String, at: Vector, away: Vector) {
         self.list
             .circle(Role::Ink, Look::Solid, at.into(), 0.7 * self.unit);
@@ -199,7 +199,7 @@ impl Drawing {
         self.list.name(Role::Ink, number, at.into(), [off.x, off.y]);
     }
 
-    /// The line that shows the scale.
+    /// Draws the scale bar.
     fn scale(&mut self, from: Point, length: f64) {
         let to = from + Vector::new(length, 0.0);
         let tick = Vector::new(0.0, 1.2 * self.unit);
@@ -240,7 +240,7 @@ mod tests {
         }
     }
 
-    /// Pole, crank, two equations: the first leaves a direction, the second a point; after each there is more to see.
+    /// Pole, crank, two equations: the first leaves a direction, the second a point; each adds to the drawing.
     #[test]
     fn steps_of_a_four_bar() {
         let motion = four_bar();

@@ -1,10 +1,10 @@
-//! From space onto the sheet, in parallel.
+//! Parallel projection from space onto the sheet.
 
 use assur::Point;
 use assur::mobility::{Point3, Vector3};
 
-/// A parallel projection: the directions in space that go to the right and up on the sheet, and
-/// towards the reader.
+/// A parallel projection: the directions in space that point right and up on the sheet, and towards
+/// the reader.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projection {
     right: Vector3,
@@ -13,13 +13,13 @@ pub(crate) struct Projection {
 }
 
 impl Projection {
-    /// The plane x, y as it is.
+    /// The projection of the plane x, y onto itself.
     pub(crate) fn plane() -> Self {
         Self::from([Vector3::x(), Vector3::y()])
     }
 
-    /// A view with z upwards: turned about z by `round` from one along y, and from above by
-    /// `above`, radians.
+    /// A view with z upwards: turned about z by `round` from the direction of y, and seen from
+    /// above by `above`, radians.
     pub(crate) fn space([round, above]: [f64; 2]) -> Self {
         let ([sin, cos], [high, level]) = ([round.sin(), round.cos()], [above.sin(), above.cos()]);
         let away = Vector3::new(-sin, cos, 0.0);
@@ -32,22 +32,22 @@ impl Projection {
         Self { right, up, near }
     }
 
-    /// Where a place is on the sheet.
+    /// The projection of a place.
     pub(crate) fn place(&self, at: Point3) -> Point {
         self.direction(at.coords).into()
     }
 
-    /// A displacement on the sheet; shorter than in space by what goes towards the reader.
+    /// The projection of a displacement, shortened by its part towards the reader.
     pub(crate) fn direction(&self, along: Vector3) -> assur::Vector {
         assur::Vector::new(along.dot(&self.right), along.dot(&self.up))
     }
 
-    /// How far a place is towards the reader.
+    /// The coordinate of a place towards the reader.
     pub(crate) fn nearness(&self, at: Point3) -> f64 {
         at.coords.dot(&self.near)
     }
 
-    /// The place in space over a place on the sheet, as far towards the reader as another.
+    /// The place in space that projects onto a place on the sheet, as near to the reader as another.
     pub(crate) fn raised(&self, at: Point, like: Point3) -> Point3 {
         let along = self.right * at.x + self.up * at.y;
         Point3::from(along + self.near * self.nearness(like))

@@ -1,4 +1,4 @@
-//! A scheme of links and pairs, in the plane or in space, whole or cut open.
+//! The drawing of a scheme of links and pairs, in the plane or in space, whole or cut open.
 
 mod labels;
 mod opening;
@@ -22,7 +22,7 @@ const BAR: f64 = 0.75;
 /// Room for names around all places, in units.
 const ROOM: f64 = 10.0;
 
-/// The colours of links, again from the first where there are more.
+/// The colours of links, repeated if there are more links.
 const ROLES: [Role; 9] = [
     Role::Crank,
     Role::Coupler,
@@ -35,40 +35,40 @@ const ROLES: [Role; 9] = [
     Role::Accent7,
 ];
 
-/// What is shown of a scheme.
+/// View of a scheme.
 #[derive(Clone, Debug, Default)]
 pub struct SchemeView {
-    /// The pairs that are cut, in turn.
+    /// The cuts, in their order.
     pub cuts: Vec<Cut>,
     /// Points of links beyond their pairs.
     pub ends: Vec<(usize, Point3)>,
-    /// From where a spatial scheme is looked at: turned about z, and from above, radians.
+    /// Direction of view of a spatial scheme: turned about z, and from above, radians.
     pub look: [f64; 2],
     /// Highlighted pairs, such as those of a contour that is still closed.
     pub marked: Vec<usize>,
-    /// Whether the freedoms of pairs that are left, and the constraints of those that were
-    /// cut, are written at them.
+    /// Whether the freedoms of remaining pairs, and the constraints of cut ones, are written beside
+    /// them.
     pub counted: bool,
 }
 
-/// What a hand can take hold of: a pair, or one link of a compound hinge.
+/// A handle: a pair, or one link of a compound hinge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SchemeHandle {
-    /// As a cut is called: `D`, `Q:3`.
+    /// The name of its cut: `D`, `Q:3`.
     pub name: String,
     /// The pair.
     pub pair: usize,
-    /// The colour of the link it is taken off.
+    /// The colour of the link that its cut takes off.
     pub role: Role,
 }
 
-/// A scheme as a drawing.
+/// The drawing of a scheme.
 #[derive(Clone, Debug)]
 pub struct SchemeFigure {
     scheme: Scheme,
     view: SchemeView,
     projection: Projection,
-    /// Where the pairs are, of all of them.
+    /// The places of all pairs.
     places: Vec<Point3>,
     names: Vec<String>,
     size: f64,
@@ -76,10 +76,10 @@ pub struct SchemeFigure {
     bounds: [f64; 4],
 }
 
-/// What a link's body goes through.
+/// The body of a link.
 struct Body {
     link: usize,
-    /// Where its pairs and ends are, displaced.
+    /// The displaced places of its pairs and ends.
     nodes: Vec<Point3>,
 }
 
@@ -99,7 +99,7 @@ impl SchemeFigure {
             if !view.counted {
                 return pair.name.clone();
             }
-            // A compound hinge counts several times, and may be cut as often.
+            // A compound hinge counts several times, and may be cut as many times.
             let cut = view.cuts.iter().filter(|cut| cut.pair == index).count();
             let left = usize::from(scheme.freedoms(index)) * pair.count().saturating_sub(cut);
             let removed = usize::from(scheme.constraints(index)) * cut;
@@ -128,7 +128,7 @@ impl SchemeFigure {
         self.bounds
     }
 
-    /// What the labels' numbers stand for.
+    /// The names to which the labels refer.
     pub fn names(&self) -> &[String] {
         &self.names
     }
@@ -141,7 +141,7 @@ impl SchemeFigure {
         }
     }
 
-    /// What a hand can take hold of.
+    /// The handles of the scheme.
     pub fn handles(&self) -> Vec<SchemeHandle> {
         let pairs = self.scheme.pairs().iter().enumerate();
         let handles = pairs.flat_map(|(index, pair)| {
@@ -158,7 +158,7 @@ impl SchemeFigure {
         handles.collect()
     }
 
-    /// Where the handles are when the last cut is open by a share of its way.
+    /// The positions of the handles with the last cut open by a share of its way.
     pub fn held_at(&self, opened: f64) -> Vec<Point> {
         let moved = self.opened(opened);
         let held = self.scheme.pairs().iter().enumerate();
@@ -167,20 +167,20 @@ impl SchemeFigure {
             if pair.links.len() == 2 {
                 return vec![at(self.holder(index))];
             }
-            // Those of a compound hinge stand apart, each on its link.
+            // The handles of a compound hinge are apart, each on its link.
             let aside = |link: &usize| at(*link) + self.inward(index, *link, &moved) * 4.0;
             pair.links.iter().map(aside).collect()
         });
         held.collect()
     }
 
-    /// A pair dragged to a place on the sheet: where it is then.
+    /// The place of a pair that is dragged to a place on the sheet.
     pub fn dragged(&self, pair: usize, to: Point) -> Point3 {
         self.projection.raised(to, self.places[pair])
     }
 
-    /// The drawing when the last cut is open by a share of its way: `n, x, y, θ` of the one
-    /// body, the sheet, then a display list.
+    /// The drawing with the last cut open by a share of its way: `n, x, y, θ` of the only body, the
+    /// sheet, then a display list.
     pub fn frame(&self, opened: f64) -> Vec<f32> {
         let moved = self.opened(opened);
         let mut list = List::default();
@@ -201,7 +201,7 @@ impl SchemeFigure {
         Chain::new(&self.scheme, &self.places, &self.view.cuts, self.size).opened(share)
     }
 
-    /// The link that keeps a pair's symbol: none that was taken off.
+    /// The link that keeps a pair's symbol: one that was not taken off.
     fn holder(&self, pair: usize) -> usize {
         let links = &self.scheme.pairs()[pair].links;
         let left = |&&link: &&usize| !self.view.cuts.contains(&Cut { pair, link });
@@ -209,7 +209,7 @@ impl SchemeFigure {
         holder.copied().unwrap_or(0)
     }
 
-    /// From a pair towards the rest of a link, one unit long on the sheet.
+    /// The direction from a pair towards the rest of a link, one unit long on the sheet.
     fn inward(&self, pair: usize, link: usize, moved: &[Displacement]) -> assur::Vector {
         let here = self.projection.place(moved[link] * self.places[pair]);
         let rest = self.seen(&self.body(link, moved));
@@ -232,7 +232,7 @@ impl SchemeFigure {
         }
     }
 
-    /// The nodes of a body, on the sheet.
+    /// The nodes of a body, projected onto the sheet.
     fn seen(&self, body: &Body) -> Vec<Point> {
         let nodes = body.nodes.iter();
         nodes.map(|at| self.projection.place(*at)).collect()
@@ -278,7 +278,7 @@ impl SchemeFigure {
             [from, to] => parts::bar(list, role, from, to, half),
             ref corners => {
                 parts::plate(list, role, corners, half);
-                // Pairs within the plate are joined to its middle.
+                // Pairs inside the plate are joined to its middle.
                 let middle = parts::centroid(corners);
                 for (node, middle) in nodes.iter().zip(middle.into_iter().cycle()) {
                     if !corners.contains(node) {
@@ -317,7 +317,7 @@ impl SchemeFigure {
         .draw(pair.kind);
     }
 
-    /// The rectangle around all, with room for symbols.
+    /// The rectangle around the scheme, with room for symbols.
     fn measured(&self) -> [f64; 4] {
         let shares = [0.0, 1.0];
         let seen = shares.iter().flat_map(|share| {

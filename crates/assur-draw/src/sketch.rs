@@ -1,4 +1,4 @@
-//! A linkage that is being drawn, where it stands: nothing of it need fit together.
+//! The drawing of an unfinished linkage, as it stands: its parts need not fit together.
 
 mod drawing;
 
@@ -12,11 +12,11 @@ use crate::parts::{self, BAR, BLOCK};
 const RIM: f64 = 0.05;
 /// The sheet of an empty drawing: left, bottom, right, top, in the unit of lengths.
 const SHEET: [f64; 4] = [-6.0, -4.0, 6.0, 4.0];
-/// Free room around what is drawn, for what comes next, relative to its size.
+/// Free room around the drawing, for new parts, relative to its size.
 const ROOM: f64 = 0.15;
-/// The least size for symbols, relative to the greatest coordinate: of points in one place.
+/// Minimum size for symbols, relative to the greatest coordinate, for coincident points.
 const LEAST: f64 = 1e-3;
-/// A wheel that is in no mesh yet, in units.
+/// Radius of a wheel that is not in mesh yet, in units.
 const WHEEL: f64 = 5.0;
 
 /// What is said of links in colour, and how large an empty sheet is.
@@ -52,20 +52,20 @@ pub struct Sketch {
     list: List,
 }
 
-/// A wheel in a mesh, or in none.
+/// A wheel, in a mesh or in none.
 #[derive(Clone, Copy, Debug)]
 struct Wheel {
-    /// The number of its link.
+    /// Index of its link.
     link: usize,
     at: Point,
-    /// Of the pitch circle.
+    /// Radius of the pitch circle.
     radius: f64,
     /// Whether its teeth are inside.
     ring: bool,
 }
 
 impl Sketch {
-    /// The drawing of a draft. Things that it names and has not are passed over.
+    /// The drawing of a draft. Unknown names are ignored.
     pub fn new(draft: &LinkageSpec, view: &SketchView) -> Self {
         let bounds = bounds(draft, SHEET.map(|side| side * view.sheet));
         let mut sketch = Self {
@@ -91,12 +91,12 @@ impl Sketch {
         &self.names
     }
 
-    /// The rectangle that holds it: left, bottom, right, top; of an empty sheet one to draw on.
+    /// The rectangle that holds it: left, bottom, right, top; for an empty sheet one to draw on.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }
 
-    /// What a hand can take hold of: names of points and tracers, the colours of their links, places.
+    /// The handles: names of points and tracers, the colours of their links, places.
     pub fn handles(&self) -> &[(String, Role, Point)] {
         &self.handles
     }
@@ -106,14 +106,14 @@ impl Sketch {
         &self.roles
     }
 
-    /// As of [`crate::Figure::frame`]: the frame's pose and the display list.
+    /// The frame's pose and the display list, as in [`crate::Figure::frame`].
     pub fn frame(&self) -> Vec<f32> {
         let mut numbers = vec![1.0, 0.0, 0.0, 0.0];
         numbers.extend(self.list.numbers());
         numbers
     }
 
-    /// The link drawn nearest to a place, and how far that is from it. Bars, plates and blocks lie over wheels.
+    /// The link drawn nearest to a place, and its distance. Bars, plates and blocks lie over wheels.
     pub fn link_at(&self, place: Point) -> Option<(&str, f64)> {
         let links = self.draft.links.iter().filter_map(|link| {
             let outline = parts::hull(self.corners(link));
@@ -136,7 +136,7 @@ impl Sketch {
             .reduce(|best, next| if next.1 < best.1 { next } else { best })
     }
 
-    /// The smallest wheel that a place is on.
+    /// The smallest wheel at a place.
     pub fn wheel_at(&self, place: Point) -> Option<&str> {
         let wheels = self.wheels();
         let wheel = wheels
@@ -145,7 +145,7 @@ impl Sketch {
         Some(&self.draft.links[wheel.link].name)
     }
 
-    /// How far a place is off a wheel: off the disc of a plain one, off the rim of a ring, where its teeth are.
+    /// The distance of a place from a wheel: from the disc of a plain wheel, from the toothed rim of a ring.
     fn off_wheel(&self, wheel: &Wheel, place: Point) -> f64 {
         let beyond = (place - wheel.at).norm() - wheel.radius;
         let off = if wheel.ring {
@@ -156,7 +156,7 @@ impl Sketch {
         off.max(0.0)
     }
 
-    /// Whether a link is a wheel alone, without a bar or a block.
+    /// Whether a link is only a wheel, without a bar or a block.
     fn is_wheel(&self, link: &LinkSpec) -> bool {
         let mut slides = self.draft.slides.iter();
         link.points.len() == 1 && !slides.any(|slide| slide.link == link.name)
@@ -183,7 +183,7 @@ impl Sketch {
             .map_or(Role::Secondary, |(_, role)| *role)
     }
 
-    /// Whether the frame has a point that is seen: not one that only gives a line.
+    /// Whether a point of the frame is visible: not if it only defines a line.
     fn is_support(&self, name: &String) -> bool {
         let lines = self.draft.slides.iter().filter(|slide| slide.on == FRAME);
         let of_line = lines.flat_map(|slide| &slide.line).any(|end| end == name);
@@ -196,7 +196,7 @@ impl Sketch {
     }
 }
 
-/// The colour of a link: the crank's if it is driven, that of its state if it is loose or locked, else the next one.
+/// The colours of the links: the crank's if driven, that of its state if loose or locked, otherwise the next one.
 fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
     let driven = |name: &str| {
         draft
@@ -222,7 +222,7 @@ fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
     draft.links.iter().map(role).collect()
 }
 
-/// The rectangle around all points, with room; a sheet where there are too few.
+/// The rectangle around all points, with room; a sheet if there are too few.
 fn bounds(draft: &LinkageSpec, sheet: [f64; 4]) -> [f64; 4] {
     let places = draft.points.iter().map(|point| point.at.coords);
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);

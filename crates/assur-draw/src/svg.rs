@@ -1,5 +1,5 @@
-//! Drawings and charts as SVG, on light paper: the display list and the plots that
-//! the page paints, painted as the page paints them.
+//! Drawings and charts as SVG, on light paper: the display list and the plots of the page, painted
+//! as on the page.
 
 mod backend;
 mod painter;
@@ -41,22 +41,22 @@ pub const LIGHT: Palette = [
 /// Room around a drawing for its symbols and labels, pixels.
 const MARGIN: f64 = 40.0;
 
-/// A drawing in one pose, as a [`crate::Figure`] gives it.
+/// A drawing in one pose, from a [`crate::Figure`].
 #[derive(Clone, Copy)]
 pub struct Drawing<'a> {
-    /// What holds it: left, bottom, right, top.
+    /// Its rectangle: left, bottom, right, top.
     pub bounds: [f64; 4],
-    /// The display list of what is rigid.
+    /// The display list of the rigid part.
     pub rigid: &'a List,
-    /// The poses of its bodies, and what moves.
+    /// The frame: poses of the bodies, and the moving part.
     pub frame: &'a [f32],
-    /// What the labels' numbers stand for.
+    /// The names to which the labels refer.
     pub names: &'a [String],
-    /// The value of a read-out by its name, radians: labels are written with it.
+    /// The value of a read-out by its name, radians, to be written with labels.
     pub values: &'a dyn Fn(&str) -> Option<f64>,
 }
 
-/// A sheet that is drawn on from top to bottom.
+/// A sheet that is filled from top to bottom.
 #[derive(Clone, Debug)]
 pub struct Svg {
     width: f64,
@@ -154,7 +154,7 @@ impl Svg {
             for tick in &panel.x_ticks {
                 let unit = if chart.turns() { "°" } else { "" };
                 let text = format!("{}{unit}", short(tick.value));
-                // The number at the very end stays on the sheet.
+                // The last number stays on the sheet.
                 let anchor = if tick.at + 14.0 > panel.width {
                     "end"
                 } else {
@@ -176,7 +176,7 @@ impl Svg {
         );
     }
 
-    /// The whole as a file; `title` is for those who cannot see it.
+    /// The sheet as a file; `title` is for readers who cannot see it.
     pub fn finish(self, title: &str) -> String {
         let Self {
             width,
@@ -199,7 +199,7 @@ fn css(role: usize) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// A number of an axis without the rounding of its steps.
+/// A number of an axis without rounding errors.
 fn short(value: f64) -> String {
     let rounded = format!("{value:.6}");
     let rounded = rounded.trim_end_matches('0').trim_end_matches('.');
@@ -210,7 +210,7 @@ fn short(value: f64) -> String {
     }
 }
 
-/// Text that is no markup.
+/// Text with markup escaped.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
@@ -228,7 +228,7 @@ mod tests {
         let sheet = include_str!("../../../www/styles/page.css");
         for (role, name) in ROLES.iter().enumerate() {
             let line = format!("--role-{name}: {};", css(role));
-            // The first of them is the light one.
+            // The first of them is that of the light theme.
             let first = sheet.find(&format!("--role-{name}:"));
             assert!(
                 first.is_some_and(|at| sheet[at..].starts_with(&line)),
@@ -247,7 +247,7 @@ mod tests {
         }
     }
 
-    /// A label of a symbol and a read-out has the value in degrees, if there is one.
+    /// A label with a read-out has the value in degrees, if there is one.
     #[test]
     fn labels_are_written_with_their_values() {
         let mut list = List::default();

@@ -1,5 +1,5 @@
-//! A differential as a drawing: sun 1, satellites 2, carrier 3 and ring 4, with teeth or magnet
-//! plates, and the working members 7 and 8 that it drives.
+//! The drawing of a differential: sun 1, satellites 2, carrier 3 and ring 4, with teeth or magnet
+//! plates, and the working members 7 and 8.
 
 mod arrows;
 mod bevel;
@@ -18,7 +18,7 @@ use crate::list::{List, Role};
 use bevel::Bevel;
 use planar::Planar;
 
-/// What a differential drives. Each is drawn as it is seen along its shaft.
+/// Kinds of working members, each drawn as seen along its shaft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "a working member is its name")]
 pub enum WorkingMember {
@@ -44,22 +44,22 @@ impl WorkingMember {
     ];
 }
 
-/// What is shown of a differential.
+/// View of a differential.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TrainView {
     /// Teeth or magnets.
     pub coupling: Coupling,
-    /// Of magnets: which poles the wheels show.
+    /// Polarity of magnet plates.
     pub poles: Poles,
     /// The working members: 7 on each satellite's shaft, 8 on the carrier.
     pub members: [Option<WorkingMember>; 2],
-    /// Whether the velocities of the first satellite are drawn, with its instantaneous centre.
-    /// Of bevel wheels they are not.
+    /// Whether the velocities of the first satellite are drawn, with its instantaneous centre. Not
+    /// drawn for bevel wheels.
     pub velocities: bool,
 }
 
 impl TrainView {
-    /// How many plates make a period of the field; of gears each tooth is one.
+    /// Number of plates per period of the field; for gears each tooth is a period.
     fn plates(&self) -> u32 {
         match (self.coupling, self.poles) {
             (Coupling::Magnetic, Poles::Alternating) => 2,
@@ -68,23 +68,23 @@ impl TrainView {
     }
 }
 
-/// A differential in motion, as its observer sees it: his own angle and speed are taken off.
+/// A pose of a differential relative to its observer, whose own angle and speed are subtracted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrainPose {
-    /// The angles of the bodies in the order of [`Body::ALL`], radians, counted from where no mesh
-    /// is loaded and the first satellite is to the right. A bevel one is then on top, and its
-    /// angle is not read: it turns as the sun has it.
+    /// The angles of the bodies in the order of [`Body::ALL`], radians, from where no mesh is
+    /// loaded and the first satellite is on the right. A bevel satellite is then on top, and its
+    /// angle is not used: it follows from the sun.
     pub angles: [f64; 4],
     /// Their speeds, rad/s.
     pub speeds: [f64; 4],
-    /// The torques of the field on sun and ring relative to the greatest it can have there, −1 to 1;
-    /// none where they are not shown.
+    /// The torques of the field on sun and ring relative to their greatest values, −1 to 1; none if
+    /// they are not shown.
     pub torques: Option<[f64; 2]>,
-    /// The angle of the frame, radians: 0 for who stands on the ground.
+    /// The angle of the frame, radians: 0 for an observer on the ground.
     pub ground: f64,
 }
 
-/// A differential as a drawing: along its main axis, of bevel wheels from the side.
+/// The drawing of a differential: along its main axis, for bevel wheels from the side.
 #[derive(Clone, Debug)]
 pub struct TrainFigure {
     wheels: Wheels,
@@ -92,14 +92,14 @@ pub struct TrainFigure {
     rigid: List,
 }
 
-/// The wheels, as their axes stand.
+/// The wheels, by the arrangement of their axes.
 #[derive(Clone, Debug)]
 enum Wheels {
     Planar(Box<Planar>),
     Bevel(Box<Bevel>),
 }
 
-/// What a label of the drawing says.
+/// Index of a label's text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Name {
     Sun,
@@ -118,7 +118,7 @@ enum Name {
 }
 
 impl Name {
-    /// What they say, in their order.
+    /// The texts of labels, in the order of this enumeration.
     const TEXTS: [&'static str; 10] = ["1", "2", "2′", "3", "4", "7", "8", "N", "S", "P"];
 }
 
@@ -141,7 +141,7 @@ impl TrainFigure {
                 let rigid = planar.rigid();
                 (Wheels::Planar(Box::new(planar)), rigid)
             }
-            // From the side wheels look another way in each pose.
+            // From the side wheels look different in each pose.
             Kind::Bevel => {
                 let bevel = Bevel::new(layout, view);
                 (Wheels::Bevel(Box::new(bevel)), List::default())
@@ -159,7 +159,7 @@ impl TrainFigure {
         Body::ALL.map(role)
     }
 
-    /// What the labels' numbers stand for.
+    /// The names to which the labels refer.
     pub fn names(&self) -> &[String] {
         &self.names
     }
@@ -191,7 +191,7 @@ impl TrainFigure {
             }
         };
         let mut frame = vec![poses.len() as f32];
-        // An angle of many turns has no digits left for what is seen of it.
+        // An angle of many turns has lost the digits that are visible.
         let folded = poses
             .iter()
             .flat_map(|[x, y, angle]| [*x, *y, angle.rem_euclid(TAU)].map(|number| number as f32));

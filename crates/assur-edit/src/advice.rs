@@ -1,4 +1,4 @@
-//! What keeps a drawing from moving, and which edits would let it.
+//! Reasons why a drawing does not move, and edits that would let it.
 
 use assur::mechanism::{Defect, Mechanism};
 use assur_file::{LinkageDocument, Problem};
@@ -6,25 +6,25 @@ use serde::Serialize;
 
 use crate::{Edit, checked, edited};
 
-/// No more edits than these are advised.
+/// Maximum number of advised edits.
 const MOST: usize = 6;
-/// No more edits are tried: each makes a mechanism, with every edit of the drawing.
+/// Maximum number of edits tried: each builds a mechanism, after every edit of the drawing.
 const MOST_SOUGHT: usize = 48;
-/// Of more edits than these no pairs are tried: that would take longer than a frame.
+/// Maximum number of edits for which pairs are tried: more would take longer than a frame of the animation.
 const MOST_TRIED: usize = 16;
 
-/// What is said of a drawing that does not move.
+/// Advice on a drawing that does not move.
 #[derive(Clone, Debug)]
 pub struct Advice {
     /// Every reason.
     pub problems: Vec<Problem>,
-    /// W by the count of links and pairs; none where what is named is not there.
+    /// W by the count of links and pairs; none if a named part does not exist.
     pub mobility: Option<isize>,
     /// Links that move by themselves, or that nothing joins to the frame.
     pub loose: Vec<String>,
     /// Links that cannot move.
     pub locked: Vec<String>,
-    /// Edits after each of which it moves, as they were tried.
+    /// Edits after each of which it moves, in the order in which they were tried.
     pub mends: Vec<Mend>,
 }
 
@@ -33,25 +33,25 @@ pub struct Advice {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Mend {
-    /// A link is driven.
+    /// Drives a link.
     Drive(String),
-    /// A link is driven no more.
+    /// Stops driving a link.
     Release(String),
-    /// A link goes.
+    /// Removes a link.
     Remove(String),
-    /// A point becomes one of the frame.
+    /// Makes a point one of the frame.
     Fix(String),
-    /// The drawing becomes exact: redundant constraints nearly hold.
+    /// Makes the drawing exact: its redundant constraints nearly hold.
     Exact {
         /// The point that moves farthest.
         point: String,
-        /// By this length.
+        /// Length of its move.
         by: f64,
     },
 }
 
 impl Mend {
-    /// The edit that does it.
+    /// The corresponding edit.
     pub fn edit(&self) -> Edit {
         match self {
             Self::Drive(link) | Self::Release(link) => Edit::Drive { link: link.clone() },
@@ -68,10 +68,10 @@ impl Mend {
 }
 
 impl Advice {
-    /// What is to be said of a drawing; nothing where it moves.
+    /// The advice on a drawing; none if it moves.
     ///
     /// # Errors
-    /// What is wrong with single fields.
+    /// The problems of single fields.
     pub fn of(document: &LinkageDocument) -> Result<Option<Self>, Vec<Problem>> {
         checked(document)?;
         let draft = document.spec();
@@ -100,8 +100,8 @@ impl Advice {
     }
 }
 
-/// The edits after which it moves, of those that a person would try; where there are none, those after which one more
-/// lets it.
+/// The edits after which it moves, among those that a person would try; if there are none, those
+/// after which one more edit lets it move.
 fn mends(document: &LinkageDocument) -> Vec<Mend> {
     if let Some(exact) = document.spec().made_exact() {
         let (point, by) = (exact.point, exact.by);
@@ -124,7 +124,7 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
                 .any(|next| moves(&after.document, next))
         })
     };
-    // Of what has no freedom a link goes first; anything else is driven or fixed first.
+    // If nothing can move, removing a link is tried; otherwise a link is driven or a point fixed.
     let mobility = document.spec().counts().map(|counts| counts.mobility);
     let rigid = document.drivers.is_empty() && mobility.is_ok_and(|mobility| mobility <= 0);
     let adding = all.iter().filter(|mend| match mend {
@@ -132,7 +132,7 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
         Mend::Drive(_) | Mend::Fix(_) => !rigid,
         _ => false,
     });
-    // Points of the frame first: what is to be driven turns about one.
+    // Points of the frame first: a driven link needs one as its pivot.
     let (fixes, drives): (Vec<&Mend>, Vec<&Mend>) =
         adding.partition(|mend| matches!(mend, Mend::Fix(_)));
     fixes
@@ -150,7 +150,7 @@ fn moves(document: &LinkageDocument, mend: &Mend) -> bool {
     after.is_ok_and(|after| Mechanism::new(&after.document.spec()).is_ok())
 }
 
-/// The edits that are tried.
+/// The edits to be tried.
 fn tried(document: &LinkageDocument) -> Vec<Mend> {
     let draft = document.spec();
     let driven: Vec<&str> = (draft.drivers.iter())
@@ -173,7 +173,7 @@ fn tried(document: &LinkageDocument) -> Vec<Mend> {
         .iter()
         .map(|point| &point.name)
         .filter(|point| !document.frame.contains(point));
-    // The free end of a link is what a person would fix.
+    // A person would fix the free end of a link.
     let (ends, hinges): (Vec<&String>, Vec<&String>) = free.partition(|point| links(point) == 1);
     let fixes = ends
         .into_iter()

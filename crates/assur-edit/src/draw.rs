@@ -1,4 +1,4 @@
-//! What is added to a drawing: points, links, slides, what is traced and weighs.
+//! Additions to a drawing: points, links, slides, traced points and centres of mass.
 
 use assur::mechanism::{Defect, FRAME};
 use assur::{Point, Vector, nearest};
@@ -9,12 +9,12 @@ use assur_file::{
 use crate::edit::{Edit, End, Line};
 use crate::{dyads, names};
 
-/// Two places closer than this, relative to the size of the drawing, are one.
+/// Distance, relative to the size of the drawing, up to which two places coincide.
 const CLOSEST: f64 = 1e-9;
-/// The least a drawing measures, for what is placed beside other things.
+/// Minimum size of a drawing, for placing parts beside others.
 const LEAST: f64 = 1e-6;
 
-/// A drawing that is edited.
+/// A drawing during an edit.
 #[derive(Debug)]
 pub(crate) struct Drawing {
     pub(crate) document: LinkageDocument,
@@ -22,7 +22,7 @@ pub(crate) struct Drawing {
     pub(crate) point: Option<String>,
     /// The link that was added last.
     pub(crate) link: Option<String>,
-    /// Whether what is locked kept something from going where it was wanted.
+    /// Whether locks kept something from reaching its target.
     pub(crate) is_held: bool,
 }
 
@@ -102,7 +102,7 @@ impl Drawing {
         }
     }
 
-    /// Puts the points where redundant constraints hold, if the drawing is near enough to that.
+    /// Moves the points so that redundant constraints hold, if the drawing is close enough to that.
     fn make_exact(&mut self) {
         if let Some(exact) = self.document.spec().made_exact() {
             for (point, exact) in self.document.points.iter_mut().zip(exact.spec.points) {
@@ -127,7 +127,7 @@ impl Drawing {
         }
     }
 
-    /// Where a point is drawn.
+    /// The position of a point in the drawing.
     pub(crate) fn at(&self, name: &str) -> Result<Point, LinkageProblem> {
         let mut points = self.document.points.iter();
         let point = points.find(|point| point.name == name);
@@ -135,7 +135,7 @@ impl Drawing {
         Ok(Point::from(point.at))
     }
 
-    /// The diagonal of what is drawn.
+    /// The diagonal of the drawing.
     pub(crate) fn size(&self) -> f64 {
         let places = || self.document.points.iter().map(|point| point.at);
         let extent = |axis: usize| {
@@ -150,7 +150,7 @@ impl Drawing {
         }
     }
 
-    /// A new point.
+    /// Adds a point.
     pub(crate) fn put(&mut self, at: [f64; 2]) -> String {
         let name = names::new_point(&self.document);
         self.document.points.push(PointDocument {
@@ -161,7 +161,7 @@ impl Drawing {
         name
     }
 
-    /// The point at an end, which is new where there was none.
+    /// The point at an end, added if necessary.
     pub(crate) fn end(&mut self, end: &End) -> Result<String, LinkageProblem> {
         match end {
             End::Point(name) => {
@@ -179,13 +179,13 @@ impl Drawing {
         }
     }
 
-    /// A link between two points.
+    /// Adds a link between two points.
     pub(crate) fn bar(&mut self, ends: &[String; 2]) -> Result<String, LinkageProblem> {
         self.apart(ends)?;
         Ok(self.add_link(ends, None))
     }
 
-    /// A link with these points.
+    /// Adds a link with these points.
     pub(crate) fn add_link(&mut self, points: &[String], name: Option<&str>) -> String {
         let name = names::new_link(&self.document, points, name);
         self.document.links.push(LinkDocument {
@@ -197,7 +197,7 @@ impl Drawing {
         name
     }
 
-    /// Sees to it that two points are not in one place.
+    /// Checks that two points do not coincide.
     fn apart(&self, ends: &[String; 2]) -> Done {
         let [from, to] = ends;
         let near = (self.at(to)? - self.at(from)?).norm() <= CLOSEST * self.size();
@@ -209,7 +209,7 @@ impl Drawing {
         }
     }
 
-    /// A link lists one more point, where it is drawn.
+    /// Adds a point to a link, where it is drawn.
     fn list(&mut self, link: &str, point: &str) -> Done {
         let own = &self.linked(link)?.points;
         if own.iter().any(|one| one == point) {
@@ -224,7 +224,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Links whose dimensions are those of the drawing from now on.
+    /// Gives links the dimensions of the drawing.
     pub(crate) fn redraw(&mut self, which: impl Fn(&LinkDocument) -> bool) {
         let links = self.document.links.iter_mut();
         for link in links.filter(|link| which(link)) {
@@ -233,7 +233,7 @@ impl Drawing {
         }
     }
 
-    /// A block that is hinged at a point and slides.
+    /// Adds a block that is hinged at a point and slides.
     pub(crate) fn block(&mut self, point: &str, along: &Line) -> Result<String, LinkageProblem> {
         if let Line::Link(link) = along
             && self.linked(link)?.points.iter().any(|one| one == point)
@@ -247,7 +247,7 @@ impl Drawing {
         Ok(block)
     }
 
-    /// A link slides by one of its points.
+    /// Lets a link slide by one of its points.
     pub(crate) fn slide(&mut self, link: &str, point: &str, along: &Line) -> Done {
         let (on, line) = self.line(point, along)?;
         if on == link {
@@ -263,7 +263,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// A line for what slides by a point: the link that has it, and two of its points.
+    /// A line on which a point slides: the link that has it, and two of its points.
     fn line(&mut self, point: &str, along: &Line) -> Result<(String, [String; 2]), LinkageProblem> {
         match along {
             Line::Toward(to) => {
@@ -343,7 +343,7 @@ impl Drawing {
     }
 }
 
-/// Nothing has this name.
+/// The problem of an unknown name.
 pub(crate) fn unknown(name: &str) -> LinkageProblem {
     let name = name.to_owned();
     Defect::UnknownName { name }.into()

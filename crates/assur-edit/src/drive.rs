@@ -1,4 +1,4 @@
-//! What is driven, meshes, and is fixed to the frame or to a link.
+//! Drivers, meshes, and fixing points to the frame or links to links.
 
 use assur::mechanism::{Defect, FRAME};
 use assur_file::{
@@ -11,7 +11,7 @@ use crate::draw::Drawing;
 type Done = Result<(), LinkageProblem>;
 
 impl Drawing {
-    /// Two wheels come into mesh.
+    /// Puts two wheels in mesh.
     pub(crate) fn mesh(&mut self, links: &[String; 2], teeth: [f64; 2], internal: bool) -> Done {
         let [first, second] = links;
         let carrier = self.carrier(links)?;
@@ -47,7 +47,7 @@ impl Drawing {
         carrier.ok_or(Defect::NotHinged { links }.into())
     }
 
-    /// Drives a link, or lets it go. Where there are drivers enough, the last one gives way.
+    /// Drives a link, or stops driving it. With enough drivers already, it replaces the last one.
     pub(crate) fn drive(&mut self, link: &str) -> Done {
         let LinkageDocument { slides, .. } = &self.document;
         let by_slide = slides.iter().position(|slide| slide.link == link);
@@ -103,7 +103,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// The way of a driven slide: half the line to either side of where it is drawn.
+    /// The range of a driven slide: half the line to either side of its drawn position.
     fn range(&self, slide: usize) -> Result<[f64; 2], LinkageProblem> {
         let SlideDocument { point, line, .. } = &self.document.slides[slide];
         let [from, to] = [self.at(&line[0])?, self.at(&line[1])?];
@@ -118,7 +118,7 @@ impl Drawing {
         Ok([way - half, way + half])
     }
 
-    /// A point becomes one of the frame, or is let go.
+    /// Makes a point one of the frame, or releases it.
     pub(crate) fn fix(&mut self, point: &str) -> Done {
         self.at(point)?;
         let frame = &mut self.document.frame;
@@ -131,7 +131,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// A link turns as one with another one or stands with the frame, or no more.
+    /// Fixes a link to another one or to the frame, or releases it.
     pub(crate) fn weld(&mut self, [first, second]: &[String; 2]) -> Done {
         if second != FRAME {
             self.linked(second)?;

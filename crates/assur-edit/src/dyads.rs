@@ -1,4 +1,4 @@
-//! Assur groups that are added whole: the five dyads and a triad.
+//! Assur groups added as a whole: the five dyads and a triad.
 
 use assur::{Point, Vector, nearest, perpendicular};
 use assur_file::LinkageProblem;
@@ -6,18 +6,18 @@ use assur_file::LinkageProblem;
 use crate::draw::Drawing;
 use crate::edit::{End, Inner, Line, Outer};
 
-/// The inner joint of a new dyad stands so far off the line of its ends, relative to their distance.
+/// Distance of the inner joint of a new dyad from the line of its ends, relative to their distance.
 const OFF: f64 = 0.6;
-/// A new line goes beyond what is on it by this share.
+/// Factor by which a new line extends beyond the point on it.
 const BEYOND: f64 = 1.4;
-/// The corners of a new plate are from its middle by this share of the way to its ends, and turned by
-/// this angle, for no bar to point at its middle.
+/// Distance of the corners of a new plate from its middle, as a share of that of its ends, and
+/// angle by which they are turned, so that no bar points at the middle.
 const PLATE: f64 = 0.4;
 const TURNED: f64 = 0.5;
 
 type Done = Result<(), LinkageProblem>;
 
-/// Two links and three pairs: RRR, RRP, RPR, PRP or RPP by its outer pairs and its inner one.
+/// Adds two links and three pairs: RRR, RRP, RPR, PRP or RPP by its outer pairs and its inner one.
 pub(crate) fn dyad(drawing: &mut Drawing, outer: &[Outer; 2], inner: Inner) -> Done {
     match (outer, inner) {
         ([Outer::Hinge(from), Outer::Hinge(to)], Inner::Hinge) => {
@@ -78,7 +78,7 @@ pub(crate) fn dyad(drawing: &mut Drawing, outer: &[Outer; 2], inner: Inner) -> D
     Ok(())
 }
 
-/// A plate with three corners, on a bar each.
+/// Adds a plate with three corners, each on a bar.
 pub(crate) fn triad(drawing: &mut Drawing, ends: &[End; 3]) -> Done {
     let mut points = Vec::new();
     for end in ends {
@@ -105,7 +105,7 @@ pub(crate) fn triad(drawing: &mut Drawing, ends: &[End; 3]) -> Done {
     Ok(())
 }
 
-/// A line on which something is to slide.
+/// A line for a new slide.
 struct Guide {
     along: Line,
     at: Point,
@@ -142,7 +142,7 @@ impl Guide {
         }
     }
 
-    /// The same line for what slides by another point than where it was asked for.
+    /// The same line for a slide by another point than the one given.
     fn along_from(&self, drawing: &Drawing, point: &str) -> Result<Line, LinkageProblem> {
         Ok(match &self.along {
             Line::Toward(_) => {
@@ -162,7 +162,7 @@ fn beside(a: Point, b: Point) -> Point {
     a + along / 2.0 + up * OFF
 }
 
-/// Where two guides cross, or where the second was asked for.
+/// The crossing of two guides, or the given place on the second if they are parallel.
 fn crossing([first, second]: &[Guide; 2]) -> Point {
     let turned = first.direction.perp(&second.direction);
     if turned.abs() < 1e-3 {

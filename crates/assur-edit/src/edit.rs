@@ -1,9 +1,9 @@
-//! What can be done to a drawing, as the page asks for it.
+//! Edits of a drawing, as requested by the page.
 
 use assur_file::LinkageDocument;
 use serde::{Deserialize, Serialize};
 
-/// One edit of a drawing. Lengths are those of the drawing; things are named as they are in it.
+/// One edit of a drawing. Lengths are in the unit of the drawing; parts are given by name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(tag = "edit", rename_all = "snake_case", deny_unknown_fields)]
@@ -77,27 +77,27 @@ pub enum Edit {
     Lock { points: Vec<String> },
 }
 
-/// An end of what is drawn.
+/// An end of a new part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum End {
-    /// A point that is there: a hinge.
+    /// An existing point: a hinge.
     Point(String),
     /// A new point.
     At([f64; 2]),
-    /// A new point of a link that is there.
+    /// A new point of an existing link.
     On(String, [f64; 2]),
 }
 
-/// What something slides along.
+/// A line along which something slides.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Line {
     /// The line of a link.
     Link(String),
-    /// A line of the frame from where the block is towards a place.
+    /// A line of the frame from the block towards a place.
     Toward([f64; 2]),
 }
 
@@ -110,7 +110,7 @@ pub enum Outer {
     Hinge(End),
     /// A slide along a line of a link, near a place.
     Slide(String, [f64; 2]),
-    /// A slide along a line of the frame through a place, level.
+    /// A slide along a horizontal line of the frame through a place.
     Level([f64; 2]),
 }
 

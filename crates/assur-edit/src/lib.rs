@@ -1,16 +1,16 @@
-//! What a person draws. An [`Edit`] makes another linkage of one, whether either moves yet or
-//! not: [`edited`]. [`Advice`] gives the reasons why a drawing does not move, with the edits that mend them.
+//! Editing of drawings. An [`Edit`] turns one linkage into another, whether either moves yet or not:
+//! [`edited`]. [`Advice`] gives the reasons why a drawing does not move, with the edits that mend them.
 //!
-//! Links keep the dimensions that they are given; of one that is drawn otherwise the drawing
-//! tells them from then on.
+//! Links keep their given dimensions; a link whose drawing is changed takes its dimensions from the
+//! drawing from then on.
 //!
 //! | file | subject |
 //! |---|---|
 //! | `edit.rs` | every edit as data |
-//! | `draw.rs`, `drive.rs`, `dyads.rs` | what is added; drivers, meshes, what is fixed; dyads |
-//! | `reshape.rs`, `remove.rs`, `selection.rs`, `names.rs` | moved, turned, mirrored; removed; copied and pasted; free names |
-//! | `locks.rs` | lengths and angles that stay while points are moved |
-//! | `advice.rs` | why a drawing does not move, and the edits that let it |
+//! | `draw.rs`, `drive.rs`, `dyads.rs` | additions; drivers, meshes, fixed points and links; dyads |
+//! | `reshape.rs`, `remove.rs`, `selection.rs`, `names.rs` | moving, turning, mirroring; removal; copying and pasting; free names |
+//! | `locks.rs` | lengths and angles kept while points are moved |
+//! | `advice.rs` | reasons why a drawing does not move, and the edits that would let it |
 
 mod advice;
 mod draw;
@@ -34,23 +34,23 @@ use assur_file::{LinkageDocument, Problem};
 
 use draw::Drawing;
 
-/// A drawing after an edit, and what the edit has made.
+/// A drawing after an edit, with the added parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edited {
     /// The drawing.
     pub document: LinkageDocument,
-    /// The point that it added last, or that took the place of another.
+    /// The point added last, or the one that took the place of another.
     pub point: Option<String>,
-    /// The link that it added last.
+    /// The link added last.
     pub link: Option<String>,
-    /// Whether what is locked kept something from going where it was wanted: it is as near as it may.
+    /// Whether locks kept something from reaching its target: it is as near as possible.
     pub is_held: bool,
 }
 
 /// A drawing after one edit.
 ///
 /// # Errors
-/// Why it cannot be done; the drawing would be none that is taken.
+/// The reason why the edit is impossible; a result that would not be accepted.
 pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Problem>> {
     let mut drawing = Drawing::new(document);
     let called = names::called_by_points(document);
@@ -84,10 +84,10 @@ pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Pro
     })
 }
 
-/// Whether a document can be drawn, which need not move.
+/// Checks a document that can be drawn, but need not move.
 ///
 /// # Errors
-/// What is wrong with single fields; a point that is too far to be drawn.
+/// The problems of single fields; a point too far away to be drawn.
 fn checked(document: &LinkageDocument) -> Result<(), Vec<Problem>> {
     document.check()?;
     let far = |at: &f64| !at.is_finite() || at.abs() > FARTHEST;

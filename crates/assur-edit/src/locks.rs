@@ -1,5 +1,5 @@
-//! Lengths and angles that stay as they are while points are moved: points joined to moving ones follow
-//! them, and where they cannot, what moves stops as near to the hand as it may.
+//! Lengths and angles kept while points are moved: points joined to moving ones follow them, and
+//! where they cannot, the moving points stop as near to the pointer as possible.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
@@ -10,44 +10,44 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::draw::{Drawing, unknown};
 
-/// What is locked holds to this part of the drawing's size.
+/// Tolerance of locks, relative to the drawing's size.
 const HOLDS: f64 = 1e-13;
-/// A point is where it is wanted to this part of it.
+/// Distance at which a point has reached its target, relative to the size.
 const REACHED: f64 = 1e-9;
-/// Farther than this part of it nothing goes in one step, so that it goes on and does not turn over.
+/// Greatest displacement in one step, relative to the size, so that the drawing does not turn over.
 const STEP: f64 = 0.05;
-/// Sides of a locked angle do not become shorter than this part of it: of shorter ones the angle is lost in rounding.
+/// Least length of the sides of a locked angle, relative to the size: for shorter ones the angle is lost in rounding.
 const SHORTEST: f64 = 1e-3;
-/// Below this part of it the distance from the targets is rounding; the line search stops.
+/// Slope, relative to the size, below which distances differ only by rounding; slopes are compared then.
 const FINE: f64 = 1e-5;
-/// Locks that say the same twice leave directions without a number: this one, beside 1, decides nothing else.
+/// Regularisation, relative to 1, of equations of dependent locks: it affects nothing else.
 const TWICE: f64 = 1e-12;
-/// What a step is corrected by is at most this part of it.
+/// Greatest correction of a step, as a part of it.
 const ASIDE: f64 = 0.3;
-/// A step is not halved any more below this part of the longest one.
+/// Step below which it is not halved further, as a part of the longest one.
 const LEAST_STEP: f64 = 1e-3;
-/// Corrections below this part of the size may be rounding, which does not become smaller from one to the next.
+/// Correction, relative to the size, below which rounding may prevent a further decrease.
 const ROUNDS: f64 = 1e-11;
 const MOST_STEPS: usize = 600;
 const MOST_TURNS: usize = 30;
 const MOST_HALVES: usize = 30;
 
-/// What is locked, between points by their numbers.
+/// A lock between points, by their indices.
 #[derive(Clone, Copy, Debug)]
 enum Lock {
     Length([usize; 2], f64),
-    /// At the second of the points, from the first to the third, radians; with how short its sides may be.
+    /// Angle at the second point, from the first to the third, radians; with the least length of its sides.
     Angle([usize; 3], f64, f64),
 }
 
-/// The points that hang together by locks.
+/// Locks between points, and the size of the drawing.
 struct Held {
     locks: Vec<Lock>,
     size: f64,
 }
 
 impl Drawing {
-    /// Locks the distance of two points, or the angle at the second of three; or no more if it was.
+    /// Locks the distance of two points, or the angle at the second of three, or unlocks it.
     pub(crate) fn lock(&mut self, points: &[String]) -> Result<(), LinkageProblem> {
         for (k, point) in points.iter().enumerate() {
             self.at(point)?;
@@ -73,7 +73,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// After two points have become one: a lock between the two is none, and none stands twice.
+    /// Removes locks between two points that became one, and duplicates.
     pub(crate) fn join_locks(&mut self, point: &str) {
         let mut kept: Vec<Vec<String>> = Vec::new();
         for lock in std::mem::take(&mut self.document.locks) {
@@ -85,8 +85,8 @@ impl Drawing {
         self.document.locks = kept;
     }
 
-    /// Where points are when some of them are wanted elsewhere, and whether those have come there. Points of the frame
-    /// stay, unless they are wanted elsewhere themselves; `released` is a lock that is not looked at.
+    /// The positions of points when some of them have targets, and whether the targets are reached. Points of
+    /// the frame stay, unless they have targets themselves; `released` is a lock to be ignored.
     pub(crate) fn held(
         &self,
         wanted: &BTreeMap<String, Vector>,
@@ -107,11 +107,11 @@ impl Drawing {
         let Ok(mut before) = before else {
             return (wanted.clone(), true);
         };
-        // Far from the origin what is beside them would be lost in rounding.
+        // Coordinates relative to a nearby point: far from the origin small differences would be lost in rounding.
         before.iter_mut().for_each(|place| *place -= middle.coords);
         let locks = locks.iter().filter_map(|lock| {
             let numbers: Option<Vec<usize>> = lock.iter().map(number).collect();
-            // Of points in one place there is nothing to keep.
+            // Coincident points have no length or angle to be kept.
             let apart = |a: usize, b: usize| before[a] != before[b];
             Some(match numbers?[..] {
                 [a, b] if apart(a, b) => Lock::Length([a, b], (before[a] - before[b]).norm()),
@@ -140,7 +140,7 @@ impl Drawing {
         let free: Vec<bool> = names.iter().map(|name| !is_fixed(name)).collect();
         let (places, reached) = held.moved(&before, &free, &targets);
         let named = names.into_iter().zip(places).zip(before);
-        // What does not move stays to the last digit, and what comes where it is wanted is there.
+        // Points that do not move keep every digit, and points with a target are exactly there if it is reached.
         let named = named.filter_map(|((name, to), from)| {
             let there = wanted.get(name).filter(|_| reached);
             let moved = (to != from).then_some(to + middle.coords);
@@ -150,13 +150,13 @@ impl Drawing {
     }
 }
 
-/// Whether two locks are one: of the same points, an angle at the same one.
+/// Whether two locks are the same: of the same points, with an angle at the same one.
 fn same(one: &[String], other: &[String]) -> bool {
     let turned = one.iter().rev();
     one == other || (one.len() == other.len() && turned.eq(other.iter()))
 }
 
-/// The points that move with others by locks, and those of the frame that they reach.
+/// The points connected by locks to the moved ones, up to those of the frame.
 fn hanging(moved: BTreeSet<String>, locks: &[&Vec<String>], frame: &[String]) -> BTreeSet<String> {
     let mut all = moved.clone();
     loop {
@@ -180,9 +180,9 @@ fn angle([a, b, c]: [usize; 3], at: &[Vector]) -> f64 {
 }
 
 impl Held {
-    /// Where the points are when some of them go to their targets, and whether they come there. First all that are
-    /// `free` come after them; where they cannot any more, those give way, downhill in their distance from the targets
-    /// along what the locks leave free.
+    /// The positions of the points when some of them move to their targets, and whether they get
+    /// there. First the other `free` points follow them; when they no longer can, all free points
+    /// move downhill in the distance from the targets, as far as the locks allow.
     fn moved(
         &self,
         before: &[Vector],
@@ -269,7 +269,7 @@ impl Held {
         (at, reached)
     }
 
-    /// The ways of all points where some go theirs: at first those that come `after` them go along the locks.
+    /// The displacements of all points when some are given: those in `after` follow along the locks, to first order.
     fn after(
         &self,
         at: &[Vector],
@@ -285,9 +285,9 @@ impl Held {
         Some(ways)
     }
 
-    /// The points where the locks hold after they went their ways, by Newton's method with the shortest way of those that
-    /// are free. None where it does not come there, or not steadily and next to these ways: then what it would find may
-    /// be another way to assemble them.
+    /// The points at which the locks hold after displacements, by Newton's method with the shortest
+    /// displacement of the free ones. None if it does not converge steadily and close to these
+    /// displacements: otherwise it might find another assembly.
     fn gone(&self, at: &[Vector], ways: &[Vector], free: &[bool]) -> Option<Vec<Vector>> {
         let longest = ways.iter().map(Vector::amax).fold(0.0, f64::max);
         let mut at: Vec<Vector> = at.iter().zip(ways).map(|(at, way)| at + way).collect();
@@ -309,7 +309,7 @@ impl Held {
         None
     }
 
-    /// What of a wish the locks leave free.
+    /// The part of a wish that the locks leave free.
     fn along(&self, at: &[Vector], free: &[bool], wish: &[Vector]) -> Option<Vec<Vector>> {
         let (_, slopes) = self.linear(at, free)?;
         let wish = flat(wish, free);
@@ -320,8 +320,8 @@ impl Held {
         Some(ways)
     }
 
-    /// By how much each lock does not hold, and how that changes with the places that are free. None where points are in
-    /// one place.
+    /// The residual of each lock, and its derivatives with respect to the free places. None if
+    /// points coincide.
     fn linear(&self, at: &[Vector], free: &[bool]) -> Option<(DVector<f64>, DMatrix<f64>)> {
         let mut columns = vec![None; free.len()];
         let mut count = 0;
@@ -352,11 +352,11 @@ impl Held {
                     let [from, to] = [apart(from, *least)?, apart(to, *least)?];
                     let turned = angle([*a, *b, *c], at) - wanted;
                     let turned = turned - TAU * (turned / TAU).round();
-                    // Beyond a quarter turn it is on its way to the other side.
+                    // Beyond a quarter turn the angle is closer to the opposite side.
                     if turned.abs() > 0.5 * PI {
                         return None;
                     }
-                    // As a length: of the shorter side's end.
+                    // As a length: the displacement of the shorter side's end.
                     let arm = from.norm().min(to.norm());
                     off[row] = arm * turned;
                     let across = |way: Vector| perpendicular(way) * (arm / way.norm_squared());
@@ -370,20 +370,20 @@ impl Held {
     }
 }
 
-/// How much of each row makes up `sides`, where rows may say the same.
+/// The solution x of rows·rowsᵀ·x = `sides`, regularised since rows may be dependent.
 fn factors(rows: &DMatrix<f64>, sides: &DVector<f64>) -> Option<DVector<f64>> {
     let count = rows.nrows();
     let square = rows * rows.transpose() + DMatrix::identity(count, count) * TWICE;
     Some(square.cholesky()?.solve(sides))
 }
 
-/// The places that are free as one vector.
+/// The free places as one vector.
 fn flat(places: &[Vector], free: &[bool]) -> DVector<f64> {
     let free = places.iter().zip(free).filter(|(_, free)| **free);
     DVector::from_vec(free.flat_map(|(place, _)| [place.x, place.y]).collect())
 }
 
-/// Adds what a vector of the free places says to all of them.
+/// Adds a vector of displacements to the free places.
 fn apply(at: &mut [Vector], free: &[bool], by: &DVector<f64>, share: f64) {
     let moved = at.iter_mut().zip(free).filter(|(_, free)| **free);
     for (k, (place, _)) in moved.enumerate() {

@@ -1,9 +1,9 @@
-//! Names of points and links: free ones, and those that are given up.
+//! Names of points and links: free names, and renaming.
 
 use assur::mechanism::{Defect, FRAME};
 use assur_file::{LinkageDocument, LinkageProblem};
 
-/// The longest name that is made of the names of points.
+/// The longest name composed of names of points.
 const LONGEST: usize = 24;
 
 /// A free name for a point: A to Z, then A1 to Z1 and so on.
@@ -19,7 +19,7 @@ pub(crate) fn new_point(document: &LinkageDocument) -> String {
     numbered(0, |name| !is_point(document, name), name)
 }
 
-/// A free name for a traced point, as the page gives them: P1, P2, …
+/// A free name for a traced point, as on the page: P1, P2, …
 pub(crate) fn new_tracer(document: &LinkageDocument) -> String {
     numbered(1, |name| !is_point(document, name), |k| format!("P{k}"))
 }
@@ -35,7 +35,7 @@ pub(crate) fn is_link(document: &LinkageDocument, name: &str) -> bool {
     name == FRAME || document.links.iter().any(|link| link.name == name)
 }
 
-/// A free name for a link: that of its points, as textbooks have it, or the wish where it is said.
+/// A free name for a link: composed of its points, as in textbooks, or the wish if one is given.
 pub(crate) fn new_link(
     document: &LinkageDocument,
     points: &[String],
@@ -52,7 +52,7 @@ pub(crate) fn new_link(
     )
 }
 
-/// A name as it is given, or with a number where that is taken.
+/// A point's name as given, or a new one if that is taken.
 pub(crate) fn free_point(document: &LinkageDocument, name: &str) -> String {
     if !is_point(document, name) {
         return name.to_owned();
@@ -69,7 +69,7 @@ fn of_points(points: &[String]) -> String {
     }
 }
 
-/// The first of numbered names that is free.
+/// The first free one of numbered names.
 fn numbered(first: usize, free: impl Fn(&str) -> bool, name: impl Fn(usize) -> String) -> String {
     let mut number = first;
     loop {
@@ -81,14 +81,14 @@ fn numbered(first: usize, free: impl Fn(&str) -> bool, name: impl Fn(usize) -> S
     }
 }
 
-/// The links that are called by their points, to be called so again after an edit.
+/// The links named by their points, to be renamed after an edit.
 pub(crate) fn called_by_points(document: &LinkageDocument) -> Vec<String> {
     let links = document.links.iter();
     let called = links.filter(|link| link.points.len() > 1 && link.name == of_points(&link.points));
     called.map(|link| link.name.clone()).collect()
 }
 
-/// Calls links by their points again: those that were so before an edit.
+/// Renames links that were named by their points before an edit.
 pub(crate) fn call_by_points(document: &mut LinkageDocument, before: &[String]) {
     for old in before {
         let link = document.links.iter().find(|link| link.name == *old);
@@ -102,7 +102,7 @@ pub(crate) fn call_by_points(document: &mut LinkageDocument, before: &[String]) 
     }
 }
 
-/// Renames a link, wherever it is named.
+/// Renames a link wherever its name occurs.
 pub(crate) fn rename_link(document: &mut LinkageDocument, from: &str, to: &str) {
     let put = |name: &mut String| {
         if name == from {
@@ -132,7 +132,7 @@ pub(crate) fn rename_link(document: &mut LinkageDocument, from: &str, to: &str) 
     rename_plots(document, from, to, &["angle"]);
 }
 
-/// Renames a point or a tracer, wherever it is named.
+/// Renames a point or a tracer wherever its name occurs.
 pub(crate) fn rename_point(document: &mut LinkageDocument, from: &str, to: &str) {
     let put = |name: &mut String| {
         if name == from {
@@ -172,10 +172,10 @@ fn rename_plots(document: &mut LinkageDocument, from: &str, to: &str, quantities
     }
 }
 
-/// Gives a point, a tracer or a link another name.
+/// Renames a point, a tracer or a link.
 ///
 /// # Errors
-/// Nothing of the name; a name that is taken.
+/// An unknown name; a name that is taken.
 pub(crate) fn rename(
     document: &mut LinkageDocument,
     name: &str,

@@ -1,4 +1,4 @@
-//! What goes, and what goes with it; hinges joined and parted.
+//! Removal of parts and of those that depend on them; joining and separating hinges.
 
 use std::collections::BTreeSet;
 
@@ -11,8 +11,8 @@ use crate::names;
 type Done = Result<(), LinkageProblem>;
 
 impl Drawing {
-    /// Points and links go. A link of two points goes with one of them, a block with its hinge; points
-    /// go with the last link that had them.
+    /// Removes points and links. A link of two points is removed with either of them, a block with
+    /// its hinge, points with their last link.
     pub(crate) fn remove(&mut self, points: &[String], links: &[String]) -> Done {
         let mut unknown_names = points
             .iter()
@@ -91,7 +91,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Slides go, with their drivers; their lines on the frame are bared.
+    /// Removes slides, with their drivers; `bared` gets the points of their lines on the frame.
     fn drop_slides(&mut self, gone: impl Fn(&SlideDocument) -> bool, bared: &mut BTreeSet<String>) {
         let document = &mut self.document;
         let kept: Vec<bool> = document.slides.iter().map(|slide| !gone(slide)).collect();
@@ -111,7 +111,7 @@ impl Drawing {
         document.slides.retain(|_| kept.next().unwrap_or(true));
     }
 
-    /// Whether nothing has a point but, at most, the frame.
+    /// Whether a point belongs to nothing, except perhaps the frame.
     pub(crate) fn is_bare(&self, point: &str) -> bool {
         let document = &self.document;
         let has = |points: &[String]| points.iter().any(|one| one == point);
@@ -122,7 +122,7 @@ impl Drawing {
                 .any(|slide| has(&slide.line) || slide.point == point)
     }
 
-    /// Nothing is plotted or traced of what is not there.
+    /// Removes plots, traces and locks of parts that no longer exist.
     fn forget(&mut self) {
         let document = &self.document;
         let traced = |name: &String| names::is_point(document, name);
@@ -141,7 +141,7 @@ impl Drawing {
         self.document.locks.retain(whole);
     }
 
-    /// Two points become one hinge, where the second is.
+    /// Joins two points in one hinge, at the second one.
     pub(crate) fn join(&mut self, points: &[String; 2]) -> Done {
         let [from, to] = points;
         self.at(from)?;
@@ -182,7 +182,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Every link but the first gets a point of its own where they were hinged.
+    /// Separates the links hinged at a point: every link but the first gets a point of its own.
     pub(crate) fn part(&mut self, point: &str) -> Done {
         let at = self.at(point)?;
         let on_frame = self.document.frame.iter().any(|one| one == point);

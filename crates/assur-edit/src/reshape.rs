@@ -1,4 +1,4 @@
-//! Points that stand elsewhere: moved, placed, reflected.
+//! New positions of points: moved, placed, reflected.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,7 +11,7 @@ use crate::draw::Drawing;
 type Done = Result<(), LinkageProblem>;
 
 impl Drawing {
-    /// Points move by as much.
+    /// Moves points by a displacement.
     pub(crate) fn shift(&mut self, points: &[String], [x, y]: [f64; 2]) -> Done {
         for point in points {
             self.at(point)?;
@@ -27,7 +27,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// A point, or a tracer, stands at a place, exactly.
+    /// Moves a point, or a tracer, exactly to a place.
     pub(crate) fn place(&mut self, point: &str, to: [f64; 2]) -> Done {
         let tracers = &self.document.tracers;
         if let Some(index) = tracers.iter().position(|tracer| tracer.name == point) {
@@ -40,7 +40,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Where a point goes exactly, and the guides that go along.
+    /// The targets of a point and of the guides that move with it.
     fn carried(
         &self,
         point: &str,
@@ -56,8 +56,8 @@ impl Drawing {
         Ok(moved)
     }
 
-    /// Points go where they are wanted, as far as what is locked lets them, and connected points follow. A link
-    /// that is not only shifted is as it is drawn from then on. `released` is a lock that does not hold meanwhile.
+    /// Moves points to their targets, as far as locks allow, and connected points with them. A link that is not
+    /// only translated takes its dimensions from the drawing. `released` is a lock to be ignored meanwhile.
     fn go(&mut self, wanted: &BTreeMap<String, Vector>, released: Option<&[String]>) {
         let (places, reached) = self.held(wanted, released);
         self.is_held |= !reached;
@@ -80,7 +80,7 @@ impl Drawing {
         }
     }
 
-    /// The second point of a link moves along it until it is as long as wanted.
+    /// Moves the second point of a link along it to give the link a length.
     pub(crate) fn stretch(&mut self, link: &str, length: f64) -> Done {
         let [first, second] = self.ends(link)?;
         let [from, to] = [self.at(&first)?, self.at(&second)?];
@@ -94,14 +94,14 @@ impl Drawing {
                 value: length,
             });
         }
-        // The length that is typed is the one that is locked from then on.
+        // The typed length becomes the locked one.
         let mut moved = self.carried(&second, (from + along * length).into())?;
         moved.insert(first.clone(), from.coords);
         self.go(&moved, Some(&[first, second]));
         Ok(())
     }
 
-    /// The points of a link turn about its first one until it stands as wanted.
+    /// Turns the points of a link about its first one to give the link an angle.
     pub(crate) fn turn(&mut self, link: &str, angle_deg: f64) -> Done {
         let [first, second] = self.ends(link)?;
         let [from, to] = [self.at(&first)?, self.at(&second)?];
@@ -117,12 +117,12 @@ impl Drawing {
         let mut moved = BTreeMap::new();
         for point in self.linked(link)?.points.clone() {
             if point == first {
-                // About it: what is locked to it does not take it along.
+                // The link turns about this point, which does not follow points locked to it.
                 moved.insert(point, from.coords);
                 continue;
             }
             let off = self.at(&point)? - from;
-            // The one that has the angle stands at it without rounding of another turn.
+            // The second point is placed from the angle directly, without rounding of a second rotation.
             let to = if point == second {
                 turned(wanted, Vector::new(along.norm(), 0.0))
             } else {
@@ -145,7 +145,7 @@ impl Drawing {
         }
     }
 
-    /// Points are reflected in the vertical through their middle.
+    /// Reflects points in the vertical through their middle.
     pub(crate) fn mirror(&mut self, points: &[String]) -> Done {
         let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
         for point in points {
@@ -180,7 +180,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Points, and the lines of the frame along which blocks slide that are hinged at them.
+    /// Points, with the lines of the frame along which blocks hinged at them slide.
     fn with_guides(&self, points: &[String]) -> BTreeSet<String> {
         let mut all: BTreeSet<String> = points.iter().cloned().collect();
         let slides = &self.document.slides;
@@ -200,14 +200,14 @@ impl Drawing {
         all
     }
 
-    /// Whether a link has a point.
+    /// Whether a point belongs to a link.
     fn is_hinge(&self, point: &str) -> bool {
         let mut links = self.document.links.iter();
         links.any(|link| link.points.iter().any(|one| one == point))
     }
 }
 
-/// Whether some of a link's points move, and others do not.
+/// Whether some but not all points of a link move.
 fn partly(link: &LinkDocument, points: &BTreeSet<String>) -> bool {
     let moved = link
         .points

@@ -1,4 +1,4 @@
-//! Parts of a drawing, to be put elsewhere.
+//! Copying of parts of a drawing.
 
 use assur::mechanism::FRAME;
 use assur_file::LinkageDocument;
@@ -6,8 +6,8 @@ use assur_file::LinkageDocument;
 use crate::draw::Drawing;
 use crate::names;
 
-/// The part of a drawing with these links, their points, and what joins them: for [`crate::Edit::Paste`].
-/// Points alone are taken along.
+/// The part of a drawing with these links, their points and connections, and these points, for
+/// [`crate::Edit::Paste`].
 pub fn selected(
     document: &LinkageDocument,
     points: &[String],
@@ -87,14 +87,14 @@ pub fn selected(
 }
 
 impl Drawing {
-    /// Puts another drawing beside what is there, under names that are free.
+    /// Adds another drawing beside the existing one, with free names.
     pub(crate) fn paste(&mut self, drawing: &LinkageDocument, [x, y]: [f64; 2]) {
         let mut other = drawing.clone();
         for point in &mut other.points {
             point.at[0] += x;
             point.at[1] += y;
         }
-        // Two rounds, as a free name may be one that the other drawing has itself.
+        // In two rounds, since a free name may be taken in the other drawing.
         let called = names::called_by_points(&other);
         let points: Vec<String> = (other.points.iter().map(|point| &point.name))
             .chain(other.tracers.iter().map(|tracer| &tracer.name))
@@ -135,7 +135,7 @@ impl Drawing {
     }
 }
 
-/// A name that nobody gives: control characters are refused in names.
+/// A temporary name: with a control character, which names cannot contain.
 fn aside(k: usize) -> String {
     format!("\u{1}{k}")
 }

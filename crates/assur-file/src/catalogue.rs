@@ -1,4 +1,4 @@
-//! Mechanisms that come with Assur, by name, and those of a reader's files.
+//! The catalogue of mechanisms, by name, and mechanisms read from files.
 
 use assur::mechanism::Mechanism;
 use assur::mixer::Case;
@@ -12,30 +12,30 @@ use crate::{
     Document, GearTrainDocument, LinkageDocument, MixerDocument, Problem, SchemeDocument, State,
 };
 
-/// Names of the cases of the mixer's figure; what they are is made by the engine.
+/// Names of the cases of the mixer's figure; the engine provides their dimensions.
 const MIXERS: [(&str, Case); 3] = [
     ("mixer-a", Case::A),
     ("mixer-b", Case::B),
     ("mixer-c", Case::C),
 ];
 
-/// What a mechanism is shown among.
+/// Category of the gallery in which a mechanism is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Group"))]
 #[serde(rename_all = "snake_case")]
 pub enum GalleryCategory {
-    /// Up to four links, the frame among them.
+    /// Linkages of up to four links, including the frame.
     FourBars,
-    /// More links than four.
+    /// Linkages of more than four links.
     SixBars,
-    /// Made for the path of a point: walkers, straight lines. Nothing in the structure tells
-    /// it, the catalogue does.
+    /// Linkages made for the path of a point: walkers, straight-line mechanisms. The catalogue
+    /// assigns them, since the structure does not show it.
     Guides,
-    /// With wheels.
+    /// Mechanisms with wheels.
     Geared,
-    /// With an Assur group of Class III or higher.
+    /// Linkages with an Assur group of Class III or higher.
     Higher,
-    /// Links and pairs without motion, for their mobility.
+    /// Schemes of links and pairs, which serve to compute mobility and do not move.
     Schemes,
 }
 
@@ -43,22 +43,22 @@ pub enum GalleryCategory {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Preset {
-    /// Its name.
+    /// Name in the catalogue.
     pub id: &'static str,
-    /// What it is; serialised as `kind` and `document`.
+    /// The document; serialised as `kind` and `document`.
     #[serde(flatten)]
     pub document: Document,
 }
 
-/// Where a mechanism of the catalogue is shown.
+/// Place of a mechanism of the catalogue in the gallery.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Shelf {
-    /// Its name.
+    /// Name in the catalogue.
     pub id: &'static str,
-    /// What it is shown among.
+    /// Category of the gallery.
     pub group: GalleryCategory,
-    /// The highest class of its Assur groups, in Roman numerals; of what is no linkage none.
+    /// Highest class of its Assur groups, in Roman numerals; none if it is not a linkage.
     pub class: Option<String>,
 }
 
@@ -66,11 +66,11 @@ pub struct Shelf {
 struct File {
     name: &'static str,
     text: &'static str,
-    /// What it is shown among, where its structure does not tell.
+    /// Category, if it does not follow from the structure.
     group: Option<GalleryCategory>,
 }
 
-/// Files by their names, of each a group where one has to be told.
+/// Files by name, each with a category if it does not follow from the structure.
 macro_rules! catalogued {
     ($($name:literal $($group:ident)?,)+) => {
         &[$(File {
@@ -131,7 +131,7 @@ const FILES: &[File] = catalogued! {
     "class5",
 };
 
-/// Documents of another kind than linkages, by their names.
+/// Documents other than linkages, by name.
 macro_rules! others {
     ($($name:literal,)+) => {
         &[$(($name, include_str!(concat!("../catalogue/", $name, ".json"))),)+]
@@ -147,7 +147,7 @@ const SCHEMES: &[(&str, &str)] = others! {
     "mobility-4",
 };
 
-/// Differentials, which move by time.
+/// Differentials, which are driven by time.
 const TRAINS: &[(&str, &str)] = others! {
     "train-magnets",
     "train-gears",
@@ -160,7 +160,7 @@ pub fn gallery() -> impl Iterator<Item = &'static str> {
     FILES.iter().map(|file| file.name)
 }
 
-/// The names of all that moves in the catalogue.
+/// The names of the mixers and linkages of the catalogue.
 pub fn catalogue() -> impl Iterator<Item = &'static str> {
     let mixers = MIXERS.iter().map(|(name, _)| *name);
     mixers.chain(gallery())
@@ -176,10 +176,10 @@ pub fn trains() -> impl Iterator<Item = &'static str> {
     TRAINS.iter().map(|(name, _)| *name)
 }
 
-/// All of the catalogue.
+/// Every document of the catalogue.
 ///
 /// # Errors
-/// What is wrong with one; a test sees to it that nothing is.
+/// The problems of a document; a test ensures that there are none.
 pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
     let ids = catalogue().chain(trains()).chain(schemes());
     let documents = ids.filter_map(|id| Some((id, document(id)?)));
@@ -189,11 +189,11 @@ pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
     })
 }
 
-/// Where the mechanisms of the catalogue are shown. Their structure tells it, so each is made
-/// for it: not what a page does before it shows anything.
+/// Places of all mechanisms of the catalogue in the gallery. Each mechanism is built for this: too
+/// slow to do before a page shows anything.
 ///
 /// # Errors
-/// What is wrong with one; a test sees to it that nothing is.
+/// The problems of a document; a test ensures that there are none.
 pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
     presets().map(|preset| {
         let Preset { id, document } = preset?;
@@ -219,18 +219,18 @@ pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
     })
 }
 
-/// The linkage of a name of the catalogue; none where there is no such name.
+/// The linkage with this name in the catalogue; none if there is no such name.
 ///
 /// # Errors
-/// That it does not move; what is wrong with it, a test sees to it that nothing is.
+/// A document that is not a linkage; problems of the document, which a test excludes.
 pub fn from_catalogue(name: &str) -> Option<Result<LinkageDocument, Vec<Problem>>> {
     Some(document(name)?.and_then(|document| document.linkage()))
 }
 
-/// What stands under a name in the catalogue.
+/// The document with this name in the catalogue.
 ///
 /// # Errors
-/// What is wrong with it; a test sees to it that nothing is.
+/// The problems of the document; a test ensures that there are none.
 pub fn document(name: &str) -> Option<Result<Document, Vec<Problem>>> {
     if let Some((_, case)) = MIXERS.iter().find(|(one, _)| *one == name) {
         return Some(Ok(mixer(*case)));
@@ -251,9 +251,9 @@ pub fn document(name: &str) -> Option<Result<Document, Vec<Problem>>> {
 }
 
 impl GalleryCategory {
-    /// What the structure of a mechanism tells.
+    /// The category that follows from the structure of a mechanism.
     fn of(mechanism: &Mechanism) -> Self {
-        /// The moving links of a four-bar.
+        /// The number of moving links of a four-bar.
         const THREE: usize = 3;
         if mechanism.structure().class() > 2 {
             Self::Higher
@@ -299,18 +299,18 @@ pub(crate) fn title(name: &str) -> Option<String> {
 /// The linkage of a file: a state of the page, or the document of a linkage alone.
 ///
 /// # Errors
-/// What has not the form, with its path; what is wrong with a view or a mixer; that it does not move.
+/// Parts of the wrong form, with their paths; problems of a view or a mixer; a document that does not move.
 pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
     document_of(text)?.linkage()
 }
 
-/// What is in a file: a state of the page, or the document of a linkage, a scheme or a differential
-/// alone. Only a scheme has pairs, only a differential drives.
+/// The document in a file: a state of the page, or the bare document of a linkage, a scheme or a
+/// differential. Only a scheme has `pairs`, only a differential `drives`.
 ///
 /// # Errors
-/// What has not the form, with its path; what is wrong with a view.
+/// Parts of the wrong form, with their paths; problems of a view.
 pub fn document_of(text: &str) -> Result<Document, Vec<Problem>> {
-    /// A state has one of these.
+    /// Keys by which the kind of a file is recognised; a state has one of the first four.
     #[derive(Deserialize)]
     struct Keys {
         format: Option<IgnoredAny>,

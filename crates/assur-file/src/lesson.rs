@@ -1,4 +1,4 @@
-//! A lesson that a lecturer has written: texts, what they show, questions. Texts are plain; what they say is never markup.
+//! A lesson written by a lecturer: texts, shown documents, questions. Texts are plain and never markup.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -17,24 +17,24 @@ pub use problem::LessonProblem;
 use problem::NUMBER;
 pub use varied::VariedDocument;
 
-/// How many steps a lesson may have, options a choice.
+/// Maximum numbers of steps in a lesson and of options in a choice.
 const STEPS: usize = 40;
 const OPTIONS: usize = 8;
 
-/// Characters of a title or name, of an option or another short text, of a text, of formulas.
+/// Maximum number of characters of a title or name, of an option or another short text, of a text, of formulas.
 const TITLE: usize = 200;
 const LINE: usize = 500;
 const TEXT: usize = 5000;
 const FORMULA: usize = 1000;
 
-/// A lesson; saved with what the page shows. A key that it does not know is refused.
+/// A lesson; saved with the state of the page. Unknown keys are refused.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct LessonDocument {
-    /// What it is called.
+    /// Its title.
     pub title: String,
-    /// Who wrote it.
+    /// Its author.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub author: String,
@@ -42,39 +42,39 @@ pub struct LessonDocument {
     pub steps: Vec<StepDocument>,
 }
 
-/// A step: a text, what it shows, what is asked.
+/// A step: a text, a shown document, a question.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct StepDocument {
-    /// What it is called.
+    /// Its title.
     pub title: String,
-    /// Paragraphs, one a line; `*emphasis*`, and what follows `_` in a symbol stands low.
+    /// Paragraphs, one per line; `*emphasis*`, and `_` starts a subscript in a symbol.
     pub text: String,
-    /// Formulas, one a line.
+    /// Formulas, one per line.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub formula: String,
-    /// What it shows; none: what the step before shows.
+    /// The shown document; none: that of the step before.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shows: Option<ShownDocument>,
-    /// What is asked, if anything is.
+    /// The question, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub question: Option<QuestionDocument>,
 }
 
-/// A document, and how it is looked at.
+/// A document with its view.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct ShownDocument {
-    /// Serialised as `kind` and `document`.
+    /// The document; serialised as `kind` and `document`.
     #[serde(flatten)]
     pub document: Document,
-    /// What of it is not as usual.
+    /// The view; only fields that differ from the default are saved.
     #[serde(serialize_with = "unusual")]
     #[cfg_attr(test, ts(type = "Partial<View>"))]
     pub view: View,
-    /// Numbers that are others for every reader.
+    /// Numbers that vary from reader to reader.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub vary: Vec<VariedDocument>,
@@ -85,44 +85,44 @@ pub struct ShownDocument {
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct QuestionDocument {
-    /// What is asked.
+    /// Text of the question.
     pub text: String,
-    /// What is said to an answer that is not right.
+    /// Hint after a wrong answer.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub hint: String,
-    /// A number is the answer.
+    /// The answer is a number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub number: Option<NumberDocument>,
-    /// One of several options is.
+    /// The answer is one of several options.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub choice: Option<ChoiceDocument>,
-    /// The mechanism is to be brought somewhere.
+    /// The answer is a state to which the mechanism is brought.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reach: Option<ReachDocument>,
 }
 
-/// An answer that is a number: a quantity of what the step shows, or a fixed value.
+/// An answer that is a number: a quantity of the shown document, or a fixed value.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct NumberDocument {
-    /// Its name, such as `rocker.angle` or `C.x′`.
+    /// Name of the quantity, such as `rocker.angle` or `C.x′`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quantity: Option<String>,
-    /// The input at which it is asked for, as readers count; none: where the step shows it.
+    /// The input at which it is evaluated, in the reader's unit; none: that of the step.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<f64>,
-    /// The answer itself, if it is no quantity.
+    /// The answer itself, if it is not a quantity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub value: Option<f64>,
-    /// What is written beside a value.
+    /// Unit written beside a value.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub unit: String,
-    /// By how much an answer may be off.
+    /// Tolerance of the answer.
     pub within: f64,
-    /// Whether the page shows the quantity's value while it is asked for: without it, it does not.
+    /// Whether the page shows the value of the quantity during the question; by default it does not.
     #[serde(default, skip_serializing_if = "is_false")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub shown: bool,
@@ -133,35 +133,35 @@ fn is_false(value: &bool) -> bool {
     !value
 }
 
-/// Options of which one is right.
+/// Options, one of which is right.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct ChoiceDocument {
-    /// What there is to choose from.
+    /// The options.
     pub options: Vec<String>,
-    /// Which of them is right, from 0.
+    /// Index of the right option, from 0.
     pub answer: usize,
 }
 
-/// A value that a quantity of the page is to be brought to.
+/// A value to which the reader is to bring a quantity of the page.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct ReachDocument {
-    /// Its name, as of a number that is asked.
+    /// Name of the quantity, as for a number.
     pub quantity: String,
     /// The value.
     pub value: f64,
-    /// By how much it may be off.
+    /// Tolerance of the value.
     pub within: f64,
 }
 
 impl LessonDocument {
-    /// Checks every text and number, and whether every question has an answer to be had.
+    /// Checks every text and number, and that every question can be answered.
     ///
     /// # Errors
-    /// The problems of the lesson itself, else those of its first step that has any, after which step it is.
+    /// The problems of the lesson itself, otherwise those of its first faulty step, after the number of the step.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Problems::default();
         problems.characters("lesson.title", &self.title, TITLE);
@@ -197,14 +197,14 @@ impl LessonDocument {
     }
 }
 
-/// Problems of a step, after which step it is.
+/// Problems of a step, after the number of the step.
 pub fn in_step(step: usize, problems: Vec<Problem>) -> Vec<Problem> {
     let place = LessonProblem::LessonStep { step };
     [vec![place.into()], problems].concat()
 }
 
 impl StepDocument {
-    /// `shown`: whether it, or a step before it, shows something.
+    /// Checks a step; `shown`: whether it, or a step before it, shows something.
     fn check(&self, shown: bool, problems: &mut Problems) {
         problems.characters("lesson.step_title", &self.title, TITLE);
         problems.characters("lesson.text", &self.text, TEXT);
@@ -256,7 +256,7 @@ impl StepDocument {
     }
 }
 
-/// Writes what of a view is not as usual.
+/// Writes the fields of a view that differ from the default.
 fn unusual<S: Serializer>(view: &View, serializer: S) -> Result<S::Ok, S::Error> {
     let usual = fields(&View::default());
     let mut own = fields(view);
@@ -282,7 +282,7 @@ impl<'de> Deserialize<'de> for ShownDocument {
     }
 }
 
-/// What says how the rest is to be read.
+/// The fields of a shown document.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Head {
@@ -301,7 +301,7 @@ fn read_shown(value: &Value) -> Result<ShownDocument, Problem> {
     } = part(value)?;
     let mut whole = fields(&View::default());
     whole.extend(view);
-    // Neither the language nor a lesson is a step's to say.
+    // A step sets neither the language nor a lesson.
     for name in ["lang", "lesson", "projector", "drawing"] {
         whole.remove(name);
     }

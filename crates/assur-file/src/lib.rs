@@ -1,6 +1,6 @@
-//! The saved form: twins of the engine's types with serde, so that files and
-//! addresses never freeze the engine. All checking of input from outside
-//! happens here and in the constructors of `assur`, once.
+//! The saved form: serde counterparts of the engine's types, so that files and addresses never
+//! freeze the engine. All checking of input from outside happens here and in the constructors of
+//! `assur`, once.
 //!
 //! | file | subject |
 //! |---|---|

@@ -1,12 +1,12 @@
-//! A picture that stands behind a drawing: what it is, where it lies, how pale it is. It is in files and in what the
-//! browser keeps, and never in an address.
+//! A picture behind a drawing: its image, position and opacity. It is saved in files and in the
+//! storage of the browser, never in an address.
 
 use serde::{Deserialize, Serialize};
 
 use crate::problem::Problems;
 use crate::{Field, Problem};
 
-/// How an image begins: a picture of one of these types, as text.
+/// Beginnings of the `data:` addresses of accepted images.
 const TYPES: [&str; 5] = [
     "data:image/png;base64,",
     "data:image/jpeg;base64,",
@@ -15,28 +15,28 @@ const TYPES: [&str; 5] = [
     "data:image/svg+xml;base64,",
 ];
 
-/// Characters of an image.
+/// Maximum number of characters of an image.
 const LONGEST: usize = 2_000_000;
 
-/// The greatest number of its place and size; how little of the paper it may cover.
+/// The greatest number of its place and size; the least opacity.
 const NUMBER: f64 = 1e9;
 const PALEST: f64 = 0.05;
 
-/// A picture behind a drawing. A key that it does not know is refused.
+/// A picture behind a drawing. Unknown keys are refused.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct PictureDocument {
-    /// The picture itself, as a `data:` address.
+    /// The image, as a `data:` address.
     pub image: String,
-    /// Where its upper left corner is.
+    /// Position of its upper left corner.
     pub at: [f64; 2],
-    /// How wide it is, in the unit of lengths.
+    /// Its width, in the unit of lengths.
     pub width: f64,
-    /// The direction in which its upper edge runs, degrees.
+    /// Direction of its upper edge, degrees.
     #[serde(default)]
     pub turn_deg: f64,
-    /// How much of the paper it covers, up to 1.
+    /// Its opacity, up to 1.
     #[serde(default = "half")]
     pub opacity: f64,
 }
@@ -45,7 +45,7 @@ fn half() -> f64 {
     0.5
 }
 
-/// What can be wrong with a picture; serialised as [`Problem`] is.
+/// A problem of a picture; serialised like [`Problem`].
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 #[expect(
@@ -53,16 +53,16 @@ fn half() -> f64 {
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum PictureProblem {
-    /// It is no picture of a type that may stand there.
+    /// The image is not of an accepted type.
     PictureType { field: Field },
-    /// It has more characters than are taken.
+    /// The image has too many characters.
     PictureLong { field: Field, max: usize },
-    /// Part of it is missing, or it is written in letters that it cannot have.
+    /// Part of the image is missing, or it has invalid characters.
     PictureDamaged { field: Field },
 }
 
 impl PictureDocument {
-    /// Checks the image, and where it lies.
+    /// Checks the image and its position.
     ///
     /// # Errors
     /// Every problem at once, each naming its field.
@@ -100,7 +100,7 @@ impl PictureDocument {
     }
 }
 
-/// Whether a text is what base64 makes of something.
+/// Whether a text is valid base64.
 fn is_base64(text: &str) -> bool {
     let bare = text.strip_suffix("==").or(text.strip_suffix('='));
     let letter = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'+' || byte == b'/';
@@ -113,7 +113,7 @@ mod tests {
     use crate::State;
     use serde_json::{Value, json};
 
-    /// A state with a picture of which one part is another.
+    /// Checks a state with one part of its picture replaced.
     fn checked(part: &str, value: Value) -> Result<State, Vec<Problem>> {
         let mut state = json!({
             "format": 2, "kind": "draft", "document": { "points": [], "frame": [], "links": [], "drivers": [] },

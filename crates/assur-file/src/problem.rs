@@ -1,5 +1,5 @@
-//! Everything that can be wrong with what a person, a file or an address gives,
-//! as a code with parameters. The words are in `lang/`.
+//! Problems of input from a person, a file or an address, as codes with parameters. The words are
+//! in `lang/`.
 
 use std::borrow::Cow;
 
@@ -34,9 +34,9 @@ pub enum Problem {
     },
     /// A field must be a whole number.
     NotWhole { field: Field, value: f64 },
-    /// A field holds none of the values it may have.
+    /// A field has none of its allowed values.
     UnknownChoice { field: Field },
-    /// In real time a driver that stands still shows nothing.
+    /// A driver at rest shows nothing in real time.
     AtRest { field: Field },
     /// A link is at least as long as the others together.
     TooLong { field: Field, by: f64 },
@@ -52,25 +52,25 @@ pub enum Problem {
     Undetermined { phi: f64 },
     /// The derivatives at this crank angle are unbounded.
     DeadPoint { phi: f64 },
-    /// The text or object has not the form of a state.
+    /// The text or object does not have the form of a state.
     BadState { path: String, detail: String },
-    /// A version of the saved form that is not known.
+    /// An unknown version of the saved form.
     UnknownFormat { format: f64 },
-    /// A key that stands twice in one object.
+    /// A duplicate key of an object.
     KeyTwice { path: String },
-    /// What follows is wrong with what a mechanism is compared with.
+    /// The problems that follow are of the compared mechanism.
     InCompared,
-    /// The text is no JSON.
+    /// The text is not JSON.
     NotJson { detail: String },
     /// A scheme has no motion.
     NoMotion,
     /// What is wrong with a linkage.
     #[serde(untagged)]
     Linkage(LinkageProblem),
-    /// What is wrong with what is wanted of a linkage.
+    /// A problem of a synthesis.
     #[serde(untagged)]
     Synthesis(SynthesisProblem),
-    /// What is wrong with a scheme of links and pairs.
+    /// A problem of a scheme of links and pairs.
     #[serde(untagged)]
     Scheme(SchemeDefect),
     /// What is wrong with the cuts of a scheme.
@@ -79,10 +79,10 @@ pub enum Problem {
     /// What is wrong with a lesson.
     #[serde(untagged)]
     Lesson(LessonProblem),
-    /// What is wrong with a picture behind a drawing.
+    /// A problem of a picture behind a drawing.
     #[serde(untagged)]
     Picture(PictureProblem),
-    /// What is wrong with a differential.
+    /// A problem of a differential.
     #[serde(untagged)]
     GearTrain(GearTrainProblem),
 }

@@ -1,4 +1,4 @@
-//! The whole state of the page: what an address, a file and an undo step hold.
+//! The whole state of the page: the contents of an address, a file and an undo step.
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -14,33 +14,33 @@ use crate::{LinkageDocument, PictureDocument, Problem};
 /// The version of the saved form that is written.
 pub const FORMAT: f64 = 2.0;
 
-/// The version before it, which is read for ever: what is now the `kind` was called `lesson`,
-/// and the step of the one lesson that a document had stood in the view.
+/// The previous version, which is still read: `kind` was called `lesson`, and the view held the
+/// step of the document's only lesson.
 const FIRST_FORMAT: f64 = 1.0;
 
-/// A state of the page that has the right form; keys it does not know are passed
-/// over. What its numbers mean is checked by [`State::check`].
+/// A state of the page that has the right form; unknown keys are ignored. Its values are checked by
+/// [`State::check`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct State {
     /// Version of the saved form, 2.
     pub format: f64,
-    /// What is shown; serialised as `kind` and `document`.
+    /// The shown document; serialised as `kind` and `document`.
     #[serde(flatten)]
     pub document: Document,
-    /// How it is looked at.
+    /// Its view.
     pub view: View,
-    /// The lesson that a lecturer has written about it, if one has.
+    /// The lesson that a lecturer has written about it, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lesson: Option<LessonDocument>,
-    /// What it is compared with: a mechanism that is shown beside it and stays as it is.
+    /// The mechanism with which it is compared: shown beside it and never changed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compared: Option<Document>,
-    /// What stands behind the drawing, if a picture does.
+    /// The picture behind the drawing, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub picture: Option<PictureDocument>,
 }
 
-/// What says how the rest of a state is to be read.
+/// The version of a state.
 #[derive(Deserialize)]
 struct Head {
     format: f64,
@@ -51,13 +51,13 @@ struct Kind {
     kind: String,
 }
 
-/// The kind as the first version has it.
+/// The kind in the first version.
 #[derive(Deserialize)]
 struct FirstKind {
     lesson: String,
 }
 
-/// The open step as the first version has it: 0 while the lesson is closed.
+/// The open step in the first version: 0 while the lesson is closed.
 #[derive(Default, Deserialize)]
 struct FirstView {
     #[serde(default)]
@@ -68,8 +68,7 @@ impl State {
     /// Reads a state.
     ///
     /// # Errors
-    /// [`Problem::BadState`] with the path of the part that has not the form;
-    /// another version.
+    /// [`Problem::BadState`] with the path of the part of the wrong form; another version.
     pub fn read(value: &Value) -> Result<Self, Problem> {
         let Head { format } = part(value)?;
         if format == FORMAT {
@@ -93,7 +92,7 @@ impl State {
             linkage.recognise();
         }
         let FirstView { step } = within(value, "view")?.unwrap_or_default();
-        // A document had at most one lesson, of the name of what it came from or of its kind.
+        // A document had at most one lesson, named after its origin or its kind.
         let id = document.origin().unwrap_or(&kind).to_owned();
         view.lesson = (step > 0).then_some(OpenLesson { id, step });
         Ok(Self {
@@ -109,12 +108,12 @@ impl State {
     /// Reads a state from JSON.
     ///
     /// # Errors
-    /// As [`State::read`].
+    /// Those of [`State::read`].
     pub fn parse(text: &str) -> Result<Self, Problem> {
         Self::read(&json(text)?)
     }
 
-    /// What moves, and what is plotted of it.
+    /// The linkage in motion, with its plotted quantities.
     ///
     /// # Errors
     /// Every problem of the whole state at once.
@@ -131,8 +130,8 @@ impl State {
     /// The linkage that is described, whatever its kind.
     ///
     /// # Errors
-    /// Every problem of the view, and of a document that is no linkage yet. What is wrong
-    /// with the linkage, [`LinkageDocument::mechanism`] lists.
+    /// Every problem of the view, and of a document that is not a linkage yet. Problems of the
+    /// linkage are listed by [`LinkageDocument::mechanism`].
     pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         self.check()?;
         self.document.linkage()
@@ -159,7 +158,7 @@ impl State {
     }
 }
 
-/// Reads what a type takes, or says which part of the value has another form.
+/// Reads a value of a type, or names the part of it that has another form.
 pub(crate) fn part<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
     serde_path_to_error::deserialize(value).map_err(|error| Problem::BadState {
         path: error.path().to_string(),
@@ -167,13 +166,13 @@ pub(crate) fn part<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
     })
 }
 
-/// Reads what a type takes from a field of the value, where it has it.
+/// Reads a value of a type from a field, if there is one.
 pub(crate) fn within<T: DeserializeOwned>(value: &Value, name: &str) -> Result<Option<T>, Problem> {
     let read = value.get(name).map(part).transpose();
     read.map_err(|problem| under(name, problem))
 }
 
-/// What a state is compared with: `{kind, document}`.
+/// The compared document of a state: `{kind, document}`.
 fn compared(state: &Value) -> Result<Option<Document>, Problem> {
     let name = "compared";
     let Some(value) = state.get(name).filter(|value| !value.is_null()) else {
@@ -183,7 +182,7 @@ fn compared(state: &Value) -> Result<Option<Document>, Problem> {
     read.map(Some).map_err(|problem| under(name, problem))
 }
 
-/// What has not the form, as a part of a field.
+/// A problem of form, with its path below a field.
 fn under(name: &str, problem: Problem) -> Problem {
     match problem {
         Problem::BadState { path, detail } => Problem::BadState {

@@ -1,5 +1,5 @@
-//! JSON text as a value. A key that stands twice is refused: one of the two would be passed over, as a
-//! misspelt one would be.
+//! JSON text as a value. Duplicate keys are refused: one of the two would be ignored, like a
+//! misspelt one.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 
 use crate::Problem;
 
-/// Editors put it before a text to say how it is encoded.
+/// Mark that editors put before a text to show its encoding.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
 /// Any JSON, with or without a byte-order mark.
@@ -22,7 +22,7 @@ pub(crate) fn json(text: &str) -> Result<Value, Problem> {
     let value = Part { path: &mut path }.deserialize(&mut reader);
     let whole = value.and_then(|value| reader.end().map(|()| value));
     whole.map_err(|error| {
-        // What is JSON is refused for nothing else.
+        // Only duplicate keys cause an error of this category.
         if error.is_data() {
             Problem::KeyTwice { path }
         } else {
@@ -32,8 +32,8 @@ pub(crate) fn json(text: &str) -> Result<Value, Problem> {
     })
 }
 
-/// Sees to it that no key stands twice in a JSON text that something else reads; what is no JSON it leaves to
-/// that.
+/// Checks that a JSON text to be read elsewhere has no duplicate keys; text that is not JSON
+/// passes.
 ///
 /// # Errors
 /// [`Problem::KeyTwice`] with the path of the key.
@@ -44,7 +44,7 @@ pub fn keys_once(text: &str) -> Result<(), Problem> {
     }
 }
 
-/// A part of a text, and where it is; after an error the path is that of the fault.
+/// A part of a text, with its path; after an error the path is that of the fault.
 struct Part<'a> {
     path: &'a mut String,
 }
@@ -143,7 +143,7 @@ mod tests {
             "links[1].name"
         );
         assert_eq!(path(r#"[[], [[{"": 1, "": 2}]]]"#), "[1][0][0].");
-        // They are reported first, whatever else is wrong after them.
+        // Duplicate keys are reported first, whatever else is wrong after them.
         assert_eq!(path(r#"{"a": 1, "a": ]"#), "a");
     }
 

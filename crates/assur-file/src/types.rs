@@ -1,5 +1,5 @@
-//! The shapes of what is saved, as the scripts of the page know them: `types.d.ts` of this crate is
-//! written by this test where `ASSUR_WRITE_TYPES` is set, and compared else.
+//! TypeScript types of the saved form for the scripts of the page: this test writes `types.d.ts` of
+//! this crate if `ASSUR_WRITE_TYPES` is set, and otherwise compares it.
 
 use assur_tests::types::assert_declared;
 

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A unit of length, as readers meet it beside numbers. Another one makes no other mechanism:
-/// the numbers stay what they are.
+/// A unit of length, shown to readers beside numbers. Changing it does not change the mechanism:
+/// the numbers stay the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]

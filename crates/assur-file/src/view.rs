@@ -1,4 +1,4 @@
-//! How a mechanism is looked at: the part of a state that changes nothing of it.
+//! View of a mechanism: the part of a state that does not affect the mechanism.
 
 use assur::motion::InputRate;
 use serde::{Deserialize, Serialize};
@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 use crate::Problem;
 use crate::problem::Problems;
 
-/// The largest crank angle, in degrees, that still has all its digits after the point; the
-/// farthest way of a driven slide, in the unit of the lengths; the longest time, seconds.
+/// Greatest input: the crank angle, in degrees, that still has all its decimals; the displacement
+/// of a driven slide, in the unit of the lengths; the time, seconds.
 const INPUT_LIMIT: f64 = 1e6;
 
-/// The greatest speed; beyond it the motion is no more seen.
+/// The greatest speed; a faster motion is no longer visible.
 const SPEED_LIMIT: f64 = 1000.0;
 
 /// The greatest ω₁ in rad/s and ε₁ in rad/s², in either sense.
@@ -20,20 +20,19 @@ const EPSILON_LIMIT: f64 = 1e6;
 /// The longest name of a lesson.
 const NAME_LIMIT: usize = 64;
 
-/// How the mechanism is looked at; nothing here changes the mechanism.
+/// The view of a mechanism; nothing here changes the mechanism.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub struct View {
-    /// Where the input is, if it is an angle: the crank angle, degrees.
+    /// Input, if it is an angle: the crank angle, degrees.
     pub phi_deg: f64,
-    /// Where the input is, if it is a length: the way of the driven slide, in the unit of
-    /// the lengths.
+    /// Input, if it is a length: the displacement of the driven slide, in the unit of the lengths.
     #[serde(default)]
     pub s: f64,
-    /// Where the input is, if it is time, seconds.
+    /// Input, if it is time, seconds.
     #[serde(default)]
     pub t: f64,
-    /// In motion or at rest.
+    /// Whether the mechanism is moving.
     pub playing: bool,
     /// 1 or −1: sense in which the crank turns.
     #[cfg_attr(test, ts(type = "1 | -1"))]
@@ -42,7 +41,7 @@ pub struct View {
     pub speed: f64,
     /// Paths of the joints shown.
     pub traces: bool,
-    /// Centres of mass shown. Older states say nothing of this and the next.
+    /// Centres of mass shown. Older states lack this field and the next.
     #[serde(default)]
     pub centres: bool,
     /// Velocity and acceleration analogues of the joints shown.
@@ -78,26 +77,26 @@ pub struct View {
     /// The inflection circle of `about` and the circles of curvature of traced points, with the evolutes of their paths, shown.
     #[serde(default)]
     pub curvature: bool,
-    /// The link that these are of; none: the first coupler.
+    /// The link of these instant centres, centrodes and circles; empty: the first coupler.
     #[serde(default)]
     pub about: String,
-    /// The link against which the instant centre of `about` is given by lines; none: the frame.
+    /// The reference link of the instant centre of `about`; empty: the frame.
     #[serde(default)]
     pub relative_to: String,
-    /// What is measured between points or links, by its names (`A-C.distance`, `A-B-C.corner`, `crank-rocker.between`): drawn,
-    /// read and listed.
+    /// Measures between points or links, by name (`A-C.distance`, `A-B-C.corner`,
+    /// `crank-rocker.between`): drawn, read out and listed.
     #[serde(default)]
     pub measures: Vec<String>,
-    /// What is plotted: `angles`, or the name of a point (`C2`).
+    /// Plotted quantities: `angles`, or the name of a point (`C2`).
     #[serde(default = "angles")]
     pub plot: String,
-    /// What is plotted against each other instead, if anything is.
+    /// Quantities plotted against each other instead, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub against: Option<Against>,
-    /// Which of the plots is shown alone, if one is.
+    /// The plot that is shown alone, if any.
     #[serde(default)]
     pub only: Only,
-    /// What the derivatives are by.
+    /// Variable by which derivatives are taken.
     #[serde(default)]
     pub axes: Axes,
     /// ω₁ of the crank, rad/s.
@@ -109,16 +108,16 @@ pub struct View {
     /// ε₁ of the crank, rad/s².
     #[serde(default)]
     pub epsilon: f64,
-    /// Played with ω₁ instead of `speed`.
+    /// Playback at ω₁ instead of `speed`.
     #[serde(default)]
     pub true_time: bool,
     /// The tools for drawing shown.
     #[serde(default)]
     pub drawing: bool,
-    /// Differences of φ′ shown over φ″.
+    /// Difference quotients of φ′ shown over φ″.
     #[serde(default)]
     pub differenced: bool,
-    /// The lesson that is open, if one is.
+    /// The open lesson, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lesson: Option<OpenLesson>,
     /// Large text, thick lines, high contrast.
@@ -157,16 +156,16 @@ pub enum Only {
     /// None: all three are shown.
     #[default]
     All,
-    /// That of the quantities themselves.
+    /// The plot of the quantities themselves.
     Value,
-    /// That of their first derivatives.
+    /// The plot of their first derivatives.
     First,
-    /// That of their second derivatives.
+    /// The plot of their second derivatives.
     Second,
 }
 
 impl Only {
-    /// The order of the derivatives that are shown alone; none where all are.
+    /// The order of the derivatives that are shown alone; none if all are.
     pub fn order(self) -> Option<usize> {
         match self {
             Self::All => None,
@@ -177,7 +176,7 @@ impl Only {
     }
 }
 
-/// What derivatives are by.
+/// Variable by which derivatives are taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -210,7 +209,7 @@ fn one() -> f64 {
 }
 
 impl Default for View {
-    /// How a file is looked at that does not say. (No language: the reader's.)
+    /// The view of a file that does not contain one. (No language: the reader's.)
     fn default() -> Self {
         Self {
             phi_deg: 0.0,
@@ -253,7 +252,7 @@ impl Default for View {
 }
 
 impl View {
-    /// How the crank turns for the plots and read-outs.
+    /// The input rate for plots and read-outs.
     pub fn input(&self) -> InputRate {
         match self.axes {
             Axes::Analogues => InputRate::ANALOGUES,
@@ -303,7 +302,7 @@ impl View {
 }
 
 impl OpenLesson {
-    /// Whether a folder may have the name, and the steps are counted from 1.
+    /// Whether the name is valid for a folder and the step is counted from 1.
     fn is_sound(&self) -> bool {
         let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         let length = self.id.len();

@@ -1,8 +1,8 @@
-//! What could not be taken over as it was, as a code with parameters. The words are in `lang/`.
+//! Parts that could not be imported unchanged, as codes with parameters. The words are in `lang/`.
 
 use serde::Serialize;
 
-/// Something that the other program has and a linkage has not, or has otherwise; serialised as
+/// A feature of the other program that a linkage lacks or has in another form; serialised as
 /// `{"code": "…", parameters}`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
@@ -13,17 +13,17 @@ use serde::Serialize;
 pub enum LeftOut {
     /// Forces, by name.
     Forces { names: Vec<String> },
-    /// Links that have masses.
+    /// Links with masses.
     Masses { names: Vec<String> },
-    /// How fast a crank is turned, revolutions per minute.
+    /// Speed of a crank, revolutions per minute.
     Speed { link: String, rpm: f64 },
-    /// How often a cylinder goes to and fro in a minute.
+    /// Frequency of a cylinder, cycles per minute.
     Pace { link: String, cycles: f64 },
-    /// So many parts that are only drawn.
+    /// This number of parts that are only drawn.
     Drawn { parts: usize },
     /// Parts that became one rigid link.
     Welded { link: String, parts: Vec<String> },
-    /// Links that do not move: fixed at two points, or fastened to what is fixed.
+    /// Links that do not move: fixed at two points, or fastened to a fixed part.
     Fixed { names: Vec<String> },
     /// Points that join nothing.
     Unused { names: Vec<String> },
@@ -31,28 +31,28 @@ pub enum LeftOut {
     Curved { names: Vec<String> },
     /// A slider without a line to slide on became a hinge.
     Slideless { point: String },
-    /// A chain around two wheels became wheels that keep its sense.
+    /// A chain around two wheels became wheels with the same sense of rotation.
     Chain { names: Vec<String> },
-    /// Wheels whose ratio is no ratio of whole numbers that may be.
+    /// Wheels whose ratio is not one of possible numbers of teeth.
     Teeth { names: Vec<String>, ratio: f64 },
-    /// Wheels that share no carrier, or are otherwise no pair.
+    /// Wheels without a common carrier, or otherwise not a pair.
     Wheels { names: Vec<String> },
-    /// A further driver whose rate to the first has another value, so that the motion repeats.
+    /// A further driver whose rate relative to the first was changed so that the motion repeats.
     Ratio { link: String, rate: f64, taken: f64 },
-    /// A driven slide whose range was not told, or reached beyond what can be.
+    /// A driven slide whose range was not given, or went beyond what is possible.
     Range { point: String, min: f64, max: f64 },
-    /// Cylinders that go to and fro beside other drivers go one way only.
+    /// Oscillating cylinders beside other drivers go one way only.
     OneWay { names: Vec<String> },
-    /// A crank that goes to and fro by an angle, in degrees, turns on.
+    /// A crank that oscillates by an angle, in degrees, turns on.
     Swing { link: String, angle: f64 },
-    /// A driver that is moved by hand alone stands still.
+    /// A driver moved only by hand is at rest.
     ByHand { link: String },
     /// A driver that turns or moves nothing.
     Driver { point: String },
-    /// A part that is fastened to what does not carry it.
+    /// A part fastened to one that does not carry it.
     Fastened { name: String },
     /// The drawing's scale.
     Scale { factor: f64 },
-    /// Something at the end of a link that is not known.
+    /// An unknown part at the end of a link.
     Unknown { part: String },
 }

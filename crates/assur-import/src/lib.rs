@@ -1,8 +1,8 @@
-//! Mechanisms that people have made with other programs, as linkages: links of PMKS+ in both
-//! of its forms and of the PMKS before it, and files of Linkage (`.linkage2`). What could not be taken over as it was is
-//! listed ([`LeftOut`]); docs/file-format.md lists what is taken over.
+//! Import of mechanisms from other programs: links of PMKS+ in both of its forms and of the PMKS
+//! before it, and files of Linkage (`.linkage2`). Parts that could not be imported unchanged are
+//! listed ([`LeftOut`]); docs/file-format.md lists what is imported.
 //!
-//! What is read need not be a mechanism that moves: [`LinkageDocument::mechanism`] tells.
+//! An imported linkage need not move: [`LinkageDocument::mechanism`] checks that.
 
 mod left_out;
 mod linkage2;
@@ -15,15 +15,15 @@ use assur_file::LinkageDocument;
 pub use left_out::LeftOut;
 pub use problem::ImportProblem;
 
-/// No longer text is read: the largest linkage that is taken is far shorter.
+/// Longest text that is read: the largest possible linkage is far shorter.
 const LONGEST: usize = 1 << 20;
 
-/// No more parts are read, many more than a linkage may have: what names and joins them takes time that grows faster
-/// than they do.
+/// Maximum number of parts, many more than a linkage may have: naming and joining them takes time
+/// that grows faster than their number.
 const MOST_PARTS: usize = 1000;
 
 /// # Errors
-/// So many parts are more than are read.
+/// More parts than are read.
 fn bounded(parts: usize) -> Result<(), ImportProblem> {
     match parts {
         0..=MOST_PARTS => Ok(()),
@@ -37,10 +37,10 @@ fn number(text: &str) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// Maximum number of characters of a text from outside in a message.
+/// Maximum number of characters of a quoted text.
 const LONGEST_QUOTE: usize = 40;
 
-/// The beginning of a text from outside, for a message: without control characters, with an ellipsis where it is cut.
+/// The beginning of a text from outside, for a message: without control characters, with an ellipsis if it is cut.
 fn quoted(text: &str) -> String {
     let mut plain = text.chars().filter(|c| !c.is_control());
     let mut quote: String = plain.by_ref().take(LONGEST_QUOTE).collect();
@@ -50,19 +50,19 @@ fn quoted(text: &str) -> String {
     quote
 }
 
-/// What was read.
+/// Result of an import.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Imported {
     /// The linkage, with its source; without a title, which neither program saves.
     pub document: LinkageDocument,
-    /// What could not be taken over as it was.
+    /// Parts that could not be imported unchanged.
     pub left_out: Vec<LeftOut>,
 }
 
-/// A text that is meant as something of another program.
+/// A text that appears to come from another program.
 #[derive(Clone, Copy)]
 enum Source<'a> {
-    /// What follows the `?` of a link of PMKS+, with where the link leads; its files hold that alone.
+    /// The part of a PMKS+ link after the `?`, with the link's host; files of PMKS+ contain only that part.
     Pmks {
         host: Option<&'a str>,
         query: &'a str,
@@ -85,7 +85,7 @@ fn source(text: &str) -> Option<Source<'_>> {
     pmks::begins(query).then_some(Source::Pmks { host, query })
 }
 
-/// Whether a text is meant as a link of PMKS+ or a file of Linkage, whole or damaged.
+/// Whether a text appears to be a link of PMKS+ or a file of Linkage, whole or damaged.
 pub fn recognised(text: &str) -> bool {
     source(text).is_some()
 }
@@ -93,7 +93,7 @@ pub fn recognised(text: &str) -> bool {
 /// Reads a link of PMKS+ or a file of Linkage.
 ///
 /// # Errors
-/// It is neither; what of it cannot be read.
+/// Neither of these; the part that cannot be read.
 pub fn read(text: &str) -> Result<Imported, ImportProblem> {
     if text.len() > LONGEST {
         return Err(ImportProblem::ImportTooLarge { max: LONGEST });

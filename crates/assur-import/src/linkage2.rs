@@ -10,7 +10,7 @@ use crate::{ImportProblem, Imported};
 /// The root of a file.
 const ROOT: &str = "linkage2";
 
-/// Whether a text is meant as such a file.
+/// Whether a text appears to be such a file.
 pub(crate) fn begins(text: &str) -> bool {
     let mut text = text;
     while let Some(rest) = text.strip_prefix("<?") {

@@ -1,6 +1,6 @@
-//! Links of PMKS+ (Planar Mechanism Kinematic Simulator, <https://pmksplus.com>), of its first
-//! form, with everything in words, and of the second one, in short. Both come to one [`Plan`](plan::Plan).
-//! Also links of the PMKS before it ([`original`]).
+//! Links of PMKS+ (Planar Mechanism Kinematic Simulator, <https://pmksplus.com>), in its first
+//! form, in plain text, and in the second, abbreviated one. Both are read into a
+//! [`Plan`](plan::Plan). Also links of the PMKS before it ([`original`]).
 
 mod original;
 mod plan;
@@ -14,7 +14,7 @@ pub(crate) fn begins(query: &str) -> bool {
     readable::begins(query) || short::begins(query) || original::begins(query)
 }
 
-/// Reads what follows the `?` of a link to a host.
+/// Reads the part of a link after the `?`.
 ///
 /// # Errors
 /// The part that cannot be read.

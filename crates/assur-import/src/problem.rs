@@ -1,4 +1,4 @@
-//! Why something of another program cannot be read, as a code with parameters. The words are in `lang/`.
+//! Reasons why something of another program cannot be read, as codes with parameters. The words are in `lang/`.
 
 use serde::Serialize;
 
@@ -18,19 +18,19 @@ pub enum ImportProblem {
     ImportTooLarge { max: usize },
     /// There are more parts than this.
     ImportTooMany { max: usize },
-    /// A link whose check character does not fit its length.
+    /// A link whose check character does not match its length.
     LinkCut,
-    /// A part of a link that has not the form.
+    /// A part of a link in the wrong form.
     LinkPart { part: String },
     /// A tag of a file that does not end, or does not belong there.
     MarkupBroken { line: usize },
-    /// What stands in this part is no number, or one out of any range.
+    /// The value of this part is not a number, or out of range.
     ImportNumber { part: String, value: String },
-    /// Two parts of one name, so that what names it is not told.
+    /// Two parts with the same name, so that references to it are ambiguous.
     ImportTwice { part: String },
     /// A joint between wheels in a link of the first PMKS, which is not read.
     ImportGears { part: String },
-    /// There are no links in it.
+    /// A text without links.
     NothingImported,
 }
 
@@ -41,7 +41,7 @@ impl ImportProblem {
         Self::LinkPart { part }
     }
 
-    /// A value that is no finite number in range.
+    /// A value that is not a finite number in range.
     pub(crate) fn number(part: &str, value: &str) -> Self {
         let [part, value] = [part, value].map(quoted);
         Self::ImportNumber { part, value }
@@ -53,7 +53,7 @@ impl ImportProblem {
         Self::ImportGears { part }
     }
 
-    /// A name of two parts.
+    /// A name shared by two parts.
     pub(crate) fn twice(part: &str) -> Self {
         let part = quoted(part);
         Self::ImportTwice { part }

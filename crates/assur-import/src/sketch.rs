@@ -1,4 +1,4 @@
-//! A mechanism as other programs have it, by numbers instead of names, and the linkage made of it.
+//! A mechanism of another program, by indices instead of names, and its conversion to a linkage.
 
 mod document;
 mod names;
@@ -10,7 +10,7 @@ use assur_file::{LengthUnit, MeshDocument};
 use crate::{ImportProblem, Imported, LeftOut};
 pub(crate) use names::letter;
 
-/// What carries something.
+/// Carrier of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Body {
     Frame,
@@ -24,7 +24,7 @@ pub(crate) struct Joint {
     pub(crate) at: [f64; 2],
     pub(crate) fixed: bool,
     pub(crate) traced: bool,
-    /// Whether the other program has it, or it only helps to say what that has.
+    /// Whether it exists in the other program; otherwise it only helps to define a part.
     pub(crate) own: bool,
 }
 
@@ -33,9 +33,9 @@ pub(crate) struct Joint {
 pub(crate) struct Bar {
     pub(crate) name: String,
     pub(crate) joints: Vec<usize>,
-    /// What it turns as one with, lying on it as drawn.
+    /// The body to which it is fixed, lying on it as drawn.
     pub(crate) fixed_to: Option<Body>,
-    /// Whether it is a wheel, which stays one when its shaft stands still.
+    /// Whether it is a wheel, which remains a link even on a shaft at rest.
     pub(crate) wheel: bool,
 }
 
@@ -57,12 +57,12 @@ pub(crate) struct Gear {
     pub(crate) mesh: MeshDocument,
 }
 
-/// What is driven, and how fast by time: radians or lengths per second.
+/// A driver, with its speed in time: radians or lengths per second.
 #[derive(Clone, Debug)]
 pub(crate) struct Driver {
     pub(crate) moves: Moves,
     pub(crate) speed: f64,
-    /// What it moves, as the other program calls it.
+    /// Name of the driven part in the other program.
     pub(crate) called: String,
 }
 
@@ -72,14 +72,14 @@ pub(crate) enum Moves {
     Slide { slide: usize, range: [f64; 2] },
 }
 
-/// The whole of it.
+/// All parts of a mechanism.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sketch {
     pub(crate) source: String,
     pub(crate) unit: Option<LengthUnit>,
     pub(crate) joints: Vec<Joint>,
     pub(crate) bars: Vec<Bar>,
-    /// Bars that are one with a body.
+    /// Bars welded to a body.
     pub(crate) welds: Vec<(usize, Body)>,
     pub(crate) slides: Vec<Slide>,
     pub(crate) gears: Vec<Gear>,
@@ -88,7 +88,7 @@ pub(crate) struct Sketch {
 }
 
 impl Sketch {
-    /// A point that only helps to say what the other program has.
+    /// Adds a point that only helps to define a part.
     pub(crate) fn helper(&mut self, name: String, at: [f64; 2], fixed: bool) -> usize {
         self.joints.push(Joint {
             name,
@@ -100,7 +100,7 @@ impl Sketch {
         self.joints.len() - 1
     }
 
-    /// A bar of a name through joints.
+    /// Adds a bar with a name through joints.
     pub(crate) fn bar(&mut self, name: String, joints: Vec<usize>) -> usize {
         self.bars.push(Bar {
             name,
@@ -110,7 +110,7 @@ impl Sketch {
         self.bars.len() - 1
     }
 
-    /// A pin on a line of a body: a block that is hinged at the pin. Its number among the slides.
+    /// Adds a pin on a line of a body: a block hinged at the pin. Returns the index of its slide.
     pub(crate) fn block(&mut self, pin: usize, on: Body, line: [usize; 2]) -> usize {
         let name = self.joints[pin].name.clone();
         let bar = self.bar(name, vec![pin]);
@@ -127,8 +127,8 @@ impl Sketch {
         self.slides.len() - 1
     }
 
-    /// Adds two points of a body for the line of a slide through a place: the direction in radians, the distance a
-    /// fraction of the drawing's size.
+    /// Adds two points of a body for the line of a slide through a place, in a direction in
+    /// radians, at a distance that is a fraction of the drawing's size.
     pub(crate) fn guide(
         &mut self,
         names: [String; 2],
@@ -154,7 +154,7 @@ impl Sketch {
         line
     }
 
-    /// The way of a slide as it is drawn, and the length of its line.
+    /// The drawn displacement of a slide, and the length of its line.
     pub(crate) fn way(&self, slide: usize) -> [f64; 2] {
         let Slide { joint, line, .. } = &self.slides[slide];
         let [from, to] = line.map(|end| self.joints[end].at);
@@ -164,7 +164,7 @@ impl Sketch {
         [if length > 0.0 { along / length } else { 0.0 }, length]
     }
 
-    /// How far its joints are from each other at most.
+    /// The diagonal of the rectangle around its joints.
     pub(crate) fn size(&self) -> f64 {
         let extent = |axis: usize| {
             let places = self.joints.iter().map(|joint| joint.at[axis]);
@@ -174,16 +174,16 @@ impl Sketch {
         extent(0).hypot(extent(1))
     }
 
-    /// The linkage, with what could not be taken over.
+    /// The linkage, with the parts that could not be imported unchanged.
     ///
     /// # Errors
-    /// There are no links.
+    /// A mechanism without links.
     pub(crate) fn imported(self) -> Result<Imported, ImportProblem> {
         document::imported(self)
     }
 
-    /// What each bar is in the end: itself, the one that it is welded to, or the frame. Joints of
-    /// what is welded go over to the one that stays.
+    /// The body of each bar after welding: itself, the one to which it is welded, or the frame. The
+    /// latter takes over the joints.
     fn bodies(&mut self) -> Vec<Body> {
         let mut into: Vec<Body> = (0..self.bars.len()).map(Body::Bar).collect();
         for (bar, to) in self.welds.clone() {
@@ -197,7 +197,7 @@ impl Sketch {
         let mut still = Vec::new();
         while let Some(bar) = self.held(&into) {
             self.fix(&mut into, bar);
-            // Two anchors with nothing else are how the frame is drawn.
+            // A bar of only two anchors is just a drawing of the frame.
             let told = |joint: &usize| !self.joints[*joint].own;
             if self.bars[bar].joints.len() > 2 && !self.bars[bar].joints.iter().any(told) {
                 still.push(self.bars[bar].name.clone());
@@ -211,7 +211,7 @@ impl Sketch {
             .collect()
     }
 
-    /// The first bar that the frame holds: at two points, or at one point and by a slide.
+    /// The first bar that is held by the frame: at two points, or at one point and by a slide.
     fn held(&self, into: &[Body]) -> Option<usize> {
         let mut slid = vec![false; self.bars.len()];
         for slide in &self.slides {
@@ -258,7 +258,7 @@ impl Sketch {
     }
 }
 
-/// The frame among links.
+/// Name of the frame among links.
 const FRAME: &str = "frame";
 
 fn root(into: &[Body], mut of: Body) -> Body {

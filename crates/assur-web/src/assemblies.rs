@@ -1,4 +1,4 @@
-//! All assemblies of what is shown: pictures of them at an input; and, beside the page, all their motions.
+//! All assemblies of a document: their pictures at an input, and, in a worker of the page, all their motions.
 
 use std::f64::consts::{PI, TAU};
 
@@ -17,13 +17,13 @@ use crate::simulator::{bad, one};
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct AssembliesHere {
-    /// In the order of their angles.
+    /// Assemblies in ascending order of their angles.
     pub(crate) all: Vec<AssemblyHere>,
-    /// Which of them moves, from 0; none where it has no pose at the input.
+    /// Index of the assembly that moves; none if it has no pose at the input.
     pub(crate) shown: Option<usize>,
-    /// How many solutions a group's equations have over the complex numbers, where one group has them.
+    /// Number of solutions of a group's equations over the complex numbers, if a single group has them.
     complex: Option<usize>,
-    /// Whether these are all.
+    /// Whether all assemblies were found.
     whole: bool,
 }
 
@@ -31,11 +31,11 @@ pub(crate) struct AssembliesHere {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct AssemblyHere {
-    /// By which it is called, and chosen: by a document that counts its assemblies otherwise, as it does.
+    /// Number by which it is shown and chosen; a mixer numbers its assemblies by itself.
     pub(crate) number: usize,
     /// The angle by which they are numbered, in [0, 2π).
     angle: f64,
-    /// Where the bodies are, as of a frame.
+    /// Poses of the bodies, as in a frame.
     bodies: Vec<f32>,
 }
 
@@ -45,7 +45,7 @@ impl Moving {
         self.document().output(self.mechanism())
     }
 
-    /// All assemblies at an input, in the order of their numbers, and which of them moves.
+    /// All assemblies at an input, in the order of their numbers, and the index of the one that moves.
     pub(crate) fn assembled(&self, input: f64) -> (Assemblies, Option<usize>) {
         let mechanism = self.mechanism();
         let following = &mut *self.following().borrow_mut();
@@ -58,7 +58,7 @@ impl Moving {
         (found, shown)
     }
 
-    /// The same for the page.
+    /// All assemblies at an input, for the page.
     pub(crate) fn assemblies(&self, input: f64) -> AssembliesHere {
         let (found, shown) = self.assembled(input);
         let numbering = self.numbering();
@@ -89,7 +89,7 @@ pub struct AllMotions {
     circuits: Circuits,
 }
 
-/// The output over the input, of all branches.
+/// Curves of the output over the input, for all branches.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MotionsMap {
@@ -98,16 +98,16 @@ pub(crate) struct MotionsMap {
     branches: Vec<BranchLine>,
     meetings: Vec<MeetingPlace>,
     circuits: usize,
-    /// Whether these are all, each followed to its ends.
+    /// Whether all branches were found, each followed to its ends.
     whole: bool,
 }
 
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct BranchLine {
-    /// From 0.
+    /// Index of its circuit.
     circuit: usize,
-    /// Input and output, one after the other, in pieces that neither wraps: radians in [0, 2π], or the way of a slide.
+    /// Inputs and outputs in alternation, split where either wraps: radians in [0, 2π], or the displacement of a slide.
     pieces: Vec<Vec<f64>>,
 }
 
@@ -121,18 +121,18 @@ pub(crate) struct MeetingPlace {
     output: f64,
 }
 
-/// Where the assemblies at an input belong.
+/// Branches of the assemblies at an input.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Belonging {
-    /// Of each assembly, in the order of their numbers, its branch, from 0.
+    /// Index of the branch of each assembly, in the order of their numbers.
     branches: Vec<usize>,
-    /// Of each the meetings to be passed from the one that is asked for, none for its own branch; null where none lead
-    /// there.
+    /// For each assembly, the meetings on the way from the chosen one: empty for the same branch,
+    /// null if it cannot be reached.
     reached: Vec<Option<Vec<usize>>>,
 }
 
-/// So many steps to a whole turn of the input, and no fewer to a branch.
+/// Number of steps per turn of the input, and minimum number of steps per branch.
 const STEPS: f64 = 240.0;
 const LEAST_STEPS: f64 = 24.0;
 
@@ -141,7 +141,7 @@ impl AllMotions {
     /// All motions of a state's document.
     ///
     /// # Errors
-    /// Every problem of the state; that no linkage moves.
+    /// Every problem of the state; a document that is not a moving linkage.
     #[wasm_bindgen(constructor)]
     pub fn new(state: JsValue) -> Result<Self, JsValue> {
         let document = open(&read(&state)?).map_err(thrown)?;
@@ -176,8 +176,8 @@ impl AllMotions {
         })
     }
 
-    /// Where the assemblies at an input belong, and how the one with a number, from 0, leads to the others:
-    /// `{branches, reached}`.
+    /// Branches of the assemblies at an input, and the way to each from the assembly with this
+    /// index: `{branches, reached}`.
     pub fn belonging(&self, input: f64, number: usize) -> JsValue {
         let branches = self.branches_at(input).unwrap_or_default();
         let reached = branches.iter().map(|to| {
@@ -194,7 +194,7 @@ impl AllMotions {
 }
 
 impl AllMotions {
-    /// Of each assembly at an input, in the order of their numbers, its branch; none where one is on no known branch.
+    /// The branch of each assembly at an input, in the order of their numbers; none if one is on no known branch.
     fn branches_at(&self, input: f64) -> Option<Vec<usize>> {
         let moving = self.document.linkage()?;
         let mechanism = moving.mechanism();
@@ -216,7 +216,7 @@ impl AllMotions {
             let mut last: Option<[f64; 2]> = None;
             for step in 0..=steps as usize {
                 let part = step as f64 / steps;
-                // Near a fold the output goes as the root of the way to it.
+                // Near a fold the output varies as the square root of the distance to it.
                 let part = if cycle.is_full() {
                     part
                 } else {

@@ -14,12 +14,12 @@ use web_sys::CanvasRenderingContext2d;
 
 use crate::thin::thinned;
 
-/// How far a line on a screen may be from a point that is left out, pixels.
+/// Greatest distance of a point that is left out from the line on the screen, pixels.
 const UNSEEN: f64 = 1.0 / 32.0;
 
 type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 
-/// A canvas of a width and height in pixels of the reader.
+/// A canvas with its size in pixels of the reader.
 pub(crate) struct Canvas<'a> {
     context: &'a CanvasRenderingContext2d,
     size: (u32, u32),
@@ -28,9 +28,9 @@ pub(crate) struct Canvas<'a> {
 }
 
 impl<'a> Canvas<'a> {
-    /// Draws on `context`, whose transform maps pixels of the reader to the
-    /// backing store, `ratio` times as many; through all points of a curve where
-    /// it is to be `whole`, else through as many as can be told apart.
+    /// Draws on `context`, whose transform scales pixels of the reader to the backing store by
+    /// `ratio`; if `whole`, through all points of a curve, otherwise only through as many as can be
+    /// distinguished.
     pub(crate) fn new(
         context: &'a CanvasRenderingContext2d,
         size: (u32, u32),
@@ -128,7 +128,7 @@ impl DrawingBackend for Canvas<'_> {
         self.context.begin_path();
         let (x, y) = (pixels(center.0), pixels(center.1));
         let full = std::f64::consts::TAU;
-        // The canvas refuses negative radii only, and this one is none.
+        // The canvas refuses only negative radii, and this one is not negative.
         if self.context.arc(x, y, radius, 0.0, full).is_err() {
             return Ok(());
         }
@@ -149,9 +149,9 @@ fn width(style: &impl BackendStyle) -> f64 {
     f64::from(style.stroke_width()) / f64::from(FINE)
 }
 
-/// Moves a line along an axis to where its edges lie between pixels, else a thin
-/// line is a pale one of twice its width; returns its width, in whole pixels.
-/// Those are the screen's: `ratio` of them to a pixel of the reader.
+/// Moves a line along an axis so that its edges lie between pixels, since otherwise a thin line is
+/// pale and twice as wide; returns its width in whole pixels. These are pixels of the screen:
+/// `ratio` per pixel of the reader.
 fn sharpened(path: &mut [(f64, f64)], width: f64, ratio: f64) -> f64 {
     let [from, to] = path else {
         return width;

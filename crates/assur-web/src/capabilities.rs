@@ -1,5 +1,4 @@
-//! What the page asks of a document that is open, whichever kind it is of: capabilities, of
-//! which a kind has those that it has.
+//! Capabilities of an open document, whatever its kind: each kind implements those that it has.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -17,9 +16,9 @@ use crate::here::Here;
 use crate::moving::Moving;
 use crate::table::SweepTable;
 
-/// A document with all that is drawn of it.
+/// An open document with its drawing.
 pub(crate) trait Capabilities {
-    /// What is said of it as a whole; it says by `moves` whether anything does.
+    /// Summary of the document; its field `moves` says whether it moves.
     fn summary(&self) -> JsValue;
 
     /// What stands still in its drawing: that of its linkage, where it is one.
@@ -28,28 +27,28 @@ pub(crate) trait Capabilities {
         figure.map(Rigid::from).unwrap_or_default()
     }
 
-    /// The place of what never moves, as of [`crate::Simulator::at`], where what falls open has
-    /// done so by a share of its way; of what moves none.
+    /// The frame and handles of a document that never moves, as in [`crate::Simulator::at`], opened
+    /// by a share of the way; empty for one that moves.
     fn still(&self, _opened: f64) -> Here {
         Here::default()
     }
 
-    /// What moves, is read, listed and plotted, where anything is.
+    /// The moving document, with its read-outs and plots, if it moves.
     fn moves(&self) -> Option<&dyn Moves> {
         self.linkage().map(|moving| moving as &dyn Moves)
     }
 
-    /// The linkage that moves, where it is one.
+    /// The moving linkage, if it is one.
     fn linkage(&self) -> Option<&Moving> {
         None
     }
 
-    /// What can be changed by hand, where anything can.
+    /// The document as it is changed by hand, if it can be.
     fn edited(&self) -> Option<&dyn Edited> {
         None
     }
 
-    /// The relations of the paper that it comes from, in numbers at an input; none where there is no such paper.
+    /// The relations of the paper that it comes from, in numbers at an input; empty without such a paper.
     ///
     /// # Errors
     /// No pose there, or derivatives unbounded.
@@ -60,7 +59,7 @@ pub(crate) trait Capabilities {
     /// The linkage as it is drawn at an input, to be drawn on.
     ///
     /// # Errors
-    /// What is no linkage; no pose there.
+    /// A document that is not a linkage; no pose there.
     fn drawn(&self, input: f64) -> Result<LinkageDocument, Problem> {
         let moving = self.linkage().ok_or_else(|| unknown("drawing"))?;
         moving.drawn(input)
@@ -78,7 +77,7 @@ pub(crate) trait Capabilities {
     }
 }
 
-/// A quantity for which a paper gives a relation: of an item in the table of the paper, in the paper's letters.
+/// A relation from a paper: a quantity of an item in the paper's table, in the paper's letters.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct RelationHere {
@@ -86,12 +85,12 @@ pub(crate) struct RelationHere {
     name: Cow<'static, str>,
     /// Whether it is an angle, radians.
     angle: bool,
-    /// Whether it is an angle through which something has turned, so that whole turns count.
+    /// Whether it is an angle of rotation, of which whole turns count.
     turned: bool,
-    /// Whether it counts something, and is a whole number.
+    /// Whether it is a count, and so a whole number.
     count: bool,
     value: f64,
-    /// The value by the relation as it is printed; none where that divides by zero.
+    /// The value by the relation as printed; none if that divides by zero.
     printed: Option<f64>,
 }
 
@@ -114,53 +113,53 @@ impl From<Relation> for RelationHere {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct LinkHere {
     pub(crate) link: String,
-    /// How far off it is drawn, in the unit of the lengths.
+    /// Its distance from the place, in the unit of the lengths.
     pub(crate) off: f64,
-    /// The wheel on which the place is, a ring by its rim.
+    /// The wheel at the place, a ring only on its rim.
     pub(crate) wheel: Option<String>,
 }
 
-/// A document that moves by an input; its properties are in its summary.
+/// A document that moves with an input; its properties are in its summary.
 pub(crate) trait Moves {
-    /// All of a place of the motion. Where derivatives are unbounded there are no read-outs and no
+    /// Everything at an input. Where derivatives are unbounded there are no read-outs and no
     /// plotted values.
     ///
     /// # Errors
-    /// Why there is no such place.
+    /// No pose at this input.
     fn at(&self, input: f64) -> Result<Here, Problem>;
 
-    /// The plotted quantities at an input, as of [`Here`].
+    /// The plotted quantities at an input, as in [`Here`].
     ///
     /// # Errors
-    /// Why there is no such place, or nothing of its derivatives.
+    /// No pose at this input, or derivatives unbounded.
     fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem>;
 
-    /// Why there is no place at an input, or nothing of its derivatives; nothing where there is.
+    /// The reason why there is no pose at an input, or why derivatives are unbounded; none otherwise.
     fn why(&self, input: f64) -> Option<Problem>;
 
     /// The names of the read-outs.
     fn readout_names(&self) -> Vec<String>;
 
-    /// The input moved, and −1 where it turned back, else 1.
+    /// The input after a step, and −1 if it turned back, otherwise 1.
     fn advance(&self, input: f64, by: f64) -> (f64, f64);
 
-    /// The plots, where they go on and on those around an input.
+    /// The plots; of an endless motion those around an input.
     fn chart(&self, around: f64) -> Cow<'_, Chart>;
 
-    /// What is plotted against each other instead of these plots, where anything is.
+    /// The plot of one quantity against another that replaces these plots, if any.
     fn against(&self, around: f64) -> Option<Cow<'_, Against>>;
 
-    /// The numbers of links, by which their angles are called.
+    /// The numbers of links, which denote their angles.
     fn numbers(&self) -> &BTreeMap<String, String>;
 
-    /// The motion as a table with so many rows to its period, or to its range.
+    /// The motion as a table with this number of rows per period, or per range.
     fn table(&self, steps: u32) -> SweepTable;
 }
 
 /// What stands still in a drawing.
 #[derive(Default)]
 pub(crate) struct Rigid<'a> {
-    /// What the numbers of labels stand for.
+    /// The names to which the numbers of labels refer.
     pub(crate) names: &'a [String],
     /// Its display list.
     pub(crate) list: &'a [f32],
@@ -175,18 +174,17 @@ impl<'a> From<&'a Figure> for Rigid<'a> {
     }
 }
 
-/// What changes when a hand is laid on the drawing; problems are those that
-/// [`crate::Simulator`] throws.
+/// Changes made by hand in the drawing; problems are those that [`crate::Simulator`] throws.
 pub(crate) trait Edited {
-    /// A point dragged to a place, with the input where it is.
+    /// A point dragged to a place, at a given input.
     fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem>;
 
-    /// A handle pressed and let go where it is.
+    /// A handle pressed and released without a drag.
     fn press(&self, handle: &str) -> Result<Change, Problem> {
         Err(unknown(handle))
     }
 
-    /// The point at a place traced, with the input where it is.
+    /// The point at a place traced, at a given input.
     fn trace(&self, _input: f64, _at: Point) -> Result<Change, Problem> {
         Err(unknown("tracer"))
     }
@@ -201,18 +199,18 @@ pub(crate) trait Edited {
         Err(vec![unknown(link)])
     }
 
-    /// All assemblies at an input; none where they are not told.
+    /// All assemblies at an input; none for kinds that do not show them.
     fn assemblies(&self, _input: f64) -> Option<AssembliesHere> {
         None
     }
 
-    /// An assembly chosen, by its number at an input; nothing becomes other where it is the one that moves.
+    /// An assembly chosen by its number at an input; nothing changes if it is the one that moves.
     fn assemble(&self, _number: usize, _input: f64) -> Result<Change, Vec<Problem>> {
         Err(vec![unknown("assembly")])
     }
 }
 
-/// What is none of the points that can be dragged.
+/// The problem of an unknown handle.
 pub(crate) fn unknown(point: &str) -> Problem {
     Problem::BadState {
         path: "point".to_owned(),

@@ -1,4 +1,4 @@
-//! What the page asks of a chart, and where it writes the chart's text.
+//! The page's request for a chart, and the layout for the chart's text.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use plotters::style::RGBColor;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
 
-/// What the page asks of a chart, sizes in pixels of the reader.
+/// The page's request for a chart, sizes in pixels of the reader.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ChartRequest {
@@ -19,20 +19,20 @@ pub(crate) struct ChartRequest {
     pub(crate) height: u32,
     #[cfg_attr(test, ts(type = "Array<[number, number, number]>"))]
     palette: [[u8; 3]; ROLES.len()],
-    /// How much larger than usual text and lines are.
+    /// Scale of text and lines relative to the usual size.
     #[serde(default = "usual")]
     pub(crate) scale: f64,
-    /// Pixels of the screen to one of the reader.
+    /// Pixels of the screen per pixel of the reader.
     #[serde(default = "usual")]
     pub(crate) ratio: f64,
-    /// Whether curves go through all their points: for a picture that may be enlarged.
+    /// Whether curves go through all their points, for a picture that may be enlarged.
     #[serde(default)]
     pub(crate) whole: bool,
-    /// The plot that has all of the room, if one has.
+    /// The plot that takes all the room, if any.
     #[serde(default)]
     #[cfg_attr(test, ts(type = "Only"))]
     pub(crate) only: Only,
-    /// The input around which a motion is plotted that goes on and on.
+    /// The input around which an endless motion is plotted.
     #[serde(default)]
     pub(crate) around: f64,
 }
@@ -54,12 +54,12 @@ impl ChartRequest {
     }
 }
 
-/// Where the page writes the chart's text.
+/// Layout of a chart, by which the page places its text.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ChartLayout<'a> {
     panels: Vec<PanelLayout<'a>>,
-    /// What is plotted against each other instead of the panels, where anything is and has room.
+    /// The plot of one quantity against another that replaces the panels, if there is one and it has room.
     against: Option<AgainstLayout<'a>>,
 }
 
@@ -75,17 +75,17 @@ pub(crate) struct AgainstLayout<'a> {
     y: AxisLayout<'a>,
     physical: bool,
     role: &'static str,
-    /// What is seen of the curve, run by run: x and y in pixels of the reader, and the input.
+    /// Visible runs of the curve: x and y in pixels of the reader, and the input.
     curve: Vec<Vec<f64>>,
 }
 
-/// An axis of it: of what, from where to where.
+/// An axis: its quantity and range.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct AxisLayout<'a> {
     /// None for the input.
     name: Option<&'a str>,
-    /// The number by which the angle is called, where it is.
+    /// The number that denotes the angle, if it has one.
     number: Option<&'a str>,
     #[cfg_attr(test, ts(type = "0 | 1 | 2"))]
     order: usize,
@@ -131,10 +131,10 @@ pub(crate) struct TickLayout {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SeriesLayout<'a> {
     name: &'a str,
-    /// The number by which the angle is called, where it is.
+    /// The number that denotes the angle, if it has one.
     number: Option<&'a str>,
     role: &'static str,
-    /// The value that the curve has throughout, where it does not change.
+    /// The value of the curve if it is constant.
     level: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Values of ours as JavaScript's.
+//! Conversion between Rust and JavaScript values.
 
 use assur_file::{Problem, State};
 use js_sys::Reflect;
@@ -7,18 +7,18 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use wasm_bindgen::JsValue;
 
-/// Any value of ours as a plain JavaScript object.
+/// A Rust value as a plain JavaScript object.
 pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
     let plain = serde_wasm_bindgen::Serializer::json_compatible();
-    // Only maps with keys that are not text fail, and nothing here holds one.
+    // Fails only for maps with keys that are not text, which do not occur here.
     value.serialize(&plain).unwrap_or(JsValue::NULL)
 }
 
-/// A state of the page. All that is read goes by way of JSON's values, so that what reads it
-/// is there once; they have no place for NaN and infinities, which would be taken for nothing.
+/// Reads a state of the page. Everything is read by way of JSON values, so that the code is
+/// compiled once; since these cannot hold NaN and infinities, such fields are found here.
 ///
 /// # Errors
-/// The fields of numbers that are none; the part that has not the form.
+/// The fields whose numbers are not finite; the part of the wrong form.
 pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
     let value: Result<Value, _> = serde_wasm_bindgen::from_value(state.clone());
     let value = value.map_err(|error| Problem::BadState {
@@ -38,10 +38,10 @@ pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
     state.map_err(|problem| thrown([problem]))
 }
 
-/// A value of ours of what the page gives, by way of JSON's values as well.
+/// Reads a value given by the page, by way of JSON values as well.
 ///
 /// # Errors
-/// What has not the form.
+/// The part of the wrong form.
 pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsValue> {
     let bad = |detail: String| {
         let path = ".".to_owned();
@@ -52,7 +52,7 @@ pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsVa
     serde_json::from_value(value).map_err(|error| bad(error.to_string()))
 }
 
-/// Names the fields that hold NaN or an infinity: they were read as `null`, which alone is looked at again as it was given.
+/// Names the fields that hold NaN or an infinity: these are read as `null`, so only nulls are compared with the original.
 fn not_numbers(
     read: &Value,
     given: &dyn Fn() -> JsValue,
@@ -80,7 +80,7 @@ fn not_numbers(
     }
 }
 
-/// Whether a value is `null` or holds one.
+/// Whether a value is `null` or contains one.
 fn has_null(value: &Value) -> bool {
     match value {
         Value::Null => true,
@@ -90,12 +90,12 @@ fn has_null(value: &Value) -> bool {
     }
 }
 
-/// What an object or a list holds by a name or a number; nothing where it has none.
+/// The member of an object or a list by its name or index; undefined if there is none.
 fn member(of: &JsValue, name: impl Into<JsValue>) -> JsValue {
     Reflect::get(of, &name.into()).unwrap_or_default()
 }
 
-/// Problems as what is thrown: an array of `{code, …}`.
+/// Problems as an exception of the page: an array of `{code, …}`.
 pub(crate) fn thrown(problems: impl IntoIterator<Item = impl Into<Problem>>) -> JsValue {
     let problems: Vec<Problem> = problems.into_iter().map(Into::into).collect();
     to_js(&problems)

@@ -1,4 +1,4 @@
-//! What is read of curvature at an input: of traced points the circle of curvature, of a link the inflection circle.
+//! Curvature at an input: circles of curvature of traced points, the inflection circle of a link.
 
 use assur::curvature::{CircleOfCurvature, Circles, NoCircle};
 use assur::mechanism::{LinkId, PointId, Pose};
@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::moving::Moving;
 
-/// All that is drawn of curvature, in numbers.
+/// Values of all drawn circles.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CurvatureHere<'a> {
@@ -15,19 +15,19 @@ pub(crate) struct CurvatureHere<'a> {
     inflection: Option<InflectionHere<'a>>,
 }
 
-/// The circle of curvature of a point's path, or why there is none.
+/// The circle of curvature of a point's path, or the reason why there is none.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CircleHere<'a> {
     point: &'a str,
-    /// The radius with two derivatives, as the axes have them.
+    /// The radius with two derivatives, as the axes define them.
     radius: Option<[f64; 3]>,
     centre: Option<[f64; 2]>,
     #[cfg_attr(test, ts(type = "import(\"assur/core/problem.js\").Problem | null"))]
     reason: Option<Problem>,
 }
 
-/// The inflection circle of a link, or why there is none.
+/// The inflection circle of a link, or the reason why there is none.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct InflectionHere<'a> {
@@ -38,7 +38,7 @@ pub(crate) struct InflectionHere<'a> {
 }
 
 impl Moving {
-    /// What is read of curvature at an input; nothing where it is not drawn.
+    /// The values of curvature at an input; none if it is not drawn.
     ///
     /// # Errors
     /// Why there are no derivatives.

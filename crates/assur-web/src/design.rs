@@ -1,5 +1,4 @@
-//! "Design your dwell" on the page: a search through the border, step by step, run
-//! in a worker of the page.
+//! "Design your dwell" on the page: a stepwise search in the engine, run in a worker of the page.
 
 use assur::mechanism::Quantity;
 use assur::synthesis::dwell::{
@@ -13,19 +12,18 @@ use crate::convert::{read, thrown, to_js};
 use crate::kinds::Redrawn;
 use crate::profile::band;
 
-/// What is wanted of the first output that is plotted; within which band it stands
-/// still, the document says.
+/// Requirements on the first plotted output; the band of its dwell is in the document.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Wishes {
-    /// The arc of the crank over which it stands at least, radians.
+    /// Minimum arc of the crank over which the output dwells, radians.
     arc: f64,
-    /// From its least to its greatest value: radians, or in the unit of the lengths.
+    /// Stroke of the output, from minimum to maximum: radians, or in the unit of the lengths.
     stroke: f64,
     movable: Vec<Movement>,
 }
 
-/// A dimension, by its field, that may change by this part of it, more or less.
+/// A dimension, by its field, that may change by this part of its value either way.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Movement {
@@ -68,11 +66,11 @@ pub(crate) struct ReachedSummary {
 
 #[wasm_bindgen]
 impl Design {
-    /// A search from the linkage of a state; `wishes` is `{arc, stroke, movable:
-    /// [{field, by}]}`, `by` a part of the dimension of that field.
+    /// A search from the linkage of a state; `wishes` is `{arc, stroke, movable: [{field, by}]}`,
+    /// `by` a part of the dimension of that field.
     ///
     /// # Errors
-    /// Every problem of the state; else the first of the wishes.
+    /// Every problem of the state; otherwise the first problem of the wishes.
     #[wasm_bindgen(constructor)]
     pub fn new(state: JsValue, wishes: JsValue) -> Result<Self, JsValue> {
         let state = read(&state)?;
@@ -85,10 +83,10 @@ impl Design {
         Self::of(&state, &wishes).map_err(thrown)
     }
 
-    /// Judges one mechanism more: `{judged, accepted, before, reached: {arc, stroke,
-    /// residual, singularity_margin}, end, document}`. `reached` is of the best one so far,
-    /// `before` the residual of the first; `end` is `fulfilled`, `settled` or null;
-    /// `document` has the fields that become others where one was accepted.
+    /// Judges the next mechanism: `{judged, accepted, before, reached: {arc, stroke, residual,
+    /// singularity_margin}, end, document}`. `reached` is of the best one so far, `before` the
+    /// residual of the first; `end` is `fulfilled`, `settled` or null; `document` has the changed
+    /// fields if one was accepted.
     pub fn step(&mut self) -> JsValue {
         let Progress {
             judged,

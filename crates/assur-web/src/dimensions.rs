@@ -30,13 +30,13 @@ pub(crate) struct DimensionSummary<'a> {
     step: f64,
 }
 
-/// A slider goes in so many steps at least, a power of ten each.
+/// Minimum number of steps of a slider; the step is a power of ten.
 const STEPS: f64 = 200.0;
 
-/// The step of a slider over a range, and its ends on whole steps.
+/// The step of a slider over a range, and the range with its ends on whole steps.
 fn stepped(range: [f64; 2]) -> ([f64; 2], f64) {
     let digits = ((range[1] - range[0]) / STEPS).log10().floor() as i32;
-    // Divided by a whole number a whole number comes as near to its decimals as it can.
+    // Division by a whole number gives the closest value to a decimal.
     let (times, parts) = (10_f64.powi(digits.max(0)), 10_f64.powi(-digits.min(0)));
     let whole = |steps: f64| steps * times / parts;
     let ends = range.map(|end| whole((end / times * parts).round()));

@@ -1,4 +1,4 @@
-//! The hand on what is driven: where the input goes when it is dragged.
+//! Dragging the driver: the new input.
 
 use std::f64::consts::{PI, TAU};
 
@@ -7,7 +7,7 @@ use assur::mechanism::{Mechanism, PointId, Pose};
 use assur::motion::Motion;
 use assur_file::LinkageDocument;
 
-/// The hand on what is driven: the point that takes the input along.
+/// The handle of the driver: the point whose drag moves the input.
 #[derive(Clone, Copy)]
 pub(crate) enum Driven {
     /// The end of a crank, about its pivot.
@@ -24,7 +24,7 @@ impl Driven {
         }
     }
 
-    /// Where the input goes from a pose if the point is dragged to a place.
+    /// The input that brings the point, from a pose, nearest to the place to which it is dragged.
     pub(crate) fn dragged(self, motion: &Motion, pose: &Pose<1>, input: f64, to: Point) -> f64 {
         let at = |point: PointId| motion.mechanism().place(pose, point).place();
         match self {
@@ -47,7 +47,7 @@ impl Driven {
         }
     }
 
-    /// The hand on the driver of a document; none on a crank that turns on a moving link.
+    /// The handle of a document's driver; none on a crank that turns on a moving link.
     pub(crate) fn of(document: &LinkageDocument, mechanism: &Mechanism) -> Option<Self> {
         let [driver] = &document.drivers[..] else {
             return None;

@@ -1,10 +1,10 @@
-//! The constraint equations of a linkage under the names of the page.
+//! The constraint equations of a linkage, in the names of the page.
 
 use assur::mechanism::{Constraint, ConstraintKind, FRAME, LinkOrFrame, Mechanism, PointId, Pose};
 use serde::Serialize;
 
-/// What an equation is about: points P, Q (and S of a slide, before them), links
-/// with what they are seen from.
+/// Subject of an equation: points P, Q (and S of a slide, before them), links with those relative
+/// to which they are seen.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]
@@ -62,7 +62,7 @@ impl<'a> EquationSummary<'a> {
     }
 }
 
-/// Of every equation left side, right side and residual.
+/// Left side, right side and residual of every equation.
 pub(crate) fn sides<const N: usize>(
     mechanism: &Mechanism,
     pose: &Pose<N>,

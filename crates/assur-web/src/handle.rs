@@ -1,22 +1,22 @@
-//! What a hand can take hold of in the drawing.
+//! Handles of the drawing.
 
 use assur::Point;
 use assur::mechanism::{Mechanism, PointId};
 use assur_draw::Figure;
 
-/// A handle, by its name, in the colour of a role.
+/// A handle, with its name and the role of its colour.
 pub(crate) struct Handle {
     pub(crate) name: String,
     pub(crate) role: &'static str,
     pub(crate) at: HandlePlace,
 }
 
-/// Where a handle is.
+/// Position of a handle.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum HandlePlace {
-    /// Where a point of the linkage is.
+    /// On a point of the linkage.
     Point(PointId),
-    /// Where it stays, whatever moves.
+    /// Fixed.
     Fixed(Point),
 }
 
@@ -34,7 +34,7 @@ impl Handle {
     }
 }
 
-/// The role that a link with the point is drawn in; of the frame's points none is.
+/// The role of a link with this point; none for points of the frame.
 fn role(mechanism: &Mechanism, figure: &Figure, point: PointId) -> &'static str {
     let mut links = mechanism.link_ids();
     let link = links.find(|link| mechanism.points_of(*link).contains(&point));

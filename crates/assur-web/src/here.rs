@@ -1,8 +1,8 @@
-//! A place of the motion, in numbers.
+//! Numbers at an input.
 
 use assur::Point;
 
-/// Everything at a place of the motion, as [`crate::Simulator::at`] hands it over.
+/// Everything at an input, as [`crate::Simulator::at`] returns it.
 #[derive(Default)]
 pub(crate) struct Here {
     pub(crate) frame: Vec<f32>,
@@ -12,7 +12,7 @@ pub(crate) struct Here {
 }
 
 impl Here {
-    /// Of what never moves, by its frame and the places of its handles.
+    /// The frame and the positions of the handles of a document that never moves.
     pub(crate) fn still(frame: Vec<f32>, handles: impl Iterator<Item = Point>) -> Self {
         Self {
             frame,

@@ -1,4 +1,4 @@
-//! What other programs made, as documents.
+//! Files and links of other programs, as documents.
 
 use assur_file::Document;
 use assur_import::{Imported, LeftOut};
@@ -7,25 +7,25 @@ use wasm_bindgen::prelude::*;
 
 use crate::convert::to_js;
 
-/// What was read. (The document is no part of it by `flatten`, which would bring the code to write every kind once
-/// more.)
+/// The result of an import. (The document is not part of it by `flatten`, which would compile the
+/// code for every kind once more.)
 #[derive(Serialize)]
 struct Read {
     read: Document,
     left_out: Vec<LeftOut>,
 }
 
-/// Whether a text is meant as a link of PMKS+ or a file of Linkage, whole or damaged.
+/// Whether a text appears to be a link of PMKS+ or a file of Linkage, whole or damaged.
 #[wasm_bindgen(js_name = isImport)]
 pub fn is_import(text: &str) -> bool {
     assur_import::recognised(text)
 }
 
-/// Reads a link of PMKS+ or a file of Linkage: `{read: {kind, document}, left_out}`, the last with codes of what could
-/// not be taken over as it was. The document need not move.
+/// Reads a link of PMKS+ or a file of Linkage: `{read: {kind, document}, left_out}`, the last with
+/// codes of what could not be imported unchanged. The document need not move.
 ///
 /// # Errors
-/// What of it cannot be read.
+/// The part that cannot be read.
 #[wasm_bindgen(js_name = readImport)]
 pub fn read_import(text: &str) -> Result<JsValue, JsValue> {
     let read = assur_import::read(text).map_err(|problem| to_js(&[problem]))?;

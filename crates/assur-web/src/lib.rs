@@ -3,14 +3,14 @@
 //!
 //! | file | subject |
 //! |---|---|
-//! | `simulator.rs`, `capabilities.rs`, `kinds/` | the one object of the page; what can be asked of a document; a module for each kind |
-//! | `moving.rs`, `summary.rs`, `profile.rs`, `here.rs` | a linkage that moves; what holds of its whole motion; strokes and dwells; one place of it |
-//! | `driven.rs`, `dimensions.rs`, `change.rs`, `handle.rs` | the hand on the driver; dimensions; what a hand changes; what it takes hold of |
+//! | `simulator.rs`, `capabilities.rs`, `kinds/` | the interface of the page; capabilities of a document; a module for each kind |
+//! | `moving.rs`, `summary.rs`, `profile.rs`, `here.rs` | a moving linkage; summary of its motion; strokes and dwells; numbers at an input |
+//! | `driven.rs`, `dimensions.rs`, `change.rs`, `handle.rs` | dragging the driver; dimensions; changes made by hand; handles |
 //! | `table.rs`, `chart.rs`, `equations.rs`, `polygons.rs`, `curvature.rs` | tables, plots, constraint equations, polygons, curvature |
 //! | `design.rs` | the search for a dwell |
-//! | `received.rs`, `offered.rs`, `imported.rs`, `convert.rs`, `canvas.rs` | what comes from outside, checked; documents to begin with; other programs' files; values of JavaScript; a canvas as a backend of plotters |
+//! | `received.rs`, `offered.rs`, `imported.rs`, `convert.rs`, `canvas.rs` | input from outside, checked; documents to begin with; files of other programs; JavaScript values; a canvas as a backend of plotters |
 
-// No unit test runs there.
+// There are no unit tests for wasm.
 #![cfg(not(all(test, target_family = "wasm")))]
 
 mod assemblies;

@@ -1,15 +1,15 @@
-//! What a view measures between points or links.
+//! Measures of a view between points or links.
 
 use assur::mechanism::{Mechanism, Quantity};
 use assur_file::{Problem, View};
 
-/// So many measures may a view have.
+/// Maximum number of measures of a view.
 const MOST_MEASURES: usize = 8;
 
-/// What a view measures.
+/// The measures of a view.
 ///
 /// # Errors
-/// What is no measure, one that is there already, or more than can be told apart.
+/// An unknown or duplicate measure, or more than can be distinguished.
 pub(crate) fn measures(view: &View, mechanism: &Mechanism) -> Result<Vec<Quantity>, Vec<Problem>> {
     let mut found = Vec::new();
     for name in &view.measures {

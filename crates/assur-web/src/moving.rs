@@ -1,4 +1,4 @@
-//! What moves: a linkage with its drawing, its read-outs and its plots.
+//! A moving linkage with its drawing, read-outs and plots.
 
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -18,31 +18,31 @@ use crate::pair::Pair;
 
 mod reading;
 
-/// Why there is no pose at an input, or none of its derivatives.
+/// The problem of an input without a pose, or without derivatives.
 pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
 
-/// A linkage in motion with all that is drawn of it.
+/// A linkage in motion with its drawing.
 pub(crate) struct Moving {
     document: LinkageDocument,
     motion: Motion,
-    /// Its other assemblies, looked for when they are first asked for: not on every edit.
+    /// Its other assemblies, found on first use and not on every edit.
     following: OnceCell<RefCell<Following>>,
-    /// How well dyads transmit: read out without derivatives.
+    /// Transmission and pressure angles of dyads: read out without derivatives.
     transmitting: Vec<Quantity>,
-    /// The numbers of links, by which their angles are called.
+    /// The numbers of links, which denote their angles.
     numbers: BTreeMap<String, String>,
     quantities: Vec<Quantity>,
-    /// What is listed whatever is plotted.
+    /// Quantities listed whatever is plotted.
     listed: Vec<Quantity>,
-    /// What the view measures.
+    /// Measures of the view.
     measures: Vec<Quantity>,
     plotted: Vec<Quantity>,
-    /// Whose colours their curves have.
+    /// Roles whose colours the curves have.
     plotted_roles: Vec<Role>,
-    /// What is plotted against each other instead.
+    /// Quantities plotted against each other instead.
     pair: Option<Pair<Column>>,
     driven: Option<Driven>,
-    /// What can be dragged.
+    /// Handles that can be dragged.
     handles: Vec<Handle>,
     /// Whether points of its links can be traced.
     traceable: bool,
@@ -52,20 +52,20 @@ pub(crate) struct Moving {
     curvature: bool,
     figure: Figure,
     settings: Settings,
-    /// Made when it is first drawn: while a joint is dragged not every linkage is plotted.
+    /// Made on first drawing: while a joint is dragged not every linkage is plotted.
     chart: OnceCell<Chart>,
     against: OnceCell<Against>,
-    /// Of polygons of velocities and of accelerations, made with the first of them.
+    /// Sheets of the polygons of velocities and accelerations, made with the first polygon.
     polygon_sheets: OnceCell<[PolygonSheet; 2]>,
     explain: Explain,
 }
 
 impl Moving {
-    /// What is shown of a linkage in motion by the view of a state, with the notes of its
-    /// document and the quantities that are read; `explain` says why there is no pose.
+    /// A linkage in motion with its drawing, by the view of a state, the annotations of its
+    /// document and its read-outs; `explain` gives the reason why there is no pose.
     ///
     /// # Errors
-    /// Why there is no pose to draw it in.
+    /// The reason why there is no pose to draw it in.
     pub(crate) fn new(
         view: &View,
         moved: Moved,
@@ -88,7 +88,7 @@ impl Moving {
         let pair = Pair::of(view, |name| Column::named(mechanism, name))?;
         let measures = measures(view, mechanism)?;
         let point = |name: &String| mechanism.point(name);
-        // The path of a point that is plotted is one of those to be seen.
+        // The path of a plotted point is drawn, too.
         let of_pair = pair
             .iter()
             .flat_map(|pair| pair.quantities(|one| one.quantity));
@@ -138,7 +138,7 @@ impl Moving {
         })
     }
 
-    /// The same with every transmission angle and the angles of these links listed, whatever
+    /// The same linkage with all transmission angles and the angles of these links listed, whatever
     /// is plotted.
     pub(crate) fn listing(mut self, links: impl Iterator<Item = LinkId>) -> Self {
         let transmitting = self.transmitting.iter().copied();
@@ -148,8 +148,8 @@ impl Moving {
         self
     }
 
-    /// The same with these handles instead of those of its points, which are not traced then;
-    /// what is driven stays one.
+    /// The same linkage with these handles instead of its points, which are then not traced; the
+    /// driver keeps its handle.
     pub(crate) fn held_by(mut self, handles: impl Iterator<Item = Handle>) -> Self {
         let driven = (self.driven).map(|driven| HandlePlace::Point(driven.end()));
         self.handles.retain(|handle| Some(handle.at) == driven);
@@ -183,7 +183,7 @@ impl Moving {
         &self.polygon_sheets
     }
 
-    /// How the input goes, by the axes.
+    /// The input rate, as the axes define it.
     pub(crate) fn input(&self) -> InputRate {
         self.settings.input
     }
@@ -197,7 +197,7 @@ impl Moving {
         self.traceable
     }
 
-    /// The number by which the input is called.
+    /// The number that denotes the input.
     pub(crate) fn input_number(&self) -> &str {
         let driver = self.document.drivers.first();
         let link = driver.and_then(|driver| driver.crank.as_ref());
@@ -209,7 +209,7 @@ impl Moving {
         &self.plotted
     }
 
-    /// Whose colour the curve of a quantity has, if it is plotted.
+    /// The role of the curve of a quantity, if it is plotted.
     pub(crate) fn plotted_role(&self, quantity: Quantity) -> Option<&'static str> {
         let mut plotted = self.plotted.iter().zip(&self.plotted_roles);
         let found = plotted.find(|(plotted, _)| **plotted == quantity);
@@ -220,13 +220,12 @@ impl Moving {
         &self.measures
     }
 
-    /// What is plotted first, if that is an output: how well a dyad transmits is none.
+    /// The first plotted quantity, if it is an output: transmission and pressure angles are not.
     pub(crate) fn plotted_output(&self) -> Option<Quantity> {
         self.plotted.first().copied().filter(|one| !one.is_folded())
     }
 
-    /// The outputs that the document names, whatever is plotted now; of one that names none
-    /// the first that is plotted.
+    /// The outputs of the document, whatever is plotted; if it has none, the first plotted one.
     pub(crate) fn outputs(&self) -> Vec<Quantity> {
         let named = self.document.outputs(self.mechanism());
         if named.is_empty() {
@@ -236,7 +235,7 @@ impl Moving {
         }
     }
 
-    /// What the curves on the plots are of.
+    /// The quantities of the plotted curves.
     pub(crate) fn curves(&self) -> Vec<Quantity> {
         match &self.pair {
             Some(pair) => pair.quantities(|column| column.quantity),
@@ -244,7 +243,7 @@ impl Moving {
         }
     }
 
-    /// What is listed beside the drawing: what always is, then what is plotted.
+    /// The quantities listed beside the drawing: the permanent ones, then the plotted ones.
     pub(crate) fn listed(&self) -> Vec<Quantity> {
         let mut listed = self.listed.clone();
         for one in self.curves() {
@@ -259,8 +258,8 @@ impl Moving {
         &self.handles
     }
 
-    /// The linkage drawn where it is at an input. At home it is the document as it is, if nothing in
-    /// it is given otherwise than by the drawing.
+    /// The linkage drawn in the pose at an input. At the drawn input it is the unchanged document,
+    /// if all its dimensions are as drawn.
     pub(crate) fn drawn(&self, input: f64) -> Result<LinkageDocument, Problem> {
         let own = |link: &LinkDocument| link.length.is_some() || link.shape.is_some();
         let document = &self.document;
@@ -280,13 +279,12 @@ impl Moving {
         pose.map_err(|unsolved| self.problem(&unsolved))
     }
 
-    /// Why there is no pose, or none of its derivatives, as the document has it.
+    /// The problem of a missing pose, or of missing derivatives, in terms of the document.
     pub(crate) fn problem(&self, unsolved: &Unsolved) -> Problem {
         (self.explain)(self.mechanism(), unsolved)
     }
 
-    /// Where the input goes if this point is dragged to a place; none where the point is
-    /// not the driven one.
+    /// The input after a drag of this point to a place; none if it is not the point of the driver.
     pub(crate) fn driven_to(
         &self,
         point: PointId,
@@ -298,13 +296,13 @@ impl Moving {
         Some(pose.map(|pose| driven.dragged(&self.motion, &pose, input, to)))
     }
 
-    /// Of every constraint equation left side, right side and residual; of order 1 and 2
-    /// those of its derivatives.
+    /// Left side, right side and residual of every constraint equation, or with order 1 and 2 of
+    /// their derivatives.
     ///
     /// # Errors
     /// Why there are none.
     pub(crate) fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, Problem> {
-        // Places need no derivatives, which a dead point has not.
+        // Order 0 needs no derivatives, which a dead point does not have.
         if order == 0 {
             return Ok(sides(self.mechanism(), &self.pose(input)?, 0));
         }
@@ -314,7 +312,7 @@ impl Moving {
     }
 }
 
-/// What a view lays over the drawing.
+/// The overlays of a view.
 fn overlays(view: &View) -> Overlays {
     Overlays {
         traces: view.traces,
@@ -327,7 +325,7 @@ fn overlays(view: &View) -> Overlays {
     }
 }
 
-/// What lecturers draw over it.
+/// The lecturer's lines of a view.
 fn lines(view: &View, mechanism: &Mechanism) -> Lines {
     Lines {
         centres: view.instant_centres,
@@ -338,7 +336,7 @@ fn lines(view: &View, mechanism: &Mechanism) -> Lines {
     }
 }
 
-/// How a chart is drawn by a view.
+/// The settings of a chart by a view.
 fn settings(view: &View) -> Settings {
     Settings {
         input: view.input(),

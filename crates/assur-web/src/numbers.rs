@@ -7,7 +7,7 @@ use crate::convert::{read, thrown, to_js};
 /// The numbers of the document of a state, in the order of its fields: `{field, value, whole, followed}`.
 ///
 /// # Errors
-/// What has not the form of a state; every problem for which it is not known what numbers there are.
+/// A value that does not have the form of a state; every problem that prevents this.
 #[wasm_bindgen(js_name = numbersOf)]
 pub fn numbers_of(state: JsValue) -> Result<JsValue, JsValue> {
     let numbers = read(&state)?.document.numbers();

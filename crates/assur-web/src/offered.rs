@@ -1,4 +1,4 @@
-//! Documents to begin with, the names of roles, and positions of a synthesis.
+//! Documents to begin with, names of roles, and positions of a synthesis.
 
 use assur_draw::ROLES;
 use assur_file::{Document, DraftDocument, Preset, Shelf};
@@ -23,17 +23,17 @@ pub fn blank() -> JsValue {
 /// The catalogue: `{id, kind, document}` for each mechanism of it.
 ///
 /// # Errors
-/// What is wrong with one; a test sees to it that nothing is.
+/// The problems of a mechanism; a test ensures that there are none.
 #[wasm_bindgen]
 pub fn catalogue() -> Result<JsValue, JsValue> {
     let all: Result<Vec<Preset>, _> = assur_file::presets().collect();
     Ok(to_js(&all.map_err(thrown)?))
 }
 
-/// Where the mechanisms of the catalogue are shown: `{id, group, class}` for each.
+/// Places of the mechanisms in the gallery: `{id, group, class}` for each.
 ///
 /// # Errors
-/// What is wrong with one; a test sees to it that nothing is.
+/// The problems of a mechanism; a test ensures that there are none.
 #[wasm_bindgen]
 pub fn shelves() -> Result<JsValue, JsValue> {
     let all: Result<Vec<Shelf>, _> = assur_file::shelves().collect();
@@ -46,10 +46,10 @@ pub fn role_names() -> Vec<String> {
     ROLES.map(str::to_owned).to_vec()
 }
 
-/// Positions on the function of a synthesis, from a state of the page: in Chebyshev's spacing, or in even steps with the ends.
+/// Positions on the function of the synthesis in a state: with Chebyshev spacing, or evenly spaced including the ends.
 ///
 /// # Errors
-/// What is wrong with the function, or that there is none.
+/// The problems of the function, or a state without one.
 #[wasm_bindgen(js_name = functionPositions)]
 pub fn function_positions(state: &JsValue, count: usize, even: bool) -> Result<JsValue, JsValue> {
     let function = match read(state)?.document {

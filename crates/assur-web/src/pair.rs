@@ -1,11 +1,11 @@
-//! What a view plots against each other.
+//! Quantities that a view plots against each other.
 
 use assur_file::{Against, Problem, View};
 
-/// What the input is called among read-outs and axes.
+/// Name of the input among read-outs and axes.
 pub(crate) const INPUT: &str = "input";
 
-/// Abscissa and ordinate of a plot; no abscissa is the input.
+/// Abscissa and ordinate of a plot; without an abscissa it is the input.
 #[derive(Clone, Copy)]
 pub(crate) struct Pair<C> {
     pub(crate) x: Option<C>,
@@ -13,10 +13,10 @@ pub(crate) struct Pair<C> {
 }
 
 impl<C> Pair<C> {
-    /// The pair of a view, if it has one, by the columns of a motion.
+    /// The pair of a view, if it has one, in columns of a motion.
     ///
     /// # Errors
-    /// What is no column.
+    /// The name of an unknown column.
     pub(crate) fn of(
         view: &View,
         column: impl Fn(&str) -> Option<C>,
@@ -37,7 +37,7 @@ impl<C> Pair<C> {
         }
     }
 
-    /// What both are of, each once.
+    /// The quantities of both axes, without duplicates.
     pub(crate) fn quantities<Q: PartialEq>(&self, of: impl Fn(&C) -> Q) -> Vec<Q> {
         let columns = self.x.iter().chain([&self.y]);
         let mut quantities: Vec<Q> = columns.map(of).collect();

@@ -1,4 +1,4 @@
-//! Polygons of velocities and accelerations of a linkage at an input, as drawings and as the equations that they draw.
+//! Polygons of velocities and accelerations of a linkage at an input, as drawings and as equations.
 
 use assur::mechanism::{BodyId, FRAME, Pose};
 use assur::polygons::{Kind, Leg, Node, Order, Polygon, Stage};
@@ -14,31 +14,31 @@ const ORDERS: [Order; 2] = [Order::Velocity, Order::Acceleration];
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PolygonsHere {
-    /// What is drawn in turn, alike in both.
+    /// Steps of the construction, the same for both polygons.
     steps: Vec<PolygonStepHere>,
-    /// That of velocities and that of accelerations, after as many steps as were asked for.
+    /// Pictures of the velocity and acceleration polygons, after the requested number of steps.
     pictures: [PolygonPictureHere; 2],
 }
 
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PolygonPictureHere {
-    /// The display list, and what its labels stand for.
+    /// The display list, and the names to which its labels refer.
     list: Vec<f32>,
     names: Vec<String>,
     /// Left, bottom, right, top.
     bounds: [f64; 4],
-    /// How long the line is that shows the scale.
+    /// Length of the scale bar.
     bar: f64,
-    /// How many times smaller the scale is than usual in the motion: 1, unless the polygon would have no room.
+    /// Factor by which the scale is smaller than usual in the motion: 1, unless the polygon would not fit.
     smaller: f64,
 }
 
-/// One step: a vector equation, or points that follow.
+/// A step: a vector equation, or points that follow from it.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub(crate) struct PolygonStepHere {
-    /// The pole, an equation, points by the image of their link, points of a group that is no dyad.
+    /// Kind of step: the pole, an equation, points by the image of their link, points of a group other than a dyad.
     #[cfg_attr(test, ts(type = "\"pole\" | \"equation\" | \"image\" | \"group\""))]
     kind: &'static str,
     /// The unknown point of an equation and its reference point.
@@ -46,9 +46,9 @@ pub(crate) struct PolygonStepHere {
     from: Option<String>,
     /// The number of the link that has both, or the line; 0 of the frame.
     link: Option<String>,
-    /// What is added to its velocity, and to its acceleration.
+    /// Terms added to its velocity and to its acceleration.
     legs: [Vec<LegHere>; 2],
-    /// The points that are known when it is done, each with the size of its velocity and acceleration.
+    /// The points found by this step, each with the magnitudes of its velocity and acceleration.
     found: Vec<FoundHere>,
 }
 
@@ -75,7 +75,7 @@ pub(crate) struct FoundHere {
 }
 
 impl Moving {
-    /// The polygons at an input, after so many steps.
+    /// The polygons at an input after this number of steps.
     ///
     /// # Errors
     /// Why there are none.
@@ -145,14 +145,14 @@ impl Moving {
         found.collect()
     }
 
-    /// A point, with the number of the link whose place at it is meant: `B3`.
+    /// A point, with the number of the link to which it belongs: `B3`.
     fn node_name(&self, node: Node) -> String {
         let point = self.mechanism().point_name(node.point);
         let number = node.on.map(|body| self.body_number(body));
         [point, &number.unwrap_or_default()].concat()
     }
 
-    /// The number of a link as the drawing has it; the frame is 0.
+    /// The number of a link in the drawing; the frame is 0.
     fn body_number(&self, body: BodyId) -> String {
         let name = self.mechanism().body_name(body);
         if name == FRAME {

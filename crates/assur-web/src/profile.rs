@@ -1,26 +1,26 @@
-//! What the output of a linkage does over a turn: its stroke, its dwell, its phases.
+//! The output of a linkage over a turn: stroke, dwell, phases.
 
 use assur::mechanism::{Mechanism, Quantity};
 use assur::motion::{OutputProfile, PhaseKind};
 use serde::Serialize;
 
-/// The width of a band where none is given: degrees, or about this part of the size.
+/// The default width of a band: degrees, or about this part of the size.
 const BAND: f64 = 0.1;
 const FINE: f64 = 1e-3;
 
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ProfileSummary {
-    /// Degrees, or in the unit of the lengths.
+    /// Width of the band, degrees or in the unit of the lengths.
     width: f64,
-    /// From the least value to the greatest; none of what turns on and on.
+    /// Stroke from minimum to maximum; none if the output turns on and on.
     stroke: Option<f64>,
     dwell: Option<DwellSummary>,
     phases: Vec<PhaseSummary>,
 }
 
-/// The longest arc on which the output stays within the band: from where to where,
-/// and the least and the greatest value there.
+/// The longest arc over which the output stays within the band: its ends, and the minimum and
+/// maximum value.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DwellSummary {
@@ -36,8 +36,8 @@ pub(crate) struct PhaseSummary {
     arc: [f64; 2],
 }
 
-/// The width of a band as the page has it, the usual one where none is given, and
-/// in the engine's unit.
+/// The width of a band in the unit of the page, by default the usual one, and in the unit of the
+/// engine.
 pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>) -> (f64, f64) {
     if quantity.is_angle() {
         let width = width.unwrap_or(BAND);
@@ -51,8 +51,8 @@ pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>
 }
 
 impl ProfileSummary {
-    /// Of a quantity's profile, with dwells within a band of a width in degrees, or in
-    /// the unit of the lengths.
+    /// The summary of a quantity's profile, with dwells within a band whose width is in degrees, or
+    /// in the unit of the lengths.
     pub(crate) fn new(
         mechanism: &Mechanism,
         quantity: Quantity,

@@ -1,4 +1,4 @@
-//! What comes from outside (an address, a file, what was kept), read and checked.
+//! Input from outside (an address, a file, browser storage), read and checked.
 
 use assur_file::{LessonDocument, Problem, State, View, in_step};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
@@ -6,8 +6,8 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use crate::convert::{read, read_value, thrown, to_js};
 use crate::kinds::open;
 
-/// A state, read and checked with what it is compared
-/// with and all that its lesson shows: the same state with the keys we know and no others.
+/// A state, read and checked with its compared document and everything that its lesson shows: the
+/// same state, with known keys only.
 ///
 /// # Errors
 /// Every problem of the state.
@@ -33,8 +33,8 @@ pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     Ok(to_js(&state))
 }
 
-/// A lesson read and checked, as far as what it shows is not looked at: the same with the keys we
-/// know and no others.
+/// A lesson, read and checked except for the documents that it shows: the same lesson, with known
+/// keys only.
 ///
 /// # Errors
 /// Every problem of the lesson.
@@ -45,10 +45,10 @@ pub fn read_lesson(lesson: JsValue) -> Result<JsValue, JsValue> {
     Ok(to_js(&lesson))
 }
 
-/// Sees to it that no key stands twice in a file's JSON, which the browser reads: it takes the last one.
+/// Checks that a file's JSON has no duplicate keys: the browser, which reads it, takes the last one.
 ///
 /// # Errors
-/// The key that does, with its path.
+/// The path of the duplicate key.
 #[wasm_bindgen(js_name = checkKeys)]
 pub fn check_keys(text: &str) -> Result<(), JsValue> {
     assur_file::keys_once(text).map_err(|problem| thrown([problem]))

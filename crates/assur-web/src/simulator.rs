@@ -1,4 +1,4 @@
-//! The one object the page talks to.
+//! The interface of the page to the engine.
 
 mod refusal;
 
@@ -19,14 +19,13 @@ use crate::table::SweepTable;
 use refusal::place;
 pub(crate) use refusal::{bad, one};
 
-/// A document and all that is drawn of it. Inputs are radians, or of a driven slide in the
-/// unit of the lengths. What fails throws an array of problems, `{code, …}`, and changes
-/// nothing.
+/// An open document with its drawing. Inputs are radians, or for a driven slide in the unit of the
+/// lengths. A method that fails throws an array of problems, `{code, …}`, and changes nothing.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Simulator {
     document: Option<Box<dyn Capabilities>>,
-    /// What its lengths are in, and whether it may say so itself.
+    /// The unit of its lengths, and whether the document has a field for it.
     lengths: Option<(LengthUnit, bool)>,
 }
 
@@ -51,7 +50,7 @@ impl Simulator {
         Ok(summary)
     }
 
-    /// What lengths are in: `m`, `cm`, `mm`, `in`, or `none`, also before the first `set`.
+    /// The unit of lengths: `m`, `cm`, `mm`, `in`, or `none`, also before the first `set`.
     pub fn lengths(&self) -> JsValue {
         let (unit, _) = self.lengths.unwrap_or((LengthUnit::None, false));
         to_js(&unit)
@@ -80,15 +79,15 @@ impl Simulator {
         Ok(self.document()?.rigid().list.to_vec())
     }
 
-    /// Everything at an input, from one pose: how many numbers each of four lists has, then
-    /// the lists. They are: the frame, which is the bodies' poses `n, x, y, θ, …` with the
-    /// display list of what changes its shape; where the handles of the summary are, x and
-    /// y of each; the values of `readoutNames`; of each plotted quantity, in the order of
-    /// the chart's series, the value and the first two derivatives, or abscissa and ordinate
-    /// where one thing is plotted against another. Derivatives are those
-    /// of the axes, by the input or by time; where they are unbounded the last two lists
-    /// are empty, and `why` says it. What never moves has the frame and the handles alone;
-    /// its input is by which share of its way it has fallen open, where it does.
+    /// The frame, handles, read-outs and plotted values at an input, from one pose: the lengths of
+    /// these four lists, then the lists. The frame has the bodies' poses `n, x, y, θ, …` and the
+    /// display list of everything that changes its shape; the handles of the summary have x and y
+    /// each; the read-outs are those of `readoutNames`; each plotted quantity, in the order of the
+    /// chart's series, has its value and first two derivatives, or, in a plot of one quantity
+    /// against another, abscissa and ordinate. Derivatives are those of the axes, with respect to
+    /// the input or to time; where they are unbounded the last two lists are empty, and `why` gives
+    /// the reason. A document that never moves has only frame and handles; its input is the share
+    /// by which an open chain has fallen open.
     ///
     /// # Errors
     /// Why there is no pose.
@@ -100,16 +99,15 @@ impl Simulator {
         Ok(moves.at(input).map_err(one)?.flat())
     }
 
-    /// The last of the lists of `at` alone: for the cursor of the plots.
+    /// The last of the lists of `at` alone, for the cursor of the plots.
     ///
     /// # Errors
-    /// Why there is no pose, or none of its derivatives.
+    /// The reason why there is no pose, or why derivatives are unbounded.
     pub fn plotted(&self, input: f64) -> Result<Vec<f64>, JsValue> {
         self.moves()?.plotted_at(input).map_err(one)
     }
 
-    /// The problems that a place of the motion has: why there is no pose, or none of its
-    /// derivatives.
+    /// The problems at an input: the reason why there is no pose, or why derivatives are unbounded.
     ///
     /// # Errors
     /// Before the first `set`.
@@ -118,9 +116,8 @@ impl Simulator {
         Ok(thrown(moves.and_then(|moves| moves.why(input))))
     }
 
-    /// The names of the read-outs: the input, the transmission angles of the RRR dyads,
-    /// then every quantity with its first (′) and second (″) derivative; none where nothing
-    /// moves.
+    /// The names of the read-outs: the input, the transmission angles of the RRR dyads, then every
+    /// quantity with its first (′) and second (″) derivative; none if nothing moves.
     ///
     /// # Errors
     /// Before the first `set`.
@@ -130,9 +127,9 @@ impl Simulator {
         Ok(moves.map_or_else(Vec::new, |moves| moves.readout_names()))
     }
 
-    /// What dragging a point, one of the handles, to a place changes with the input where
-    /// it is: `{input}`, or `{document}` with the fields that become others. A traced point
-    /// keeps to its link. Whether the fields make a mechanism is found out by `set`.
+    /// The change when a handle is dragged to a place at an input: `{input}`, or `{document}` with
+    /// the changed fields. A traced point keeps to its link. Whether the fields make a mechanism is
+    /// checked by `set`.
     ///
     /// # Errors
     /// An unknown point, a place that is not finite; no pose to drag in.
@@ -141,31 +138,30 @@ impl Simulator {
         Ok(change.map_err(one)?.into_js())
     }
 
-    /// What pressing one of the handles without dragging it changes: `{document}` with the
-    /// fields that become others.
+    /// The change when a handle is pressed without a drag: `{document}` with the changed fields.
     ///
     /// # Errors
-    /// A handle of which nothing comes.
+    /// A handle without an action.
     pub fn press(&self, handle: &str) -> Result<JsValue, JsValue> {
         let change = self.edited()?.press(handle);
         Ok(change.map_err(one)?.into_js())
     }
 
-    /// What is open, drawn at an input, after one edit (the type `Edit`): `{kind, document, point,
-    /// link}` with what it has made. What moves then is a linkage, what does not a drawing.
+    /// The open document, drawn at an input, after one edit (the type `Edit`): `{kind, document,
+    /// point, link}` with the added parts. It is a linkage if it moves, otherwise a drawing.
     ///
     /// # Errors
-    /// What cannot be drawn on; why it cannot be edited so.
+    /// A document that cannot be drawn on; the reason why the edit is impossible.
     pub fn edit(&self, edit: JsValue, input: f64) -> Result<JsValue, JsValue> {
         let edit: Edit = read_value(&edit)?;
         draft::edit(self.document()?, &edit, input).map_err(thrown)
     }
 
-    /// Links and points of what is open, drawn at an input, as a linkage of their own: to be
-    /// put elsewhere by the edit `paste`.
+    /// Links and points of the open document, drawn at an input, as a linkage of their own, for the
+    /// edit `paste`.
     ///
     /// # Errors
-    /// What cannot be drawn on.
+    /// A document that cannot be drawn on.
     pub fn part(
         &self,
         points: Vec<String>,
@@ -176,8 +172,8 @@ impl Simulator {
         Ok(to_js(&part))
     }
 
-    /// The link drawn nearest to a place at an input, `{link, off}` with its distance; `null`
-    /// where there is none.
+    /// The link drawn nearest to a place at an input, `{link, off}` with its distance; `null` if
+    /// there is none.
     ///
     /// # Errors
     /// A place that is not finite; before the first `set`.
@@ -187,43 +183,42 @@ impl Simulator {
         Ok(to_js(&self.document()?.link_at(input, place)))
     }
 
-    /// What is open, at an input, as a document of another kind: `{kind, document}`.
+    /// The open document, at an input, as a document of another kind: `{kind, document}`.
     ///
     /// # Errors
-    /// No document of that kind is made of it.
+    /// A kind that cannot be made from it.
     #[wasm_bindgen(js_name = asKind)]
     pub fn as_kind(&self, kind: &str, input: f64) -> Result<JsValue, JsValue> {
         let document = as_kind(kind, self.linkage()?, input).map_err(one)?;
         Ok(to_js(&document))
     }
 
-    /// What tracing the point at a place changes with the input where it is: `{document}`
-    /// with one more traced point, on the link drawn nearest.
+    /// The change when the point at a place is traced at an input: `{document}` with one more
+    /// traced point, on the link drawn nearest.
     ///
     /// # Errors
-    /// Why there is no pose to put a point on; no link.
+    /// The reason why there is no pose; no link.
     pub fn trace(&self, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.trace(input, place(x, y)?);
         Ok(change.map_err(one)?.into_js())
     }
 
-    /// What setting a dimension of the summary, by its field, to a value changes with the
-    /// input where it is: `{document, input}`, the latter where it gave way. The assembly
-    /// is kept by following it.
+    /// The change when a dimension of the summary, by its field, is set to a value at an input:
+    /// `{document, input}`, the latter if it had to change. The assembly is kept by following it.
     ///
     /// # Errors
-    /// Why it cannot be set, with the last value that works.
+    /// The reason why it cannot be set, with the last possible value.
     #[wasm_bindgen(js_name = setDimension)]
     pub fn set_dimension(&self, field: &str, value: f64, input: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.set(field, value, input);
         Ok(change.map_err(thrown)?.into_js())
     }
 
-    /// What driving another of the links that can be driven changes with the input where
-    /// it is: `{document, input}`. It is driven from the pose at hand.
+    /// The change when another of the possible drivers is chosen, in the pose at an input:
+    /// `{document, input}`.
     ///
     /// # Errors
-    /// Why it cannot be driven so.
+    /// The reason why it cannot be driven.
     pub fn drive(&self, link: &str, input: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.drive(link, input);
         Ok(change.map_err(thrown)?.into_js())
@@ -232,14 +227,14 @@ impl Simulator {
     /// All assemblies at an input: `{all: [{number, angle, bodies}], shown, complex, whole}`.
     ///
     /// # Errors
-    /// What has none.
+    /// A document without assemblies.
     pub fn assemblies(&self, input: f64) -> Result<JsValue, JsValue> {
         let here = self.edited()?.assemblies(input);
         Ok(to_js(&here.ok_or_else(|| one(unknown("assembly")))?))
     }
 
-    /// What choosing an assembly, by its number at an input, changes: `{document}` with the
-    /// fields that become others, or nothing.
+    /// The change when an assembly is chosen by its number at an input: `{document}` with the
+    /// changed fields, or nothing.
     ///
     /// # Errors
     /// No such assembly.
@@ -248,19 +243,19 @@ impl Simulator {
         Ok(change.map_err(thrown)?.into_js())
     }
 
-    /// The input moved by `delta`, and −1 where it turned back at the end of its way, else
+    /// The input after a step `delta`, and −1 if it turned back at the end of its range, otherwise
     /// 1.
     ///
     /// # Errors
-    /// Before the first `set`; where nothing moves.
+    /// Before the first `set`; a document that does not move.
     pub fn advance(&self, input: f64, delta: f64) -> Result<Vec<f64>, JsValue> {
         let (input, sense) = self.moves()?.advance(input, delta);
         Ok(vec![input, sense])
     }
 
-    /// Draws the plots with plotters on a canvas whose transform maps pixels of
-    /// the reader to its backing store; `request` is `{width, height, palette, around}`.
-    /// Returns where the page writes their text.
+    /// Draws the plots by plotters on a canvas whose transform maps pixels of the reader to its
+    /// backing store; `request` is `{width, height, palette, around}`. Returns the layout of their
+    /// text.
     ///
     /// # Errors
     /// A request of the wrong form; before the first `set`.
@@ -272,11 +267,11 @@ impl Simulator {
         self.charted(context, request, None)
     }
 
-    /// The same with the curves of what another simulator shows, thin and dashed, in the same plots:
-    /// of each quantity that both plot.
+    /// Draws the plots with the curves of another simulator, thin and dashed, for each quantity
+    /// that both plot.
     ///
     /// # Errors
-    /// As of `chart`; where nothing moves in the other one.
+    /// Those of `chart`; another document that does not move.
     #[wasm_bindgen(js_name = chartCompared)]
     pub fn chart_compared(
         &self,
@@ -316,9 +311,9 @@ impl Simulator {
         Ok(to_js(&ChartLayout::new(&chart, panels, moves.numbers())))
     }
 
-    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}], compared}`, with
-    /// `steps` rows to a turn of the crank, and rows where it ends or turns back; `null` where
-    /// there is no value, with the reason.
+    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}], compared}`,
+    /// with `steps` rows per turn of the crank, and rows where it ends or turns back; a missing
+    /// value is `null`, with the reason.
     ///
     /// # Errors
     /// Before the first `set`.
@@ -326,22 +321,21 @@ impl Simulator {
         Ok(to_js(&self.moves()?.table(steps)))
     }
 
-    /// The same with the table of another linkage at the same inputs as `compared`.
+    /// The same table, with that of another linkage at the same inputs as `compared`.
     ///
     /// # Errors
-    /// Where one of them is no linkage that moves.
+    /// One of them is not a moving linkage.
     #[wasm_bindgen(js_name = sweepCompared)]
     pub fn sweep_compared(&self, steps: u32, with: &Self) -> Result<JsValue, JsValue> {
         let table = SweepTable::beside(self.linkage()?, steps, with.linkage()?);
         Ok(to_js(&table))
     }
 
-    /// Of every constraint equation of the summary at a crank angle its left side,
-    /// its right side and their difference; with order 1 or 2 of its
-    /// derivative by the crank angle.
+    /// Left side, right side and residual of every constraint equation of the summary at a crank
+    /// angle; with order 1 or 2 their derivatives with respect to the crank angle.
     ///
     /// # Errors
-    /// Why there are none: no pose, or derivatives unbounded.
+    /// The reason why there are none: no pose, or derivatives unbounded.
     pub fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, JsValue> {
         self.linkage()?.equations(input, order).map_err(one)
     }
@@ -350,28 +344,28 @@ impl Simulator {
     /// `[{item, name, angle, count, value, printed}]`, in the order of the paper.
     ///
     /// # Errors
-    /// Why there are none: no pose, or derivatives unbounded.
+    /// The reason why there are none: no pose, or derivatives unbounded.
     pub fn relations(&self, input: f64) -> Result<JsValue, JsValue> {
         let relations = self.document()?.relations(input).map_err(one)?;
         let here: Vec<RelationHere> = relations.into_iter().map(Into::into).collect();
         Ok(to_js(&here))
     }
 
-    /// What is drawn of curvature, in numbers: `{circles: [{point, radius, centre, reason}],
+    /// Values of the drawn circles of curvature: `{circles: [{point, radius, centre, reason}],
     /// inflection: {link, diameter, reason}}`, with a problem where there is no circle.
     ///
     /// # Errors
-    /// Why there is none: no linkage, no pose, or derivatives unbounded.
+    /// The reason why there is none: no linkage, no pose, or derivatives unbounded.
     pub fn curvature(&self, input: f64) -> Result<JsValue, JsValue> {
         let here = self.linkage()?.curvature(input).map_err(one)?;
         Ok(to_js(&here))
     }
 
-    /// The polygons of velocities and accelerations at an input, drawn as far as so many steps:
-    /// `{steps, pictures}`.
+    /// The polygons of velocities and accelerations at an input, after `shown` steps of their
+    /// construction: `{steps, pictures}`.
     ///
     /// # Errors
-    /// Why there are none: no pose, or derivatives unbounded.
+    /// The reason why there are none: no pose, or derivatives unbounded.
     pub fn polygons(&self, input: f64, shown: usize) -> Result<JsValue, JsValue> {
         let here = self.linkage()?.polygons(input, shown);
         Ok(to_js(&here.map_err(one)?))

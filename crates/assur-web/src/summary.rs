@@ -1,4 +1,4 @@
-//! What the page shows of a whole motion.
+//! Summary of a whole motion for the page.
 
 mod outputs;
 
@@ -18,15 +18,15 @@ use crate::kinds::BECOMES;
 use crate::moving::Moving;
 use crate::profile::ProfileSummary;
 
-/// What is said of a drawing and of its structure, whether it moves or not.
+/// Summary of a drawing and its structure, whether it moves or not.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct StructureSummary<'a> {
     bounds: [f64; 4],
     counts: CountsSummary,
-    /// Wheels whose meshes only repeat what the others do.
+    /// Passive wheels, whose meshes repeat what others do.
     passive: Vec<&'a str>,
-    /// The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+    /// The pairs with a redundant constraint; none if passive wheels are the only redundancy.
     redundant: Vec<String>,
     class: String,
     order: usize,
@@ -35,39 +35,39 @@ pub(crate) struct StructureSummary<'a> {
     roles: BTreeMap<&'a str, &'static str>,
 }
 
-/// What is said of whatever moves.
+/// Summary of any motion.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CourseSummary<'a> {
-    /// What the input is: `angle`, `length` or `time`.
+    /// Kind of input: `angle`, `length` or `time`.
     #[cfg_attr(test, ts(type = "\"angle\" | \"length\" | \"time\""))]
     pub(crate) moves: &'static str,
-    /// The number by which it is called.
+    /// The number that denotes the input.
     pub(crate) input: &'a str,
     pub(crate) cycle: CycleSummary,
     pub(crate) home: f64,
     pub(crate) dead_points: Vec<DeadPointSummary<'a>>,
     pub(crate) change_points: &'a [f64],
     pub(crate) outputs: Vec<OutputSummary>,
-    /// Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+    /// The reason why extrema over the motion were not searched, if so: outputs then have only a name.
     pub(crate) unsearched: Option<UnsearchedSummary>,
-    /// The numbers of links, by which their angles are called.
+    /// The numbers of links, which denote their angles.
     pub(crate) numbers: &'a BTreeMap<String, String>,
     pub(crate) listed: Vec<ListedSummary<'a>>,
-    /// What can be plotted together, by its name as a choice.
+    /// Groups of quantities that can be plotted together, by the name of the choice.
     pub(crate) overviews: &'static [&'static str],
     pub(crate) plotted: Vec<String>,
-    /// What the curves on the plots are of: that, or what is plotted against each other.
+    /// The quantities of the curves on the plots: those, or the ones plotted against each other.
     pub(crate) curves: Vec<String>,
     pub(crate) handles: Vec<HandleSummary<'a>>,
     /// Whether points of its links can be traced.
     pub(crate) traceable: bool,
-    /// The other kinds of document that can be made of it.
+    /// Other kinds of document into which it can be converted.
     #[cfg_attr(test, ts(type = "readonly \"scheme\"[]"))]
     pub(crate) becomes: &'static [&'static str],
 }
 
-/// All that is said of a linkage in motion; a kind adds what only it has.
+/// Summary of a linkage in motion; each kind adds its own fields.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MotionSummary<'a> {
@@ -94,7 +94,7 @@ pub(crate) struct CountsSummary {
     by_count: isize,
 }
 
-/// Where the input goes. `full`: a crank that turns fully.
+/// Range of the input. `full`: a crank that turns fully.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CycleSummary {
@@ -104,7 +104,7 @@ pub(crate) struct CycleSummary {
     pub(crate) arcs: Vec<[f64; 2]>,
 }
 
-/// After how many turns the motion repeats, and how many are searched at most.
+/// Number of turns after which the motion repeats, and the greatest number that is searched.
 #[derive(Clone, Copy, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct UnsearchedSummary {
@@ -112,7 +112,7 @@ pub(crate) struct UnsearchedSummary {
     most: usize,
 }
 
-/// A term of the structural formula, and the colour its links have by it.
+/// A term of the structural formula, and the colour of its links.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct GroupSummary {
@@ -136,8 +136,8 @@ pub(crate) struct FourBarSummary<'a> {
     grashof: &'static str,
 }
 
-/// The least transmission angle of a dyad RRR or the greatest pressure angle of a dyad RRP, at the inner joint, and where
-/// it is; none of a motion that is not searched.
+/// The least transmission angle of a dyad RRR or the greatest pressure angle of a dyad RRP, at the
+/// inner joint, with its input; none if the motion is not searched.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct TransmissionSummary<'a> {
@@ -149,8 +149,8 @@ pub(crate) struct TransmissionSummary<'a> {
     input: Option<f64>,
 }
 
-/// What an output does over the motion. Swings are one for every arc of it, none
-/// where it turns on and on; turns are there and back, per cycle. Where it was not `searched` there is none of it.
+/// Profile of an output over the motion: a swing for each arc, none if it turns on and on; turns
+/// there and back, per cycle. If it was not `searched`, only its name.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct OutputSummary {
@@ -177,8 +177,8 @@ pub(crate) struct LimitSummary {
     value: f64,
 }
 
-/// A read-out of the list beside the drawing, and whose it is: of an angle the link and
-/// those fixed to it, of a coordinate the point, of a transmission angle the joint, of a measure all that it is between.
+/// A listed read-out, and what it belongs to: for an angle the link and those fixed to it, for a
+/// coordinate the point, for a transmission angle the joint, for a measure its points or links.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ListedSummary<'a> {
@@ -192,7 +192,7 @@ pub(crate) struct ListedSummary<'a> {
     )]
     pub(crate) what: &'static str,
     pub(crate) of: Vec<&'a str>,
-    /// The number by which the angle is called.
+    /// The number that denotes the angle.
     pub(crate) number: Option<&'a str>,
     pub(crate) role: &'static str,
 }
@@ -202,7 +202,7 @@ pub(crate) struct ListedSummary<'a> {
 pub(crate) struct HandleSummary<'a> {
     pub(crate) name: &'a str,
     pub(crate) role: &'static str,
-    /// Whether something comes of pressing it without a drag.
+    /// Whether pressing it without a drag has an effect.
     pub(crate) pressed: bool,
 }
 
@@ -279,7 +279,7 @@ impl<'a> MotionSummary<'a> {
             pressed: false,
         });
         let plotted = moving.plotted().iter();
-        // What is plotted first most often is an output: its motion is searched through once.
+        // The first plotted quantity is usually an output: its motion is then searched only once.
         let outputs = moving.outputs();
         let profiles = outputs.iter().map(|one| {
             let name = one.name(mechanism, 0);

@@ -1,4 +1,4 @@
-//! The table of a motion, under names of the page: also of two at the same inputs.
+//! Tables of a motion, in the names of the page, also of two motions at the same inputs.
 
 use assur::curvature::CircleOfCurvature;
 use assur::mechanism::{Mechanism, PointId};
@@ -8,25 +8,25 @@ use serde::Serialize;
 
 use crate::moving::Moving;
 
-/// What a table file holds.
+/// Contents of a table file.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepTable {
     pub(crate) dimensions: Vec<SweepDimension>,
     pub(crate) columns: Vec<SweepColumn>,
     pub(crate) rows: Vec<SweepRow>,
-    /// Of what it is compared with the table at the same inputs.
+    /// Table of the compared mechanism at the same inputs.
     #[cfg_attr(test, ts(type = "SweepTable | null"))]
     pub(crate) compared: Option<Box<SweepTable>>,
 }
 
-/// A dimension of the linkage: how far two points of a link are apart, or a coordinate of a point of the frame.
+/// A dimension of the linkage: the distance of two points of a link, or a coordinate of a point of the frame.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepDimension {
     #[cfg_attr(test, ts(type = "\"length\" | \"x\" | \"y\""))]
     kind: &'static str,
-    /// Of two points, as in `A-B`, or of one.
+    /// Names of two points, as in `A-B`, or of one.
     of: String,
     value: f64,
 }
@@ -35,9 +35,9 @@ pub(crate) struct SweepDimension {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepColumn {
-    /// As in all tables: `rocker.dangle`.
+    /// Name as in all tables: `rocker.dangle`.
     name: String,
-    /// None if the name says it all.
+    /// None if the name is sufficient.
     quantity: Option<SweepQuantity>,
 }
 
@@ -58,7 +58,7 @@ pub(crate) struct SweepQuantity {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepRow {
-    /// Degrees of a crank, else in the unit of the lengths.
+    /// Degrees of a crank, otherwise in the unit of the lengths.
     pub(crate) input: f64,
     pub(crate) values: Vec<Option<f64>>,
     #[cfg_attr(test, ts(type = "{ readonly code: string } | null"))]
@@ -66,13 +66,13 @@ pub(crate) struct SweepRow {
 }
 
 impl SweepTable {
-    /// The motion as a table with this many steps to a turn of the crank, or to the range of
-    /// a driven slide, and where it turns back.
+    /// The motion as a table with this many steps per turn of the crank, or per range of a driven
+    /// slide, and where it turns back.
     pub(crate) fn of(moving: &Moving, steps: u32) -> Self {
         Self::at(moving, &places(moving, steps))
     }
 
-    /// The same with the table of another mechanism at the same inputs beside it.
+    /// The same table, with that of another mechanism at the same inputs.
     pub(crate) fn beside(moving: &Moving, steps: u32, other: &Moving) -> Self {
         let places = places(moving, steps);
         Self {
@@ -81,7 +81,7 @@ impl SweepTable {
         }
     }
 
-    /// The motion at these inputs: everything, what is measured and plotted, circles of curvature where they are drawn.
+    /// The motion at these inputs: all quantities, measured and plotted ones, and the drawn circles of curvature.
     fn at(moving: &Moving, places: &[At]) -> Self {
         let (motion, mechanism) = (moving.motion(), moving.mechanism());
         let mut columns = Column::all(mechanism);
@@ -97,7 +97,7 @@ impl SweepTable {
             let row = motion.row(&columns, at.input);
             let mut values = row.values;
             let mut reason = row.reason.map(|unsolved| moving.problem(&unsolved));
-            // They need more derivatives than all else.
+            // Circles of curvature need more derivatives than all other columns.
             let pose = (!curved.is_empty()).then(|| motion.pose::<5>(at.input).ok());
             let pose = pose.flatten();
             for point in curved {
@@ -149,7 +149,7 @@ fn places(moving: &Moving, steps: u32) -> Vec<At> {
     motion.rows(grid).collect()
 }
 
-/// The columns of a circle of curvature: its radius with both derivatives, its centre.
+/// The columns of a circle of curvature: its radius with two derivatives, its centre.
 const OF_CIRCLE: [(&str, usize); 5] = [
     ("radius", 0),
     ("radius", 1),
@@ -158,7 +158,7 @@ const OF_CIRCLE: [(&str, usize); 5] = [
     ("centre_y", 0),
 ];
 
-/// The same in numbers.
+/// The values of these columns.
 fn circle_values(circle: Option<CircleOfCurvature>) -> [Option<f64>; OF_CIRCLE.len()] {
     circle.map_or(
         [None; OF_CIRCLE.len()],
@@ -170,7 +170,7 @@ fn circle_values(circle: Option<CircleOfCurvature>) -> [Option<f64>; OF_CIRCLE.l
 }
 
 impl SweepDimension {
-    /// Of each link the distances of its points from the first, then where the points of the frame are.
+    /// The distances of each link's points from its first point, then the coordinates of the points of the frame.
     fn all(moving: &Moving) -> Vec<Self> {
         let (motion, mechanism) = (moving.motion(), moving.mechanism());
         let Ok(pose) = motion.pose::<1>(motion.drawn_input()) else {
@@ -220,7 +220,7 @@ impl SweepColumn {
         }
     }
 
-    /// Those of the circle of curvature of a point.
+    /// The columns of the circle of curvature of a point.
     fn of_circle(mechanism: &Mechanism, point: PointId) -> impl Iterator<Item = Self> {
         let of = mechanism.point_name(point);
         OF_CIRCLE.into_iter().map(move |(kind, order)| Self {
@@ -233,7 +233,7 @@ impl SweepColumn {
         })
     }
 
-    /// A column with nothing but its name.
+    /// A column with only a name.
     pub(crate) fn named(name: String) -> Self {
         let quantity = None;
         Self { name, quantity }

@@ -1,11 +1,10 @@
-//! The same line through fewer points: of samples half a pixel apart most say
-//! nothing new, and every one costs a canvas time.
+//! Lines with fewer points: most samples half a pixel apart add nothing, and each one takes time on
+//! a canvas.
 
-/// At most so many points in a row are left out.
+/// Maximum number of consecutive points that are left out.
 const ROW: usize = 60;
 
-/// The points of a line without those that are nearer than `unseen` to the line
-/// through the rest.
+/// The points of a line without those closer than `unseen` to the line through the remaining ones.
 pub(crate) fn thinned(points: &[(f64, f64)], unseen: f64) -> Vec<(f64, f64)> {
     let straight = |row: &[(f64, f64)]| {
         let [from, between @ .., to] = row else {
@@ -49,7 +48,7 @@ mod tests {
             let after = kept.partition_point(|point| point.0 < x).max(1);
             let [(x0, y0), (x1, y1)] = [kept[after - 1], kept[after]];
             let off = (y0 + (y1 - y0) * (x - x0) / (x1 - x0) - y).abs();
-            // Upright it is up to √(1 + 1.5²) times what it is across the line.
+            // The vertical error is up to √(1 + 1.5²) times the distance across the line.
             assert!(off <= 1.81 * unseen, "{x}: {off}");
         }
     }
@@ -63,7 +62,7 @@ mod tests {
         assert_eq!(thinned(&corner, 0.1), expected);
         assert_eq!(thinned(&corner[..2], 0.1), corner[..2]);
         assert_eq!(thinned(&[], 0.1), []);
-        // A way there and back is not the line between its ends.
+        // A path there and back differs from the line between its ends.
         for end in [0.0, 1.0] {
             let back = [(0.0, 0.0), (5.0, 0.0), (end, 0.0)];
             assert_eq!(thinned(&back, 0.1), back);

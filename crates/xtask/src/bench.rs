@@ -1,6 +1,6 @@
-//! Speed, as figures to read: nothing here can fail for being slow. Times of the
-//! engine stand beside a yardstick of the same run, because machines differ and
-//! are shared: a straightforward scalar closed form, natively, is one unit.
+//! Benchmarks, whose results are printed and never fail a run. Times of the engine are relative to
+//! a yardstick in the same run, because machines differ and are shared: the unit is a
+//! straightforward scalar closed form, run natively.
 
 use std::path::Path;
 
@@ -77,7 +77,7 @@ fn print(measured: &Measured) {
     }
 }
 
-/// The lines `PREFIX NAME = FIGURE` of what a command printed, wherever in them the prefix stands.
+/// The lines `PREFIX NAME = FIGURE` in the output of a command, wherever the prefix is within the line.
 fn figures(printed: &str, prefix: &str) -> Vec<(String, f64)> {
     let figure = |line: &str| {
         let (name, figure) = line.split_once(prefix)?.1.split_once(" = ")?;

@@ -28,16 +28,16 @@ pub(crate) struct Browser {
     pub(crate) driver: PathBuf,
 }
 
-/// What is known of a kind of browser.
+/// Facts about a kind of browser.
 struct Facts {
     name: &'static str,
     program: Program,
     driver: Program,
-    /// The packages of Debian that have them. Without a font a browser would draw no text.
+    /// Debian packages that contain them. Without a font a browser would draw no text.
     packages: &'static str,
 }
 
-/// One of the programs: the variable that names it, its names on PATH and its places elsewhere.
+/// A program: the variable with its path, its names on PATH and its places elsewhere.
 struct Program {
     variable: &'static str,
     names: &'static [&'static str],
@@ -47,8 +47,8 @@ const CHROMIUM: Facts = Facts {
     name: "chromium",
     program: Program {
         variable: "CHROME",
-        // The shell has the same engine without the parts of a window, and starts sooner. Debian's script of that name does
-        // not pass on the signal by which its driver ends it: the browser would be left over.
+        // The shell has the same engine without the parts of a window, and starts sooner. Debian's script of
+        // that name does not pass on the signal of its driver to end it: the browser would keep running.
         names: &[
             "/usr/lib/chromium/chromium-headless-shell",
             "chromium-headless-shell",
@@ -83,7 +83,7 @@ const FIREFOX: Facts = Facts {
             r"C:\Program Files\Mozilla Firefox\firefox.exe",
         ],
     },
-    // No package has it: cargo builds it.
+    // No package contains it: cargo builds it.
     driver: Program {
         variable: "GECKODRIVER",
         names: &["geckodriver"],
@@ -92,7 +92,7 @@ const FIREFOX: Facts = Facts {
 };
 
 impl Browser {
-    /// Finds a browser and its driver or, where the system's packages can be installed, installs what is missing.
+    /// Finds a browser and its driver, or installs what is missing if packages of the system can be installed.
     pub(crate) fn find_or_install(workspace: &Workspace, kind: Kind) -> Result<Self> {
         let facts = match kind {
             Kind::Chromium => &CHROMIUM,
@@ -120,7 +120,7 @@ impl Browser {
         find()?.with_context(|| format!("{} is not where apt-get should put it", facts.name))
     }
 
-    /// The variables by which the tests of the page find it.
+    /// The environment variables by which page tests find it.
     pub(crate) fn variables(&self) -> [(&'static str, &OsStr); 3] {
         [
             ("ASSUR_BROWSER", self.facts.name.as_ref()),
@@ -149,7 +149,7 @@ impl Facts {
 }
 
 impl Program {
-    /// The variable wins. One that points nowhere is an error: silently testing another browser would mislead.
+    /// Finds the program. A variable that points nowhere is an error: another browser would be misleading.
     fn find(&self) -> Result<Option<PathBuf>> {
         let Self { variable, names } = self;
         if let Some(named) = env::var_os(variable).filter(|value| !value.is_empty()) {

@@ -1,8 +1,8 @@
-//! `cargo xtask`: everything around the code that is not the code: fetching the tools, building and
-//! serving the page, running every test, writing the one-file page.
+//! `cargo xtask`: tasks around the code: fetching the tools, building and serving the page, running
+//! every test, writing the one-file page.
 //!
-//! Whatever a command needs and does not find it installs first, each step announced on one line.
-//! Tools go into a folder of their own below cargo's, by name and version, so nobody's own are overwritten.
+//! A command first installs what it needs and does not find, each step announced on one line. Tools
+//! go into a folder of their own below cargo's, by name and version, so that no other ones are overwritten.
 
 mod bench;
 mod browser;
@@ -63,27 +63,27 @@ enum Task {
     ///
     /// With WORDS or a browser, only page tests are run.
     Test {
-        /// Also long tests, ten times the counts of random input, and the page in Firefox, whose driver cargo builds
+        /// Also runs long tests, ten times as much random input, and the page in Firefox, whose driver cargo builds
         #[arg(long)]
         all: bool,
         /// Only page tests, in this browser
         #[arg(long)]
         browser: Option<Kind>,
-        /// Only page tests whose names hold one of these words, in Chromium unless a browser is named
+        /// Only page tests whose names contain one of these words, in Chromium unless a browser is named
         words: Vec<String>,
     },
     /// Runs the tests of random input that take more than five minutes: 200,000 drawings, 100,000 damaged files, and each
     /// reader of what comes from outside for about a minute
     Soak {
-        /// The seed that the input begins with, for a run that differs from the last
+        /// Seed of the random input, for a run that differs from the last
         #[arg(long, default_value_t = 777)]
         seed: u64,
     },
-    /// Prints how fast engine and page are, beside a yardstick of the same run
+    /// Prints the speed of engine and page, relative to a yardstick in the same run
     ///
-    /// Installs what is missing as `test` does. Nothing fails for being slow.
+    /// Installs what is missing as `test` does. A slow result is not a failure.
     Bench {
-        /// How long the page is played and dragged with an eye on its memory
+        /// Minutes for which the page is played and dragged while its memory is watched
         #[arg(long, default_value_t = 0.5)]
         minutes: f64,
         /// Where the figures are written, as JSON [default: bench.json in the target directory]
@@ -139,7 +139,7 @@ fn perform(task: &Task) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Serves the page by `build/serve.js`, whose first line is the address, until that ends.
+/// Serves the page by `build/serve.js`, whose first line is the address, until that process ends.
 fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     site::set_up_and_build(workspace)?;
     let (site, port) = (workspace.site(), port.to_string());
@@ -150,7 +150,7 @@ fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     let mut node = Command::from(node);
     node.stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut server = node.spawn().context("the server cannot be started")?;
-    // It ends with its input, which `wait` would close.
+    // The server ends when its input is closed, which `wait` would do.
     let input = server.stdin.take();
     let mut url = String::new();
     let said = server.stdout.take().context("the server has no output")?;
@@ -158,7 +158,7 @@ fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     let url = url.trim_end();
     if !url.is_empty() {
         println!("The page is at {url} (Ctrl-C stops it)");
-        // The address is on the screen already, so a browser that does not come up stops nothing.
+        // The address is already on the screen, so a browser that fails to open is no error.
         if open
             && browser::display_present()
             && let Err(error) = open::that_detached(url)

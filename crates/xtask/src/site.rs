@@ -1,5 +1,5 @@
-//! The built page in `target/site`: the release build of the wasm side, and around it what the
-//! scripts of `build` make of `www/` and `lang/`.
+//! The built page in `target/site`: the release build of the wasm side, and the output of the
+//! scripts of `build` from `www/` and `lang/`.
 
 use std::path::{Path, PathBuf};
 
@@ -11,8 +11,8 @@ use crate::step::{announce, run};
 use crate::tools::{self, WASM};
 use crate::workspace::{VERSION, Workspace, cargo_home};
 
-/// Less is put inline than LLVM would: that makes the download smaller, and nothing slower that
-/// could be measured.
+/// Inlining threshold below LLVM's default: the download is smaller, and nothing is measurably
+/// slower.
 const INLINING: &str = "-Cllvm-args=--inline-threshold=50";
 
 /// Installs what the build needs, then builds.
@@ -26,17 +26,17 @@ pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
     write(workspace, "site", None)
 }
 
-/// The page as it was built, with more folders of lessons and kinds, in a place of its own.
+/// Builds the page with further folders of lessons and kinds, in a separate place.
 pub(crate) fn build_with(workspace: &Workspace, more: &Path) -> Result<()> {
     write(workspace, "site", Some(more))
 }
 
-/// Writes what is given away of the built page into `dist`: the one file, the folder for a host, the package.
+/// Writes the distributed forms of the built page into `dist`: the one file, the folder for a host, the package.
 pub(crate) fn give_away(workspace: &Workspace) -> Result<()> {
     write(workspace, "dist", None)
 }
 
-/// Has the scripts of `build` write the site from the engine, or `dist` from the site.
+/// Runs the scripts of `build` to write the site from the engine, or `dist` from the site.
 fn write(workspace: &Workspace, what: &str, more: Option<&Path>) -> Result<()> {
     let (root, target) = (&workspace.root, &workspace.target);
     let node = cmd!(
@@ -46,10 +46,10 @@ fn write(workspace: &Workspace, what: &str, more: Option<&Path>) -> Result<()> {
     run(node, &format!("writing the {what}"))
 }
 
-/// Writes the module that JavaScript imports, and its types, where `build/site.js` and `tsconfig.json` look for them.
+/// Writes the module that JavaScript imports, and its types, where `build/site.js` and `tsconfig.json` expect them.
 fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
-    // The names of functions only make the file longer. A trap leaves the stack of the instance as
-    // it was: the page begins another one.
+    // Names of functions only make the file longer. A trap does not reset the stack of the
+    // instance: the page starts a new instance.
     let bindgen = cmd!(
         workspace.shell,
         "{program} {wasm} --out-dir target/engine --target web --encode-into always
@@ -58,11 +58,11 @@ fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
     run(bindgen, "writing the bindings")
 }
 
-/// No wasm-opt follows: an older one makes modules that trap, and the optimiser of rustc does well.
+/// Compiles the wasm side. No wasm-opt follows: an older one makes modules that trap, and rustc optimises well.
 fn compile(workspace: &Workspace) -> Result<PathBuf> {
     let mut flags = path_remapping(workspace)?;
     flags.push(INLINING.to_owned());
-    // They add to those of the user.
+    // Added to the flags of the user.
     let flags = format!("target.{WASM}.rustflags={}", json!(flags));
     let cargo = cmd!(
         workspace.shell,
@@ -72,8 +72,8 @@ fn compile(workspace: &Workspace) -> Result<PathBuf> {
     Ok(workspace.target.join(WASM).join("page/assur_web.wasm"))
 }
 
-/// Messages of panics name source files. These flags shorten them to paths that are the same on
-/// every machine, so that the page tells nothing about the one it was built on.
+/// Flags that shorten the names of source files in messages of panics to paths that are the same on
+/// every machine, so that the page contains nothing of the one where it was built.
 fn path_remapping(workspace: &Workspace) -> Result<Vec<String>> {
     let sources = cargo_home()?.join("registry/src");
     let registries = workspace.shell.read_dir(sources).unwrap_or_default();

@@ -1,14 +1,14 @@
-//! How a step speaks: one line when it begins or is skipped, one sentence when it fails.
+//! Messages of steps: one line when a step begins or is skipped, one sentence when it fails.
 
 use anyhow::{Context, Result};
 use xshell::Cmd;
 
-/// One line about a step: what it is, and whether it is done already or being done.
+/// Prints a line about a step: its name, and whether it is already done or begins.
 pub(crate) fn announce(what: &str, state: &str) {
     println!("==> {what}: {state}");
 }
 
-/// Runs a command with its output on the terminal; `what` names the step in the sentence of failure.
+/// Runs a command with its output on the terminal; `what` is the name of the step in the sentence of failure.
 pub(crate) fn run(command: Cmd, what: &str) -> Result<()> {
     let ran = command.quiet().run();
     ran.with_context(|| format!("{what} failed"))

@@ -1,4 +1,4 @@
-//! Counts of what passed and failed, over steps of every kind.
+//! Counts of passed and failed checks, over steps of every kind.
 
 use std::io::{self, BufRead, BufReader, Write};
 use std::process::{Command, Stdio};
@@ -14,7 +14,7 @@ struct Entry {
     name: String,
     passed: u32,
     failed: u32,
-    /// The reason of a failure that the count does not show.
+    /// The reason of a failure that is not visible in the counts.
     reason: Option<String>,
     took: Duration,
 }
@@ -36,7 +36,7 @@ impl Tally {
         self.add(name, [u32::from(outcome.is_ok()), 0], outcome, took);
     }
 
-    /// Runs a command that runs tests, each counted.
+    /// Runs a command that runs tests, and counts each test.
     pub(crate) fn tests(&mut self, name: &str, command: Result<Cmd>) {
         let began = Instant::now();
         announce(name, "running");
@@ -45,7 +45,7 @@ impl Tally {
         self.add(name, count, &ran, began.elapsed());
     }
 
-    /// A step that fails without a failed test counts as one failure.
+    /// Adds an entry; a step that fails without a failed test counts as one failure.
     fn add(&mut self, name: &str, count: [u32; 2], outcome: &Result<()>, took: Duration) {
         let [passed, mut failed] = count;
         let reason = outcome.as_ref().err().map(|error| format!("{error:#}"));
@@ -63,7 +63,7 @@ impl Tally {
         });
     }
 
-    /// Writes the outcome of every step, then the sum alone on the last line; returns whether nothing failed.
+    /// Writes the outcome of every step, then the total on the last line; returns whether nothing failed.
     pub(crate) fn summarise(&self, mut out: impl Write) -> io::Result<bool> {
         writeln!(out)?;
         let [mut passed, mut failed] = [0; 2];
@@ -92,7 +92,7 @@ impl Tally {
     }
 }
 
-/// Runs a command that runs tests; its output is passed on while passed and failed ones are counted.
+/// Runs a command that runs tests; passes on its output while counting passed and failed tests.
 fn run_tests(command: Cmd, count: &mut [u32; 2], mut out: impl Write) -> Result<()> {
     let mut command = Command::from(command);
     let child = command.stdout(Stdio::piped()).spawn();

@@ -1,4 +1,4 @@
-//! Every test, in one run: what a change is judged by.
+//! Every test in one run, by which a change is judged.
 
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ use crate::tally::Tally;
 use crate::tools::{self, WASM};
 use crate::workspace::Workspace;
 
-/// Seconds a wasm test file may take in the browser; the default is short for a slow machine.
+/// Time limit of a wasm test file in the browser, seconds; the default is too short for a slow machine.
 const WASM_TIME: &str = "300";
 
 /// Factor on the counts of random input in a run of everything.
@@ -65,7 +65,7 @@ pub(crate) fn run(
     ended(&tally)
 }
 
-/// Runs every step even if an earlier one failed; without a page those that need it are left out.
+/// Runs every step even if an earlier one failed; without a page those that need it are skipped.
 fn run_steps(workspace: &Workspace, all: bool) -> Result<ExitCode> {
     tools::components(workspace)?;
     tools::wasm_target(workspace)?;
@@ -75,7 +75,7 @@ fn run_steps(workspace: &Workspace, all: bool) -> Result<ExitCode> {
 
     let mut tally = Tally::default();
     let began = Instant::now();
-    // Tools and page leave one processor idle for minutes: the steps that need neither use it.
+    // Tools and page leave one processor idle for minutes: it runs the steps that need neither.
     let building = workspace.clone();
     let page = thread::spawn(move || {
         let page = pages(&building).and_then(|()| tools::wasm_pack(&building));
@@ -102,7 +102,7 @@ fn run_steps(workspace: &Workspace, all: bool) -> Result<ExitCode> {
     ended(&tally)
 }
 
-/// Builds the page, the page with one more folder, and all that is given away.
+/// Builds the page, the page with one more folder, and all distributed forms.
 fn pages(workspace: &Workspace) -> Result<()> {
     site::set_up_and_build(workspace)?;
     site::build_with(workspace, &workspace.root.join("tests/data/page"))?;
@@ -112,7 +112,7 @@ fn pages(workspace: &Workspace) -> Result<()> {
 /// The steps that need no built page.
 fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
     let shell = &workspace.shell;
-    // By their names: `--tests` and `--all-targets` leave out programs of tests that need a browser.
+    // By their names: `--tests` and `--all-targets` would leave out test programs that need a browser.
     let lint = cmd!(shell, "cargo clippy --workspace --lib --bins --test *");
     let wasm_lint = cmd!(
         shell,
@@ -120,7 +120,7 @@ fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
     );
     let strict = ["--", "-D", "warnings"];
     let doc = cmd!(shell, "cargo doc --workspace --no-deps").env("RUSTDOCFLAGS", "-D warnings");
-    // Also the page tests, which run later, while both processors have work.
+    // Also the page tests, which run later, so that both processors are busy.
     let programs = ["native", "integration", "border", "page"].map(|name| ["--test", name]);
     let programs = programs.as_flattened();
     let compilation = cmd!(
@@ -149,7 +149,7 @@ fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
     }
 }
 
-/// Runs the tests of random input at counts for which a run has no time, from a seed.
+/// Runs the tests of random input from a seed, with counts too large for a usual run.
 pub(crate) fn soak(workspace: &Workspace, seed: u64) -> Result<ExitCode> {
     let mut tally = Tally::default();
     for (name, test, scale) in SOAKED {
@@ -174,12 +174,12 @@ fn ended(tally: &Tally) -> Result<ExitCode> {
     Ok(ExitCode::from(u8::from(!passed)))
 }
 
-/// The tests of the wasm side by wasm-pack, which may fetch nothing: all it needs is set up here.
+/// The tests of the wasm side by wasm-pack, which must not fetch anything: everything it needs is set up here.
 pub(crate) fn wasm_tests<'a>(workspace: &'a Workspace, browser: &Browser) -> Result<Cmd<'a>> {
     let Workspace { shell, target, .. } = workspace;
     let [pack, bindgen] = [tools::wasm_pack, tools::wasm_bindgen].map(|tool| tool(workspace));
     let (pack, driver) = (pack?, &browser.driver);
-    // The driver by itself might choose another browser, or none.
+    // By itself the driver might choose another browser, or none.
     let options = shell.read_file("crates/assur-web/webdriver.json")?;
     let mut options: Value = serde_json::from_str(&options)?;
     options["goog:chromeOptions"]["binary"] = json!(browser.program);
@@ -206,7 +206,7 @@ fn types(workspace: &Workspace) -> Result<()> {
     Ok(())
 }
 
-/// The tests of the scripts in `www` and of those that build the page.
+/// The tests of the scripts in `www` and of the scripts that build the page.
 fn node_tests(workspace: &Workspace) -> Result<Cmd<'_>> {
     let shell = &workspace.shell;
     let mut tests = files(shell, "www".as_ref())?;
@@ -225,7 +225,7 @@ fn node<'a>(workspace: &'a Workspace, tests: &[PathBuf]) -> Cmd<'a> {
         .env("ASSUR_SITE", workspace.site())
 }
 
-/// The files `*.test.js` of a folder and of those in it.
+/// The files `*.test.js` of a folder and its subfolders.
 fn files(shell: &Shell, folder: &Path) -> Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     for path in shell.read_dir(folder)? {
@@ -238,14 +238,14 @@ fn files(shell: &Shell, folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// The page tests: all, or those whose names hold one of the words.
+/// The page tests: all, or those whose names contain one of the words.
 fn page_tests<'a>(
     workspace: &'a Workspace,
     browser: &Browser,
     all: bool,
     words: &[String],
 ) -> Cmd<'a> {
-    // A test waits for its browser now and then.
+    // A test sometimes waits for its browser.
     let threads = format!("--test-threads={}", processors() + 1);
     page_test(workspace, "page", browser)
         .args(["--", &threads])
@@ -253,9 +253,9 @@ fn page_tests<'a>(
         .args(words)
 }
 
-/// A program of tests that opens the built page, in its forms.
+/// A test program that opens the built page, in all its forms.
 pub(crate) fn page_test<'a>(workspace: &'a Workspace, name: &str, browser: &Browser) -> Cmd<'a> {
-    // All packages, so that nothing is compiled again with other features.
+    // For the whole workspace, so that nothing is compiled again with other features.
     cmd!(workspace.shell, "cargo test --workspace --test {name}")
         .env("ASSUR_SITE", workspace.site())
         .env("ASSUR_MORE", workspace.site_with_more())

@@ -1,4 +1,4 @@
-//! The tools of other makers: each is looked for and, if it is not there, installed.
+//! External tools: each is looked for and, if missing, installed.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -10,17 +10,17 @@ use xshell::{Cmd, cmd};
 use crate::step::{announce, run};
 use crate::workspace::{Workspace, cargo_home};
 
-/// What the browser runs.
+/// Target of the compiled code that runs in the browser.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 
-/// Versions of the tools that the code is not locked to.
+/// Versions of the tools that Cargo.lock does not determine.
 const WASM_PACK: &str = "0.15.1";
 const GECKODRIVER: &str = "0.37.1";
 
 const THERE: &str = "already there";
 
-/// The standard library for the browser. It is looked for on disk rather than in rustup's list, so a
-/// compiler that came without rustup is as good.
+/// Installs the standard library for the browser. It is looked for on disk rather than in rustup's
+/// list, so that a compiler without rustup works as well.
 pub(crate) fn wasm_target(workspace: &Workspace) -> Result<()> {
     let shell = &workspace.shell;
     let library = cmd!(shell, "rustc --print target-libdir --target {WASM}").read()?;
@@ -28,7 +28,7 @@ pub(crate) fn wasm_target(workspace: &Workspace) -> Result<()> {
     by_rustup(WASM, Path::new(&library).is_dir(), adding)
 }
 
-/// Formatter and linter, which rustup's minimal profile leaves out.
+/// Installs formatter and linter, which rustup's minimal profile leaves out.
 pub(crate) fn components(workspace: &Workspace) -> Result<()> {
     let shell = &workspace.shell;
     for (component, command) in [("rustfmt", "fmt"), ("clippy", "clippy")] {
@@ -48,8 +48,8 @@ fn by_rustup(what: &str, there: bool, adding: Cmd) -> Result<()> {
     run(adding, &format!("adding {what} by rustup"))
 }
 
-/// wasm-bindgen of exactly the version the code is locked to: no other can read its output. Its own lock file is not used:
-/// the crates it shares with the code must match.
+/// Installs the exact version of wasm-bindgen to which the code is locked: no other can read its
+/// output. Its own lock file is not used, since the crates that it shares with the code must match.
 pub(crate) fn wasm_bindgen(workspace: &Workspace) -> Result<PathBuf> {
     let version = workspace.locked_version("wasm-bindgen")?;
     installed(
@@ -61,19 +61,19 @@ pub(crate) fn wasm_bindgen(workspace: &Workspace) -> Result<PathBuf> {
     )
 }
 
-/// wasm-pack, which runs the tests of the wasm side in a browser.
+/// Installs wasm-pack, which runs the tests of the wasm side in a browser.
 pub(crate) fn wasm_pack(workspace: &Workspace) -> Result<PathBuf> {
     let locked = Some("--locked");
     installed(workspace, "wasm-pack", "wasm-pack", WASM_PACK, locked)
 }
 
-/// The driver of Firefox.
+/// Installs the driver of Firefox.
 pub(crate) fn geckodriver(workspace: &Workspace) -> Result<PathBuf> {
     let locked = Some("--locked");
     installed(workspace, "geckodriver", "geckodriver", GECKODRIVER, locked)
 }
 
-/// The packages of npm that the build, its server and the checker of types need, of the versions in `package-lock.json`.
+/// Installs the npm packages for the build, its server and the type checker, in the versions of `package-lock.json`.
 pub(crate) fn packages(workspace: &Workspace) -> Result<()> {
     const WHAT: &str = "packages of npm";
     let written = |name| fs::metadata(workspace.root.join(name)).and_then(|file| file.modified());
@@ -88,8 +88,8 @@ pub(crate) fn packages(workspace: &Workspace) -> Result<()> {
     run(cmd!(workspace.shell, "{npm} ci --no-audit --no-fund"), WHAT)
 }
 
-/// The path of a tool of a version, which is installed if it is not there: below cargo's own folder, so that every
-/// clone has it.
+/// The path of a tool in a version, installed if missing: below cargo's own folder, so that all
+/// clones share it.
 fn installed(
     workspace: &Workspace,
     package: &str,
@@ -116,7 +116,7 @@ fn installed(
         workspace.shell,
         "cargo install {package} --version {version} {locked...} --root {root} --force"
     )
-    // The tools wait for others most of the time: less optimised they are there sooner.
+    // The tools mostly wait for others: with less optimisation they are built sooner.
     .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")
     .env("CARGO_PROFILE_RELEASE_LTO", "off")
     .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
@@ -124,7 +124,7 @@ fn installed(
     Ok(path)
 }
 
-/// PATH with the folder of a tool first, so that others find it in the right version.
+/// PATH with the folder of a tool first, so that other programs find it in the right version.
 pub(crate) fn search_path(tool: &Path) -> Result<OsString> {
     let others = env::var_os("PATH").unwrap_or_default();
     let own = tool.parent().map(Path::to_owned);

@@ -1,5 +1,5 @@
-//! Where things are. Cargo itself is asked, so `CARGO_TARGET_DIR` and the user's cargo
-//! configuration are honoured; the workspace is the one this program was built in.
+//! Places of the workspace. Cargo itself is asked, so that `CARGO_TARGET_DIR` and the user's cargo
+//! configuration are honoured; the workspace is the one in which this program was built.
 
 use std::env;
 use std::path::PathBuf;
@@ -11,10 +11,10 @@ use xshell::{Shell, cmd};
 /// The version of every crate of the workspace, and so of the page.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The root of the repository and the target directory of cargo, from which all other places follow.
+/// The root of the repository and the target directory of cargo, which determine all other places.
 #[derive(Clone)]
 pub(crate) struct Workspace {
-    /// Commands start in the root.
+    /// A shell whose commands start in the root.
     pub(crate) shell: Shell,
     pub(crate) root: PathBuf,
     pub(crate) target: PathBuf,
@@ -46,13 +46,13 @@ impl Workspace {
         self.target.join("site")
     }
 
-    /// The same with more folders of lessons and kinds.
+    /// The built page with further folders of lessons and kinds.
     pub(crate) fn site_with_more(&self) -> PathBuf {
         self.target.join("site.more")
     }
 
-    /// The version of a crate that Cargo.lock has settled on. Two versions of one crate are refused by
-    /// cargo, which then names them.
+    /// The version of a crate in Cargo.lock. If there are two versions, cargo refuses the query and
+    /// names them.
     pub(crate) fn locked_version(&self, name: &str) -> Result<String> {
         // `registry+…#NAME@VERSION`
         let id = cmd!(self.shell, "cargo pkgid {name}").read()?;

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde_json::{Map, Value};
 
-/// Values of one line, in the order in which people read them; the rest is for programs.
+/// Keys of single-line values, in the order of the report; other keys are for programs.
 const LINES: [&str; 14] = [
     "z1",
     "z2",
@@ -25,7 +25,7 @@ const LINES: [&str; 14] = [
 /// Writes the lines.
 ///
 /// # Errors
-/// What cannot be written.
+/// Output that cannot be written.
 pub(super) fn write(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
     for key in LINES {
         if let Some(value) = told.get(key).filter(|value| !value.is_null()) {
@@ -76,7 +76,7 @@ fn conditions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()>
     Ok(())
 }
 
-/// Numbers near by, where these cannot be built.
+/// Similar numbers that can be built, if these cannot.
 fn suggestions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
     for (coupling, found) in shown(told, "suggestions") {
         if told["can_be_built"][coupling] == true {
@@ -92,7 +92,7 @@ fn suggestions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()
     Ok(())
 }
 
-/// What a field has of each kind of coupling that is shown.
+/// The entries of a field for the shown kinds of coupling.
 fn shown<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value)> {
     let couplings = entries(told, "couplings");
     let mut all = entries(told, key);
@@ -100,7 +100,7 @@ fn shown<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value
     all
 }
 
-/// What is in a list, without names, or in a record; nothing where there is none.
+/// The entries of a list, without names, or of a record; empty if there is none.
 fn entries<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value)> {
     match told.get(key) {
         Some(Value::Object(fields)) => fields

@@ -15,22 +15,22 @@ use serde_json::{Map, Value, json};
 use crate::Failure;
 use crate::words::number;
 
-/// So many trains near by are shown.
+/// Maximum number of suggested trains.
 const SUGGESTIONS: usize = 5;
 
-/// What is asked for.
+/// Arguments of `assur differential`.
 #[derive(Args)]
 pub(crate) struct Asked {
     /// Teeth or poles of the sun.
     #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z1: f64,
-    /// Those of the ring; with --bevel of the second side wheel.
+    /// Teeth or poles of the ring; with --bevel of the second side wheel.
     #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z4: f64,
-    /// Those of the satellite [default: of gears in contact, (z4 - z1)/2]
+    /// Teeth or poles of the satellite [default: (z4 - z1)/2, for gears in contact]
     #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z2: Option<f64>,
-    /// Those of a stepped satellite's second wheel, which meets the ring.
+    /// Teeth or poles of a stepped satellite's second wheel, in mesh with the ring.
     #[arg(
         value_parser = number,
         long,
@@ -55,7 +55,7 @@ pub(crate) struct Asked {
     /// One shaft tied to another: 4/1=0.5 makes the ring half as fast as the sun.
     #[arg(long = "tie", value_name = "I/J=K", value_parser = tie)]
     ties: Vec<Input>,
-    /// How many satellites there are, 1 to 6.
+    /// Number of satellites, 1 to 6.
     #[arg(
         value_parser = number,
         long,
@@ -64,7 +64,7 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     satellites: f64,
-    /// Module: a wheel's diameter over its number.
+    /// Module: a wheel's diameter divided by its number of teeth or poles.
     #[arg(
         value_parser = number,
         long,
@@ -73,7 +73,7 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     module: f64,
-    /// Of magnets: how far the satellites' axes are from the main one [default: with equal gaps]
+    /// Distance of the satellites' axes from the main one, for magnets [default: with equal gaps]
     #[arg(
         value_parser = number,
         long,
@@ -82,8 +82,8 @@ pub(crate) struct Asked {
         requires = "z2"
     )]
     axis_distance: Option<f64>,
-    /// How the wheels turn each other: conditions of the other kind are not shown [default: contact where the numbers of
-    /// teeth let gears mesh, with profile shift or without, magnets with --axis-distance, else both]
+    /// Kind of coupling; conditions of the other kind are not shown [default: contact if the numbers of teeth
+    /// let gears mesh, with profile shift or without, magnets with --axis-distance, otherwise both]
     #[arg(long, value_name = "KIND", value_parser = coupling)]
     coupling: Option<Coupling>,
     /// Prints JSON.
@@ -117,7 +117,7 @@ fn tie(text: &str) -> Result<Input, String> {
 }
 
 impl Asked {
-    /// The wheels; none where no satellite is given and none would be in contact.
+    /// The wheels; none if no satellite is given and none would be in contact.
     fn train(&self) -> Result<Option<Train>, Vec<TrainError>> {
         let Self { z1, z4, .. } = *self;
         match (self.z2, self.z2_step) {
@@ -128,7 +128,7 @@ impl Asked {
         }
     }
 
-    /// The kinds of coupling whose conditions people are shown.
+    /// The kinds of coupling whose conditions are shown to people.
     fn couplings(&self, layout: &Layout) -> Vec<Coupling> {
         let both = [Coupling::Contact, Coupling::Magnetic];
         let coaxial = layout.conditions(Coupling::Contact);
@@ -154,11 +154,11 @@ impl Asked {
     }
 }
 
-/// Writes what there is to tell, as lines for people or as JSON.
+/// Writes the report, as lines for people or as JSON.
 ///
 /// # Errors
-/// Every number that is none, at once; else a train that is none, inputs that do
-/// not determine its motion, what cannot be written.
+/// All invalid numbers at once; otherwise an impossible train, inputs that do not determine its
+/// motion, output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let told = told(asked).map_err(|sentences| Failure::Input(sentences.join("\n")))?;
     if asked.json {
@@ -169,7 +169,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     Ok(())
 }
 
-/// What there is to tell, or why there is nothing.
+/// The report, or the reasons why there is none.
 fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
     let of_train = |errors: Vec<TrainError>| -> Vec<String> {
         errors.iter().map(words::train_error).collect()
@@ -200,7 +200,7 @@ fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
             told.append(&mut fields);
         }
     };
-    // Whole by now.
+    // Checked to be whole by now.
     let [z1, z4] = [asked.z1, asked.z4].map(|teeth| teeth as u32);
     tell(json!({"z1": z1, "z4": z4, "satellites": counts.satellites}));
     tell(of_speeds(&speeds, train.as_ref()));
@@ -226,7 +226,7 @@ fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
     Ok(told)
 }
 
-/// ω₂ is null where the satellite is not known.
+/// The speeds; ω₂ is null if the satellite is unknown.
 fn of_speeds(speeds: &Shafts, train: Option<&Train>) -> Value {
     let spin = train.map(|train| train.spin(speeds));
     json!({
@@ -305,7 +305,7 @@ fn of_layout(layout: &Layout, speeds: &Shafts) -> Value {
     })
 }
 
-/// The names of couplings; where none is chosen, of both.
+/// The names of couplings; of both if none is chosen.
 fn couplings(all: &[Coupling]) -> Value {
     let name = |coupling: &Coupling| match coupling {
         Coupling::Contact => "contact",
@@ -317,7 +317,7 @@ fn couplings(all: &[Coupling]) -> Value {
     }
 }
 
-/// What else is said of a train.
+/// Notes on a train.
 fn notes(layout: &Layout) -> Value {
     let conditions = layout.conditions(Coupling::Contact).into_iter();
     let shifted = conditions.filter(Condition::within_profile_shift);

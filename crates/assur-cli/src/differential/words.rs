@@ -1,4 +1,4 @@
-//! What is said of trains that are none, and the names of conditions.
+//! Sentences on impossible trains, and the names of conditions.
 
 use assur::Fault;
 use assur::gears::train::{InputError, Member, Relation, Shaft, TrainError};
@@ -6,7 +6,7 @@ use assur::gears::train::{InputError, Member, Relation, Shaft, TrainError};
 pub(super) const NO_CONTACT: &str = "z4 - z1 is odd or too small for gears in contact, z2 = (z4 - z1)/2: give z2, \
      without which the satellite's speed is unknown";
 
-/// That gears of which the ring has so many teeth more than those inside it may still be built.
+/// Note that gears may still be built although the ring has this number of teeth too many.
 pub(super) fn shifted(teeth: f64) -> String {
     let count = teeth.abs();
     let noun = if count == 1.0 { "tooth" } else { "teeth" };
@@ -17,7 +17,7 @@ pub(super) fn shifted(teeth: f64) -> String {
     )
 }
 
-/// The sentence of why numbers make no train.
+/// The reason why numbers make no train, as a sentence.
 pub(super) fn train_error(error: &TrainError) -> String {
     match *error {
         TrainError::Teeth { member, fault } => number(member_name(member), fault),
@@ -41,7 +41,7 @@ pub(super) fn train_error(error: &TrainError) -> String {
     }
 }
 
-/// The sentence of why inputs do not determine the motion.
+/// The reason why inputs do not determine the motion, as a sentence.
 pub(super) fn input_error(error: &InputError) -> String {
     let speed = |shaft: Shaft| format!("w{}", shaft.number());
     match *error {
@@ -84,7 +84,7 @@ fn member_name(member: Member) -> &'static str {
     }
 }
 
-/// What is wrong with a number.
+/// The fault of a number, as a sentence.
 fn number(name: &str, fault: Fault) -> String {
     match fault {
         Fault::NotPositive { value } => format!("{name} must be greater than zero, not {value}"),

@@ -1,4 +1,4 @@
-//! What a mechanism is made of, drivers and Assur groups, over which inputs it moves, and what its outputs do.
+//! Structure of a mechanism: drivers and Assur groups, the inputs over which it moves, and its outputs.
 
 mod outputs;
 
@@ -16,7 +16,7 @@ use crate::source::{Moved, Name};
 /// Writes the structure, as lines for people or as JSON.
 ///
 /// # Errors
-/// What cannot be written.
+/// Output that cannot be written.
 pub(crate) fn write<W: Write>(
     out: &mut W,
     moved: &Moved,
@@ -116,7 +116,7 @@ fn rounded(degrees: f64) -> String {
     format!("{}°", (degrees * 1e6).round() / 1e6 + 0.0)
 }
 
-/// An input for programs, with its key: degrees of a crank, else the length of a driven slide.
+/// An input for programs, with its key: degrees of a crank, otherwise the length of a driven slide.
 fn placed(mechanism: &Mechanism, input: f64) -> (&'static str, f64) {
     if mechanism.turns() {
         ("phi_deg", input.to_degrees())
@@ -188,18 +188,18 @@ fn described(moved: &Moved, output: LinkId) -> Value {
     let mut described = json!({
         "links": mechanism.links().collect::<Vec<_>>(),
         "drivers": drivers(mechanism),
-        // Of a mechanism there are as many drivers as freedoms.
+        // A mechanism has as many drivers as degrees of freedom.
         "mobility": driving,
         "w_count": mobility.count,
         "w_rank": mobility.rank,
         "q": mobility.q(),
-        // The pairs that have a redundant constraint, in the order of points, slides and gears.
+        // The pairs with a redundant constraint, in the order of points, slides and gears.
         "redundant": mobility.redundant,
         "class": roman(structure.class()),
         "formula": mechanism.formula(),
-        // Wheels that repeat what others do, as further satellites.
+        // Wheels that repeat what others do, such as further satellites.
         "passive": passive.collect::<Vec<_>>(),
-        // Those that are known at the drawn input, numbered as `assur assemblies` numbers them, and whether these are all.
+        // Those known at the drawn input, numbered as by `assur assemblies`, and whether these are all.
         "assemblies": assemblies.poses.len(),
         "assemblies_at": at(motion.drawn_input()),
         "assemblies_whole": assemblies.whole,
@@ -207,10 +207,10 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "steps": steps.chain(doubled).collect::<Vec<_>>(),
         "turns_fully": cycle.is_full() && mechanism.turns(),
         "range": range.collect::<Vec<_>>(),
-        // After so many the motion repeats, where it does not turn back.
+        // Number of turns after which the motion repeats, if it does not turn back.
         "turns": turns,
         "dead_points": ends(DeadPointKind::is_dead_point),
-        // Where the motion goes on, but is followed no further.
+        // Where the motion goes on but is not followed further.
         "followed_to": ends(unfollowed),
         "change_points": change_points.collect::<Vec<_>>(),
     });
@@ -220,7 +220,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
     described
 }
 
-/// What is driven, and at which rates to the first.
+/// The driven links, with their rates relative to the first.
 fn drivers(mechanism: &Mechanism) -> Vec<Value> {
     let draft = mechanism.spec();
     let drivers = draft.drivers.iter();

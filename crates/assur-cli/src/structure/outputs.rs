@@ -1,4 +1,4 @@
-//! Swing, travel and time ratio of the outputs, classes of the four-bars, and how well dyads transmit.
+//! Swing, travel and time ratio of the outputs, classes of the four-bars, transmission of the dyads.
 
 use assur::Swing;
 use assur::mechanism::{FRAME, LinkOrFrame, Mechanism, Quantity};
@@ -15,7 +15,7 @@ pub(super) fn described(moved: &Moved) -> Map<String, Value> {
     let mechanism = motion.mechanism();
     let outputs = moved.outputs().into_iter();
     let outputs = outputs.map(|quantity| output(motion, quantity));
-    // What stands still is an output only where the document says so.
+    // A quantity at rest is an output only if the document plots it.
     let named = !moved.document.plots.is_empty();
     let outputs = outputs.filter_map(|(told, moves)| (named || moves).then_some(told));
     let four_bars = mechanism.four_bars().into_iter().map(|one| {
@@ -54,9 +54,9 @@ fn name(mechanism: &Mechanism, link: LinkOrFrame) -> &str {
     link.map_or(FRAME, |link| mechanism.link_name(link))
 }
 
-/// An output: on each arc of the motion its least and greatest value, none where it turns on and on, and its travel
-/// there and back; its limit positions; its time ratio, where it goes there and back once a turn. Angles in degrees. Of a
-/// motion of too many turns to be searched for extrema nothing but how many turns it has. Then whether it moves at all.
+/// An output, angles in degrees, and whether it moves at all: its least and greatest value on each arc of the
+/// motion, null where it turns on and on; its travel there and back; its limit positions; its time ratio, if
+/// it goes there and back once a turn. A motion with too many turns to be searched has only their number.
 fn output(motion: &Motion, quantity: Quantity) -> (Value, bool) {
     let mechanism = motion.mechanism();
     let profile = match OutputProfile::new(motion, quantity) {
@@ -95,7 +95,7 @@ fn output(motion: &Motion, quantity: Quantity) -> (Value, bool) {
     (told, moves)
 }
 
-/// The lines of them for people: a key and what is said. Lengths are rounded by the size of the mechanism.
+/// The lines of the outputs for people: a key and a text. Lengths are rounded by the size of the mechanism.
 pub(super) fn lines(described: &Value, size: f64) -> Vec<(&'static str, String)> {
     let list = |key: &str| described[key].as_array().into_iter().flatten();
     let outputs = list("outputs").map(|one| ("output", output_line(one, size)));
@@ -175,7 +175,7 @@ fn length(value: &Value, size: f64) -> String {
     let unit = 10_f64.powi(size.log10().floor() as i32 - 6);
     value.as_f64().map_or_else(String::new, |value| {
         let steps = (value / unit).round();
-        // A power of ten less than one is no number of the machine, its inverse is.
+        // A power of ten below one is not exact in binary, but its inverse is.
         let rounded = if unit < 1.0 {
             steps / unit.recip().round()
         } else {

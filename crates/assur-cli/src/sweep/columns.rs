@@ -1,24 +1,24 @@
-//! The columns of a table: which there are, what they are called, in which units they are.
+//! The columns of a table: their choice, names and units.
 
 use assur::mechanism::{Mechanism, Quantity};
 use assur::motion::Column;
 
 use crate::Failure;
 
-/// How the columns of a mechanism are called.
+/// Naming of the columns of a mechanism.
 #[derive(Clone, Copy)]
 pub(super) struct Names<'a> {
     pub(super) mechanism: &'a Mechanism,
-    /// Derivatives are by time, not by the input.
+    /// Whether derivatives are with respect to time instead of the input.
     pub(super) by_time: bool,
-    /// Angles are in degrees.
+    /// Whether angles are in degrees.
     pub(super) degrees: bool,
-    /// With units.
+    /// Whether names end in units.
     pub(super) units: bool,
 }
 
 impl Names<'_> {
-    /// What stands above the inputs.
+    /// The header of the column of inputs.
     pub(super) fn input(self) -> &'static str {
         match (self.mechanism.turns(), self.units) {
             (true, _) => "phi_deg",
@@ -27,7 +27,7 @@ impl Names<'_> {
         }
     }
 
-    /// What stands above a column.
+    /// The header of a column.
     pub(super) fn header(self, column: Column) -> String {
         let name = self.name(column);
         if self.units {
@@ -45,7 +45,7 @@ impl Names<'_> {
         }
     }
 
-    /// Lengths are in any one unit, which only the reader knows.
+    /// The unit of a column; lengths are in an unspecified unit.
     fn unit(self, column: Column) -> String {
         let angle = if self.degrees { "deg" } else { "rad" };
         let unit = |turns: bool| if turns { angle } else { "length" };
@@ -62,7 +62,7 @@ impl Names<'_> {
         }
     }
 
-    /// By what the engine's value of a column is multiplied to be in its unit.
+    /// The factor from the engine's value of a column to the unit of the table.
     pub(super) fn scale(self, column: Column) -> f64 {
         let by_angle = !self.by_time && self.mechanism.turns();
         let of = i32::from(column.quantity.is_angle());
@@ -74,10 +74,10 @@ impl Names<'_> {
         }
     }
 
-    /// The columns of these names, with a comma between two; a name may have commas itself.
+    /// The columns with these names, separated by commas; a name may itself contain commas.
     ///
     /// # Errors
-    /// A name that no column has, with what there is.
+    /// An unknown name, with the existing ones.
     pub(super) fn chosen(self, names: &str) -> Result<Vec<Column>, Failure> {
         let all: Vec<(String, Column)> = Column::all(self.mechanism)
             .into_iter()

@@ -1,4 +1,4 @@
-//! At which inputs a table has its rows.
+//! The inputs of the rows of a table.
 
 use assur::motion::{At, Grid, Motion};
 
@@ -6,25 +6,25 @@ use super::Asked;
 use crate::Failure;
 use crate::words::short;
 
-/// No more rows are written.
+/// Maximum number of rows.
 const MOST_ROWS: f64 = 1e7;
-/// Steps of a driven slide's range, if none are asked for.
+/// Number of steps over a driven slide's range, by default.
 const STEPS: f64 = 360.0;
-/// No input that is asked for is greater: of an angle so large too few digits are left.
+/// Greatest input on the command line: a larger angle has too few digits left.
 const GREATEST_ANGLE: f64 = 1e9;
 const GREATEST_LENGTH: f64 = 1e30;
-/// No speed or acceleration is greater.
+/// Greatest speed or acceleration.
 const GREATEST_RATE: f64 = 1e9;
 
-/// What readers count inputs in: degrees of a crank, else the unit of the lengths.
+/// The unit of inputs for readers: degrees of a crank, otherwise the unit of the lengths.
 fn unit(turns: bool) -> f64 {
     if turns { 1_f64.to_radians() } else { 1.0 }
 }
 
-/// An input that is asked for by an option.
+/// An input given by an option.
 ///
 /// # Errors
-/// No number, or one too great.
+/// Not a number, or one too great.
 pub(crate) fn asked_for(option: &str, value: f64, turns: bool) -> Result<At, Failure> {
     let greatest = if turns {
         GREATEST_ANGLE
@@ -34,11 +34,11 @@ pub(crate) fn asked_for(option: &str, value: f64, turns: bool) -> Result<At, Fai
     Ok(At::counted(within(option, value, greatest)?, unit(turns)))
 }
 
-/// The inputs of a table: those that are asked for by `--at`; else multiples of the step within the motion or
-/// within what is asked for, with the ends of the motion where it turns back.
+/// The inputs of a table: those of `--at`; otherwise multiples of the step within the motion or the
+/// given stretch, with the ends of the motion where it turns back.
 ///
 /// # Errors
-/// A number that is none; a step or a stretch with too many rows or none.
+/// An invalid number; a step or a stretch with too many rows or none.
 pub(super) fn inputs(
     motion: &Motion,
     asked: &Asked,
@@ -68,7 +68,7 @@ pub(super) fn inputs(
             short(step)
         ));
     }
-    // Round numbers, unless it is said where to begin; a slide's range has none of its own.
+    // By default the rows are at round angles; for a slide they begin at the start of its range.
     let origin = match asked.from {
         Some(from) => from,
         None if turns => 0.0,
@@ -85,10 +85,10 @@ pub(super) fn inputs(
     Ok(Box::new(rows))
 }
 
-/// The first input that is asked for, if one is.
+/// The first input given, if any.
 ///
 /// # Errors
-/// A number that is none.
+/// An invalid number.
 pub(super) fn first(motion: &Motion, asked: &Asked) -> Result<Option<f64>, Failure> {
     let turns = motion.mechanism().turns();
     let first = match (asked.at.first(), asked.from) {
@@ -99,7 +99,7 @@ pub(super) fn first(motion: &Motion, asked: &Asked) -> Result<Option<f64>, Failu
     Ok(first.map(|first| first.input))
 }
 
-/// What is asked for, else the arcs of the motion.
+/// The given stretch, otherwise the arcs of the motion.
 fn stretches(motion: &Motion, asked: &Asked) -> Result<Vec<[At; 2]>, Failure> {
     let turns = motion.mechanism().turns();
     let arcs = motion.arcs_in(unit(turns));
@@ -124,10 +124,10 @@ fn stretches(motion: &Motion, asked: &Asked) -> Result<Vec<[At; 2]>, Failure> {
     Ok(vec![[from, to]])
 }
 
-/// A speed or an acceleration that is asked for.
+/// A speed or an acceleration given by an option.
 ///
 /// # Errors
-/// No number, or one too great.
+/// Not a number, or one too great.
 pub(super) fn rate(option: &str, value: f64) -> Result<f64, Failure> {
     within(option, value, GREATEST_RATE)
 }

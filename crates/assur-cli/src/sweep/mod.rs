@@ -15,22 +15,22 @@ use crate::{Failure, source};
 use columns::Names;
 pub(crate) use grid::asked_for;
 
-/// What is asked for.
+/// Arguments of `assur sweep`.
 #[derive(Args)]
 pub(crate) struct Asked {
     /// Catalogue name or file.
     name: source::Name,
-    /// Step: degrees, of a driven slide a length [default: 1°, or a 360th of the range]
+    /// Step: degrees, or a length for a driven slide [default: 1°, or a 360th of the range]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     step: Option<f64>,
-    /// Where rows begin, and steps are counted from: degrees, of a driven slide a length [default: where the motion
-    /// begins, with steps counted from 0°]
+    /// First input, from which steps are counted: degrees, or a length for a driven slide [default:
+    /// the beginning of the motion, with steps counted from 0°]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     from: Option<f64>,
-    /// Where rows end: degrees, of a driven slide a length [default: where the motion ends]
+    /// Last input: degrees, or a length for a driven slide [default: the end of the motion]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     to: Option<f64>,
-    /// Rows at these inputs only: degrees, of a driven slide lengths
+    /// Rows at these inputs only: degrees, or lengths for a driven slide
     #[arg(
         value_parser = number,
         long,
@@ -40,17 +40,17 @@ pub(crate) struct Asked {
         conflicts_with_all = ["step", "from", "to"]
     )]
     at: Vec<f64>,
-    /// These columns only, in this order, by their names in the header without units; C.transmission and C.pressure, by the
-    /// joint within a dyad, say how well it transmits
+    /// These columns only, in this order, by their names in the header without units; also
+    /// C.transmission and C.pressure, the transmission and pressure angles of a dyad, by its inner joint
     #[arg(long, value_name = "NAME,NAME", allow_hyphen_values = true)]
     columns: Option<String>,
-    /// Rates by time in place of derivatives, while the driver has this speed: rad/s, of a slide lengths/s
+    /// Rates in time instead of derivatives, at this speed of the driver: rad/s, or lengths/s for a slide
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     omega: Option<f64>,
-    /// With the driver's acceleration, rad/s², of a slide lengths/s² [default: 0]
+    /// Acceleration of the driver, rad/s², or lengths/s² for a slide [default: 0]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true, requires = "omega")]
     epsilon: Option<f64>,
-    /// Angles of the columns in degrees, their derivatives too, and derivatives by a crank's angle by degrees of it
+    /// Angles in degrees, also in derivatives, and derivatives with respect to degrees of a crank
     #[arg(long)]
     degrees: bool,
     /// Names of columns end in their units, as in rocker.angle_rad, with --degrees rocker.angle_deg, or C.vx_length_per_s
@@ -59,8 +59,8 @@ pub(crate) struct Asked {
     /// 0,5 for 0.5, and a semicolon between cells
     #[arg(long)]
     decimal_comma: bool,
-    /// The assembly of this number, followed from where it has it; `assur assemblies` numbers them. At the first angle that
-    /// is asked for by --at or --from, or else at the drawn input [default: the one that is drawn]
+    /// The assembly with this number (see `assur assemblies`) at the first angle of --at or --from,
+    /// or else at the drawn input, from where it is followed [default: the drawn one]
     #[arg(long, value_name = "N")]
     assembly: Option<usize>,
 }
@@ -68,7 +68,7 @@ pub(crate) struct Asked {
 /// Writes the table.
 ///
 /// # Errors
-/// What is no mechanism; a number, step or column that is none; what cannot be written.
+/// Not a mechanism; an invalid number, step or column; output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let drawn = source::moved(&asked.name)?;
     let motion: Motion = match asked.assembly {

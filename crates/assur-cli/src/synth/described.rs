@@ -1,4 +1,4 @@
-//! What is found, under names for programs and as lines for people.
+//! Results under names for programs and as lines for people.
 
 use std::io::{self, Write};
 
@@ -12,9 +12,9 @@ use serde_json::{Map, Value, json};
 use super::words;
 use crate::words::class;
 
-/// What is said of a task.
+/// Report on a task.
 pub(super) struct Report {
-    /// What the positions leave open.
+    /// Kind of result.
     pub(super) kind: &'static str,
     /// Sentences, for people alone.
     pub(super) notes: Vec<String>,
@@ -47,7 +47,7 @@ impl Report {
     /// Notes, ranges and a block for each linkage.
     ///
     /// # Errors
-    /// What cannot be written.
+    /// Output that cannot be written.
     pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{:<14} {}", "kind", self.kind)?;
         for note in &self.notes {
@@ -77,7 +77,7 @@ impl Report {
     }
 }
 
-/// A line for each field, those of a field's fields, too.
+/// Writes a line for each field, and for the fields of nested records.
 fn lines(out: &mut impl Write, fields: &Value) -> io::Result<()> {
     for (key, value) in fields.as_object().into_iter().flatten() {
         match value {
@@ -96,7 +96,7 @@ fn lines(out: &mut impl Write, fields: &Value) -> io::Result<()> {
     Ok(())
 }
 
-/// A linkage with its verdict and how far it is off a wanted function; lengths in the unit of the frame's.
+/// A linkage with its verdict and its error against a wanted function; lengths in the unit of the frame's.
 pub(super) fn solution(task: &Task, solution: &Solution, wanted: Option<&Wanted>) -> Value {
     let length = task.frame().length;
     let [l3, l1, l2, _] = solution.proportions.lengths(length);
@@ -161,7 +161,7 @@ pub(super) fn family(report: &mut Report, family: &Family) {
     report.set("family", described);
 }
 
-/// One position: whatever the lengths of output and input are, the coupler is as long as the gap.
+/// One position: for any lengths of output and input, the coupler is as long as the gap.
 pub(super) fn one(report: &mut Report, task: &Task) {
     report.kind = "any";
     report.notes.push(words::ONE.to_owned());
@@ -193,8 +193,8 @@ pub(super) fn one(report: &mut Report, task: &Task) {
     }
 }
 
-/// The conditions and theorems of the paper at each position, as they are printed and as they are, with the ranges of l₁;
-/// `couplers` are φ₁, radians. With lengths also what they leave open there.
+/// The conditions and theorems of the paper at each position, as printed and in fact, with the
+/// ranges of l₁; `couplers` are φ₁, radians. With lengths also their gap there.
 pub(super) fn printed(task: &Task, couplers: &[f64], lengths: Option<Proportions>) -> Value {
     let frame = task.frame();
     let told = task

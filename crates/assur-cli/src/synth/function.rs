@@ -7,23 +7,23 @@ use super::Degrees;
 use crate::Failure;
 use crate::words::Words;
 
-/// What is asked for.
+/// Arguments of a wanted function.
 #[derive(Args)]
 pub(crate) struct OnFunction {
-    /// Instead of positions a function y = f(x): log10, exp, sin (x in degrees), x^P with a number P, or a file with x
-    /// and y in each line. x becomes the angle of the driver, y that of the output link, both linearly.
+    /// A function y = f(x) instead of positions: log10, exp, sin (x in degrees), x^P with a number P, or a file
+    /// with x and y in each line. x becomes the angle of the driver, y that of the output link, both linearly.
     #[arg(long, value_name = "F", requires_all = ["input", "output"])]
     function: Option<String>,
-    /// Of the function: from which x to which [default, of a file: from the first line to the last]
+    /// Interval of x of the function [default for a file: from the first line to the last]
     #[arg(long, requires = "function", value_name = "X0,X1", value_parser = pair, allow_hyphen_values = true)]
     x: Option<[f64; 2]>,
-    /// Of the function: angles of the driver at these x, degrees from the x-axis.
+    /// Angles of the driver at the ends of --x, degrees from the x-axis.
     #[arg(long, requires = "function", value_name = "PHI3,PHI3", value_parser = pair, allow_hyphen_values = true)]
     input: Option<[f64; 2]>,
-    /// Of the function: angles of the output link at the y of these x, as of --position.
+    /// Angles of the output link at the ends of --x, measured as for --position.
     #[arg(long, requires = "function", value_name = "PHI2,PHI2", value_parser = pair, allow_hyphen_values = true)]
     output: Option<[f64; 2]>,
-    /// Of the function: how many positions are put on it, in Chebyshev's spacing.
+    /// Number of positions on the function, in Chebyshev spacing.
     #[arg(
         id = "count",
         long = "positions",
@@ -31,12 +31,12 @@ pub(crate) struct OnFunction {
         default_value_t = 3
     )]
     count: usize,
-    /// Of the function: positions in even steps, the ends included.
+    /// Positions on the function at even steps of x, including the ends.
     #[arg(long, requires = "function")]
     even: bool,
 }
 
-/// How what is at fault is called here.
+/// Options that correspond to fields of the document.
 const OPTIONS: [(&str, &str); 4] = [
     ("function.of", "--function"),
     ("function.x", "--x"),
@@ -58,10 +58,10 @@ fn numbers(text: &str) -> Option<[f64; 2]> {
 }
 
 impl OnFunction {
-    /// The positions on the function and the function, where one is asked for.
+    /// The positions on the function and the function, if one is given.
     ///
     /// # Errors
-    /// What is no function, or cannot be read.
+    /// Not a function; a file that cannot be read.
     pub(super) fn wanted(&self) -> Result<Option<(Vec<Degrees>, Wanted)>, Failure> {
         let (Some(name), Some(input_deg), Some(output_deg)) =
             (&self.function, self.input, self.output)
@@ -124,7 +124,7 @@ fn formula(name: &str) -> Result<FormulaDocument, Failure> {
     let text =
         std::fs::read_to_string(name).map_err(|error| Failure::Io(format!("{name}: {error}")))?;
     let lines = text.lines().filter(|line| !line.trim().is_empty());
-    // An invalid line is named by its number, and so is a line whose x does not grow.
+    // Invalid lines are reported by number, as are lines whose x does not increase.
     let rows = lines.map(|line| numbers(line).unwrap_or([f64::NAN; 2]));
     Ok(FormulaDocument::Table(rows.collect()))
 }

@@ -1,4 +1,4 @@
-//! The four-bar from given positions: which linkages there are, and what they are worth.
+//! The four-bar for given positions: the possible linkages and their verdicts.
 
 mod described;
 mod function;
@@ -19,14 +19,14 @@ use crate::words::number;
 use described::Report;
 use function::OnFunction;
 
-/// Of a family so many members are shown, and of a search so many minima.
+/// Maximum number of members of a family, or minima of a search, that are shown.
 const SHOWN: usize = 5;
 
-/// What is asked for.
+/// Arguments of `assur synth`.
 #[derive(Args)]
 pub(crate) struct Asked {
-    /// Angles of the output link and the driver that belong together, degrees from the x-axis; a weight may follow.
-    /// The output link points from its hinge with the coupler to its fixed pivot.
+    /// Corresponding angles of the output link and the driver, degrees from the x-axis; a weight
+    /// may follow. The output link points from its hinge with the coupler to its fixed pivot.
     #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required_unless_present = "function", conflicts_with = "function", value_parser = degrees, allow_hyphen_values = true)]
     positions: Vec<Degrees>,
     #[command(flatten)]
@@ -49,14 +49,14 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     frame_angle: f64,
-    /// Of two positions: the linkage with this length of the output link.
+    /// Length of the output link, for two positions: selects that linkage of the family.
     #[arg(long, value_parser = number, value_name = "LENGTH", allow_hyphen_values = true)]
     l2: Option<f64>,
-    /// Coupler angles, degrees from the x-axis, one for each position: the conditions and theorems of the source paper there,
-    /// as they are printed and as they are, and the ranges of the lengths.
+    /// Coupler angles, degrees from the x-axis, one for each position: the conditions and theorems
+    /// of the source paper there, as printed and in fact, and the ranges of the lengths.
     #[arg(long, value_name = "PHI1,...", value_delimiter = ',', value_parser = number, allow_hyphen_values = true)]
     coupler: Vec<f64>,
-    /// Trial lengths of coupler, output link and driver instead of a solution: what they leave open in each position.
+    /// Trial lengths of coupler, output link and driver instead of a solution: their gap in each position.
     #[arg(long, value_name = "L1,L2,L3", value_parser = lengths, allow_hyphen_values = true)]
     lengths: Option<[f64; 3]>,
     /// The starting angles of the output link and the driver are free (exact for five positions).
@@ -67,7 +67,7 @@ pub(crate) struct Asked {
     json: bool,
 }
 
-/// A position as it is typed, or on a function.
+/// A position, from the command line or on a function.
 #[derive(Clone, Copy)]
 pub(crate) struct Degrees {
     output: f64,
@@ -134,7 +134,7 @@ impl Degrees {
 /// Writes the linkages, as lines for people or as JSON.
 ///
 /// # Errors
-/// What is no task, has no linkage, or cannot be written.
+/// An invalid task, a task without a linkage, output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let frame = Frame {
         length: asked.frame,
@@ -172,7 +172,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     Ok(())
 }
 
-/// What there is, or the sentence that says why there is nothing.
+/// The report, or the sentence that says why there is none.
 fn report(task: &Task, asked: &Asked, wanted: Option<&Wanted>) -> Result<Report, String> {
     let count = task.positions().len();
     if asked.l2.is_some() && (count != 2 || asked.free) {

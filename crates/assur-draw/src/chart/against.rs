@@ -1,5 +1,5 @@
-//! A quantity, or a derivative of one, plotted against another one: the path of a point, its
-//! hodograph, a phase plane.
+//! A plot of one quantity, or a derivative, against another: the path of a point, its hodograph, a
+//! phase plane.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -9,28 +9,28 @@ use super::curves::{Range, range, told};
 use super::{At, FINE, Kind, MARGIN, Palette, Place, Settings, Tick, paint, ticks};
 use crate::list::Role;
 
-/// Below the axis there is a line more than below others: what it shows.
+/// Height of an additional line of text below the axis.
 const LINE: f64 = 16.0;
 
-/// Of what an axis is.
+/// Quantity of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// The name of the quantity; none for the input.
     pub name: Option<String>,
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
     /// The order of its derivative.
     pub order: usize,
 }
 
 impl Axis {
-    /// Whether it is labelled in degrees.
+    /// Whether the axis is labelled in degrees.
     fn in_degrees(&self) -> bool {
         self.kind == Kind::Angle && self.order == 0
     }
 }
 
-/// The plot of one quantity against another one over a motion, sampled once for every drawing.
+/// The plot of one quantity against another over a motion, sampled once for all drawings.
 #[derive(Clone, Debug)]
 pub struct Against {
     pub(super) axes: [Axis; 2],
@@ -39,11 +39,11 @@ pub struct Against {
     pub(super) ranges: [Range; 2],
     /// Unbroken runs of the motion.
     pub(super) runs: Vec<Vec<Passed>>,
-    /// Those of what it is compared with.
+    /// Unbroken runs of the compared motion.
     pub(super) compared: Vec<Vec<Passed>>,
 }
 
-/// A point of the curve, with the input at which it is passed.
+/// A point of the curve, with its input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passed {
     /// The input.
@@ -52,7 +52,7 @@ pub struct Passed {
     pub at: [f64; 2],
 }
 
-/// Where a plot of one quantity against another one stands, in pixels of the reader.
+/// Layout of a plot of one quantity against another, in pixels of the reader.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// Left edge of the plot rectangle.
@@ -63,17 +63,17 @@ pub struct Field {
     pub width: f64,
     /// Its height.
     pub height: f64,
-    /// What the axes span.
+    /// Spans of the axes.
     pub spans: [[f64; 2]; 2],
-    /// Places for labels along each axis, values of angles in degrees.
+    /// Ticks along each axis, values of angles in degrees.
     pub ticks: [Vec<Tick>; 2],
-    /// What is seen of the curve, run by run, in pixels of the reader.
+    /// Visible runs of the curve, in pixels of the reader.
     pub curve: Vec<Vec<Passed>>,
 }
 
 impl Against {
-    /// The plot of samples that have two quantities, abscissa and ordinate; `full`: nothing grows
-    /// without bound.
+    /// The plot of samples that contain two quantities, abscissa and ordinate; `full`: nothing
+    /// grows without bound.
     pub fn new(
         axes: [Axis; 2],
         role: Role,
@@ -101,27 +101,26 @@ impl Against {
         }
     }
 
-    /// What the axes are of: abscissa and ordinate.
+    /// The quantities of the axes: abscissa and ordinate.
     pub fn axes(&self) -> &[Axis; 2] {
         &self.axes
     }
 
-    /// Whose colour the curve has.
+    /// The role whose colour the curve has.
     pub fn role(&self) -> Role {
         self.role
     }
 
-    /// How it is plotted.
+    /// The settings of the plot.
     pub fn settings(&self) -> Settings {
         self.settings
     }
 
-    /// Draws it on an area [`FINE`] times as many units wide and high as it has pixels, and says
-    /// where the text belongs; lines are `scale` times as thick as usual. Nothing where it has no
-    /// room.
+    /// Draws it on an area with [`FINE`] units per pixel, and returns its layout; lines are `scale`
+    /// times as thick as usual. None if it has no room.
     ///
     /// # Errors
-    /// What the backend could not draw.
+    /// Errors of the backend.
     pub fn draw<B: DrawingBackend>(
         &self,
         area: &DrawingArea<B, Shift>,
@@ -200,7 +199,7 @@ impl Against {
         Some(field)
     }
 
-    /// What the axes span: of two lengths in one unit the same to a pixel on both.
+    /// The spans of the axes: for two lengths, with equal scales on both.
     fn fitted(&self, size: [f64; 2]) -> [Range; 2] {
         let [x, y] = &self.axes;
         let alike = x.order == y.order && [x, y].iter().all(|axis| axis.kind == Kind::Length);
@@ -221,7 +220,7 @@ impl Against {
 }
 
 impl Field {
-    /// A point in pixels of the reader.
+    /// A point of the curve in pixels of the reader.
     fn placed(&self, Passed { input, at }: Passed) -> Passed {
         let [[x0, x1], [y0, y1]] = self.spans;
         Passed {
@@ -243,7 +242,7 @@ fn across(axis: usize, value: f64, [[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> Vec<(
     }
 }
 
-/// What of a run is seen within the spans of the axes.
+/// The parts of a run within the spans of the axes.
 fn within(run: &[Passed], spans: [[f64; 2]; 2]) -> Vec<Vec<Passed>> {
     let mut seen: Vec<Vec<Passed>> = Vec::new();
     let mut part: Vec<Passed> = Vec::new();
@@ -252,7 +251,7 @@ fn within(run: &[Passed], spans: [[f64; 2]; 2]) -> Vec<Vec<Passed>> {
             seen.push(std::mem::take(&mut part));
             continue;
         };
-        // What comes in from outside begins anew.
+        // A curve that comes in from outside begins a new part.
         if part.last() != Some(&from) {
             seen.push(std::mem::take(&mut part));
             part.push(from);
@@ -264,7 +263,7 @@ fn within(run: &[Passed], spans: [[f64; 2]; 2]) -> Vec<Vec<Passed>> {
     seen
 }
 
-/// What of a stretch lies within the spans (the parametric clipping of Liang and Barsky, 1984).
+/// The part of a segment within the spans (the parametric clipping of Liang and Barsky, 1984).
 fn clipped([a, b]: [Passed; 2], spans: [[f64; 2]; 2]) -> Option<[Passed; 2]> {
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
     for (k, [min, max]) in spans.into_iter().enumerate() {

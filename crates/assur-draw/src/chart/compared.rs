@@ -1,14 +1,14 @@
-//! Plots of two mechanisms in one: the curves of the other one are thin and dashed.
+//! Plots of two mechanisms in one: the curves of the second are thin and dashed.
 
 use super::{Against, Chart};
 
-/// A dash and the gap behind it, pixels.
+/// Length of a dash and of the gap after it, pixels.
 const DASH: f64 = 6.0;
 const GAP: f64 = 4.0;
 
 impl Chart {
-    /// Takes the curves of another chart into its plots: of each quantity that both have, by its name. What
-    /// the axes span is enough for both.
+    /// Adds the curves of another chart to these plots, for each quantity that both have, by name.
+    /// The axes then span both.
     pub fn compare(&mut self, other: &Self) {
         if self.turns != other.turns || self.kind != other.kind {
             return;
@@ -34,7 +34,7 @@ impl Chart {
 }
 
 impl Against {
-    /// Takes the curve of another plot of the same two things into this one.
+    /// Adds the curve of another plot of the same two quantities.
     pub fn compare(&mut self, other: &Self) {
         if self.axes != other.axes {
             return;
@@ -44,8 +44,8 @@ impl Against {
     }
 }
 
-/// A line in dashes of one length on the screen: `to_pixels` to a unit along x and y, lines `scale` times as
-/// thick as usual.
+/// A line in dashes of equal length on the screen: `to_pixels` per unit along x and y, lines
+/// `scale` times as thick as usual.
 pub(super) fn dashed(line: &[(f64, f64)], to_pixels: [f64; 2], scale: f64) -> Vec<Vec<(f64, f64)>> {
     let mut dashes: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut dash = Vec::new();
@@ -87,7 +87,7 @@ pub(super) fn dashed(line: &[(f64, f64)], to_pixels: [f64; 2], scale: f64) -> Ve
 mod tests {
     use super::*;
 
-    /// Dashes and gaps in turn, across corners, whatever the samples.
+    /// Dashes and gaps alternate, across corners, whatever the samples.
     #[test]
     fn dashes_are_of_one_length() {
         let line: Vec<(f64, f64)> = (0..=70).map(|x| (f64::from(x) / 10.0, 0.0)).collect();

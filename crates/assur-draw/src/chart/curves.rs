@@ -1,5 +1,4 @@
-//! The curves of a chart: samples of the motion with exact derivatives, and the
-//! ranges that show them.
+//! The curves of a chart: samples of the motion with exact derivatives, and the ranges of the axes.
 
 use assur::Jet;
 use assur::motion::{Features, InputRate, Kind, Sampling, Shown, Spacing};
@@ -9,17 +8,16 @@ use super::{Series, Settings};
 
 /// Samples of a turn of the crank, of an arc shorter than a turn, or of a slide's range.
 const TURN: usize = 720;
-/// Fewest samples of a turn: over many turns a plot shows no more.
+/// Minimum number of samples of a turn: over many turns a plot cannot show more.
 const COARSEST_TURN: usize = 60;
-/// Most values that are sampled of all quantities together.
+/// Maximum number of sampled values of all quantities together.
 const MOST_VALUES: usize = 1 << 18;
-/// About as many differences are shown next to the exact derivative in a run, and in no more runs than these; of more runs
-/// as many in all.
+/// Approximate number of differences in a run beside the exact derivative, and number of runs up to
+/// which it holds; more runs share their total.
 const DIFFERENCES: usize = 72;
 const FEW_RUNS: usize = 4;
 
-/// Values that differ by less than this share of what a plot shows look the same:
-/// the dots at them lie on each other.
+/// Values that differ by less than this share of the range look the same: their dots overlap.
 const TOLD_APART: f64 = 0.02;
 
 /// The quantities of a chart at one crank angle.
@@ -31,18 +29,18 @@ pub struct Sample {
     pub clear: bool,
 }
 
-/// What is to be labelled on a curve.
+/// A mark to be labelled on a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
-    /// What it is.
+    /// Its kind.
     pub kind: MarkKind,
-    /// At which crank angle.
+    /// Its crank angle.
     pub crank: f64,
-    /// The value there.
+    /// Its value.
     pub value: f64,
 }
 
-/// What a mark stands at.
+/// Kind of a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MarkKind {
     /// A local maximum.
@@ -53,7 +51,7 @@ pub enum MarkKind {
     Zero,
 }
 
-/// What an axis spans.
+/// Span of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Range {
     pub(crate) min: f64,
@@ -72,18 +70,18 @@ pub(crate) struct Plot {
 pub(crate) struct Curve {
     /// Unbroken runs of points.
     runs: Vec<Vec<(f64, f64)>>,
-    /// The same of what it is compared with.
+    /// Unbroken runs of the compared curve.
     pub(super) compared: Vec<Vec<(f64, f64)>>,
     /// Its zeros and extrema, marked by dots.
     marks: Vec<Mark>,
-    /// Differences of samples of the derivative before it.
+    /// Difference quotients of the previous derivative.
     pub(crate) differences: Vec<(f64, f64)>,
 }
 
-/// A sample in its place.
+/// A sample with its input.
 pub type At = (f64, Sample);
 
-/// The plots of the series and of their derivatives, from unbroken runs of samples; `full`: nothing
+/// The plots of the series and their derivatives, from unbroken runs of samples; `full`: nothing
 /// grows without bound.
 pub(crate) fn plots(
     runs: &[Vec<At>],
@@ -127,16 +125,16 @@ pub(crate) fn plots(
     })
 }
 
-/// The samples of a run that tell a derivative of an order. At the very ends derivatives that grow
-/// without bound and those that do not are alike rounding: the samples next to them, where there are
-/// digits left, are close enough for the eye.
+/// The samples of a run at which a derivative is plotted. At the very ends bounded and unbounded
+/// derivatives are both only rounding; the samples next to the ends still have digits and look the
+/// same.
 pub(super) fn told(run: &[At], order: usize, full: bool) -> std::ops::Range<usize> {
     let ends = usize::from(order > 0 && !full && run.len() > 2);
     ends..run.len() - ends
 }
 
-/// The second derivative by time from centred differences of the samples of the
-/// first one by the crank angle: a proof for the eye, nothing is computed from it.
+/// The second derivative with respect to time, by central differences of the first one over the
+/// crank angle: only for comparison, nothing is computed from it.
 fn differences(
     run: &[At],
     count: usize,
@@ -152,7 +150,7 @@ fn differences(
     })
 }
 
-/// The density of samples of so many quantities.
+/// The density of samples for this number of quantities.
 pub(crate) fn sampling(quantities: usize) -> Sampling {
     Sampling {
         turn: TURN,
@@ -163,7 +161,7 @@ pub(crate) fn sampling(quantities: usize) -> Sampling {
     }
 }
 
-/// The samples at these inputs, an unbroken run for every stretch without a gap.
+/// The samples at these inputs, as a run for each stretch without a gap.
 pub(crate) fn sampled(
     pieces: Vec<Vec<f64>>,
     sample: &dyn Fn(f64) -> Option<Sample>,
@@ -202,7 +200,7 @@ fn marks(features: &Features) -> Vec<Mark> {
     extrema.chain(zeros).collect()
 }
 
-/// The range of the values with a margin; of a constant, room around it.
+/// The range of the values with a margin; room around a constant.
 pub(super) fn range(values: impl Iterator<Item = f64>) -> Range {
     let [min, max] = extremes(values);
     if min > max {
@@ -224,7 +222,7 @@ pub(super) fn range(values: impl Iterator<Item = f64>) -> Range {
 }
 
 impl Range {
-    /// The least that spans both.
+    /// The least range that includes both.
     pub(super) fn with(self, other: Self) -> Self {
         Self {
             min: self.min.min(other.min),
@@ -234,10 +232,9 @@ impl Range {
 }
 
 impl Curve {
-    /// The marks between `min` and `max` that can be told apart, in ascending crank
-    /// angle. In a dwell one follows the other at all but the same value: there the
-    /// first and the last of them stand for all, and the curve's greatest or least
-    /// value for itself.
+    /// The distinguishable marks between `min` and `max`, in ascending crank angle. In a dwell they
+    /// follow each other at nearly the same value: there only the first and the last are kept, and
+    /// the greatest and the least of the curve.
     pub(crate) fn marks(&self, min: f64, max: f64) -> Vec<Mark> {
         let inside = |mark: &&Mark| (min..=max).contains(&mark.value);
         let mut marks: Vec<Mark> = self.marks.iter().filter(inside).copied().collect();
@@ -266,12 +263,12 @@ impl Curve {
         cut(&self.runs, min, max)
     }
 
-    /// Those of what it is compared with, cut likewise.
+    /// The runs of the compared curve, cut likewise.
     pub(crate) fn compared_within(&self, min: f64, max: f64) -> Vec<Vec<(f64, f64)>> {
         cut(&self.compared, min, max)
     }
 
-    /// Takes the runs of another one as those that it is compared with.
+    /// Takes the runs of another curve as the compared ones.
     pub(super) fn compare(&mut self, other: &Self) {
         self.compared.clone_from(&other.runs);
     }
@@ -288,7 +285,7 @@ fn cut(runs: &[Vec<(f64, f64)>], min: f64, max: f64) -> Vec<Vec<(f64, f64)>> {
             if part.is_empty() && inside(a.1) {
                 part.push(a);
             }
-            // Where the curve crosses a bound, it is cut there.
+            // The curve is cut where it crosses a bound.
             let bounds = if a.1 < b.1 { [min, max] } else { [max, min] };
             let crossed = bounds.into_iter();
             let crossed = crossed.filter(|bound| (a.1 - bound) * (b.1 - bound) < 0.0);

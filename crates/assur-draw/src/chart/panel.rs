@@ -3,16 +3,16 @@
 use super::*;
 
 impl Panel {
-    /// How many pixels there are to a unit along x and y.
+    /// Pixels per unit along x and y.
     pub(super) fn to_pixels(&self) -> [f64; 2] {
         let span = |[from, to]: [f64; 2]| to - from;
         [self.width / span(self.x), self.height / span(self.y)]
     }
 
-    /// Points of the curves at least this far from each other, pixels.
+    /// Minimum distance of the points of a curve, pixels.
     const APART: f64 = 4.0;
 
-    /// Points along the curves of a plot.
+    /// Points along the curves of a plot, for labels to avoid.
     pub(super) fn along(&self, plot: &Plot) -> Vec<f64> {
         let ([x0, x1], [y0, y1]) = (self.x, self.y);
         let mut points = Vec::new();

@@ -2,14 +2,14 @@ use assur::FourBar;
 
 use super::*;
 
-/// The axis of a four-bar whose crank swings about 0 by so much to either side that this coupler and output link are in line,
-/// degrees.
+/// The axis of a four-bar whose crank swings about 0 up to where this coupler and output link are
+/// in line, degrees.
 fn of(link: f64) -> [f64; 2] {
     let four_bar = FourBar::new([1.0, link, link, 4.0]).unwrap();
     super::panel::axis(&four_bar.cycle()).map(f64::to_degrees)
 }
 
-/// How far the crank of that four-bar comes, degrees: the law of cosines.
+/// The greatest angle of the crank of that four-bar, degrees, by the law of cosines.
 fn reach(link: f64) -> f64 {
     ((17.0 - 4.0 * link * link) / 8.0).acos().to_degrees()
 }
@@ -19,7 +19,7 @@ fn the_axis_spans_only_what_a_crank_swings_over() {
     for (link, about) in [(2.0, 83.0), (1.5005, 2.23), (1.50005, 0.71)] {
         let reach = reach(link);
         assert!((reach / about - 1.0).abs() < 0.02, "{reach}");
-        // The room beside it is a share of the whole way.
+        // The margin is a share of the whole arc.
         let end = reach * (1.0 + 2.0 * BESIDE);
         let [from, to] = of(link);
         assert!((from + end).abs() < 1e-6, "{from} {end}");

@@ -1,14 +1,14 @@
-//! Where the axes carry labels: round numbers, as many as there is room for.
+//! Ticks of the axes: round numbers, as many as there is room for.
 
 use super::curves::Range;
 
-/// A label's value (degrees where the axis is an angle) and its place along the
-/// axis, pixels from the left or upper edge of the plot.
+/// The value of a tick (degrees for an angle) and its position along the axis, pixels from the left
+/// or upper edge of the plot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tick {
-    /// What to write.
+    /// The number to be written.
     pub value: f64,
-    /// Where.
+    /// Its position.
     pub at: f64,
 }
 
@@ -17,13 +17,13 @@ const ANGLES: [f64; 12] = [
     1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0,
 ];
 
-/// Crank angles stand at least so many degrees apart; along less than the span, closer; along very little, as close as there is room.
+/// Minimum steps of crank angles, degrees: over a long span, and over a short one; over a very short span there is no minimum.
 const FINEST: f64 = 30.0;
 const SHORT: f64 = 120.0;
 const FINEST_OF_SHORT: f64 = 5.0;
 const VERY_SHORT: f64 = 20.0;
 
-/// Labels of the crank angle, radians, about 50 pixels apart, or `scale` times as many.
+/// Ticks of the crank angle, radians, about 50 pixels apart, or `scale` times as many pixels.
 pub(super) fn crank([start, end]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
     let (from, to) = (start.to_degrees(), end.to_degrees());
     let span = to - from;
@@ -43,8 +43,7 @@ pub(super) fn crank([start, end]: [f64; 2], width: f64, scale: f64) -> Vec<Tick>
         .collect()
 }
 
-/// Labels of an input that is a length, about 50 pixels apart, or
-/// `scale` times as many.
+/// Ticks of an input that is a length, about 50 pixels apart, or `scale` times as many pixels.
 pub(super) fn way([from, to]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
     multiples(round_step((to - from) * 50.0 * scale / width), from, to)
         .map(|value| Tick {
@@ -54,8 +53,8 @@ pub(super) fn way([from, to]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// Labels of values along an abscissa, about 50 pixels apart, or `scale` times as many; of angles in
-/// degrees.
+/// Ticks of values along an abscissa, about 50 pixels apart, or `scale` times as many pixels; of
+/// angles in degrees.
 pub(super) fn abscissae(range: Range, angle: bool, width: f64, scale: f64) -> Vec<Tick> {
     let (step, [from, to]) = stepped(range, angle, 50.0 * scale / width);
     let at = |value: f64| (value - from) / (to - from) * width;
@@ -68,8 +67,8 @@ pub(super) fn abscissae(range: Range, angle: bool, width: f64, scale: f64) -> Ve
         .collect()
 }
 
-/// Labels of the values, about 28 pixels apart, more where text `scale` times as
-/// large would be crowded; of angles in degrees.
+/// Ticks of values, about 28 pixels apart, or more if text `scale` times as large would be crowded;
+/// of angles in degrees.
 pub(super) fn values(range: Range, angle: bool, height: f64, scale: f64) -> Vec<Tick> {
     let (step, [from, to]) = stepped(range, angle, (18.0 * scale).max(28.0) / height);
     multiples(step, from, to)
@@ -80,8 +79,8 @@ pub(super) fn values(range: Range, angle: bool, height: f64, scale: f64) -> Vec<
         .collect()
 }
 
-/// The step between labels that are at least this share of the axis apart, and what the axis spans,
-/// angles in degrees.
+/// The step between ticks at least this share of the axis apart, and the span of the axis, angles
+/// in degrees.
 fn stepped(range: Range, angle: bool, apart: f64) -> (f64, [f64; 2]) {
     let degrees = |value: f64| if angle { value.to_degrees() } else { value };
     let [from, to] = [range.min, range.max].map(degrees);
@@ -94,7 +93,7 @@ fn stepped(range: Range, angle: bool, apart: f64) -> (f64, [f64; 2]) {
     (step, [from, to])
 }
 
-/// The first step for angles that is wide enough; beyond a turn in whole turns.
+/// The smallest step for angles not below `least`; beyond a turn in whole turns.
 fn angle_step(least: f64, finest: f64) -> f64 {
     if least < 1.0 && finest <= least {
         return round_step(least);
@@ -103,7 +102,7 @@ fn angle_step(least: f64, finest: f64) -> f64 {
     listed.unwrap_or_else(|| 360.0 * (least / 360.0).ceil())
 }
 
-/// 1, 2 or 5 times a power of ten, wide enough.
+/// The smallest step of 1, 2 or 5 times a power of ten not below `least`.
 fn round_step(least: f64) -> f64 {
     let power = 10.0_f64.powf(least.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0]
@@ -112,7 +111,7 @@ fn round_step(least: f64) -> f64 {
     step.unwrap_or(10.0) * power
 }
 
-/// The multiples of `step` within rounding of the range, at most a hundred.
+/// The multiples of `step` in the range, up to rounding, at most a hundred.
 fn multiples(step: f64, from: f64, to: f64) -> impl Iterator<Item = f64> {
     let slack = 1e-9 * step;
     let first = ((from - slack) / step).ceil();

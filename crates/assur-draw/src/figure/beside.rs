@@ -1,4 +1,4 @@
-//! Another assembly, dashed beside the one that is drawn.
+//! Another assembly, dashed beside the drawn one.
 
 use assur::Point;
 use assur::mechanism::PointId;

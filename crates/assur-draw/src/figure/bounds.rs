@@ -2,7 +2,7 @@
 
 use assur::{Point, Vector};
 
-/// The rectangle that just holds places; of none, one about the origin.
+/// The smallest rectangle around places; without any, one about the origin.
 pub(super) fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {
@@ -20,7 +20,7 @@ pub(super) fn size([left, bottom, right, top]: [f64; 4]) -> f64 {
     (right - left).hypot(top - bottom)
 }
 
-/// A rectangle grown around places, on every side by at most `most`.
+/// A rectangle extended around places, by at most `most` on each side.
 pub(super) fn grown(base: [f64; 4], places: impl Iterator<Item = Point>, most: f64) -> [f64; 4] {
     let [left, bottom, right, top] = base;
     places.fold(base, |b, at| {

@@ -1,4 +1,4 @@
-//! Positions that a linkage was made for, under its links.
+//! Given positions of a linkage, below its links.
 
 use assur::{Point, Vector};
 
@@ -17,15 +17,15 @@ impl Given {
         Self(numbered.collect())
     }
 
-    /// What there must be room for.
+    /// The points to be within the drawing.
     pub(super) fn reach(&self) -> impl Iterator<Item = Point> + '_ {
         let lines = |one: &GivenPosition| [&one.directions[..], &one.links[..]].concat();
         let lines = self.0.iter().flat_map(move |(one, _)| lines(one));
         lines.flat_map(|(ends, _)| ends)
     }
 
-    /// Every position's links as lines, its directions dashed, with a ring to take them by
-    /// and the position's number beyond it.
+    /// Draws each position: its links as lines, its directions dashed with a ring as a handle, and
+    /// its number beyond that.
     pub(super) fn draw(&self, list: &mut List, unit: f64) {
         for (position, number) in &self.0 {
             for (ends, role) in &position.links {

@@ -36,7 +36,7 @@ impl Figure {
         }
     }
 
-    /// How far a point's name stands off in a direction.
+    /// The offset of a point's name in a direction.
     fn beyond(&self, point: PointId, direction: Vector) -> [f64; 2] {
         let wide = self.layout.is_wide(point);
         let off = direction.normalize() * if wide { 2.3 } else { 1.5 };

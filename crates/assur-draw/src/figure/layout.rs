@@ -1,4 +1,4 @@
-//! Which points are joints, which links are drawn how.
+//! Roles of points and links in the drawing: joints, supports, bars, plates.
 
 use assur::mechanism::{FRAME, LinkId, LinkOrFrame, Mechanism, PointId, SlideSpec};
 use assur::{Point, Vector};
@@ -8,12 +8,12 @@ use super::{View, roles};
 use crate::list::Role;
 use crate::parts;
 
-/// Within this angle of the line beyond a link's end nothing else of the link may
-/// be, for a name to stand there.
+/// Half angle of the sector beyond a link's end that must be clear of the link, for a name to be
+/// placed there.
 const BEYOND: f64 = 0.9;
 
-/// What is known of a mechanism before it is drawn. Bodies are links that are fixed to
-/// no other, or the frame.
+/// Layout of a mechanism, known before it is drawn. Bodies are links that are not fixed to another,
+/// or the frame.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     roles: Vec<Role>,
@@ -25,10 +25,10 @@ pub(super) struct Layout {
     points: Vec<Pinned>,
 }
 
-/// A point and what it is for.
+/// A point with its functions.
 #[derive(Clone, Debug)]
 struct Pinned {
-    /// The bodies that have it.
+    /// The bodies to which it belongs.
     bodies: Vec<LinkOrFrame>,
     /// The first link that lists it.
     link: LinkOrFrame,
@@ -42,7 +42,7 @@ struct Pinned {
     slot: bool,
     /// The shaft of a wheel that is drawn plainly.
     shaft: bool,
-    /// A link on which it turns about a fixed point, and that point.
+    /// A link that turns it about a fixed point, and that point.
     pivot: Option<(LinkId, PointId)>,
     /// Whether it is the far end of that link.
     end: bool,
@@ -95,12 +95,12 @@ impl Layout {
         parts::hull(places.collect())
     }
 
-    /// The colour of a link's own, by which plots tell links apart.
+    /// The colour of a link by itself, which identifies it in plots.
     pub(super) fn role(&self, link: LinkId) -> Role {
         self.roles[link.index()]
     }
 
-    /// The colour it is drawn in: its own, or that of its Assur group.
+    /// The drawn colour of a link: its own, or that of its Assur group.
     pub(super) fn drawn_role(&self, link: LinkId) -> Role {
         self.drawn_roles[link.index()]
     }
@@ -109,8 +109,8 @@ impl Layout {
         &self.outlines[link.index()]
     }
 
-    /// Where the centres of mass of the links are for which none is given: in the
-    /// middle of a bar, at the centroid of a plate.
+    /// The centres of mass of links for which none is given: the middle of a bar, the centroid of a
+    /// plate.
     pub(super) fn middles(&self, mechanism: &Mechanism) -> impl Iterator<Item = (LinkId, Point)> {
         let own = mechanism.link_ids().filter(|link| {
             let weighed = self.weighed[link.index()];
@@ -134,21 +134,20 @@ impl Layout {
         self.points[point.index()].tracer
     }
 
-    /// A link on which a point turns about a fixed one, and that one.
+    /// A link that turns a point about a fixed one, and that one.
     pub(super) fn pivot(&self, point: PointId) -> Option<(LinkId, PointId)> {
         self.points[point.index()].pivot
     }
 
-    /// The fixed point about which a link turns beyond whose end a joint's name
-    /// can stand.
+    /// The fixed point about which a link turns, if a joint's name fits beyond the link's end.
     pub(super) fn end_of(&self, point: PointId) -> Option<PointId> {
         let pinned = &self.points[point.index()];
         let ends = pinned.end && self.is_joint(point);
         pinned.pivot.filter(|_| ends).map(|(_, pivot)| pivot)
     }
 
-    /// The link whose colour a point has: that on which it turns about a fixed
-    /// point, else the first.
+    /// The link whose colour a point has: the one that turns it about a fixed point, otherwise the
+    /// first.
     pub(super) fn carrier(&self, point: PointId) -> LinkOrFrame {
         let turned = self.pivot(point).map(|(link, _)| link);
         turned.or(self.link_of(point))
@@ -158,7 +157,7 @@ impl Layout {
         &self.points[point.index()].neighbours
     }
 
-    /// Whether bodies are hinged there; a plain shaft of a wheel is drawn with it.
+    /// Whether bodies are hinged there; a plain shaft is drawn with its wheel.
     pub(super) fn is_joint(&self, point: PointId) -> bool {
         self.points[point.index()].bodies.len() > 1 && !self.is_shaft(point)
     }
@@ -172,8 +171,8 @@ impl Layout {
         self.is_joint(point) && !self.moves(point)
     }
 
-    /// How large the support of a fixed pivot is drawn, in units: smaller under the shaft of a
-    /// wheel. None of what turns about no point of the frame.
+    /// The size of the support of a fixed pivot, in units: smaller under the shaft of a wheel. None
+    /// for other points.
     pub(super) fn support(&self, point: PointId) -> Option<f64> {
         let fixed = !self.moves(point);
         let of_links = self.is_joint(point).then_some(1.5);
@@ -197,8 +196,8 @@ impl Layout {
         pinned.block || pinned.slot
     }
 
-    /// Whether anything is seen there: points that only give a line of the frame,
-    /// and centres of mass that are not shown, are not.
+    /// Whether anything is visible there: not for points that only define a line of the frame, nor
+    /// for hidden centres of mass.
     pub(super) fn is_drawn(&self, point: PointId) -> bool {
         let hidden = self.is_centre(point) && !self.points[point.index()].shown;
         let seen = !hidden || self.is_joint(point);
@@ -237,7 +236,7 @@ fn pinned(home: Posed<'_, 1>, view: &View, point: PointId) -> Pinned {
         neighbours.extend(others.filter(|other| *other != point));
     }
     let first = links.first().copied();
-    // A wheel that is nothing else: its centre is its only point.
+    // The centre of a link that is only a wheel is its only point.
     let tags = &view.annotations.tags;
     let plain = |link: &LinkId| {
         let name = mechanism.link_name(*link);
@@ -323,12 +322,12 @@ fn is_end(home: Posed<'_, 1>, link: LinkId, from: PointId, point: PointId) -> bo
     })
 }
 
-/// The link that a link is fixed to in the end.
+/// The link to which a link is ultimately fixed.
 pub(super) fn body_of(mechanism: &Mechanism, link: LinkOrFrame) -> LinkOrFrame {
     link.and_then(|link| mechanism.root_of(link))
 }
 
-/// The number of what is drawn on a link, or on the frame, in a display list.
+/// The number of a link's coordinates, or the frame's, in a display list.
 pub(super) fn number(link: LinkOrFrame) -> usize {
     link.map_or(0, |link| link.index() + 1)
 }

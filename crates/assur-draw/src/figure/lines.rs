@@ -1,4 +1,4 @@
-//! What lecturers draw over a linkage: instant centres with Kennedy's lines, centrodes, circles of curvature.
+//! Lecturer's lines over a linkage: instant centres with Kennedy's lines, centrodes, circles of curvature.
 
 use assur::centres::{Centre, InstantCentre, Source};
 use assur::curvature::{Centrodes, Circles, Curvature, Evolute};
@@ -14,37 +14,37 @@ use crate::list::{List, Look, Role};
 
 /// Greatest distance from the drawing, relative to its size, at which lines are drawn.
 const REACH: f64 = 4.0;
-/// Lines go on beyond what gives them by so many units.
+/// Length of lines beyond the centres that define them, in units.
 const BEYOND: f64 = 6.0;
-/// Of linkages with more bodies only centres are named in which something turns against the frame.
+/// Maximum number of bodies for which all centres are named; with more, only those relative to the frame.
 const MOST_NAMED: usize = 12;
 
-/// Which of them are shown.
+/// Choice of lines.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lines {
-    /// Instant centres of all links, and the lines that give that of the link against the other one.
+    /// Instant centres of all links, and the lines that define that of the link relative to the other one.
     pub centres: bool,
     /// The centrodes of the link.
     pub centrodes: bool,
-    /// The inflection circle of the link; of points whose paths are asked for the circles of curvature, and the curves on
-    /// which the centres of these go.
+    /// The inflection circle of the link; the circles of curvature of traced points, and the
+    /// evolutes of their paths.
     pub curvature: bool,
-    /// The link, else the first that is joined to no place of the frame.
+    /// The link; by default the first one that is not joined to the frame.
     pub link: Option<LinkId>,
-    /// The link against which its instant centre is, else the frame.
+    /// The reference link of its instant centre; by default the frame.
     pub against: LinkOrFrame,
 }
 
-/// These lines of a linkage, ready to be drawn in any pose.
+/// The lines of a linkage, ready to be drawn in any pose.
 #[derive(Clone, Debug)]
 pub(super) struct Drawn {
     lines: Lines,
     /// The link whose centre, centrodes and circles are drawn.
     link: Option<LinkId>,
-    /// Of two bodies the name of their centre, by the numbers of both.
+    /// The name of the centre of two bodies, by the numbers of both.
     names: Vec<Option<usize>>,
     bodies: usize,
-    /// The pole, the inflection pole and a centre of curvature.
+    /// The symbols of the pole, the inflection pole and a centre of curvature.
     symbols: [usize; 3],
     traced: Vec<PointId>,
     middle: Point,
@@ -94,7 +94,7 @@ impl Drawn {
         drawn
     }
 
-    /// Takes the rectangle of the drawing.
+    /// Sets the rectangle of the drawing.
     pub(super) fn within(&mut self, base: [f64; 4]) {
         let [left, bottom, right, top] = base;
         self.middle = Point::new(0.5 * (left + right), 0.5 * (bottom + top));
@@ -105,7 +105,7 @@ impl Drawn {
         (place - self.middle).norm() < REACH * self.size
     }
 
-    /// What stands still on the frame and on the link: the curves of centres of curvature, and the centrodes.
+    /// Draws the curves that are rigid on the frame and on the link: evolutes and centrodes.
     pub(super) fn draw_rigid(&self, list: &mut List, motion: &Motion) {
         for point in &self.traced {
             list.body(layout::number(None));
@@ -131,7 +131,7 @@ impl Drawn {
         }
     }
 
-    /// The parts of a curve that are near enough.
+    /// The parts of a curve near the drawing.
     fn near<'a, T>(
         &self,
         curve: &'a [T],
@@ -161,7 +161,7 @@ impl Drawn {
         }
     }
 
-    /// A place with its name, where it is near enough.
+    /// Marks a place with its name, if it is near the drawing.
     fn mark(&self, list: &mut List, at: Point, name: usize, unit: f64) {
         if self.is_near(at) {
             list.circle(Role::Ink, Look::Solid, at, 0.7 * unit);
@@ -211,7 +211,7 @@ impl Drawn {
         }
     }
 
-    /// A line through centres, of which all but one may be at infinity: as far as what is near of them, and a little on.
+    /// Draws a line through centres, of which all but one may be at infinity: a little past those near the drawing.
     fn line(&self, list: &mut List, through: impl Iterator<Item = Centre>, unit: f64) {
         let mut places = Vec::new();
         let mut way = None;
@@ -266,7 +266,7 @@ impl Drawn {
                 list.polyline(Role::Accent1, Look::Thin, &[centre, bend.at]);
                 self.mark(list, centre, centre_name, unit);
             } else {
-                // Straight as far as can be seen: its tangent.
+                // An arc that looks straight: its tangent.
                 let along: Vector = bend.tangent * (REACH * self.size);
                 list.polyline(
                     Role::Accent1,
@@ -279,7 +279,7 @@ impl Drawn {
 }
 
 impl Figure {
-    /// The points of which circles of curvature are drawn.
+    /// The points whose circles of curvature are drawn.
     pub fn curved(&self) -> &[PointId] {
         &self.lines.traced
     }
@@ -300,7 +300,7 @@ fn all<const N: usize>(Posed { mechanism, pose }: Posed<'_, N>) -> Vec<InstantCe
     }
 }
 
-/// The first link that no pair joins to the frame: a coupler. Else the last one.
+/// The first link that no pair joins to the frame: a coupler. Without one, the last link.
 fn floating(mechanism: &Mechanism) -> Option<LinkId> {
     let joined: Vec<BodyId> = mechanism
         .joints()
@@ -317,14 +317,14 @@ fn floating(mechanism: &Mechanism) -> Option<LinkId> {
     coupler.or_else(|| own.next_back())
 }
 
-/// What the centre of two bodies is called, by their numbers.
+/// The name of the centre of two bodies, by their numbers.
 fn centre_name(mechanism: &Mechanism, view: &View, bodies: [BodyId; 2]) -> String {
     let [a, b] = bodies.map(|body| body_number(mechanism, view, body));
     let comma = if a.len() + b.len() > 2 { "," } else { "" };
     low(&format!("P{a}{comma}{b}"))
 }
 
-/// The number of a body as the drawing has it.
+/// The number of a body in the drawing.
 fn body_number(mechanism: &Mechanism, view: &View, body: BodyId) -> String {
     let name = mechanism.body_name(body);
     let mut noted = view.annotations.numbers.iter();
@@ -332,7 +332,7 @@ fn body_number(mechanism: &Mechanism, view: &View, body: BodyId) -> String {
     noted.map_or_else(|| body.index().to_string(), |(_, number)| number.clone())
 }
 
-/// The same with its digits low.
+/// A text with its digits as subscripts.
 fn low(text: &str) -> String {
     let digit = |c: char| {
         let low = c

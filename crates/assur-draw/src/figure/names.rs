@@ -1,11 +1,11 @@
-//! What the labels' numbers stand for.
+//! Names to which the numbers of labels refer.
 
 use assur::mechanism::{Mechanism, PointId};
 
-/// Between a symbol and the read-out whose value it is written with: no name has control characters.
+/// Separator of a symbol and the read-out whose value is written with it: no name has control characters.
 pub(crate) const VALUE: char = '\t';
 
-/// The points' names, then symbols. A symbol that is written with a value is followed by [`VALUE`] and the name of the read-out.
+/// The names of the points, then symbols. A symbol with a value is followed by [`VALUE`] and the name of the read-out.
 #[derive(Clone, Debug)]
 pub(super) struct Names(Vec<String>);
 
@@ -19,7 +19,7 @@ impl Names {
         &self.0[point.index()]
     }
 
-    /// The number of a symbol, which is known from now on.
+    /// The number of a symbol, which is added.
     pub(super) fn add(&mut self, symbol: String) -> usize {
         let known = self.0.iter().position(|name| *name == symbol);
         known.unwrap_or_else(|| {
@@ -28,7 +28,7 @@ impl Names {
         })
     }
 
-    /// The number of a symbol that is written with the value of a read-out.
+    /// The number of a symbol with the value of a read-out, which is added.
     pub(super) fn add_valued(&mut self, symbol: &str, readout: &str) -> usize {
         self.add(format!("{symbol}{VALUE}{readout}"))
     }

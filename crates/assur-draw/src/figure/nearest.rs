@@ -1,4 +1,4 @@
-//! Which link is drawn at a place.
+//! The link at a place of the drawing.
 
 use assur::Point;
 use assur::mechanism::{LinkId, Pose};
@@ -8,9 +8,9 @@ use super::{Figure, layout};
 use crate::parts::{self, BAR};
 
 impl Figure {
-    /// The link drawn nearest to a place in a pose: what a point put there is on.
-    /// Bars and plates lie over wheels; of what is fixed to a link that link is
-    /// meant. With how far off it is; none where no link moves.
+    /// The link drawn nearest to a place in a pose, to carry a point placed there, and its
+    /// distance. Bars and plates lie over wheels; a part fixed to a link counts as that link. None
+    /// if no link moves.
     pub fn link_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<(LinkId, f64)> {
         let posed = self.posed(pose);
         let mechanism = posed.mechanism;
@@ -19,7 +19,7 @@ impl Figure {
             let at = Point::origin() + layout::turned(place - origin, -angle);
             let off = match self.layout.outline(link) {
                 [from, to] => parts::distance(at, *from, *to),
-                // A wheel with no bar to it.
+                // A wheel without a bar.
                 [_] if self.gearing.is_wheel(link) => return None,
                 outline => parts::distance_to_plate(at, outline)?,
             };

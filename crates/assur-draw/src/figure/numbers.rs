@@ -11,16 +11,16 @@ use super::posed::Posed;
 use crate::list::{List, Look, Role};
 use crate::parts;
 
-/// The circle around a number, in units.
+/// Radius of the circle around a number, in units.
 const CIRCLE: f64 = 1.9;
-/// Where on a bar its number is; on that which drives beyond the arc of its angle, so many units
-/// off its end.
+/// Position of the number on a bar, as a share of it; on the driver beyond the arc of its angle, at
+/// least this many units from its end.
 const MIDDLE: f64 = 0.5;
 const BEYOND_ARC: f64 = 0.75;
 const ROOM: f64 = 3.2;
-/// How far beside a place a number without a circle stands, in heights of text.
+/// Offset of a number without a circle, in heights of text.
 const BESIDE: [f64; 2] = [1.5, -1.5];
-/// Beside a support, in units, and from there in heights of text.
+/// Offset of a number at a support, in units, and from there in heights of text.
 const AT_SUPPORT: [f64; 2] = [2.3, -2.6];
 const BESIDE_SUPPORT: [f64; 2] = [0.8, 0.0];
 
@@ -28,7 +28,7 @@ const BESIDE_SUPPORT: [f64; 2] = [0.8, 0.0];
 #[derive(Clone, Debug)]
 pub(super) struct Number {
     link: LinkOrFrame,
-    /// In the link's coordinates.
+    /// Its place in the link's coordinates.
     at: Place,
     name: usize,
 }
@@ -37,17 +37,17 @@ pub(super) struct Number {
 enum Place {
     /// On the link, in a circle.
     On(Point),
-    /// In a circle on a bar that drives, between these places: beyond the arc of its angle, if it is
+    /// On the driver, in a circle between these places: beyond the arc of its angle, if the bar is
     /// long enough.
     Driving([Point; 2]),
-    /// Beside a pin: of a block, of a wheel.
+    /// Beside a pin of a block or a wheel.
     Beside(Point),
     /// Beside a support of this size.
     Support(Point, f64),
 }
 
-/// The numbers of links that are no parts of others, in the order of the document, or as it notes
-/// them. Wheels that have theirs by their rims are passed over.
+/// The numbers of links that are not parts of others, in the order of the document, or as
+/// annotated. Wheels with a number by the rim are left out.
 pub(super) fn numbers(
     home: Posed<'_, 1>,
     layout: &Layout,

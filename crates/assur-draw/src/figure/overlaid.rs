@@ -1,4 +1,4 @@
-//! What is laid over a linkage: which arrows and arcs it has, and their names.
+//! Overlays of a linkage: its arrows and arcs, with their names.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +16,7 @@ use crate::list::{List, Look, Role};
 use crate::overlays::{self, Scales};
 use crate::parts;
 
-/// The inputs that are looked at for the lengths of vectors.
+/// Sampling of the motion for the lengths of vectors.
 const SAMPLING: Sampling = Sampling {
     turn: 180,
     coarsest: 30,
@@ -24,12 +24,12 @@ const SAMPLING: Sampling = Sampling {
     spacing: Spacing::Middles,
     shown: Shown::Spread,
 };
-/// The tips of vectors are named where no more points than this have them.
+/// Maximum number of points with vectors for which the tips are named.
 const MOST_NAMED: usize = 3;
 
 /// The largest radius of the arc of the input, in units.
 const LARGEST: f64 = 10.0;
-/// An input angle below the one, radians, has its name up to the other off its middle.
+/// Below the first angle, radians, the name of the input angle is turned up to the second away from its middle.
 const SMALL: f64 = 0.8;
 const BELOW: f64 = 0.6;
 
@@ -41,9 +41,9 @@ pub(super) struct Overlaid {
     loop_vectors: Vec<([PointId; 2], usize)>,
     /// Three points and a name.
     corners: Vec<([PointId; 3], usize)>,
-    /// An outer hinge, the inner and the other outer one, and a name.
+    /// An outer hinge, the inner one, the other outer one, and a name.
     transmission: Vec<([PointId; 3], usize)>,
-    /// What is measured, and a name.
+    /// A measure and its name.
     measures: Vec<(Quantity, usize)>,
     /// Points with the names of the tips.
     vectors: Vec<(PointId, Option<[usize; 2]>)>,
@@ -57,7 +57,7 @@ struct InputArc {
     base: LinkOrFrame,
     pivot: PointId,
     radius: f64,
-    /// The angle from which on it counts: below zero it goes the other way.
+    /// The least angle of the range; angles below zero are drawn clockwise.
     least: f64,
     role: Role,
     name: usize,
@@ -134,8 +134,8 @@ impl Overlaid {
         overlaid
     }
 
-    /// Takes the scales of vectors for a drawing of this size. The tips for which
-    /// there must be room.
+    /// Sets the scales of vectors for a drawing of this size; returns the tips to be within the
+    /// drawing.
     pub(super) fn scale(&mut self, motion: &Motion, size: f64) -> Vec<Point> {
         if self.vectors.is_empty() {
             return Vec::new();
@@ -155,7 +155,7 @@ impl Overlaid {
         scales.tips(&paths.concat(), size)
     }
 
-    /// The arc of the input, loops, transmission angles and, of a pose that has them,
+    /// Draws the arc of the input, loops, transmission angles and, if the pose has them,
     /// derivatives.
     pub(super) fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         if let Some(arc) = &self.input {
@@ -242,7 +242,7 @@ impl InputArc {
         list.polyline(Role::Secondary, Look::Thin, &base);
         list.polyline(self.role, Look::Thin, &points);
         parts::head(list, self.role, at(neck), at(1.0));
-        // Of a small angle the name stands beside its arms.
+        // The name of a small angle is beside its legs.
         let beside = BELOW * (1.0 - turn.abs() / SMALL).max(0.0);
         let middle = along(from + 0.5 * turn - beside.copysign(turn));
         let off = [3.1 * middle.x, 1.1 * middle.y];
@@ -250,14 +250,14 @@ impl InputArc {
     }
 }
 
-/// Where the angle of two links is drawn: at a point that both have, else at the first of the first one.
+/// The vertex of the angle of two links: a point of both, otherwise the first point of the first one.
 fn meeting(mechanism: &Mechanism, links: [LinkId; 2]) -> Option<PointId> {
     let [first, second] = links.map(|link| mechanism.points_of(link));
     let shared = first.iter().find(|point| second.contains(point));
     shared.or(first.first()).copied()
 }
 
-/// The vectors that the document notes.
+/// The annotated loop vectors.
 fn noted_vectors(mechanism: &Mechanism, view: &View) -> Vec<[PointId; 2]> {
     let noted = view.annotations.loop_vectors.iter();
     noted
@@ -265,14 +265,14 @@ fn noted_vectors(mechanism: &Mechanism, view: &View) -> Vec<[PointId; 2]> {
         .collect()
 }
 
-/// The points of these names; none where the linkage has not all of them.
+/// The points of these names; none if the linkage lacks one of them.
 fn known<const N: usize>(mechanism: &Mechanism, names: &[String; N]) -> Option<[PointId; N]> {
     let points: Option<Vec<PointId>> = names.iter().map(|name| mechanism.point(name)).collect();
     points?.try_into().ok()
 }
 
-/// Along every link from joint to joint, along the frame from support to support,
-/// and across each dyad between its outer hinges; between two points once.
+/// Pairs of points along every link from joint to joint, along the frame from support to support,
+/// and across each dyad between its outer hinges, without duplicates.
 fn loop_vectors(mechanism: &Mechanism, layout: &Layout, dyads: &[RrrDyad]) -> Vec<[PointId; 2]> {
     let joints = |link: LinkId| -> Vec<PointId> {
         let points = mechanism.points_of(link).iter().copied();

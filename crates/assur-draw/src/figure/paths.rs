@@ -9,26 +9,25 @@ use assur::{Point, Vector};
 use super::layout::Layout;
 use crate::list::{List, Look, Role};
 
-/// Places on a path for a turn of what carries the point. Between two of them a path bends
-/// by less than a thirtieth of a pixel where its second derivative is as long as a thousand.
+/// Number of points on a path per turn of the link that carries the point. Between two of them a path deviates
+/// from its chord by less than a thirtieth of a pixel if its second derivative is at most a thousand.
 const TURN: usize = 432;
-/// Poses of a turn, or of an arc shorter than one, of a motion that goes to and fro.
+/// Number of poses of a turn, or of a shorter arc, of an oscillating motion.
 const SWING: usize = 360;
-/// Fewest places on an arc.
+/// Minimum number of points on an arc.
 const LEAST: f64 = 90.0;
-/// No more bodies are placed in all poses together, a pose by itself counted as some. Over so many turns paths cover
-/// each other: they are drawn coarser, and of those beyond that the first stand for all.
+/// Maximum number of bodies placed over all poses, with the overhead of a pose in bodies. Over many turns
+/// paths cover each other: they are sampled more coarsely, and beyond that only the first turns are drawn.
 const MOST_PLACED: usize = 150_000;
 const OF_A_POSE: usize = 8;
 const COARSEST_TURN: usize = 60;
-/// A link that turns through so much turns all round: at its ends the motion may
-/// lack a pose.
+/// Angle from which a link counts as turning fully: at its ends the motion may lack a pose.
 const ALL_ROUND: f64 = TAU * (1.0 - 3.0 / TURN as f64);
-/// Relative inset of drawn samples from the ends of an arc: where points fall into one
-/// there, rounding alone decides how links turn about it.
+/// Relative inset of drawn samples from the ends of an arc: where points coincide there, the angles
+/// of links are only rounding.
 pub(super) const OFF: f64 = 1e-9;
-/// Steps towards the input at which a link turns back; each makes a turning point
-/// twice as exact in digits.
+/// Newton steps towards the input at which a link turns back; each one doubles the number of exact
+/// digits.
 const STEPS: usize = 4;
 
 /// Poses over an unbroken stretch of the motion, each with its input.
@@ -39,7 +38,7 @@ pub(super) type Run = Vec<(f64, Pose<1>)>;
 pub(super) enum Path {
     /// A circle about a fixed point.
     Circle(Point, f64),
-    /// Place after place.
+    /// A polyline.
     Line(Vec<Point>),
 }
 
@@ -51,7 +50,7 @@ impl Path {
         }
     }
 
-    /// Places that reach as far as it does.
+    /// Points that span the same bounds.
     pub(super) fn reach(&self) -> Vec<Point> {
         match self {
             Self::Circle(centre, radius) => {
@@ -63,7 +62,7 @@ impl Path {
     }
 }
 
-/// Poses over the motion, a run for each arc; crowded towards dead points.
+/// Poses over the motion, a run for each arc, closer together near dead points.
 pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
     let cycle = motion.cycle();
     let sampling = Sampling {
@@ -86,8 +85,7 @@ pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
     runs.filter(|run: &Run| !run.is_empty()).collect()
 }
 
-/// The path of a point: of one that turns about a fixed point a circle, or as much
-/// of it as its link turns through in each run.
+/// The path of a point: if it turns about a fixed point, a circle or the arcs of its runs.
 pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: PointId) -> Vec<Path> {
     let mechanism = motion.mechanism();
     let Some((link, pivot)) = layout.pivot(point) else {
@@ -122,7 +120,7 @@ pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: PointI
     paths
 }
 
-/// Between which angles a link turns in a run.
+/// The range of a link's angle in a run.
 fn turned(motion: &Motion, run: &Run, link: LinkId) -> [f64; 2] {
     let mechanism = motion.mechanism();
     let angle = |pose: &Pose<1>| mechanism.angle(pose, link).value();

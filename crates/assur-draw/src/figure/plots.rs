@@ -11,16 +11,16 @@ use super::{Figure, paths};
 use crate::chart::{Against, Axis, Chart, Kind, Sample, Series, Settings, sampled, sampling};
 use crate::list::Role;
 
-/// Next to dead points derivatives grow without bound: ranges are taken where the
+/// Next to dead points derivatives grow without bound: the ranges of axes are taken where the
 /// transmission angle of the dyad that comes into line exceeds this.
 const CLEAR: f64 = 15.0 * PI / 180.0;
-/// Where it is no dyad of hinges, ranges keep this share of an arc off its end.
+/// For a dead point without such a dyad, ranges leave out this share of an arc at its end.
 const CLEAR_SHARE: f64 = 0.04;
 
-/// The colours of an axis of further points.
+/// The colours of the same axis of further points.
 const FURTHER: [Role; 3] = [Role::Accent2, Role::Accent1, Role::Crank];
 
-/// What a quantity is.
+/// The kind of a quantity.
 fn kind_of(quantity: &Quantity) -> Kind {
     if quantity.is_angle() {
         Kind::Angle
@@ -29,7 +29,7 @@ fn kind_of(quantity: &Quantity) -> Kind {
     }
 }
 
-/// The axis of a column, or of the input where that is none.
+/// The axis of a column, or of the input without one.
 fn axis(mechanism: &Mechanism, column: Option<Column>) -> Axis {
     let Some(Column { quantity, order }) = column else {
         let kind = if mechanism.turns() {
@@ -50,20 +50,19 @@ fn axis(mechanism: &Mechanism, column: Option<Column>) -> Axis {
     }
 }
 
-/// What tells that derivatives are far from growing without bound at a dead point.
+/// Measure of the distance from a dead point, where derivatives grow without bound.
 enum Clear {
-    /// Its transmission angle.
+    /// The transmission angle of this dyad.
     Dyad(RrrDyad),
-    /// The way from this input.
+    /// The distance from this input, at least `least`.
     Way { input: f64, least: f64 },
 }
 
 impl Figure {
-    /// The chart of quantities of one kind over the motion, with the input going as
-    /// `settings` say.
+    /// The chart of quantities of one kind over the motion, with the input rate of `settings`.
     pub fn chart(&self, quantities: &[Quantity], settings: Settings) -> Chart {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
-        // Over too many turns none are looked for.
+        // Features are not searched over too many turns.
         let mut found = (motion.features(quantities, settings.input).ok()).map(Vec::into_iter);
         let series = quantities.iter().zip(self.plotted_roles(quantities));
         let series = series.map(|(quantity, role)| Series {
@@ -84,7 +83,7 @@ impl Figure {
         Chart::new(motion.cycle(), kind, series.collect(), &runs, settings)
     }
 
-    /// A column over the motion against another one, or against the input where that is none.
+    /// The plot of a column over the motion against another one, or against the input without one.
     pub fn against(&self, x: Option<Column>, y: Column, settings: Settings) -> Against {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
         let ends = self.ends();
@@ -103,7 +102,7 @@ impl Figure {
         Against::new(axes, role, &runs, motion.cycle().is_full(), settings)
     }
 
-    /// Quantities of the pose at an input, where it has derivatives.
+    /// Quantities of the pose at an input, if it has derivatives.
     fn sample(
         &self,
         input: f64,
@@ -118,7 +117,7 @@ impl Figure {
         })
     }
 
-    /// Whose colours the curves have: links their own, each axis its own, the same axis of a further point another.
+    /// The roles of the curves: links have their own colours, each axis its own, axes of further points other ones.
     pub fn plotted_roles(&self, quantities: &[Quantity]) -> Vec<Role> {
         let mut roles: Vec<Role> = Vec::new();
         for quantity in quantities {
@@ -135,7 +134,7 @@ impl Figure {
         roles
     }
 
-    /// Whose colour a quantity's curve has by itself.
+    /// The role of a quantity's curve by itself.
     fn own_role(&self, quantity: Quantity) -> Role {
         match quantity {
             Quantity::Angle(link) => self.role(link),
@@ -177,7 +176,7 @@ impl Figure {
         }
     }
 
-    /// The arc of the motion that an input is in.
+    /// The arc of the motion that contains an input.
     fn arc(&self, input: f64) -> [f64; 2] {
         let arcs = self.motion.cycle().arcs();
         let mut holding = arcs
@@ -186,7 +185,7 @@ impl Figure {
         *holding.next().unwrap_or(&arcs[0])
     }
 
-    /// An input, but for the very ends of an arc.
+    /// An input, kept off the very ends of an arc.
     fn off_the_ends(&self, input: f64) -> f64 {
         if self.motion.cycle().is_full() {
             return input;

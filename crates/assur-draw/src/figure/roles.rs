@@ -1,4 +1,4 @@
-//! Which colour each link has.
+//! Colours of links.
 
 use assur::mechanism::{LinkId, LinkSpec, Mechanism};
 use assur::structure::{Step, Structure};
@@ -6,8 +6,8 @@ use assur::structure::{Step, Structure};
 use crate::annotations::Annotations;
 use crate::list::{IN_TURN, Role};
 
-/// The colour that is noted for a link; else the driven link is a crank by its
-/// colour, the others take theirs in turn, and what is fixed to a link has its.
+/// The annotated colour of each link; otherwise a driven link has that of a crank, the others take
+/// theirs in turn, and links fixed to another have its colour.
 pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role> {
     let draft = mechanism.spec();
     let driven = |name: &String| {
@@ -39,7 +39,7 @@ pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role>
     links.map(role).collect()
 }
 
-/// The colours of the terms of the structural formula; a doubled link has that of its body.
+/// The colours of the terms of the structural formula; a doubled link has the colour of its body.
 pub(super) fn of_terms(mechanism: &Mechanism) -> impl Iterator<Item = Role> {
     let of_links = of_groups(mechanism);
     let doubled = mechanism.doubled().iter();
@@ -56,8 +56,7 @@ fn of_steps(structure: &Structure) -> impl Iterator<Item = Role> {
     })
 }
 
-/// Of each link the colour of the step that places it; what is fixed to the frame
-/// has none.
+/// For each link the colour of its driver or Assur group; none for links fixed to the frame.
 pub(super) fn of_groups(mechanism: &Mechanism) -> Vec<Role> {
     let structure = mechanism.structure();
     let roles: Vec<Role> = of_steps(structure).collect();

@@ -1,4 +1,4 @@
-//! Blocks and the guides they slide on; the ground that legs stand on.
+//! Blocks and their guides; the ground on which legs stand.
 
 use assur::mechanism::{DriverSpec, LinkId, LinkOrFrame, Mechanism, PointId, Pose, SlideSpec};
 use assur::sorting::extremes;
@@ -13,17 +13,17 @@ use crate::parts::{self, BLOCK};
 
 /// So far a way goes on beyond the middle of a block at either end of its stroke, in units.
 const BEYOND: f64 = 5.0;
-/// Half the width of what is around a slot, in units.
+/// Half the width of the bar around a slot, in units.
 const AROUND_SLOT: f64 = 2.4;
-/// Half the length of the arrow of a block that drives, and how far it is off the block's middle, in units.
+/// Half the length of the arrow of a driven block, and its distance from the block's middle, in units.
 const ARROW: f64 = 4.0;
 const BESIDE: f64 = 3.4;
-/// A channel is emptied up to so far from its walls, in units.
+/// Distance from the walls of a channel up to which it is cleared, in units.
 const WALL: f64 = 0.15;
-/// Of so many poses of a motion one is looked at for the side of a guide.
+/// Number of poses of a motion per pose examined for the side of a guide.
 const LOOKED_AT: usize = 16;
-/// A mechanism is on one side of a line where it is so far off it in the mean, relative to the
-/// distance of its points.
+/// Mean offset of a mechanism from a line, relative to the distance of its points, from which it
+/// counts as being on one side.
 const ONE_SIDED: f64 = 0.3;
 
 /// A prismatic pair as it is drawn.
@@ -32,29 +32,29 @@ pub(super) struct Guide {
     on: LinkOrFrame,
     on_role: Role,
     way: Way,
-    /// On the link that has the line: the ends of the way of the block's middle.
+    /// The ends of the way of the block's middle, in the coordinates of the link with the line.
     ends: [Point; 2],
     link: LinkId,
     role: Role,
-    /// On the link that slides: its point, the block's middle and the line's
-    /// direction.
+    /// The point, the block's middle and the line's direction, in the coordinates of the sliding
+    /// link.
     point: Point,
     middle: Point,
     direction: Vector,
-    /// Whether it drives the mechanism, and that is shown.
+    /// Whether it is shown as the driver.
     driven: bool,
 }
 
-/// What a block slides on.
+/// Kind of a guide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Way {
-    /// A line of the frame on which it stands, hatched towards this side.
+    /// A line of the frame, hatched on this side.
     Line(Vector),
-    /// Two lines of the frame between which it is: where two ways cross.
+    /// Two lines of the frame around the block: where two guides cross.
     Channel,
-    /// A rod that goes through it.
+    /// A rod through the block.
     Rod,
-    /// A slot in a link that slides itself: a yoke's.
+    /// A slot in a link that itself slides: that of a yoke.
     Slot,
 }
 
@@ -87,10 +87,10 @@ pub(super) fn guides(layout: &Layout, home: Posed<'_, 1>, runs: &[Run], view: &V
             let side = outer(layout, mechanism, runs, [start, end]);
             (Way::Line(side), [low, high])
         } else if layout::slides(mechanism, &slide.on) {
-            // As long as the line is on its link.
+            // At least as long as the line on its link.
             (Way::Slot, [low.min(0.0), high.max(length)])
         } else {
-            // Of a link the rod begins where the link is drawn.
+            // On a link the rod begins at the outline of the link.
             (Way::Rod, [low.min(length), high.max(0.0)])
         };
         let (_, on_angle) = home.body(on);
@@ -122,7 +122,7 @@ pub(super) fn guides(layout: &Layout, home: Posed<'_, 1>, runs: &[Run], view: &V
     guides
 }
 
-/// The side of a line of the frame on which the mechanism is not; below it, where it is on both.
+/// The side of a line of the frame away from the mechanism; below it if the mechanism is on both sides.
 fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Point; 2]) -> Vector {
     let along = (end - start).normalize();
     let across = Vector::new(along.y, -along.x);
@@ -144,7 +144,7 @@ fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Po
     if below > ONE_SIDED * far { -down } else { down }
 }
 
-/// The line of ground below a drawing: its ends, and how far down its hatching goes.
+/// The ground line below a drawing: its ends, and the lower edge of its hatching.
 pub(super) fn ground(
     [left, bottom, right, top]: [f64; 4],
     size: f64,
@@ -160,13 +160,13 @@ pub(super) fn ground(
 }
 
 impl Guide {
-    /// The ends of a way on the frame.
+    /// The ends of a guide on the frame.
     pub(super) fn on_frame(&self) -> impl Iterator<Item = Point> {
         let ends = self.on.is_none().then_some(self.ends);
         ends.into_iter().flatten()
     }
 
-    /// The corners of what is drawn of the frame.
+    /// The corners of the parts drawn on the frame.
     pub(super) fn reach(&self, u: f64) -> impl Iterator<Item = Point> {
         let [from, to] = self.drawn(u);
         let sides = match self.way {
@@ -196,8 +196,8 @@ impl Guide {
         self.way == Way::Slot && self.on == Some(link)
     }
 
-    /// What the block slides on, except for slots: lines of the frame hatched on their outer
-    /// sides, of a link a rod.
+    /// Draws the guide, except for slots: lines of the frame hatched on their outer sides, a rod on
+    /// a link.
     pub(super) fn draw_line(&self, list: &mut List, u: f64) {
         let ends = self.drawn(u);
         list.body(layout::number(self.on));
@@ -213,7 +213,7 @@ impl Guide {
         }
     }
 
-    /// Empties a channel of the walls of those it crosses.
+    /// Clears a channel of the walls of those it crosses.
     pub(super) fn empty(&self, list: &mut List, u: f64) {
         if self.way == Way::Channel {
             let [from, to] = self.drawn(u);
@@ -224,7 +224,7 @@ impl Guide {
         }
     }
 
-    /// A link with a slot, and arms from the slot to the other corners of the link.
+    /// Draws a link with a slot, and arms from the slot to the other corners of the link.
     pub(super) fn draw_slot(&self, list: &mut List, corners: &[Point], arm: f64, u: f64) {
         let [from, to] = self.ends;
         for corner in corners {
@@ -259,7 +259,7 @@ impl Guide {
         }
     }
 
-    /// The ends of what is drawn of the way: the block stands on it all along its stroke.
+    /// The ends of the drawn guide, which supports the block over its whole stroke.
     fn drawn(&self, u: f64) -> [Point; 2] {
         let beyond = self.along() * (BEYOND * u);
         [self.ends[0] - beyond, self.ends[1] + beyond]

@@ -13,9 +13,9 @@ use crate::gear::Teeth;
 use crate::list::{List, Look, Role};
 use crate::parts;
 
-/// What a ring has beyond its pitch circle, in modules.
+/// Width of a ring's rim beyond its pitch circle, in modules.
 const RING: f64 = 2.75;
-/// Modules that differ by less than this, relative to their size, are one.
+/// Relative difference below which two modules count as equal.
 const SAME: f64 = 1e-3;
 
 /// The wheels of a mechanism.
@@ -31,7 +31,7 @@ pub(super) struct Gearing {
 struct Drawn {
     link: LinkId,
     role: Role,
-    /// Its centre on the link, the point it turns about, and where a tooth is.
+    /// Its centre on the link, the point about which it turns, and the direction of a tooth.
     centre: Point,
     hinge: PointId,
     lead: f64,
@@ -39,20 +39,20 @@ struct Drawn {
     ring: bool,
     module: f64,
     mates: Vec<(u32, bool)>,
-    /// Stirrer blades on it.
+    /// Number of stirrer blades on it.
     blades: usize,
     /// Whether nothing else of its link is drawn about its centre.
     shaft: bool,
 }
 
-/// A wheel between two others, in no link's list.
+/// A wheel between two others that does not belong to a link.
 #[derive(Clone, Debug)]
 struct Idler {
     carrier: LinkOrFrame,
     /// Its centre on the carrier.
     centre: Point,
     wheel: Wheel,
-    /// The driving wheel's link and where its tooth is.
+    /// The link of the driving wheel, and the direction of its tooth.
     driver: LinkId,
     lead: f64,
     module: f64,
@@ -60,14 +60,13 @@ struct Idler {
 }
 
 impl Drawn {
-    /// The radius that holds all of it.
+    /// The outer radius.
     fn rim(&self) -> f64 {
         let beyond = if self.ring { RING } else { 1.0 };
         (0.5 * f64::from(self.teeth) + beyond) * self.module
     }
 
-    /// Whether it is this wheel of this link, of this module. (A link may hold
-    /// several.)
+    /// Whether it is this wheel of this link, with this module. (A link may have several.)
     fn is(&self, link: LinkId, wheel: &Wheel, module: f64) -> bool {
         let like = self.link == link && self.teeth == wheel.teeth && self.ring == wheel.ring;
         like && (self.module / module - 1.0).abs() < SAME
@@ -85,7 +84,7 @@ impl Gearing {
         for gear in &draft.gears {
             gearing.add(layout, home, gear);
         }
-        // A link may hold several wheels: blades are on one of them.
+        // A link may have several wheels: blades are on one of them.
         for (name, count) in &view.annotations.blades {
             let link = mechanism.link(name);
             let mut wheels = gearing.wheels.iter_mut();
@@ -110,7 +109,7 @@ impl Gearing {
         let [from, to] = hinges.map(|point| home.local(carrier, point));
         let between = to - from;
         let line = between.y.atan2(between.x);
-        // The module that makes the wheels meet: as many times that of one.
+        // The module at which the wheels meet, by proportion from module 1.
         let unit = GearPair::new(gear.teeth, gear.mesh, 1.0, line).ok()?;
         let module = between.norm() / unit.driven_wheel().centre.norm();
         let pair = GearPair::new(gear.teeth, gear.mesh, module, line).ok()?;
@@ -194,7 +193,7 @@ impl Gearing {
         })
     }
 
-    /// How far a place is from each wheel, and the wheel's link.
+    /// The distance of a place from each wheel, and the wheel's link.
     pub(super) fn distances<const N: usize>(
         &self,
         posed: Posed<'_, N>,
@@ -213,7 +212,7 @@ impl Gearing {
         })
     }
 
-    /// The smallest wheel that a place is on: on the disc of a plain one, on the rim of a ring, where its teeth are.
+    /// The smallest wheel at a place: on the disc of a plain wheel, on the toothed rim of a ring.
     pub(super) fn wheel_at<const N: usize>(
         &self,
         posed: Posed<'_, N>,
@@ -226,7 +225,7 @@ impl Gearing {
         Some(smallest.link)
     }
 
-    /// Where the number of a wheel stands.
+    /// The place of a wheel's number.
     pub(super) fn tagged<const N: usize>(
         &self,
         posed: Posed<'_, N>,
@@ -241,7 +240,7 @@ impl Gearing {
         Some(at + Vector::new(cos, sin) * radius)
     }
 
-    /// Where the idlers are.
+    /// The poses of the idlers.
     pub(super) fn idlers<const N: usize>(
         &self,
         posed: Posed<'_, N>,
@@ -260,7 +259,7 @@ impl Gearing {
         fixed.map(|idler| idler.centre)
     }
 
-    /// Draws all, rings behind what turns inside them.
+    /// Draws all wheels, rings behind the wheels inside them.
     pub(super) fn draw(&self, list: &mut List, u: f64) {
         let rings = self.wheels.iter().filter(|drawn| drawn.ring);
         for drawn in rings.chain(self.wheels.iter().filter(|drawn| !drawn.ring)) {

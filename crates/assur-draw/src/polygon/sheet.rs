@@ -1,11 +1,11 @@
-//! The sheet on which the polygons of a motion are drawn: of one scale and with the pole in one place for the whole motion,
-//! so that a polygon is seen to breathe about it.
+//! The sheet for the polygons of a motion: one scale and one place of the pole for the whole
+//! motion, so that the polygon moves about the pole.
 
 use assur::motion::{InputRate, Motion, Sampling, Shown, Spacing};
 use assur::polygons::{Order, Polygon};
 use assur::sorting::sort_by;
 
-/// The poses that are looked at: none at an end, which may be a dead point.
+/// Poses to be sampled: none at an end, which may be a dead point.
 const POSES: Sampling = Sampling {
     turn: 120,
     coarsest: 30,
@@ -13,16 +13,16 @@ const POSES: Sampling = Sampling {
     spacing: Spacing::Middles,
     shown: Shown::Spread,
 };
-/// The greatest size of a polygon at the scale of the motion, relative to the median one: of a
-/// motion without dead points that is mostly all of them, next to a dead point vectors grow without bound.
+/// Greatest size of a polygon at the scale of the motion, relative to the median one: without dead
+/// points this includes nearly all of them, next to a dead point vectors grow without bound.
 const MOST: f64 = 10.0;
 const MOST_OF_DEAD: f64 = 3.0;
-/// The pole is at least this share of the sheet's side off its edges.
+/// Least distance of the pole from the sheet's edges, as a share of its side.
 const EDGE: f64 = 0.1;
-/// The share of the sheet by which a polygon may exceed it and is still drawn to scale: between two poses that were looked
-/// at some do.
+/// Ratio up to which a polygon may exceed the sheet and keep its scale: some do so between two
+/// sampled poses.
 const BEYOND: f64 = 1.05;
-/// By how much larger sheets are than one another, and scales smaller, but for powers of ten.
+/// Sizes of sheets, and factors of smaller scales, up to powers of ten.
 const SIZES: [f64; 6] = [1.0, 1.5, 2.0, 3.0, 5.0, 7.0];
 const SMALLER: [f64; 3] = [1.0, 2.0, 5.0];
 
@@ -34,7 +34,7 @@ type Rectangle = [f64; 4];
 pub struct PolygonSheet(Rectangle);
 
 impl PolygonSheet {
-    /// That of a motion whose input goes so.
+    /// The sheet of a motion with this input rate.
     pub fn over(motion: &Motion, order: Order, input: InputRate) -> Self {
         let mechanism = motion.mechanism();
         let mut pose = mechanism.blank::<3>();
@@ -49,7 +49,7 @@ impl PolygonSheet {
         Self::of(found, if dead { MOST_OF_DEAD } else { MOST })
     }
 
-    /// That of the rectangles around polygons which are up to so many times as large as the median one.
+    /// The sheet around those rectangles of polygons that are at most `most` times as large as the median one.
     fn of(mut found: Vec<Rectangle>, most: f64) -> Self {
         sort_by(&mut found, |a, b| reach(*a).total_cmp(&reach(*b)));
         let median = found.get(found.len() / 2).map_or(0.0, |a| reach(*a));
@@ -68,7 +68,7 @@ impl PolygonSheet {
         Self([x - half, y - half, x + half, y + half])
     }
 
-    /// The sheet for a polygon, and how many times smaller than usual its scale is: 1, unless the polygon has no room.
+    /// The sheet for a polygon, and the factor by which its scale is smaller than usual: 1, unless it would not fit.
     pub(super) fn holding(&self, polygon: &Polygon) -> (Rectangle, f64) {
         let sides = around(polygon).into_iter().zip(self.0);
         let over = sides.map(|(side, of)| side / of).fold(0.0, f64::max);
@@ -102,12 +102,12 @@ fn joined(a: Rectangle, b: Rectangle) -> Rectangle {
     ]
 }
 
-/// How far a rectangle goes from the pole.
+/// The greatest distance of a rectangle's sides from the pole.
 fn reach(rectangle: Rectangle) -> f64 {
     rectangle.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
 
-/// The least of these digits, in ascending order, times a power of ten that is no less.
+/// The least of these digits, in ascending order, times a power of ten, that is not less than a length.
 fn no_less(length: f64, digits: &[f64]) -> f64 {
     let power = 10.0_f64.powf(length.log10().floor());
     let mut whole = digits.iter().map(|digit| digit * power);
@@ -119,9 +119,9 @@ mod tests {
     use super::*;
     use assur::mechanism::{LinkageSpec, Mechanism};
 
-    /// A four-bar with its crank, coupler and rocker so long, on a frame of 4.
+    /// A four-bar with these lengths of crank, coupler and rocker, on a frame of 4.
     fn four_bar([crank, c, d]: [f64; 3]) -> Motion {
-        // Drawn where crank and frame are at right angles.
+        // Drawn with crank and frame at right angles.
         let diagonal = crank.hypot(4.0);
         let along = (c * c + diagonal * diagonal - d * d) / (2.0 * diagonal);
         let across = (c * c - along * along).sqrt();
@@ -151,7 +151,7 @@ mod tests {
         poses.map(polygon).collect()
     }
 
-    /// A crank that turns: one scale all the way, of which the longest vector takes a good part; the pole is on the sheet.
+    /// A crank that turns fully: one scale, at which the longest vector takes much of the sheet; the pole is on the sheet.
     #[test]
     fn a_turning_crank_has_one_scale() {
         let motion = four_bar([1.0, 3.0, 3.0]);
@@ -170,8 +170,8 @@ mod tests {
         }
     }
 
-    /// A crank that comes to dead points: most of the motion has one scale, of which the median polygon takes a good part, and
-    /// next to the ends it is smaller by round steps about the same pole, so that every polygon has room.
+    /// A crank with dead points: most of the motion has one scale, at which the median polygon takes much of the
+    /// sheet; next to the ends it is smaller by round steps about the same pole, so that every polygon fits.
     #[test]
     fn a_dead_point_has_smaller_scales() {
         let motion = four_bar([3.0, 2.0, 3.5]);
@@ -197,7 +197,7 @@ mod tests {
         assert!(sizes[sizes.len() / 2] > 0.1 * (right - left));
     }
 
-    /// Where nothing moves there is a sheet all the same.
+    /// A mechanism at rest also has a sheet.
     #[test]
     fn nothing_has_a_sheet() {
         for found in [Vec::new(), vec![[0.0; 4]]] {

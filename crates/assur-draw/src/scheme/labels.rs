@@ -1,4 +1,4 @@
-//! Where the names of pairs and the numbers of links stand.
+//! Labels of a scheme: names of pairs and numbers of links.
 
 use assur::Point;
 
@@ -7,7 +7,7 @@ use crate::list::{List, Role};
 use crate::parts;
 use crate::scheme::opening::Displacement;
 
-/// A number keeps so far off pairs, in units.
+/// Minimum distance of a number from pairs, in units.
 const CLEAR: f64 = 6.0;
 
 impl SchemeFigure {
@@ -23,13 +23,13 @@ impl SchemeFigure {
             let away = away.sum::<assur::Vector>().try_normalize(0.05 * self.unit);
             let away = match away {
                 Some(away) if pair.links.contains(&0) && away.y < -0.3 => {
-                    // Not upon the support.
+                    // Beside the support.
                     assur::Vector::new(1.0_f64.copysign(away.x), 0.1)
                 }
                 Some(away) => away,
                 None => assur::Vector::new(-0.7, 0.7),
             };
-            // In space symbols reach farther than the circle of a hinge.
+            // In space symbols are larger than the circle of a hinge.
             let reach = if self.scheme.is_planar() { 2.3 } else { 2.6 };
             list.name(
                 Role::Ink,
@@ -44,7 +44,7 @@ impl SchemeFigure {
         }
     }
 
-    /// Where the number of a link stands: by the middle of a bar, or of its first part where a pair is in the way.
+    /// The place of a link's number: beside the middle of a bar, or of its first part if a pair is in the way.
     fn numbered(&self, body: &Body) -> (Point, [f64; 2]) {
         let nodes = self.seen(body);
         let hull = parts::hull(nodes.clone());

@@ -1,23 +1,23 @@
-//! How a chain falls open where pairs are cut: the pairs that are left move a little, each as its
-//! freedoms let it, so that the halves of what is cut part.
+//! Opening of a chain at cut pairs: the remaining pairs move a little, as their freedoms allow, so
+//! that the halves of each cut separate.
 
 use std::collections::VecDeque;
 
 use assur::mobility::{Cut, Pair, PairKind, Point3, Scheme, Vector3};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
-/// The halves of a cut pair part by this, relative to the size of the drawing, and no pair turns
-/// by more than that for it.
+/// Gap between the halves of a cut pair, relative to the size of the drawing, and the greatest turn
+/// of a pair for it.
 const GAP: f64 = 0.09;
 const MOST: f64 = 0.45;
 
-/// A slide goes as far as a turn moves what is so far off, relative to the size.
+/// Displacement of a slide: that of a turn at this distance, relative to the size.
 const LEVER: f64 = 0.3;
 
 /// A displacement in space.
 pub(super) type Displacement = Isometry3<f64>;
 
-/// What is left of the pairs after cuts: of each pair the links that still have it.
+/// The chain after cuts: for each pair the links that it still joins.
 pub(super) struct Chain<'a> {
     scheme: &'a Scheme,
     places: &'a [Point3],
@@ -26,7 +26,7 @@ pub(super) struct Chain<'a> {
     size: f64,
 }
 
-/// A way from the ground: the pair by which a link was reached, and from which link.
+/// The last step of the path from the ground to a link: the pair, and the link before it.
 type Reached = Option<(usize, usize)>;
 
 impl<'a> Chain<'a> {
@@ -51,8 +51,8 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Where every link goes: the cuts open in turn, all but the last wide, the last by a share of
-    /// its way.
+    /// Displacements of all links: the cuts open in turn, all but the last completely, the last by
+    /// a share of its way.
     pub(super) fn opened(&self, last: f64) -> Vec<Displacement> {
         let pairs = self.scheme.pairs();
         let (reached, order) = self.reach();
@@ -77,13 +77,13 @@ impl<'a> Chain<'a> {
         links
     }
 
-    /// Lets the pairs between the halves of a cut pair move.
+    /// Moves the pairs between the halves of a cut pair.
     fn part(&self, cut: Cut, share: f64, reached: &[Reached], moved: &mut [Displacement]) {
         let Some(&kept) = self.left[cut.pair].first() else {
             return;
         };
         let [off, on] = [cut.link, kept].map(|link| way_to(link, reached));
-        // What both ways share moves both halves alike.
+        // Pairs common to both paths move both halves alike.
         let both = |pair: &usize| !(off.contains(pair) && on.contains(pair));
         let at = self.places[cut.pair];
         let around: Vec<Point3> = off
@@ -148,7 +148,7 @@ impl<'a> Chain<'a> {
         !seen[other]
     }
 
-    /// The ways from the ground, and the links in the order in which they are reached.
+    /// The paths from the ground, and the links in the order in which they are reached.
     fn reach(&self) -> (Vec<Reached>, Vec<usize>) {
         let mut reached = vec![None; self.scheme.links().len()];
         let mut order = vec![0];
@@ -181,14 +181,14 @@ fn way_to(mut link: usize, reached: &[Reached]) -> Vec<usize> {
     way
 }
 
-/// A small motion that a pair lets its links have: a turn about an axis of length 1, or a way.
+/// A small motion allowed by a pair: a turn about an axis of length 1, or a translation.
 enum Small {
     Turn(Vector3),
     Slide(Vector3),
 }
 
 impl Small {
-    /// The one that moves a place most in a direction, of those that are easily seen.
+    /// Of the clearly visible motions of a pair, the one that moves a place most in a direction.
     fn of(pair: &Pair, here: Point3, at: Point3, away: Vector3, size: f64) -> Self {
         let axis = pair.axis.unwrap_or_else(Vector3::z);
         let best = || {
@@ -217,7 +217,7 @@ impl Small {
         }
     }
 
-    /// How far it moves a place in a direction: by a radian, or its way.
+    /// Displacement of a place in a direction: per radian, or along the translation.
     fn along(&self, here: Point3, at: Point3, away: Vector3) -> f64 {
         match self {
             Self::Turn(axis) => axis.cross(&(at - here)).dot(&away),

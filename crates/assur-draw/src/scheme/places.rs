@@ -8,8 +8,8 @@ use crate::parts;
 /// Distance of a pair without a given position from its links, relative to the size.
 const ASIDE: f64 = 0.15;
 
-/// Where pairs are. One of which it is not told is beside those that its links have too; where it
-/// is given for none, they are on a circle, in turn.
+/// The places of pairs. One without a given place is beside the other pairs of its links; if none
+/// is given, all are on a circle, in turn.
 pub(super) fn placed(scheme: &Scheme) -> Vec<Point3> {
     let pairs = scheme.pairs();
     let known = || pairs.iter().filter_map(|pair| pair.place);
@@ -39,7 +39,7 @@ pub(super) fn placed(scheme: &Scheme) -> Vec<Point3> {
     placed.collect()
 }
 
-/// The rectangle around places, and its longer side (1 where they are all one).
+/// The rectangle around places, and its longer side (1 if all coincide).
 pub(super) fn around(places: impl Iterator<Item = Point>) -> ([f64; 4], f64) {
     let none = [
         f64::INFINITY,

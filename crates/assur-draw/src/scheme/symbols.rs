@@ -1,4 +1,4 @@
-//! The standard symbols of pairs (ISO 3952, GOST 2.770), turned as their axes are.
+//! The standard symbols of pairs (ISO 3952, GOST 2.770), in the directions of their axes.
 
 use assur::mobility::{Pair, PairKind, Point3, Vector3};
 use assur::{Point, perpendicular};
@@ -8,10 +8,10 @@ use crate::list::{List, Look, Role};
 use crate::parts;
 use crate::projection::Projection;
 
-/// An axis seen within this sine of its own direction looks like a point.
+/// Sine of the angle to the line of sight below which an axis is drawn as a point.
 const END_ON: f64 = 0.35;
 
-/// A pen in space: what it draws is where a pair is, along its directions.
+/// A pen in space, which draws at the place of a pair, along its directions.
 pub(super) struct Pen<'a> {
     pub(super) list: &'a mut List,
     pub(super) projection: &'a Projection,
@@ -24,7 +24,7 @@ pub(super) struct Pen<'a> {
 }
 
 impl<'a> Pen<'a> {
-    /// At a pair whose first link was displaced.
+    /// A pen at a pair whose first link was displaced.
     pub(super) fn new(
         list: &'a mut List,
         projection: &'a Projection,
@@ -35,7 +35,7 @@ impl<'a> Pen<'a> {
         moved: &Displacement,
     ) -> Self {
         let axis = pair.axis.unwrap_or_else(Vector3::z);
-        // Flat on the sheet where nothing else says how it is turned.
+        // Flat on the sheet if the second direction is not given.
         let across = pair.second.unwrap_or_else(|| {
             let level = Vector3::z().cross(&axis);
             level.try_normalize(1e-6).unwrap_or_else(Vector3::x)
@@ -58,7 +58,7 @@ impl<'a> Pen<'a> {
         self.projection.place(self.at + off)
     }
 
-    /// A place on the sheet, in units along what is seen of the axis and at right angles to it.
+    /// A place on the sheet, in units along the visible axis and at right angles to it.
     fn flat(&self, along: f64, across: f64) -> Point {
         let axis = self.projection.direction(self.frame[0]);
         let along_it = axis.try_normalize(1e-9).unwrap_or_else(assur::Vector::x);
@@ -66,7 +66,7 @@ impl<'a> Pen<'a> {
         self.projection.place(self.at) + (along_it * along + left * across) * self.unit
     }
 
-    /// Whether the axis is seen from its end.
+    /// Whether the axis is seen end on.
     fn end_on(&self) -> bool {
         self.projection.direction(self.frame[0]).norm() < END_ON
     }
@@ -96,7 +96,7 @@ impl<'a> Pen<'a> {
             .polygons(self.role, Look::Pale, &[corners.to_vec()]);
     }
 
-    /// An open half around a ball.
+    /// An open half shell around a ball.
     fn cup(&mut self) {
         let centre = self.projection.place(self.at);
         let arc = (0..=20).map(|k| {

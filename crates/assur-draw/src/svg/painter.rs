@@ -6,8 +6,8 @@ use super::{Drawing, css, escaped};
 use crate::figure::names::VALUE;
 use crate::list::Role;
 
-/// For each look, as in the page's painter: opacity of the filling (negative: filled
-/// with paper), width of the line in pixels and its opacity, dashes.
+/// For each look, as in the page's painter: opacity of the fill (negative: filled with paper),
+/// width of the line in pixels and its opacity, dashes.
 const LOOKS: [(f64, f64, f64, &str); 7] = [
     (1.0, 0.0, 1.0, ""),
     (0.16, 1.5, 1.0, ""),
@@ -21,14 +21,14 @@ const LOOKS: [(f64, f64, f64, &str); 7] = [
 /// Height of the labels, pixels.
 const TEXT: f64 = 15.0;
 
-/// Paints display lists; places are turned into pixels here, so that nothing
-/// depends on how a viewer scales lines.
+/// Paints display lists; places are converted to pixels here, so that nothing depends on how a
+/// viewer scales lines.
 pub(super) struct Painter<'a> {
     pub(super) shapes: &'a mut String,
     pub(super) labels: String,
     pub(super) drawing: &'a Drawing<'a>,
     pub(super) poses: &'a [f32],
-    /// Where the model's origin is, and pixels to its unit.
+    /// Position of the model's origin, and pixels per unit.
     pub(super) middle: [f64; 2],
     pub(super) scale: f64,
     pub(super) body: usize,
@@ -41,7 +41,7 @@ impl Painter<'_> {
         }
     }
 
-    /// Paints the first record and says how long it is; none at the end.
+    /// Paints the first record and returns its length; none at the end.
     fn record(&mut self, numbers: &[f32]) -> Option<usize> {
         let at = |index: usize| numbers.get(index).copied();
         let whole = |index: usize| at(index).map(|number| number as usize);
@@ -99,7 +99,7 @@ impl Painter<'_> {
         }
     }
 
-    /// A label; of a symbol and a read-out with its value, degrees.
+    /// The text of a label; with a read-out also its value, degrees.
     fn written(&self, label: &str) -> String {
         let Some((symbol, what)) = label.split_once(VALUE) else {
             return label.to_owned();
@@ -143,7 +143,7 @@ impl Painter<'_> {
         path
     }
 
-    /// A place of the body at hand in pixels, y down.
+    /// A place of the current body in pixels, y down.
     fn place(&self, x: f32, y: f32) -> [f64; 2] {
         let pose = self.poses.get(3 * self.body..3 * self.body + 3);
         let [left, up, angle] = pose.map_or([0.0; 3], |pose| [0, 1, 2].map(|i| f64::from(pose[i])));

@@ -2,12 +2,12 @@
 
 use assur::{Point, perpendicular};
 
-/// The half width of a shaft, and the length and half width of a head, in units.
+/// Half the width of a shaft, and length and half the width of a head, in units.
 const SHAFT: f64 = 0.32;
 const HEAD: [f64; 2] = [2.4, 1.1];
 
-/// The outline of an arrow: none where it is shorter than can be seen. Its head is never longer
-/// than half of it.
+/// The outline of an arrow; none if it is too short to be visible. Its head is at most half as
+/// long.
 pub(super) fn arrow(from: Point, to: Point, unit: f64) -> Option<Vec<Point>> {
     let length = (to - from).norm();
     if length.is_nan() || length < 0.3 * unit {

@@ -1,4 +1,4 @@
-//! A bevel differential from the side, a little from the sun's end and from above.
+//! The drawing of a bevel differential from the side, a little from the sun's end and from above.
 
 mod shafts;
 mod wheels;
@@ -16,44 +16,44 @@ use super::{TrainPose, TrainView, WorkingMember, members};
 use crate::list::List;
 use crate::projection::Projection;
 
-/// From where it is looked at: turned towards the sun's end, and from above, radians.
+/// Direction of view: turned towards the sun's end, and from above, radians.
 const LOOK: [f64; 2] = [0.4, 0.2];
 /// The width of the wheels relative to their cones.
 const FACE: f64 = 0.32;
-/// How far magnets are moved outward along their axes for a gap, in modules.
+/// Outward displacement of magnets along their axes for a gap, in modules.
 const GAP: f64 = 0.9;
-/// What a wheel around others has beyond its teeth or plates, in modules.
+/// Width of an outer wheel's rim beyond its teeth or plates, in modules.
 const RIM: f64 = 2.0;
-/// What the carrier needs beyond the wheels, and the lengths of shafts, relative to the size.
+/// Clearance of the carrier around the wheels, and the lengths of shafts, relative to the size.
 const CLEAR: f64 = 0.1;
 const SHAFT: f64 = 0.5;
 /// The radius of a working member on a pin relative to that of its satellite.
 const SEVENTH: f64 = 0.8;
-/// How far from the wheels the working member on the carrier's shaft is, and its radius.
+/// Distance of the working member on the carrier's shaft from the wheels, and its radius.
 const EIGHTH: [f64; 2] = [0.85, 0.7];
-/// How far below the main axis the ground is.
+/// Distance of the ground below the main axis.
 const FOOT: f64 = 0.55;
 /// The radii of shafts, of the carrier's hollow one and of bushes, relative to the size.
 const RADII: [f64; 3] = [0.035, 0.06, 0.1];
 
-/// A bevel differential. The main axis is that of x, from the ring to the sun; the first satellite
-/// is above it, along z, at the carrier's angle 0.
+/// A bevel differential. The main axis is x, from the ring to the sun; the first satellite is above
+/// it, along z, at the carrier's angle 0.
 #[derive(Clone, Debug)]
 pub(super) struct Bevel {
     layout: Layout,
     view: TrainView,
     projection: Projection,
-    /// Sun and ring: how far along the main axis their wide ends are, and their radii.
+    /// Positions of the wide ends of sun and ring along the main axis, and their radii.
     central: [[f64; 2]; 2],
-    /// How far along its axis a satellite's wide end is, and its radius.
+    /// Position of a satellite's wide end along its axis, and its radius.
     satellite: [f64; 2],
     /// The inclination of a satellite's axis: cosine and sine.
     inclination: [f64; 2],
-    /// How far satellites are moved outward.
+    /// Outward displacement of the satellites.
     gap: f64,
-    /// How far the pins go.
+    /// Length of the pins.
     pin: f64,
-    /// The radius of the carrier's cage, and where it is on the ring's side.
+    /// Radius of the carrier's cage, and its position on the ring's side.
     cage: [f64; 2],
     /// The ends of the shafts of ring and sun.
     shafts: [f64; 2],
@@ -65,14 +65,14 @@ pub(super) struct Bevel {
     unit: f64,
 }
 
-/// Directions that turn about the main axis: outward, and ahead.
+/// Directions that rotate about the main axis: radial, and tangential.
 fn turning(angle: f64) -> [Vector3; 2] {
     let (sin, cos) = angle.sin_cos();
-    // Towards the reader is against y.
+    // The reader looks along y.
     [Vector3::new(0.0, -sin, cos), Vector3::new(0.0, -cos, -sin)]
 }
 
-/// A part of the drawing, and how near it is.
+/// A part of the drawing, with its nearness to the reader.
 struct Part {
     near: f64,
     list: List,
@@ -102,7 +102,7 @@ impl Bevel {
             central[1][0],
             central[0][0] + moved,
             central[1][0] + moved,
-            // Of the pin, with a working member.
+            // At the end of the pin, with a working member.
             pin * cosine + satellite * sine,
             pin * cosine - satellite * sine,
         ];
@@ -152,12 +152,12 @@ impl Bevel {
         ];
         let around = outer.into_iter().fold(0.0, f64::max);
         let ([left, right], foot) = (self.shafts, (FOOT + 0.06) * self.size);
-        // How far from the main axis anything is, and where along it.
+        // Distances from the main axis, and positions along it.
         let places = [
             (self.cage[1], around),
             (right - SHAFT * self.size, around),
             (self.hollow, EIGHTH[1] * self.size),
-            // The hatched ground goes beyond the shafts.
+            // The hatched ground extends beyond the shafts.
             (left - 0.08 * self.size, foot),
             (right + 0.08 * self.size, foot),
         ];
@@ -182,7 +182,7 @@ impl Bevel {
         })
     }
 
-    /// Sun or ring: its angles are counted about the main axis from above.
+    /// Sun or ring; its angles are measured about the main axis from above.
     fn central_wheel(&self, member: Member) -> Frustum {
         let sun = member == Member::Sun;
         let sign = if sun { 1.0 } else { -1.0 };
@@ -197,8 +197,8 @@ impl Bevel {
         }
     }
 
-    /// A satellite that is at an angle about the main axis: its own angles are counted about its
-    /// axis, outward, from where it meets the sun.
+    /// A satellite at an angle about the main axis; its own angles are measured about its axis,
+    /// outward, from the mesh with the sun.
     fn satellite(&self, at: f64) -> Frustum {
         let ([cosine, sine], [outward, ahead]) = (self.inclination, turning(at));
         let [along, radius] = self.satellite;
@@ -214,7 +214,7 @@ impl Bevel {
         }
     }
 
-    /// Periods of the field per turn of sun, satellite and ring; of gears their teeth.
+    /// Periods of the field per turn of sun, satellite and ring; for gears their teeth.
     fn periods(&self) -> [f64; 3] {
         [Member::Sun, Member::Satellite, Member::Ring].map(|member| {
             let plates = self.layout.train().teeth(member);
@@ -222,8 +222,8 @@ impl Bevel {
         })
     }
 
-    /// The angles of the first plates, so that there is half a period of the field between wheels
-    /// that meet: of sun and ring, and of a satellite by where it is about the main axis.
+    /// The angles of the first plates at which meshing wheels are half a period of the field apart:
+    /// of sun and ring, and of a satellite by its angle about the main axis.
     fn mounted(&self, pose: &TrainPose) -> ([f64; 2], impl Fn(f64) -> f64) {
         let [sun, _, _, ring] = pose.angles;
         let [p1, p2, p4] = self.periods();
@@ -231,7 +231,7 @@ impl Bevel {
         ([sun, ring - PI * p2 / p4], satellite)
     }
 
-    /// Everything, in a pose.
+    /// Draws the differential in a pose.
     pub(super) fn draw(&self, list: &mut List, pose: &TrainPose) {
         let carrier = pose.angles[Body::Carrier.index()];
         let ([sun, ring], satellite) = self.mounted(pose);

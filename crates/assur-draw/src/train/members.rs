@@ -1,4 +1,4 @@
-//! The working members, as they are seen along their shafts, with radius 1.
+//! The working members as seen along their shafts, with radius 1.
 
 use std::f64::consts::{PI, TAU};
 
@@ -10,8 +10,8 @@ use super::wheel::polar;
 /// The radius of the hub.
 const HUB: f64 = 0.16;
 
-/// The outlines of a member of a radius about the origin, turned by an angle, apart from one another
-/// or one in the other.
+/// The outlines of a member with a radius about the origin, turned by an angle: either separate or
+/// nested.
 pub(super) fn outlines(member: WorkingMember, radius: f64, turned: f64) -> Vec<Vec<Point>> {
     let mut loops = match member {
         WorkingMember::Fan => around(5, &curved(&FAN)),
@@ -32,7 +32,7 @@ pub(super) fn outlines(member: WorkingMember, radius: f64, turned: f64) -> Vec<V
 /// Corners along x.
 type Corners<const N: usize> = [[f64; 2]; N];
 
-/// A broad blade that leans forward.
+/// A broad, forward-leaning blade.
 const FAN: Corners<6> = [
     [0.15, -0.06],
     [0.55, -0.18],
@@ -70,7 +70,7 @@ const BLADE: Corners<5> = [
     [0.6, 0.06],
     [0.12, 0.12],
 ];
-/// Narrow at the hub, widest far out.
+/// Narrow at the hub, widest near the tip.
 const PROPELLER: Corners<8> = [
     [0.15, -0.05],
     [0.4, -0.12],
@@ -82,7 +82,7 @@ const PROPELLER: Corners<8> = [
     [0.15, 0.05],
 ];
 
-/// The same corners several times around, and a hub apart from them.
+/// Copies of the same corners around the centre, and a separate hub.
 fn around(count: usize, corners: &[[f64; 2]]) -> Vec<Vec<Point>> {
     let turned = |k: usize| {
         let (sin, cos) = (TAU * k as f64 / count as f64).sin_cos();
@@ -92,7 +92,7 @@ fn around(count: usize, corners: &[[f64; 2]]) -> Vec<Vec<Point>> {
     (0..count).map(turned).chain([circle(0.8 * HUB)]).collect()
 }
 
-/// A line through the same corners with round bends: two steps of Chaikin's cutting of corners.
+/// A closed line with its corners rounded: two steps of Chaikin's corner cutting.
 fn curved(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let cut = |corners: &[[f64; 2]]| -> Vec<[f64; 2]> {
         let next = corners.iter().cycle().skip(1);

@@ -1,4 +1,4 @@
-//! A planar differential along its main axis: what turns as a body, and where the bodies are.
+//! A planar differential along its main axis: the bodies and their poses.
 
 mod field;
 
@@ -20,7 +20,7 @@ const CARRIER: usize = 2;
 const RING: usize = 3;
 const SATELLITES: usize = 4;
 
-/// The least pitch that can be seen, relative to the drawing.
+/// The least visible pitch, relative to the drawing.
 pub(super) const FINE: f64 = 0.005;
 /// The least pitch with room for a letter.
 const LETTERS: f64 = 0.035;
@@ -28,7 +28,7 @@ const LETTERS: f64 = 0.035;
 const ROOM: f64 = 11.0;
 /// Units from the main axis to the edge of the drawing.
 const HALF: f64 = 50.0;
-/// The frame around the wheels in units: where it begins, and how far it goes.
+/// The hatched frame around the wheels, in units: its inner edge, and its width.
 const GROUND: [f64; 2] = [1.6, 4.4];
 
 /// A planar differential.
@@ -42,9 +42,9 @@ pub(super) struct Planar {
     step: Option<Wheel>,
     ring: Wheel,
     mounting: Mounting,
-    /// How far the satellites are from the main axis.
+    /// Distance of the satellites from the main axis.
     distance: f64,
-    /// The directions of the satellites seen from the carrier.
+    /// The directions of the satellites relative to the carrier.
     directions: Vec<f64>,
     unit: f64,
     reach: f64,
@@ -120,7 +120,7 @@ impl Planar {
         [-self.reach, -self.reach, self.reach, self.reach]
     }
 
-    /// Where each body is: x, y and its angle, about which its plates are mounted.
+    /// The pose of each body: x, y and the angle about which its plates are mounted.
     pub(super) fn poses(&self, pose: &TrainPose) -> Vec<[f64; 3]> {
         let [sun, satellite, carrier, ring] = pose.angles;
         let centred = [pose.ground, sun, carrier, ring + self.mounting.ring];
@@ -133,7 +133,7 @@ impl Planar {
         centred.chain(satellites).collect()
     }
 
-    /// Everything that turns as a body.
+    /// Everything that turns rigidly with a body.
     pub(super) fn rigid(&self) -> List {
         let mut list = List::default();
         self.draw_ground(&mut list);
@@ -177,7 +177,7 @@ impl Planar {
         );
     }
 
-    /// The wheels, those behind first: of a stepped satellite the smaller one is in front.
+    /// The wheels, from back to front: of a stepped satellite the smaller one is in front.
     fn draw_wheels(&self, list: &mut List) {
         let small = self.step.as_ref();
         let behind = small.filter(|step| step.teeth > self.satellite.teeth);
@@ -241,7 +241,7 @@ impl Planar {
         }
     }
 
-    /// A mark by which a wheel is seen to turn.
+    /// A mark that makes a wheel's rotation visible.
     fn mark(&self, list: &mut List, wheel: &Wheel) {
         let (at, back, size) = (wheel.marked(), wheel.back(), 0.8 * self.unit);
         if wheel.ring {
@@ -254,8 +254,8 @@ impl Planar {
         list.circle(wheel.role, Look::Solid, polar(back - 1.6 * size, at), size);
     }
 
-    /// The letters of the poles at the plate next to the marked one, and at its neighbour where
-    /// that one differs.
+    /// The letters of the poles at the plate next to the marked one, and at its neighbour if that
+    /// differs.
     fn letters(&self, list: &mut List, wheel: &Wheel) {
         let Rim::Plates(poles) = wheel.rim else {
             return;
@@ -304,7 +304,7 @@ impl Planar {
         }
     }
 
-    /// What changes: the forces on the satellites and the velocities of the first.
+    /// The moving part: the forces on the satellites and the velocities of the first.
     pub(super) fn draw_moving(&self, list: &mut List, pose: &TrainPose) {
         list.body(CARRIER);
         if let Some(torques) = pose.torques {

@@ -1,4 +1,4 @@
-//! Bodies of revolution in space: cones of bevel wheels and bushes.
+//! Bodies of revolution in space: the cones of bevel wheels, and bushes.
 
 use std::f64::consts::TAU;
 
@@ -16,17 +16,17 @@ const CIRCLE: usize = 40;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frustum {
     pub(super) axis: Vector3,
-    /// Two directions across the axis, between which its angles are counted.
+    /// Two directions perpendicular to the axis, between which its angles are measured.
     pub(super) across: [Vector3; 2],
-    /// Of its wide and its narrow end: how far along the axis, and the radius.
+    /// Positions along the axis and radii of its wide and its narrow end.
     pub(super) ends: [[f64; 2]; 2],
-    /// How far it goes beyond the wide end where it is around others: then it is wide
-    /// where it comes first along its axis.
+    /// Width of the rim beyond the wide end if it encloses other wheels: then the wide end comes
+    /// first along the axis.
     pub(super) rim: f64,
 }
 
 impl Frustum {
-    /// A direction across the axis.
+    /// A direction perpendicular to the axis.
     pub(super) fn direction(&self, angle: f64) -> Vector3 {
         let (sin, cos) = angle.sin_cos();
         self.across[0] * cos + self.across[1] * sin
@@ -44,19 +44,19 @@ impl Frustum {
         Point3::from(self.axis * (0.5 * (first + second)))
     }
 
-    /// Whether it is a cup around others.
+    /// Whether it is a cup that encloses other wheels.
     fn is_around(&self) -> bool {
         self.ends[0][0] < self.ends[1][0]
     }
 
-    /// How much of its surface is turned to the reader in a direction: nothing where not positive.
+    /// The part of its surface normal towards the reader at an angle: hidden if not positive.
     fn turned(&self, projection: &Projection, angle: f64) -> f64 {
         let [[far, wide], [near, narrow]] = self.ends;
         let normal = self.direction(angle) * (far - near) - self.axis * (wide - narrow);
         projection.nearness(Point3::from(normal))
     }
 
-    /// The end that is turned to the reader.
+    /// The end that faces the reader.
     pub(super) fn seen_end(&self, projection: &Projection) -> usize {
         usize::from(projection.nearness(Point3::from(self.axis)) < 0.0)
     }
@@ -75,11 +75,11 @@ impl Frustum {
         self.arc(projection, end, 0.0, TAU)
     }
 
-    /// What it looks like from outside: the end that is seen where the surface is not, and the
-    /// other one where it is.
+    /// The outline: the visible end where the surface is hidden, and the other end where it is
+    /// visible.
     fn outline(&self, projection: &Projection) -> Vec<Point> {
         let seen = self.seen_end(projection);
-        // What is turned to the reader goes with the cosine from where most is.
+        // The normal's part towards the reader varies as a cosine about its maximum.
         let [ahead, aside] = [0.0, 0.25 * TAU].map(|angle| self.turned(projection, angle));
         let behind = self.turned(projection, 0.5 * TAU);
         let mean = 0.5 * (ahead + behind);
@@ -97,7 +97,7 @@ impl Frustum {
         [front, back].concat()
     }
 
-    /// Draws its outline and the end that is seen; it hides what is behind.
+    /// Draws its outline and the visible end; it hides what is behind.
     pub(super) fn draw(&self, list: &mut List, projection: &Projection, role: Role) {
         if self.is_around() {
             let [along, radius] = self.ends[0];
@@ -114,8 +114,8 @@ impl Frustum {
         list.polygons(role, Look::Pale, &[self.circle(projection, seen)]);
     }
 
-    /// The teeth or plates that are seen, of as many, the first at an angle; by whether their
-    /// number is even or odd.
+    /// The visible ones of `count` teeth or plates, the first at an angle, separately for even and
+    /// odd indices.
     pub(super) fn plates(
         &self,
         projection: &Projection,
@@ -133,15 +133,15 @@ impl Frustum {
         loops
     }
 
-    /// The corners of a plate about an angle.
+    /// The corners of a plate centred on an angle.
     fn plate(&self, projection: &Projection, at: f64, half: f64) -> Vec<Point> {
         let corners = [(0, -half), (0, half), (1, half), (1, -half)];
         let corners = corners.map(|(end, off)| projection.place(self.place(end, at + off)));
         corners.to_vec()
     }
 
-    /// Draws a mark at an angle: a radius on the end that is seen, and a line along the surface
-    /// where it is seen.
+    /// Draws a mark at an angle: a radius on the visible end, and a line along the surface if
+    /// visible.
     pub(super) fn mark(&self, list: &mut List, projection: &Projection, role: Role, angle: f64) {
         let end = self.seen_end(projection);
         let rim = projection.place(self.place(end, angle));

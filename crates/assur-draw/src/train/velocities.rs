@@ -1,5 +1,5 @@
 //! The velocity triangle of a satellite: velocities along a line through the main axis end on a
-//! straight line, which meets the first one in the instantaneous centre.
+//! straight line, which crosses the first one at the instantaneous centre.
 
 use assur::Point;
 use assur::gears::train::Velocities;
@@ -12,11 +12,11 @@ use crate::list::{List, Look, Role};
 /// The length of the longest arrow, in units.
 const LONGEST: f64 = 20.0;
 
-/// Draws it on the line from the main axis through the satellite, which is that of x. What is
-/// farther than `reach` is left out. The longest arrow is always as long: lengths show the
-/// velocities relative to one another.
+/// Draws the triangle on the line from the main axis through the satellite, the x-axis. Points
+/// farther than `reach` are left out. The longest arrow has a fixed length: lengths show only
+/// ratios of velocities.
 pub(super) fn draw(list: &mut List, velocities: &Velocities, reach: f64, unit: f64) {
-    // Heads of arrows are as broad as that.
+    // Allows for the width of arrowheads.
     let reach = reach - 2.0 * unit;
     let within = |radius: &f64| radius.abs() < reach;
     let places = [velocities.sun, velocities.centre, velocities.ring];

@@ -9,28 +9,28 @@ use crate::gear::Teeth;
 use crate::list::{List, Look, Role};
 use crate::parts;
 
-/// What shows a north and a south pole outward.
+/// The colours of north and south poles that face outward.
 pub(super) const POLES: [Role; 2] = [Role::Accent5, Role::X];
 
-/// What a ring has beyond its teeth or plates, in modules, and at least relative to its radius.
+/// Width of a ring's rim beyond its teeth or plates, in modules, and its minimum relative to the radius.
 const RIM: (f64, f64) = (2.75, 0.045);
-/// The height of a plate in modules, and at most relative to the wheel's radius.
+/// The height of a plate in modules, and its maximum relative to the wheel's radius.
 const PLATE: (f64, f64) = (1.1, 0.4);
 /// The share of the pitch that a plate takes up.
 pub(super) const SHARE: f64 = 0.66;
-/// How far between two points of an arc, in radians.
+/// Angle between two points of an arc, radians.
 const STEP: f64 = 0.09;
 /// Points of a full circle.
 const CIRCLE: usize = 180;
 
-/// What couples a wheel to others.
+/// Rim of a wheel, which couples it to others.
 #[derive(Clone, Debug)]
 pub(super) enum Rim {
     /// Teeth, in mesh with these (teeth, ring).
     Teeth(Vec<(u32, bool)>),
     /// Magnet plates.
     Plates(Poles),
-    /// Either, finer than can be seen.
+    /// Either, too fine to be visible.
     Fine,
 }
 
@@ -40,18 +40,18 @@ pub(super) struct Wheel {
     pub(super) role: Role,
     pub(super) teeth: u32,
     pub(super) module: f64,
-    /// Whether it has its teeth or plates inside.
+    /// Whether its teeth or plates are inside.
     pub(super) ring: bool,
     pub(super) rim: Rim,
 }
 
 impl Wheel {
-    /// The radius of the pitch circle: that on which the faces of the plates are.
+    /// The radius of the pitch circle, on which the faces of the plates lie.
     pub(super) fn radius(&self) -> f64 {
         0.5 * self.module * f64::from(self.teeth)
     }
 
-    /// The radius that holds all of it.
+    /// The outer radius.
     pub(super) fn reach(&self) -> f64 {
         let radius = self.radius();
         match self.rim {
@@ -61,7 +61,7 @@ impl Wheel {
         }
     }
 
-    /// The radius on which the backs of its plates, or the feet of its teeth, are.
+    /// The radius of the backs of its plates, or of the roots of its teeth.
     pub(super) fn back(&self) -> f64 {
         let radius = self.radius();
         let height = (PLATE.0 * self.module).min(PLATE.1 * radius);
@@ -72,7 +72,7 @@ impl Wheel {
         }
     }
 
-    /// The direction of the plate or tooth that is marked: that next to a right angle.
+    /// The direction of the marked plate or tooth: the one nearest to a right angle.
     pub(super) fn marked(&self) -> f64 {
         let pitch = TAU / f64::from(self.teeth);
         (0.25 * TAU / pitch).round() * pitch
@@ -97,14 +97,14 @@ impl Wheel {
         }
     }
 
-    /// Its disc up to a line around it; of a ring from there to its rim.
+    /// Draws its disc up to a line around it; for a ring from there to its rim.
     fn draw_disc(&self, list: &mut List, line: Vec<Point>) {
         let rim = self.ring.then(|| parts::round(self.reach(), CIRCLE));
         let loops: Vec<_> = [Some(line), rim].into_iter().flatten().collect();
         list.polygons(self.role, Look::Pale, &loops);
     }
 
-    /// Plates, magnetised from face to back. The first shows its north pole.
+    /// Draws plates, magnetised from face to back. The first shows its north pole.
     fn draw_plates(&self, list: &mut List, poles: Poles) {
         let (face, back) = (self.radius(), self.back());
         let middle = 0.5 * (face + back);

@@ -6,7 +6,7 @@ use super::Kind;
 use super::linkage::LinkageDocument;
 use crate::{LengthUnit, Problem};
 
-/// A drawing: what a linkage has, of which nothing need fit together yet.
+/// A drawing: the parts of a linkage, which need not fit together yet.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(transparent)]

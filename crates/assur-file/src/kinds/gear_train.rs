@@ -1,4 +1,4 @@
-//! A differential train by time, as it is saved: wheels with magnets or teeth, two drives, and what loads it.
+//! Saved form of a differential train driven by time: wheels with magnets or teeth, two drives, loads.
 
 mod shafts;
 
@@ -24,13 +24,13 @@ use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 /// The longest text, in characters.
 const LONGEST_TEXT: usize = 400;
 
-/// The spans of time that are plotted, seconds.
+/// Shortest and longest plotted time span, seconds.
 const SPANS: [f64; 2] = [0.5, 60.0];
 
-/// A run under load is followed for no longer, seconds.
+/// Longest run under load, seconds.
 const LONGEST_RUN: f64 = 30.0;
 
-/// The most knots of a load.
+/// Maximum number of knots of a load.
 const MOST_KNOTS: usize = 100;
 
 /// A train of sun 1, satellites 2, carrier 3 and ring 4.
@@ -38,60 +38,60 @@ const MOST_KNOTS: usize = 100;
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct GearTrainDocument {
-    /// What it is called.
+    /// Its title.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
-    /// Where it comes from.
+    /// Its source.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
     /// The mechanism of the catalogue that it was made from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub origin: Option<String>,
-    /// How the wheels stand.
+    /// Arrangement of the wheels.
     #[serde(default)]
     pub form: FormDocument,
     /// Plates or teeth of the sun.
     pub z1: f64,
-    /// Those of a satellite; of a stepped one where it meets the sun.
+    /// Plates or teeth of a satellite; if stepped, of its wheel in mesh with the sun.
     pub z2: f64,
-    /// Those of a stepped satellite where it meets the ring.
+    /// Plates or teeth of a stepped satellite's wheel in mesh with the ring.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub z2_step: Option<f64>,
-    /// Those of the ring.
+    /// Plates or teeth of the ring.
     pub z4: f64,
-    /// How many satellites there are.
+    /// Number of satellites.
     #[serde(default = "three")]
     pub satellites: f64,
-    /// How the wheels turn each other.
+    /// Coupling of the wheels: by magnets or by teeth in contact.
     #[serde(default)]
     pub coupling: CouplingDocument,
-    /// Module: a wheel's diameter over its number.
+    /// Module: a wheel's diameter divided by its number of plates or teeth.
     #[serde(default = "module")]
     pub module_mm: f64,
-    /// Of magnets: how far the satellites' axes are from the main one; without it gaps are equal.
+    /// Distance of the satellites' axes from the main axis, for magnets; if absent, the gaps are equal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub axis_distance_mm: Option<f64>,
-    /// What turns two of the three shafts.
+    /// Drives of two of the three shafts.
     pub drives: Vec<DriveDocument>,
     /// Working members 7 and 8.
     #[serde(default)]
     pub members: MembersDocument,
-    /// From where it is seen.
+    /// The observer in whose frame of reference the train is shown.
     #[serde(default)]
     pub observer: ObserverDocument,
-    /// Whether it runs under load; else nothing slips.
+    /// Whether it runs under load; otherwise nothing slips.
     #[serde(default)]
     pub loaded: bool,
-    /// The span of time that is plotted, and that a run under load lasts.
+    /// Plotted time span, and duration of a run under load.
     #[serde(default = "span")]
     pub span_s: f64,
-    /// Times (s) and torques (N·m) of a load on the shaft that is not driven, against the sense in which that turns while nothing slips.
+    /// Knots of a load on the shaft that is not driven: times (s) and torques (N·m) against its rotation without slip.
     #[serde(default)]
     pub load: Vec<[f64; 2]>,
     /// The magnets of the two meshes.
     #[serde(default)]
     pub magnets: MagnetsDocument,
-    /// The bodies in the order of their numbers 1, 2, 3, 4.
+    /// Inertia, mass and damping of the bodies.
     #[serde(default)]
     pub bodies: BodiesDocument,
 }
@@ -108,7 +108,7 @@ fn span() -> f64 {
     6.0
 }
 
-/// How wheels stand.
+/// Arrangement of wheels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -120,7 +120,7 @@ pub enum FormDocument {
     Bevel,
 }
 
-/// How wheels turn each other.
+/// Coupling of wheels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -142,7 +142,7 @@ pub enum ShaftDocument {
     Ring,
 }
 
-/// Who looks on, and stands still for himself.
+/// The observer in whose frame of reference a train is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -155,23 +155,23 @@ pub enum ObserverDocument {
     Ring,
 }
 
-/// What turns a shaft: a speed, or a tie to another shaft.
+/// Drive of a shaft: a speed, or a tie to another shaft.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct DriveDocument {
-    /// Which.
+    /// The driven shaft.
     pub shaft: ShaftDocument,
-    /// Its speed, revolutions per minute; 0: it is held. Of a tied shaft, the speed that it has without the tie.
+    /// Its speed, revolutions per minute; 0: it is held. For a tied shaft, its speed without the tie.
     #[serde(default)]
     pub rpm: f64,
-    /// It rises evenly from rest in so many seconds; 0: it has that speed at once.
+    /// Time of a uniform rise of the speed from rest, seconds; 0: full speed at once.
     #[serde(default)]
     pub start_s: f64,
     /// The shaft to which it is tied.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub to: Option<ShaftDocument>,
-    /// Its speed relative to that of the shaft to which it is tied.
+    /// Ratio of its speed to that of the shaft to which it is tied.
     #[serde(default = "one")]
     pub factor: f64,
 }
@@ -180,24 +180,24 @@ fn one() -> f64 {
     1.0
 }
 
-/// What a document comes to.
+/// The train that a document describes.
 #[derive(Clone, Debug)]
 pub struct GearTrain {
-    /// The wheels in their places, in millimetres.
+    /// Layout of the wheels, in millimetres.
     pub layout: Layout,
-    /// How they turn each other.
+    /// Coupling of the wheels.
     pub coupling: Coupling,
-    /// How they turn while nothing slips.
+    /// Rotation of the wheels without slip.
     pub turning: Turning,
-    /// What moves under load; none where that is not followed.
+    /// Model of the train under load; none if the train cannot be run under load.
     pub differential: Option<dynamics::Differential>,
 }
 
 impl GearTrainDocument {
-    /// The train in its motion.
+    /// The train that is described, in its motion.
     ///
     /// # Errors
-    /// Everything that is wrong with it.
+    /// Every problem of the document.
     pub fn train(&self) -> Result<GearTrain, Vec<Problem>> {
         let mut problems = self.check();
         let layout = self.layout();
@@ -282,7 +282,7 @@ impl GearTrainDocument {
         drives.collect()
     }
 
-    /// Checks what the engine does not ask about.
+    /// Checks the fields that the engine does not check.
     fn check(&self) -> Vec<Problem> {
         let mut problems = Problems::default();
         problems.text("title", self.title.as_ref(), LONGEST_TEXT);
@@ -290,7 +290,7 @@ impl GearTrainDocument {
         let longest = if self.loaded { LONGEST_RUN } else { SPANS[1] };
         problems.range("span_s", self.span_s, [SPANS[0], longest]);
         for (k, drive) in self.drives.iter().enumerate() {
-            // What is not in use is a number all the same; the engine looks at the other.
+            // A field that is not in use must be within limits, too; the engine checks the one in use.
             let most = [-Turning::FASTEST, Turning::FASTEST];
             match drive.to {
                 Some(_) => {
@@ -310,10 +310,10 @@ impl GearTrainDocument {
 }
 
 impl GearTrain {
-    /// It under load from the start, where nothing slips yet.
+    /// A run under load from a start without slip.
     ///
     /// # Errors
-    /// A start that cannot be.
+    /// Problems of the start.
     pub fn run(&self, differential: &dynamics::Differential) -> Result<Run, Vec<Problem>> {
         let [sun, _, _, ring] = self.turning.at(0.0).speeds;
         let start = Start::synchronous(differential, sun, ring);

@@ -1,4 +1,4 @@
-//! A linkage as it is saved: the twin of the engine's `LinkageSpec` with serde.
+//! Saved form of a linkage: the serde counterpart of the engine's `LinkageSpec`.
 //! docs/file-format.md describes it field by field.
 
 mod check;
@@ -16,22 +16,22 @@ use super::{Document, Kind};
 use crate::{Field, LengthUnit, Problem, catalogue};
 pub use problem::{LinkageProblem, dimension_field, in_field, of_field, rate_field};
 
-/// A linkage: things name each other, lengths are in one unit. A key that it
-/// does not know is refused: what is misspelt would be a part left out.
+/// A linkage: its parts refer to each other by name, lengths are in one unit. Unknown keys are
+/// refused: a misspelt one would drop a part.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct LinkageDocument {
-    /// What it is called.
+    /// Its title.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
-    /// Where its dimensions are from.
+    /// Source of its dimensions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
     /// The mechanism of the catalogue that it was made from, by name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub origin: Option<String>,
-    /// What its lengths are in; without it only their proportions count.
+    /// Unit of its lengths; without it only their proportions count.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<LengthUnit>,
     /// Every point with its place in the drawing.
@@ -48,13 +48,13 @@ pub struct LinkageDocument {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub gears: Vec<GearDocument>,
-    /// What is driven.
+    /// Driven pairs.
     pub drivers: Vec<DriverDocument>,
     /// Points that links carry besides their joints.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub tracers: Vec<TracerDocument>,
-    /// What is plotted: `LINK.angle`, `POINT.x` or `POINT.y`.
+    /// Plotted quantities: `LINK.angle`, `POINT.x` or `POINT.y`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub plots: Vec<String>,
@@ -62,20 +62,20 @@ pub struct LinkageDocument {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub traces: Vec<String>,
-    /// What stays as it is while points are moved by hand: the distance of two points, the angle at the second of
-    /// three. It has nothing to do with how the linkage moves.
+    /// Dimensions kept while points are moved by hand: the distance of two points, the angle at the
+    /// second of three. They do not affect the motion of the linkage.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub locks: Vec<Vec<String>>,
-    /// The height of the ground that it stands on, where it is drawn.
+    /// Height of the ground on which it stands, if the ground is drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ground: Option<f64>,
-    /// The full width of the band within which the first quantity that is plotted
-    /// counts as dwelling: degrees of an angle, else in the unit of the lengths.
+    /// Full width of the dwell band of the first plotted quantity: degrees for an angle, otherwise
+    /// in the unit of the lengths.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub band: Option<f64>,
-    /// Which of its assemblies moves, from 1; without it the drawn one. Only links
-    /// and files of before name one: an assembly is saved as its drawing.
+    /// Number of the assembly that moves, from 1; without it the drawn one. Only links and older
+    /// files contain it: an assembly is saved as its drawing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub assembly: Option<usize>,
 }
@@ -87,7 +87,7 @@ pub struct LinkageDocument {
 pub struct PointDocument {
     /// Its name.
     pub name: String,
-    /// Where it is drawn: x, y.
+    /// Drawn coordinates x, y.
     pub at: [f64; 2],
 }
 
@@ -96,7 +96,7 @@ pub struct PointDocument {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct TracerDocument {
-    /// Its name, unlike that of any point.
+    /// Its name, different from that of any point.
     pub name: String,
     /// The link that carries it.
     pub link: String,
@@ -140,9 +140,9 @@ pub struct SlideDocument {
     pub link: String,
     /// Its point that stays at its drawn distance from the line.
     pub point: String,
-    /// The link that has the line, or `frame`.
+    /// The link with the line, or `frame`.
     pub on: String,
-    /// Two points of that link.
+    /// Two points of that link, on the line.
     pub line: [String; 2],
 }
 
@@ -157,42 +157,42 @@ pub struct GearDocument {
     pub carrier: String,
     /// Their numbers of teeth.
     pub teeth: [f64; 2],
-    /// How they engage.
+    /// Type of mesh.
     pub mesh: MeshDocument,
 }
 
-/// How two wheels engage.
+/// Type of mesh of two wheels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum MeshDocument {
-    /// Outer teeth on both.
+    /// External teeth on both.
     External,
-    /// The larger one is a ring.
+    /// Internal teeth on the larger wheel.
     Internal,
-    /// The sense is kept though both have outer teeth, as over an idler.
+    /// The sense of rotation is kept although both have external teeth, as with an idler.
     AsPrinted,
 }
 
-/// A driven pair: a crank with what it turns on, or a slide with its range.
-/// (Two kinds in one, so that an error's path ends at the field at fault.)
+/// A driven pair: a crank with its base, or a slide with its range. (One type for both, so that an
+/// error's path ends at the field at fault.)
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct DriverDocument {
-    /// The link that is turned.
+    /// The driven link.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub crank: Option<String>,
-    /// The link that it is turned against; without it the frame.
+    /// The link relative to which it turns; without it the frame.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub base: Option<String>,
-    /// Which of the slides is moved, from 0.
+    /// Index of the driven slide, from 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slide: Option<usize>,
     /// Its least and greatest coordinate along the line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub range: Option<[f64; 2]>,
-    /// Rate of a further driver's coordinate by that of the first; 1 by default.
+    /// Rate of a further driver's coordinate relative to that of the first; 1 by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rate: Option<f64>,
 }

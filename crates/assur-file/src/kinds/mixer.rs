@@ -1,4 +1,4 @@
-//! The mixer's dimensions as they are saved.
+//! Saved form of the mixer's dimensions.
 
 use assur::Assembly;
 use assur::gears::{Mate, Mesh};
@@ -10,14 +10,13 @@ use super::Kind;
 use super::numbers::{self, NumberField};
 use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 
-/// The mixer: lengths, numbers of teeth, how the wheels are set, and
-/// which points are traced. Numbers are taken as they come;
-/// [`MixerDocument::mixer`] checks them.
+/// The mixer: lengths, numbers of teeth, arrangement of the wheels, traced points. Numbers are not
+/// checked here, but by [`MixerDocument::mixer`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(try_from = "AnyDocument")]
 pub struct MixerDocument {
-    /// What its lengths are in; without it metres.
+    /// Unit of its lengths; without it metres.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<LengthUnit>,
     /// Crank AB.
@@ -32,12 +31,12 @@ pub struct MixerDocument {
     pub z4: f64,
     /// The peripheral wheels it drives: wheel 5, 6, …
     pub wheels: Vec<WheelDocument>,
-    /// `external`, `internal` or `as_printed`.
+    /// Type of mesh: `external`, `internal` or `as_printed`.
     #[cfg_attr(test, ts(as = "crate::MeshDocument"))]
     pub mesh: String,
     /// Module of the wheels.
     pub module: f64,
-    /// 1 or 2.
+    /// Number of the assembly, 1 or 2.
     #[cfg_attr(test, ts(type = "1 | 2"))]
     pub assembly: f64,
     /// The points traced: P₁, P₂, …
@@ -58,15 +57,15 @@ pub struct WheelDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct MixerTracerDocument {
-    /// What carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
+    /// The link that carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
     pub link: String,
-    /// Along the link from its first joint.
+    /// Coordinate along the link from its first joint.
     pub x: f64,
-    /// Across it, to the left.
+    /// Coordinate perpendicular to it, to the left.
     pub y: f64,
 }
 
-/// A document of any age: at first there was one wheel, and no points.
+/// A document of any version: the oldest ones have one wheel and no points.
 #[derive(Deserialize)]
 struct AnyDocument {
     unit: Option<LengthUnit>,
@@ -128,7 +127,7 @@ const CARRIERS: [(Carrier, &str); 9] = [
     (Carrier::Wheel(5), "wheel10"),
 ];
 
-/// The saved name of a value, of a table of names.
+/// The saved name of a value in a table of names.
 fn name_of<T: PartialEq>(names: &[(T, &'static str)], value: &T) -> &'static str {
     let found = names.iter().find(|(one, _)| one == value);
     found.map_or("", |(_, name)| name)
@@ -141,7 +140,7 @@ fn value_of<T: Copy>(names: &[(T, &str)], name: &str) -> Option<T> {
 }
 
 impl MixerTracerDocument {
-    /// What a saved name of a link stands for.
+    /// The carrier with this saved name of a link.
     pub fn carrier(link: &str) -> Option<Carrier> {
         value_of(&CARRIERS, link)
     }
@@ -177,7 +176,7 @@ impl Kind for MixerDocument {
         Ok(numbers::written(self, &numbers::MIXER))
     }
 
-    /// Over every arc of the crank on which the loop can be closed.
+    /// The motion over every arc of the crank on which the loop can be closed.
     fn motion(&self) -> Result<Motion, Vec<Problem>> {
         self.mixer()?.motion().map_err(|unmoved| match unmoved {
             Unmoved::Unsolved(unsolved) => vec![unsolved.into()],
@@ -188,7 +187,7 @@ impl Kind for MixerDocument {
 }
 
 impl LinkageDocument {
-    /// A mixer, with the angles of what its rocker drives plotted.
+    /// The linkage of a mixer, with plots of the rocker and the peripheral wheels.
     ///
     /// # Errors
     /// Why it cannot be drawn.

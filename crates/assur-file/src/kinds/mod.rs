@@ -26,7 +26,7 @@ use numbers::NumberField;
 use scheme::SchemeDocument;
 use synthesis::SynthesisDocument;
 
-/// What the document of every kind can be asked.
+/// Properties of a document of any kind.
 pub trait Kind {
     /// The mechanism of the catalogue that it came from, by name.
     fn origin(&self) -> Option<&str> {
@@ -36,15 +36,15 @@ pub trait Kind {
     /// The linkage that it describes.
     ///
     /// # Errors
-    /// Every problem for which it describes none.
+    /// Every problem that prevents this.
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>>;
 
-    /// What its lengths are in.
+    /// Unit of its lengths.
     fn unit(&self) -> LengthUnit {
         LengthUnit::None
     }
 
-    /// Whether it may say so itself.
+    /// Whether the document has a field for its unit.
     fn chooses_unit(&self) -> bool {
         false
     }
@@ -52,7 +52,7 @@ pub trait Kind {
     /// Its numbers that a lesson may vary.
     ///
     /// # Errors
-    /// Every problem for which it is not known what numbers it has.
+    /// Every problem that prevents this.
     fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {
         Ok(Vec::new())
     }
@@ -60,20 +60,20 @@ pub trait Kind {
     /// The motion of what it describes; a mixer's over every arc of its crank.
     ///
     /// # Errors
-    /// Every problem for which it does not move.
+    /// Every problem that prevents its motion.
     fn motion(&self) -> Result<Motion, Vec<Problem>> {
         self.linkage()?.motion()
     }
 }
 
-/// What moves, and what is plotted of it.
+/// A linkage in motion, with its plotted quantities.
 #[derive(Clone, Debug)]
 pub struct Moved {
     /// The linkage.
     pub document: LinkageDocument,
     /// Its motion.
     pub motion: Motion,
-    /// Quantities of one kind.
+    /// Plotted quantities, of one kind.
     pub plotted: Vec<Quantity>,
 }
 
@@ -81,7 +81,7 @@ impl Moved {
     /// A linkage in its motion, with the quantities that a choice of the page names.
     ///
     /// # Errors
-    /// Why it does not move; a choice of which there is nothing.
+    /// Problems that prevent its motion; a choice that names nothing.
     pub fn new(document: LinkageDocument, plot: &str) -> Result<Self, Vec<Problem>> {
         let motion = document.motion()?;
         Self::over(document, motion, plot)
@@ -100,10 +100,10 @@ impl Moved {
     }
 }
 
-/// Makes the document of a state from the list of kinds.
+/// Defines the document of a state by the list of kinds.
 macro_rules! kinds {
     ($($(#[$about:meta])+ $name:literal => $kind:ident($document:ty),)+) => {
-        /// What a state shows; serialised as `kind` and `document`.
+        /// The document of a state; serialised as `kind` and `document`.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         #[cfg_attr(test, derive(ts_rs::TS))]
         #[serde(tag = "kind", content = "document")]
@@ -112,7 +112,7 @@ macro_rules! kinds {
         }
 
         impl Document {
-            /// Reads the document of this kind out of a state; `field` is where the kind is named.
+            /// Reads the document of this kind from a state; `field` is the field that names the kind.
             pub(crate) fn read(field: &str, kind: &str, state: &Value) -> Result<Self, Problem> {
                 let missing = || Problem::BadState {
                     path: ".".to_owned(),
@@ -144,7 +144,7 @@ macro_rules! kinds {
 kinds! {
     /// A linkage that does not move yet.
     "draft" => Draft(DraftDocument),
-    /// A differential by time.
+    /// A differential driven by time.
     "gear-train" => GearTrain(GearTrainDocument),
     /// Any linkage.
     "linkage" => Linkage(LinkageDocument),
@@ -160,7 +160,7 @@ impl Document {
     /// Its motion, with the quantities that a choice of the page names.
     ///
     /// # Errors
-    /// Every problem for which it does not move; a choice of which there is nothing.
+    /// Every problem that prevents its motion; a choice that names nothing.
     pub fn moved(&self, plot: &str) -> Result<Moved, Vec<Problem>> {
         Moved::over(self.linkage()?, self.motion()?, plot)
     }

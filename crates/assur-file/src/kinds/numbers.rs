@@ -1,4 +1,4 @@
-//! The numbers of a document that a lesson may vary: those that stand beside the drawing, by the paths of their fields.
+//! The numbers of a document that a lesson may vary, which are shown beside the drawing, by the paths of their fields.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -9,29 +9,29 @@ use crate::Field;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct NumberField {
-    /// Where it stands, such as `wheels[0].z`.
+    /// Path of its field, such as `wheels[0].z`.
     #[cfg_attr(test, ts(type = "string"))]
     pub field: Field,
-    /// What it is.
+    /// Its value.
     pub value: f64,
-    /// Whether it counts, as a number of teeth does.
+    /// Whether it is a whole number, such as a number of teeth.
     pub whole: bool,
-    /// Whether the engine sets it, from the pose at hand, and changes more than this field; else it is only
-    /// written down.
+    /// Whether the engine sets it from the current pose and changes other fields, too; otherwise
+    /// only this field is written.
     pub followed: bool,
 }
 
-/// A field of a document, `[]` for any place in a list, and what its number is.
+/// Path of a field, with `[]` for any index in a list, and the sort of its number.
 pub(super) type Pattern = (&'static str, Sort);
 
-/// What a number that is only written down is.
+/// Sort of a number that is set without the engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sort {
     Measure,
     Count,
 }
 
-/// Those of a mixer.
+/// Fields of a mixer.
 pub(super) const MIXER: [Pattern; 10] = [
     ("l1", Sort::Measure),
     ("l2", Sort::Measure),
@@ -45,7 +45,7 @@ pub(super) const MIXER: [Pattern; 10] = [
     ("tracers[].y", Sort::Measure),
 ];
 
-/// Those of a differential.
+/// Fields of a differential.
 pub(super) const GEAR_TRAIN: [Pattern; 18] = [
     ("z1", Sort::Count),
     ("z2", Sort::Count),
@@ -67,10 +67,10 @@ pub(super) const GEAR_TRAIN: [Pattern; 18] = [
     ("members.carrier.torque", Sort::Measure),
 ];
 
-/// Those of a linkage that are no dimensions of the mechanism.
+/// Fields of a linkage that are not dimensions of the mechanism.
 pub(super) const LINKAGE: [Pattern; 1] = [("band", Sort::Measure)];
 
-/// Those of a synthesis.
+/// Fields of a synthesis.
 pub(super) const SYNTHESIS: [Pattern; 6] = [
     ("frame", Sort::Measure),
     ("phi0_deg", Sort::Measure),
@@ -80,7 +80,7 @@ pub(super) const SYNTHESIS: [Pattern; 6] = [
     ("positions[].weight", Sort::Measure),
 ];
 
-/// The numbers that a document has of these fields, in their order.
+/// The numbers in these fields of a document, in their order.
 pub(super) fn written(document: &impl Serialize, patterns: &[Pattern]) -> Vec<NumberField> {
     let Ok(document) = serde_json::to_value(document) else {
         return Vec::new();
@@ -98,7 +98,7 @@ pub(super) fn written(document: &impl Serialize, patterns: &[Pattern]) -> Vec<Nu
     found.collect()
 }
 
-/// The numbers at the rest of a pattern within a part of a document, with their paths.
+/// Collects the numbers of a part of a document at the rest of a pattern, with their paths.
 fn collect(part: &Value, path: String, rest: &str, found: &mut Vec<(String, f64)>) {
     if rest.is_empty() {
         found.extend(part.as_f64().map(|value| (path, value)));

@@ -1,4 +1,4 @@
-//! Links and pairs without motion, as they are saved: what mobility is counted of.
+//! Saved form of links and pairs without motion, whose mobility is computed.
 
 use assur::mechanism::Defect;
 use assur::mobility::{Cut, PairKind, PairSpec, Point3, Scheme, SchemeSpec, Vector3};
@@ -8,7 +8,7 @@ use super::Kind;
 use crate::problem::{Problems, is_plain};
 use crate::{LinkageDocument, LinkageProblem, Problem};
 
-/// More pairs are not drawn so that they could be told apart.
+/// Maximum number of pairs: more could not be distinguished in a drawing.
 const MOST_PAIRS: usize = 300;
 
 /// The longest name of a pair or a link, and the longest text, in characters.
@@ -20,10 +20,10 @@ const LONGEST_TEXT: usize = 400;
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct SchemeDocument {
-    /// What it is called.
+    /// Its title.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
-    /// Where it comes from.
+    /// Its source.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
     /// The mechanism of the catalogue that it was made from.
@@ -40,13 +40,13 @@ pub struct SchemeDocument {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(as = "Option<Vec<EndDocument>>", optional))]
     pub ends: Vec<EndDocument>,
-    /// The pairs that are cut: `D`, of a compound hinge with the link that is taken off it, `Q:3`.
+    /// Cut pairs: `D`; of a compound hinge with the link that is taken off it, `Q:3`.
     #[serde(default)]
     pub cut: Vec<String>,
-    /// From where a spatial scheme is looked at: to the left of the y-axis, and above the plane x, y.
+    /// Direction from which a spatial scheme is viewed: to the left of the y-axis, and above the plane x, y.
     #[serde(default = "from_the_front")]
     pub look_deg: [f64; 2],
-    /// The number of the task that it is; what is asked is then not told.
+    /// Number of the task, if it is one; the answer is then hidden.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub task: Option<u32>,
 }
@@ -66,7 +66,7 @@ pub struct PairDocument {
     pub kind: KindDocument,
     /// The links that it joins.
     pub links: Vec<String>,
-    /// Where it is.
+    /// Its place.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<PlaceDocument>,
     /// The direction of its axis or normal, of any length.
@@ -75,10 +75,10 @@ pub struct PairDocument {
     /// The second axis of a universal pair, or the line along which two surfaces touch.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub second: Option<[f64; 3]>,
-    /// The way of a screw with every turn.
+    /// Advance of a screw per turn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pitch: Option<f64>,
-    /// How many freedoms a pair of no certain form leaves.
+    /// Number of freedoms of a pair of unspecified form.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub freedoms: Option<u8>,
 }
@@ -99,11 +99,11 @@ pub enum KindDocument {
     SphereInCylinder,
     CylinderOnPlane,
     SphereOnPlane,
-    /// Of no certain form: `freedoms` says how many it leaves.
+    /// A pair of unspecified form, with a number of `freedoms`.
     Class,
 }
 
-/// A place, of a planar scheme in the plane.
+/// A place, in the plane if the scheme is planar.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged, expecting = "neither [x, y] nor [x, y, z]")]
@@ -120,7 +120,7 @@ pub enum PlaceDocument {
 pub struct EndDocument {
     /// The link.
     pub link: String,
-    /// Where it is.
+    /// Its place.
     pub at: PlaceDocument,
 }
 
@@ -150,7 +150,7 @@ impl PlaceDocument {
         }
     }
 
-    /// A place as a scheme has it that is planar or not.
+    /// A place in a planar or spatial scheme.
     pub fn of(point: Point3, planar: bool) -> Self {
         if planar {
             Self::Plane([point.x, point.y])
@@ -207,7 +207,7 @@ impl PairDocument {
 }
 
 impl SchemeDocument {
-    /// The document of a draft, without a cut.
+    /// The document of a draft, without cuts.
     pub fn new(draft: &SchemeSpec) -> Self {
         let pairs = draft.pairs.iter();
         Self {
@@ -229,7 +229,7 @@ impl SchemeDocument {
     /// The scheme.
     ///
     /// # Errors
-    /// Everything that is wrong with it.
+    /// Every problem of the document.
     pub fn scheme(&self) -> Result<Scheme, Vec<Problem>> {
         self.check()?;
         let draft = SchemeSpec {
@@ -249,20 +249,20 @@ impl SchemeDocument {
     /// The pairs that are cut.
     ///
     /// # Errors
-    /// What is no pair, or none of a pair's links.
+    /// Cuts of unknown pairs, or of links that the pair does not join.
     pub fn cuts(&self, scheme: &Scheme) -> Result<Vec<Cut>, Vec<Problem>> {
         let cuts = self.cut.iter().map(|name| scheme.cut_named(name));
         let cuts: Result<_, _> = cuts.collect();
         cuts.map_err(|error| vec![error.into()])
     }
 
-    /// Where an end is.
+    /// The names of the links and the places of the ends.
     pub fn ends(&self) -> impl Iterator<Item = (&str, Point3)> {
         let ends = self.ends.iter();
         ends.map(|end| (end.link.as_str(), end.at.point()))
     }
 
-    /// Checks what the engine does not ask about.
+    /// Checks the fields that the engine does not check.
     fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Problems::default();
         if self.pairs.len() > MOST_PAIRS {

@@ -1,4 +1,4 @@
-//! Positions for which a four-bar is sought, as they are saved.
+//! Saved form of the positions for which a four-bar is sought.
 
 pub(crate) mod function;
 
@@ -13,13 +13,13 @@ use super::numbers::{self, NumberField};
 use crate::{Field, LengthUnit, LinkageDocument, Problem};
 use function::FunctionDocument;
 
-/// What is wanted of a four-bar, and which of those that do it is meant. Angles in degrees from
-/// the x-axis, lengths in one unit.
+/// The synthesis of a four-bar, and the choice among its solutions. Angles in degrees from the
+/// x-axis, lengths in one unit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct SynthesisDocument {
-    /// What the lengths are in; without it only their proportions count.
+    /// Unit of the lengths; without it only their proportions count.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<LengthUnit>,
     /// l₀.
@@ -29,15 +29,15 @@ pub struct SynthesisDocument {
     pub phi0_deg: f64,
     /// The positions, in their order.
     pub positions: Vec<PositionDocument>,
-    /// True if φ₂ and φ₃ are counted from starts that may be chosen.
+    /// Whether φ₂ and φ₃ are counted from starts that may be chosen.
     #[serde(default)]
     pub free: bool,
-    /// Which member of a family: l₂, and l₃ for one whose members all have the same l₂. Where
-    /// the family does not go so far, its nearest end is meant.
+    /// Chosen member of a family: l₂, and l₃ for one whose members all have the same l₂. Beyond the
+    /// ends of the family, the nearest end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub member: Option<[f64; 2]>,
-    /// Which of several solutions, from 1, by ascending ΣJ; without it, of those that are not held by the bounds of
-    /// the search, the one whose output is off by least.
+    /// Number of the solution, from 1, in ascending ΣJ; without it, the one with the least output
+    /// error among those not at a bound of the search.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solution: Option<usize>,
     /// Lengths l₁, l₂, l₃ that are shown instead of a solution.
@@ -48,7 +48,7 @@ pub struct SynthesisDocument {
     pub function: Option<FunctionDocument>,
 }
 
-/// A position of output and input that belong together.
+/// A pair of corresponding output and input positions.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
@@ -57,11 +57,10 @@ pub struct PositionDocument {
     pub output_deg: f64,
     /// φ₃, from the fixed pivot to the joint with the coupler.
     pub input_deg: f64,
-    /// What it counts where not all can be met.
+    /// Weight of the position where not all can be met.
     #[serde(default = "one")]
     pub weight: f64,
-    /// φ₁ at which the conditions of the paper are evaluated; without it that of the linkage
-    /// that is shown.
+    /// φ₁ at which the conditions of the paper are evaluated; without it that of the shown linkage.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coupler_deg: Option<f64>,
 }
@@ -70,7 +69,7 @@ fn one() -> f64 {
     1.0
 }
 
-/// What can be wrong with what is wanted; serialised as [`Problem`] is.
+/// A problem of a synthesis; serialised like [`Problem`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 #[expect(
@@ -78,29 +77,29 @@ fn one() -> f64 {
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum SynthesisProblem {
-    /// There are too few positions to choose lengths by.
+    /// Too few positions to determine lengths.
     TooFewPositions { least: usize, count: usize },
-    /// There are too many.
+    /// Too many positions.
     TooManyPositions { most: usize, count: usize },
     /// Two positions, by their numbers, are the same.
     EqualPositions { one: usize, other: usize },
-    /// Any lengths will do.
+    /// Positions that any lengths satisfy.
     AnyLengths,
-    /// No positive lengths take up both positions: output/z₂ + input/z₃ = right has none.
+    /// No positive lengths satisfy both positions: output/z₂ + input/z₃ = right has none.
     NoFamily { output: f64, input: f64, right: f64 },
-    /// The positions ask for lengths of which one at least is negative.
+    /// Positions that require at least one negative length.
     NegativeLengths { l2: f64, l3: f64 },
-    /// No positive lengths take up the positions exactly.
+    /// No positive lengths satisfy the positions exactly.
     NoSolution,
-    /// The two ends of what a wanted function goes over are equal or not finite.
+    /// An interval of a wanted function whose ends are equal or not finite.
     EqualEnds { field: Field },
     /// A wanted function has the same value at both ends.
     EqualValues { field: Field },
-    /// A wanted function has no finite value there.
+    /// A wanted function has no finite value at this x.
     NoValue { field: Field, x: f64 },
     /// A table has fewer than two rows.
     TooFewRows { field: Field },
-    /// This row of a table is no pair of numbers, or its x does not exceed that of the row before.
+    /// This row of a table is not a pair of numbers, or its x does not exceed that of the row before.
     BadRow { field: Field, row: usize },
 }
 
@@ -114,24 +113,24 @@ impl SynthesisProblem {
 /// How far off the ends of what is searched a family is shown, relative to all of it.
 const ENDS: f64 = 1e-3;
 
-/// What a document comes to.
+/// The synthesis that a document describes.
 #[derive(Clone, Debug)]
 pub struct Synthesis {
-    /// What is asked for.
+    /// The task.
     pub task: Task,
-    /// What there is to choose from.
+    /// The options to choose from.
     pub options: Options,
-    /// Which of the solutions is shown, from 0; none of a family, and where lengths are tried.
+    /// Index of the shown solution, from 0; none for a family or trial lengths.
     pub number: Option<usize>,
-    /// What is shown.
+    /// The shown solution.
     pub shown: Solution,
 }
 
 impl SynthesisDocument {
-    /// What is asked for.
+    /// The task that is described.
     ///
     /// # Errors
-    /// Every reason why it cannot be.
+    /// Every problem of the document.
     pub fn task(&self) -> Result<Task, Vec<Problem>> {
         let frame = Frame {
             length: self.frame,
@@ -209,10 +208,10 @@ impl SynthesisDocument {
         }
     }
 
-    /// The task with what takes up its positions and what is shown of it.
+    /// The task with its solutions and the one that is shown.
     ///
     /// # Errors
-    /// Every problem for which there is nothing to show.
+    /// Every problem that leaves nothing to show.
     pub fn synthesis(&self) -> Result<Synthesis, Vec<Problem>> {
         let task = self.task()?;
         let options = Options::new(&task, self.free);
@@ -262,7 +261,7 @@ impl SynthesisDocument {
         }
         let solutions = options.solutions();
         let number = match self.solution {
-            // With other positions there may be fewer: the last one then.
+            // Other positions may have fewer solutions: the last one then.
             Some(number) => number.clamp(1, solutions.len().max(1)) - 1,
             None => options.best(),
         };
@@ -272,7 +271,7 @@ impl SynthesisDocument {
 }
 
 impl SynthesisDocument {
-    /// The member of a family that is meant.
+    /// The chosen member of a family.
     fn member(&self, family: &Family) -> Result<Solution, Problem> {
         let number = |field: &str| Problem::NotANumber {
             field: field.to_owned().into(),
@@ -305,7 +304,7 @@ impl SynthesisDocument {
 }
 
 impl Synthesis {
-    /// What is shown, as a linkage of the simulator: the rocker's angle is φ₂ + 180°.
+    /// The shown solution as a linkage of the simulator: the rocker's angle is φ₂ + 180°.
     ///
     /// # Errors
     /// Why it cannot be drawn.
@@ -320,10 +319,10 @@ impl Synthesis {
         Ok(document)
     }
 
-    /// The same with the angles of the paper: the rocker's is φ₂.
+    /// The shown solution with the angles of the paper: the rocker's is φ₂.
     ///
     /// # Errors
-    /// As of [`Self::linkage`].
+    /// Those of [`Self::linkage`].
     pub fn drawn(&self) -> Result<LinkageDocument, Vec<Problem>> {
         let mut document = self.linkage()?;
         for link in document

@@ -1,4 +1,4 @@
-//! What can be wrong with a lesson, as codes; numbers and texts out of their bounds have the codes of all fields.
+//! Problems of a lesson, as codes; numbers and texts out of bounds have the codes of all fields.
 
 use serde::Serialize;
 
@@ -8,7 +8,7 @@ use crate::problem::Problems;
 /// The greatest number that a lesson may hold.
 pub(super) const NUMBER: f64 = 1e9;
 
-/// What can be wrong with a lesson; serialised as [`Problem`] is.
+/// A problem of a lesson; serialised like [`Problem`].
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 #[expect(
@@ -16,15 +16,15 @@ pub(super) const NUMBER: f64 = 1e9;
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum LessonProblem {
-    /// What follows is wrong with this step, from 1.
+    /// The problems that follow are of this step, from 1.
     LessonStep { step: usize },
-    /// A question is none, or several at once, of a number, a choice and something to be reached.
+    /// A question without exactly one of a number, a choice and a state to be reached.
     LessonQuestion,
-    /// A number is asked that is neither a quantity nor given, or both.
+    /// A number as an answer without exactly one of a quantity and a value.
     LessonAnswer,
-    /// What a step shows has no number of this name that could vary.
+    /// A number to be varied that the document of the step does not have.
     LessonVaries { name: String },
-    /// A quantity is asked where nothing has been shown yet.
+    /// A question about a quantity before anything has been shown.
     LessonShowsNothing,
 }
 

@@ -3,7 +3,7 @@ use serde_json::json;
 
 use crate::{NumberField, document};
 
-/// A lesson with every kind of question, and a step that shows what the one before does.
+/// A lesson with every kind of question, and a step that shows the same as the one before.
 fn written() -> Value {
     json!({
         "title": "Crank-rocker",
@@ -42,7 +42,7 @@ fn read(lesson: &Value) -> Result<LessonDocument, Problem> {
     within(&state, "lesson").map(Option::unwrap)
 }
 
-/// What is wrong with the written lesson after one part of it is another.
+/// The problems of the written lesson with one part replaced.
 fn with(pointer: &str, value: Value) -> Result<(), Vec<Problem>> {
     let mut lesson = written();
     *lesson.pointer_mut(pointer).unwrap() = value;
@@ -363,7 +363,7 @@ fn what_varies_is_a_number_of_what_is_shown() {
             in_step(1, vec![varies.into()])
         );
     }
-    // What counts goes by whole numbers.
+    // Counts vary by whole numbers.
     for (range, field, value) in [
         ([18.5, 24.0, 1.0], "lesson.from", 18.5),
         ([18.0, 24.5, 1.0], "lesson.to", 24.5),

@@ -1,4 +1,4 @@
-//! Numbers of what a step shows that are others for every reader.
+//! Numbers of a step's document that vary from reader to reader.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,29 +6,29 @@ use super::problem::{LessonProblem, NUMBER};
 use super::{ShownDocument, TITLE};
 use crate::problem::Problems;
 
-/// How many numbers may vary in a step.
+/// Maximum number of varied numbers in a step.
 const VARIED: usize = 12;
 
-/// How many values one may take.
+/// Maximum number of values of a varied number.
 const VALUES: f64 = 10_000.0;
 
-/// A number that varies: by steps from one value to another.
+/// A number that varies in steps from one value to another.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct VariedDocument {
-    /// Where it stands in the document, such as `links[0].length`: one of [`numbers`](crate::Document::numbers).
+    /// Path of its field, such as `links[0].length`: one of [`numbers`](crate::Document::numbers).
     pub field: String,
     /// The least value.
     pub from: f64,
     /// The greatest value.
     pub to: f64,
-    /// By how much one value differs from the next.
+    /// Difference of successive values.
     pub step: f64,
 }
 
 impl ShownDocument {
-    /// Whether what varies are numbers of the document, and goes by steps that there are.
+    /// Checks that the varied numbers are in the document and that their steps are valid.
     pub(super) fn check_varied(&self, problems: &mut Problems) {
         problems.count("lesson.vary", self.vary.len(), 0, VARIED);
         if self.vary.is_empty() {

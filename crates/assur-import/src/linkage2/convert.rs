@@ -1,4 +1,4 @@
-//! Connectors and links as joints and bars.
+//! Conversion of connectors and links to joints and bars.
 
 use std::f64::consts::TAU;
 
@@ -7,14 +7,14 @@ use super::wheels;
 use crate::LeftOut;
 use crate::sketch::{Body, Driver, Joint, Moves, Sketch, distance, letter};
 
-/// How far along its drawn length the cylinder of an actuator reaches, so that rod and cylinder are both seen.
+/// Length of an actuator's cylinder, as a share of the drawn length, at which rod and cylinder are both visible.
 const CYLINDER: f64 = 0.6;
 
-/// A file on its way to a sketch.
+/// A file during its conversion to a sketch.
 pub(super) struct Conversion<'a> {
     pub(super) parts: &'a Parts,
     pub(super) sketch: Sketch,
-    /// The bar of each link; none of what is no bar.
+    /// The bar of each link; none for links that are not bars.
     pub(super) bars: Vec<Option<usize>>,
 }
 
@@ -48,7 +48,7 @@ pub(super) fn sketch(parts: &Parts) -> Sketch {
 }
 
 impl Conversion<'_> {
-    /// The joint of a connector's number.
+    /// The joint with a connector's number.
     pub(super) fn joint(&self, id: i64) -> Option<usize> {
         self.parts
             .connectors
@@ -56,7 +56,7 @@ impl Conversion<'_> {
             .position(|connector| connector.id == id)
     }
 
-    /// The first link of a number.
+    /// The first link with a number.
     pub(super) fn link(&self, id: i64) -> Option<usize> {
         self.parts.links.iter().position(|link| link.id == id)
     }
@@ -92,7 +92,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// What holds its points at one distance is a bar, and so is a wheel.
+    /// Makes a bar of each link with points at fixed distances, and of each wheel.
     fn links(&mut self) {
         for (k, link) in self.parts.links.iter().enumerate() {
             let joints: Vec<usize> = link
@@ -111,7 +111,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// What is fastened to a link goes with it: connectors, other links, wheels.
+    /// Joins connectors, links and wheels to the links to which they are fastened.
     fn fasten(&mut self) {
         for (joint, connector) in self.parts.connectors.iter().enumerate() {
             let Some(id) = connector.carried else {
@@ -137,7 +137,7 @@ impl Conversion<'_> {
             let to_link = link
                 .fastened
                 .map(|id| self.link(id).and_then(|link| self.bars[link]));
-            // What is fastened to an anchor stays where it is.
+            // A part fastened to an anchor stays in place.
             let anchor = |id: i64| {
                 self.joint(id)
                     .filter(|joint| self.sketch.joints[*joint].fixed)
@@ -174,7 +174,7 @@ impl Conversion<'_> {
             .or(anchored.then_some(Body::Frame))
     }
 
-    /// Pins in slots.
+    /// Makes slides of pins in slots.
     fn slots(&mut self) {
         let mut names = Vec::new();
         for (pin, connector) in self
@@ -207,7 +207,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// A pin in a slot along an arc keeps its distance from the arc's centre, as one on a link does. Its name.
+    /// Replaces a slot along an arc by a link from the arc's centre, and returns the name of its pin.
     fn curved(&mut self, pin: usize, on: Body, line: [usize; 2], radius: f64) -> String {
         let [from, to] = line.map(|joint| self.sketch.joints[joint].at);
         let half = distance(from, to) / 2.0;
@@ -223,7 +223,7 @@ impl Conversion<'_> {
             let middle = [(from[0] + to[0]) / 2.0, (from[1] + to[1]) / 2.0];
             [middle[0] - side * rise * y, middle[1] + side * rise * x]
         };
-        // On which side it is the pin tells, which is drawn on the arc.
+        // The arc is on the side on which its pin is drawn.
         let off = |centre: [f64; 2]| (distance(centre, at) - radius).abs();
         let [left, right] = [centre(1.0), centre(-1.0)];
         let centre = if off(left) <= off(right) { left } else { right };
@@ -239,7 +239,7 @@ impl Conversion<'_> {
         point
     }
 
-    /// All links at an input turn with it.
+    /// Makes all links at an input turn with it.
     fn cranks(&mut self) {
         for (joint, connector) in self
             .parts
@@ -251,7 +251,7 @@ impl Conversion<'_> {
             let here = self
                 .made()
                 .filter(|(_, bar)| self.sketch.bars[*bar].joints.contains(&joint));
-            // Beside the input it has no fixed points, or it would not turn.
+            // It has no fixed points except the input, since otherwise it would not turn.
             let turns = |bar: usize| {
                 let mut others = self.sketch.bars[bar]
                     .joints
@@ -301,7 +301,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// A link that grows is a cylinder with a rod; the rod ends at the second hinge.
+    /// Makes a cylinder with a rod of a link that changes its length; the rod ends at the second hinge.
     fn actuators(&mut self) {
         for link in &self.parts.links {
             let Some([throw, cpm]) = link.stroke else {
@@ -328,7 +328,7 @@ impl Conversion<'_> {
             } else {
                 drawn - link.start
             };
-            // A cylinder cannot be shorter than nothing.
+            // The length of a cylinder cannot be negative.
             let range = [least.max(0.01 * drawn), least + throw];
             if range[0] > least {
                 let [min, max] = range;
@@ -342,7 +342,7 @@ impl Conversion<'_> {
                 cycles: cpm.abs(),
             });
             let moves = Moves::Slide { slide, range };
-            // There and back in one cycle.
+            // One cycle goes there and back.
             self.drive(moves, 2.0 * throw * cpm / 60.0, link.by_hand, name);
         }
         if self.sketch.drivers.len() > 1 {
@@ -357,7 +357,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Tells how fast the first driver is, in its own way.
+    /// Notes the speed of the first driver, by the code of its kind.
     fn driven(&mut self, link: &str, speed: f64, by_hand: bool, told: impl Fn(String) -> LeftOut) {
         let link = link.to_owned();
         if by_hand {

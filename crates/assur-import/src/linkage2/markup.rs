@@ -1,12 +1,12 @@
-//! Tags with attributes, as Linkage writes and reads them: texts stand in quotes as they are, without entities,
-//! and no blank need be between two attributes, so that a strict reader of XML refuses files that Linkage opens.
+//! Tags with attributes, as Linkage writes and reads them: texts in quotes are verbatim, without entities, and
+//! attributes may follow each other without a space, so that a strict XML parser would refuse files that Linkage opens.
 
 use crate::ImportProblem;
 
-/// No file has tags so deep.
+/// Maximum depth of tags: no file has deeper ones.
 const DEEPEST: usize = 8;
 
-/// A tag with what is in it.
+/// A tag with its contents.
 #[derive(Debug, Default)]
 pub(super) struct Tag<'a> {
     pub(super) name: &'a str,
@@ -15,7 +15,7 @@ pub(super) struct Tag<'a> {
 }
 
 impl<'a> Tag<'a> {
-    /// The text of an attribute; empty where it is not there.
+    /// The text of an attribute; empty without it.
     pub(super) fn text(&self, name: &str) -> &'a str {
         let found = self.attributes.iter().find(|(key, _)| *key == name);
         found.map_or("", |(_, value)| value)
@@ -25,18 +25,18 @@ impl<'a> Tag<'a> {
         self.text(name) == "true"
     }
 
-    /// A number; none where there is no such attribute.
+    /// A number; none without such an attribute.
     ///
     /// # Errors
-    /// What stands there is no number.
+    /// A value that is not a number.
     pub(super) fn number(&self, name: &str) -> Result<Option<f64>, ImportProblem> {
         self.value(name, crate::number)
     }
 
-    /// A whole number; none where there is no such attribute.
+    /// A whole number; none without such an attribute.
     ///
     /// # Errors
-    /// What stands there is no such number.
+    /// A value that is not a whole number.
     pub(super) fn whole(&self, name: &str) -> Result<Option<i64>, ImportProblem> {
         self.value(name, |text| text.parse().ok())
     }
@@ -56,7 +56,7 @@ impl<'a> Tag<'a> {
         }
     }
 
-    /// What stands in an attribute will not do.
+    /// The problem of an invalid value of an attribute.
     pub(super) fn refused(&self, name: &str) -> ImportProblem {
         let [tag, id] = [self.name, self.text("id")].map(crate::quoted);
         ImportProblem::number(&format!("{tag} {id}, {name}"), self.text(name))
@@ -68,7 +68,7 @@ impl<'a> Tag<'a> {
         inner.map(|tag| tag.tags.len() + tag.mentions()).sum()
     }
 
-    /// The tags of a name in it.
+    /// The inner tags with a name.
     pub(super) fn all<'t>(&'t self, name: &'t str) -> impl Iterator<Item = &'t Tag<'a>> {
         self.tags.iter().filter(move |tag| tag.name == name)
     }
@@ -94,7 +94,7 @@ pub(super) fn parse(text: &str) -> Result<Tag<'_>, ImportProblem> {
         let skipped = match rest.as_bytes().first() {
             Some(b'?') => Some("?>"),
             Some(b'!') if rest.starts_with("!--") => Some("-->"),
-            // Declarations would bring entities, which no such file has.
+            // Declarations could define entities, which no such file contains.
             Some(b'!') | None => return Err(broken(here)),
             _ => None,
         };
@@ -132,7 +132,7 @@ pub(super) fn parse(text: &str) -> Result<Tag<'_>, ImportProblem> {
     }
 }
 
-/// What stands in a tag, up to the `>` that is not in quotes, and what follows it.
+/// The contents of a tag, up to the `>` outside quotes, and the text after it.
 fn tag(text: &str) -> Option<(&str, &str)> {
     let mut quoted = false;
     let end = text.find(|c| {
@@ -142,7 +142,7 @@ fn tag(text: &str) -> Option<(&str, &str)> {
     Some((&text[..end], &text[end + 1..]))
 }
 
-/// The name of a tag and `key="value"`, again and again.
+/// The name of a tag, followed by any number of `key="value"`.
 fn attributes(text: &str) -> Option<Tag<'_>> {
     let text = text.trim_end();
     let end = text.find(char::is_whitespace).unwrap_or(text.len());

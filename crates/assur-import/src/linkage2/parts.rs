@@ -1,4 +1,4 @@
-//! What a file has: connectors, links, ratios of wheels.
+//! Parts of a file: connectors, links, ratios of wheels.
 
 use assur_file::LengthUnit;
 
@@ -6,10 +6,10 @@ use super::markup::Tag;
 use crate::ImportProblem;
 use assur::mechanism::FARTHEST;
 
-/// Layers of what moves; the others are for drawings.
+/// Layers of moving parts; the others are for drawings.
 const MECHANISM: i64 = 0xFFFF_FFF0;
 
-/// Units of a file to an inch.
+/// Units of a file per inch.
 const TO_AN_INCH: f64 = 96.0;
 const MM_TO_AN_INCH: f64 = 25.4;
 
@@ -23,11 +23,11 @@ pub(super) struct Connector {
     pub(super) input: bool,
     pub(super) traced: bool,
     pub(super) by_hand: bool,
-    /// Revolutions per minute, clockwise where positive.
+    /// Revolutions per minute, positive clockwise.
     pub(super) rpm: f64,
-    /// By how many degrees it goes to and fro; 0 where it turns.
+    /// Amplitude of its oscillation, degrees; 0 if it turns.
     pub(super) swing: f64,
-    /// Between which connectors it slides, and the radius of the slot, 0 where it is straight.
+    /// The connectors between which it slides, and the radius of the slot, 0 if straight.
     pub(super) slot: Option<[i64; 2]>,
     pub(super) slider: bool,
     pub(super) radius: f64,
@@ -42,9 +42,9 @@ pub(super) struct Link {
     pub(super) name: String,
     pub(super) connectors: Vec<i64>,
     pub(super) wheel: bool,
-    /// Stroke of an actuator, and its strokes in a minute; negative if it shrinks first.
+    /// Stroke of an actuator, and its cycles per minute; negative if it shrinks first.
     pub(super) stroke: Option<[f64; 2]>,
-    /// How far out it is in its stroke as it is drawn.
+    /// Drawn extension within its stroke.
     pub(super) start: f64,
     pub(super) by_hand: bool,
     pub(super) fastened: Option<i64>,
@@ -59,7 +59,7 @@ pub(super) struct Ratio {
     pub(super) chain: bool,
 }
 
-/// The whole of it, lengths in its unit.
+/// All parts of a file, lengths in its unit.
 #[derive(Debug, Default)]
 pub(super) struct Parts {
     pub(super) unit: Option<LengthUnit>,
@@ -67,13 +67,13 @@ pub(super) struct Parts {
     pub(super) connectors: Vec<Connector>,
     pub(super) links: Vec<Link>,
     pub(super) ratios: Vec<Ratio>,
-    /// How many are only drawn.
+    /// Number of parts that are only drawn.
     pub(super) drawn: usize,
 }
 
 impl Parts {
     /// # Errors
-    /// Numbers that are none or out of any range; connectors of one number; too many parts.
+    /// Numbers that are invalid or out of range; connectors with the same number; too many parts.
     pub(super) fn read(root: &Tag<'_>) -> Result<Self, ImportProblem> {
         let program = root.all("program").next();
         let inches =
@@ -124,7 +124,7 @@ impl Parts {
         Ok(parts)
     }
 
-    /// The name of a link, as Linkage calls one without.
+    /// The name of a link, in the form of Linkage if it has none.
     pub(super) fn called(link: &Link) -> String {
         let name = link.name.trim();
         if name.is_empty() {
@@ -144,7 +144,7 @@ fn id(tag: &Tag<'_>, name: &str) -> Result<Option<i64>, ImportProblem> {
     tag.whole(name)
 }
 
-/// What a unit of the file measures.
+/// Factor of a file's lengths.
 struct Length(f64);
 
 impl Length {
@@ -228,7 +228,7 @@ impl Length {
     }
 }
 
-/// The ratio of two wheels; none of what names fewer.
+/// The ratio of two wheels; none for a tag with fewer wheels.
 fn ratio(tag: &Tag<'_>) -> Result<Option<Ratio>, ImportProblem> {
     let wheels = tag
         .all("link")
@@ -244,7 +244,7 @@ fn ratio(tag: &Tag<'_>) -> Result<Option<Ratio>, ImportProblem> {
     })
 }
 
-/// A number that may be.
+/// A number within range.
 fn finite(tag: &Tag<'_>, name: &str) -> Result<Option<f64>, ImportProblem> {
     let value = tag.number(name)?;
     match value {

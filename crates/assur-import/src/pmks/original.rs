@@ -13,11 +13,11 @@ use crate::{ImportProblem, LeftOut};
 
 /// The name of the parameter that holds the joints.
 const JOINTS: &str = "mech";
-/// Names of the ground, beside all that begin with [`GROUND`].
+/// Names of the ground, besides all that begin with [`GROUND`].
 const GROUNDS: [&str; 6] = ["0", "gnd", "grnd", "grond", "gound", "groud"];
 const GROUND: &str = "ground";
 
-/// The kind of a joint between the teeth of two wheels: not read, since it tells neither their centres nor their carrier.
+/// The kind of a joint between the teeth of two wheels: not read, since it gives neither their centres nor their carrier.
 const GEARS: &str = "G";
 
 /// The kinds of joints that are read.
@@ -28,7 +28,7 @@ enum Kind {
     PinInSlot,
 }
 
-/// A joint as it is written.
+/// A joint in its written form.
 #[derive(Debug)]
 struct Row<'a> {
     links: Vec<&'a str>,
@@ -49,10 +49,10 @@ fn parameter<'a>(query: &'a str, name: &str) -> Option<&'a str> {
     all.find_map(|one| one.strip_prefix(name)?.strip_prefix('='))
 }
 
-/// The mechanism that is meant.
+/// The mechanism of a link.
 ///
 /// # Errors
-/// A joint that cannot be read, gears among them; too many parts.
+/// A joint that cannot be read, such as a mesh of gears; too many parts.
 pub(super) fn sketch(query: &str, source: String) -> Result<Sketch, ImportProblem> {
     let joints = decoded(parameter(query, JOINTS).unwrap_or_default(), b"");
     let lines = joints
@@ -102,7 +102,7 @@ fn row<'a>(name: &str, line: &'a str) -> Result<Row<'a>, ImportProblem> {
         _ => None,
     };
     let gears = |word: &&str| word.eq_ignore_ascii_case(GEARS);
-    // A link may be called R, too.
+    // A link may have the name R, too.
     let at = words
         .iter()
         .rposition(|word| gears(word) || kind(word).is_some());
@@ -132,7 +132,7 @@ fn row<'a>(name: &str, line: &'a str) -> Result<Row<'a>, ImportProblem> {
     };
     let fits = match (row.kind, row.links.len()) {
         (_, 0) => false,
-        // One link alone has a point there.
+        // A joint of only one link is a point of it.
         (_, 1) | (Kind::Hinge | Kind::PinInSlot, _) => true,
         (Kind::Slide, links) => links == 2,
     };
@@ -165,7 +165,7 @@ fn is_ground(link: &str) -> bool {
     link.starts_with(GROUND) || GROUNDS.contains(&link.as_str())
 }
 
-/// A mechanism that is being read.
+/// A mechanism during reading.
 struct Reading<'a> {
     sketch: Sketch,
     /// The names of the links, by their bars.
@@ -175,7 +175,7 @@ struct Reading<'a> {
 }
 
 impl<'a> Reading<'a> {
-    /// The body of a link, a new one where it has not been named before.
+    /// The body of a link, added if it is new.
     fn body(&mut self, link: &'a str) -> Body {
         if is_ground(link) {
             return Body::Frame;
@@ -213,7 +213,7 @@ impl<'a> Reading<'a> {
         self.size = self.sketch.size();
     }
 
-    /// Adds the pairs. For each joint its slide, where it is one.
+    /// Adds the pairs; returns the slide of each joint that is one.
     fn pairs(&mut self, rows: &[Row<'a>]) -> Vec<Option<usize>> {
         let mut slides = vec![None; rows.len()];
         for (joint, row) in rows.iter().enumerate() {
@@ -245,7 +245,7 @@ impl<'a> Reading<'a> {
         slides
     }
 
-    /// Adds the driver: the last joint with that letter, or else the first hinge or slide of two links, as PMKS does.
+    /// Adds the driver: the last joint marked as driven, otherwise the first hinge or slide of two links, as in PMKS.
     fn drive(&mut self, rows: &[Row<'a>], slides: &[Option<usize>], rpm: f64) {
         let usual = |row: &Row<'_>| row.links.len() > 1 && row.kind != Kind::PinInSlot;
         let told = rows.iter().rposition(|row| row.driven);

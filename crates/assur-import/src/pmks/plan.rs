@@ -1,4 +1,4 @@
-//! What a link of PMKS+ says, whatever its form, and the mechanism that it means.
+//! Contents of a PMKS+ link in either form, and the mechanism that it describes.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,7 +9,7 @@ use assur::mechanism::FARTHEST;
 use crate::sketch::{Bar, Body, Driver, Joint, Moves, Sketch};
 use crate::{ImportProblem, LeftOut};
 
-/// Angles are compared in thousandths of a radian.
+/// Resolution of angles: thousandths of a radian.
 const ANGLE_STEP: f64 = 0.001;
 
 /// A joint: a hinge or a prismatic pair.
@@ -23,11 +23,11 @@ pub(super) struct Pin {
     pub(super) input: bool,
     pub(super) welded: bool,
     pub(super) traced: bool,
-    /// Of a prismatic pair on the ground its direction, radians.
+    /// Direction of a prismatic pair on the ground, radians.
     pub(super) angle: f64,
-    /// Of one on a link that link, and two of its joints on the line.
+    /// For a prismatic pair on a link, that link and two of its joints on the line.
     pub(super) slot: Option<[String; 3]>,
-    /// Revolutions per minute of its own.
+    /// Speed of its own, revolutions per minute.
     pub(super) rpm: Option<f64>,
 }
 
@@ -37,14 +37,14 @@ pub(super) struct Member {
     pub(super) id: String,
     pub(super) name: String,
     pub(super) block: bool,
-    /// Whether it is no part of another one.
+    /// Whether it is not part of another one.
     pub(super) root: bool,
     pub(super) mass: f64,
     pub(super) joints: Vec<String>,
     pub(super) parts: Vec<String>,
 }
 
-/// The whole of it.
+/// All parts of a link.
 #[derive(Debug, Default)]
 pub(super) struct Plan {
     pub(super) unit: Option<LengthUnit>,
@@ -60,7 +60,7 @@ impl Plan {
     /// Refuses more parts, or more mentions of parts, than are read.
     ///
     /// # Errors
-    /// There are too many.
+    /// More than are read.
     pub(super) fn bounded(&self) -> Result<(), ImportProblem> {
         let told = self.forces.len() + self.unknown.len();
         crate::bounded(self.pins.len() + self.members.len() + told)?;
@@ -68,10 +68,10 @@ impl Plan {
         crate::bounded(self.members.iter().map(mentions).sum())
     }
 
-    /// The mechanism that is meant.
+    /// The mechanism that is described.
     ///
     /// # Errors
-    /// Names that are given twice, or to nothing; places out of any range; too many parts.
+    /// Duplicate or unknown names; places out of range; too many parts.
     pub(super) fn sketch(self, source: String) -> Result<Sketch, ImportProblem> {
         self.bounded()?;
         let mut sketch = Sketch {
@@ -98,7 +98,7 @@ impl Plan {
         let size = sketch.size();
         let blocks = self.blocks(&mut sketch)?;
         let bars = self.bars(&mut sketch, &blocks)?;
-        // The slides by the joint of PMKS+ that each is.
+        // The slide of each PMKS+ joint.
         let mut slides = vec![None; self.pins.len()];
         for Block { pair, pin } in &blocks {
             slides[*pair] = Some(self.slide(&mut sketch, &bars, *pair, *pin, size)?);
@@ -109,13 +109,13 @@ impl Plan {
         Ok(sketch)
     }
 
-    /// The number of a joint.
+    /// The index of a joint.
     fn pin(&self, id: &str) -> Result<usize, ImportProblem> {
         let found = self.pins.iter().position(|pin| pin.id == id);
         found.ok_or_else(|| ImportProblem::part(id))
     }
 
-    /// Each prismatic pair with the pin that it guides. A pair of which no block tells that guides itself.
+    /// Each prismatic pair with the pin that it guides. A pair without a block guides itself.
     fn blocks(&self, sketch: &mut Sketch) -> Result<Vec<Block>, ImportProblem> {
         let mut blocks: Vec<Block> = Vec::new();
         for member in self.members.iter().filter(|member| member.block) {
@@ -155,7 +155,7 @@ impl Plan {
         Ok(blocks)
     }
 
-    /// The links that are no blocks and no parts, with their numbers.
+    /// The links that are neither blocks nor parts, with the indices of their bars.
     fn bars(
         &self,
         sketch: &mut Sketch,
@@ -170,7 +170,7 @@ impl Plan {
             let mut joints = Vec::new();
             for id in &member.joints {
                 let joint = self.pin(id)?;
-                // Where a pair was put on a link beside its pin it is that pin.
+                // A pair placed on a link beside its pin is identified with the pin.
                 let guided = blocks.iter().find(|block| block.pair == joint);
                 let joint = guided.map_or(joint, |block| block.pin);
                 if !joints.contains(&joint) {
@@ -185,7 +185,7 @@ impl Plan {
         Ok(bars)
     }
 
-    /// A prismatic pair: of a block that is hinged at the pin, or of the link that is welded to it.
+    /// Adds a prismatic pair: of a block hinged at the pin, or of the link welded to it.
     fn slide(
         &self,
         sketch: &mut Sketch,
@@ -210,7 +210,7 @@ impl Plan {
         };
         let mut riders = bars.iter().map(|(bar, _)| *bar);
         let rides = |bar: &usize| Body::Bar(*bar) != on && sketch.bars[*bar].joints.contains(&pin);
-        // Where parts of one link are welded together, older links mean nothing else.
+        // Where two parts of a link meet, older links mean a weld between these, not with the block.
         let id = &self.pins[pin].id;
         let meet = self
             .members
@@ -224,15 +224,15 @@ impl Plan {
         })
     }
 
-    /// Two points of the ground on the line of a pair.
+    /// Adds two points of the ground on the line of a pair.
     fn ground(&self, sketch: &mut Sketch, pair: &Pin, size: f64) -> [usize; 2] {
         let names = [pair.name.clone(), format!("{}′", pair.name)];
         sketch.guide(names, pair.at, whole_degrees(pair.angle), size, Body::Frame)
     }
 
-    /// Makes one body of the links at each welded joint. Where a link there names the parts that are welded, only these
-    /// are one body, and the other links are hinged. On the ground the body turns about the joint, as a bell crank does;
-    /// a single link there is welded to the ground itself.
+    /// Makes one body of the links at each welded joint. If a link there names the welded parts,
+    /// only these are one body, and the other links are hinged. On the ground the body turns about
+    /// the joint, like a bell crank; a single link there is welded to the ground itself.
     fn weld(&self, sketch: &mut Sketch, bars: &[(usize, &Member)]) {
         for (k, pin) in self.pins.iter().enumerate().filter(|(_, pin)| pin.welded) {
             let here = bars
@@ -252,7 +252,7 @@ impl Plan {
         }
     }
 
-    /// The number of a link's parts at a joint.
+    /// The number of parts of a link at a joint.
     fn parts_at(&self, member: &Member, pin: &Pin) -> usize {
         let parts = self.members.iter();
         let parts = parts.filter(|part| !part.root && member.parts.contains(&part.id));
@@ -333,7 +333,7 @@ impl Plan {
                 parts: member.parts.iter().map(called).collect(),
             });
         }
-        // A mass of 1 is that of every new link.
+        // Every new link has a mass of 1.
         let heavy = self
             .members
             .iter()
@@ -354,14 +354,14 @@ impl Plan {
     }
 }
 
-/// A prismatic pair and the pin that it guides, by numbers of joints.
+/// A prismatic pair and the pin that it guides, as indices of joints.
 struct Block {
     pair: usize,
     pin: usize,
 }
 
-/// An angle as whole degrees where its digits may mean that: they are too few to tell a guide at 90° from one that
-/// is a hundredth of a degree off.
+/// An angle rounded to whole degrees if its digits allow: they are too few to distinguish a guide
+/// at 90° from one that is a hundredth of a degree off.
 fn whole_degrees(angle: f64) -> f64 {
     let whole = angle.to_degrees().round() * PI / 180.0;
     if (whole - angle).abs() <= 0.5 * ANGLE_STEP + 1e-12 {

@@ -48,7 +48,7 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
         unknown: Vec::new(),
     };
     plan.bounded()?;
-    // It does not say of what paths are drawn: of the points that join nothing.
+    // The form does not contain the drawn paths: those of points that join nothing are taken.
     for pin in &mut plan.pins {
         let links = plan
             .members
@@ -100,7 +100,7 @@ fn member(line: &str) -> Result<Member, ImportProblem> {
     };
     let joints = match rest {
         [_, _, _, _, joints, ..] => joints,
-        // A block had nothing but its joints, in some.
+        // In some versions a block had only its joints.
         [joints, ..] if block => joints,
         _ => return Err(broken()),
     };

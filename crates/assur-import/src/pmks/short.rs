@@ -1,6 +1,6 @@
-//! The second form: `?2P.Ay.K,0.1011.MA,A,0,0,0.…`. Sections are parted by dots, fields by commas; numbers are
-//! written to the base 64 in thousandths, with a leading 0 where they are negative, and yes and no as the bits of
-//! one digit. The last character is the length of the rest modulo 62.
+//! The second form: `?2P.Ay.K,0.1011.MA,A,0,0,0.…`. Sections are separated by dots, fields by
+//! commas; numbers are in base 64, in thousandths, with a leading 0 if negative, and booleans are
+//! the bits of one digit. The last character is the length of the rest modulo 62.
 
 use assur_file::LengthUnit;
 
@@ -11,10 +11,10 @@ use crate::ImportProblem;
 const DIGITS: &[u8; 64] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
 const CHECKS: usize = 62;
 
-/// More digits make a number beyond any that is exact.
+/// Maximum number of digits of a number: more could not be represented exactly.
 const MOST_DIGITS: usize = 8;
 
-/// Sections before the joints: settings that are yes or no, in thousandths, whole, chosen.
+/// Sections before the joints: boolean, decimal, integer and enumerated settings.
 const SETTINGS: usize = 4;
 
 pub(super) fn begins(query: &str) -> bool {
@@ -49,17 +49,17 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
     for section in sections.by_ref().take_while(|section| !section.is_empty()) {
         plan.forces.push(force(section)?);
     }
-    // What was selected; what follows came later.
+    // The first one is the selection; later ones were added to the format afterwards.
     let rest = sections.skip(1).filter(|section| !section.is_empty());
     plan.unknown = rest.map(crate::quoted).collect();
     Ok(plan)
 }
 
-/// The text without its check character, where that fits.
+/// The text without its check character, if that matches.
 fn checked(query: &str) -> Option<&str> {
     let last = query.chars().next_back()?;
     let text = &query[..query.len() - last.len_utf8()];
-    // PMKS+ counts as JavaScript does.
+    // PMKS+ counts UTF-16 units, as JavaScript does.
     let length = text.encode_utf16().count();
     (char::from(DIGITS[length % CHECKS]) == last).then_some(text)
 }
@@ -102,7 +102,7 @@ fn fields(section: &str) -> Result<(i64, Vec<&str>), ImportProblem> {
     ))
 }
 
-/// `[flags]id,name,x,y,angle`, of one on a link also `carrier,from,to`, then a speed of its own.
+/// `[flags]id,name,x,y,angle`, for a pin on a link also `carrier,from,to`, then a speed of its own.
 fn pin(section: &str) -> Result<Pin, ImportProblem> {
     let (flags, fields) = fields(section)?;
     let is = |bit: i64| flags >> bit & 1 == 1;
@@ -149,7 +149,7 @@ fn member(section: &str) -> Result<Member, ImportProblem> {
     Ok(Member {
         id: id.to_owned(),
         name: crate::quoted(name),
-        // The chosen ones of mass and inertia are encoded along with that.
+        // The fields of mass and inertia that are chosen are encoded in the same digit.
         root: match root.ok_or_else(broken)? {
             'Y' | 'A' | 'M' | 'G' => true,
             'N' | 'a' | 'm' | 'g' => false,

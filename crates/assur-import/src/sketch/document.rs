@@ -8,13 +8,13 @@ use super::names::Names;
 use super::{Body, Driver, FRAME, Moves, Sketch, Slide, rates};
 use crate::{ImportProblem, Imported, LeftOut};
 
-/// So many paths are drawn at most.
+/// Maximum number of drawn paths.
 const MOST_TRACES: usize = 32;
 
-/// The linkage, with what could not be taken over.
+/// The linkage, with the parts that could not be imported unchanged.
 ///
 /// # Errors
-/// There are no links.
+/// A mechanism without links.
 pub(super) fn imported(mut sketch: Sketch) -> Result<Imported, ImportProblem> {
     let bodies = sketch.bodies();
     let mut left_out = std::mem::take(&mut sketch.left_out);
@@ -45,11 +45,11 @@ pub(super) fn imported(mut sketch: Sketch) -> Result<Imported, ImportProblem> {
     Ok(Imported { document, left_out })
 }
 
-/// A sketch of which it is known what each bar is in the end, with the names that a linkage has.
+/// A sketch with the final bodies of its bars, and with valid names.
 struct Named<'a> {
     sketch: &'a Sketch,
     bodies: Vec<Body>,
-    /// Which joints something of the linkage has.
+    /// Whether each joint belongs to the linkage.
     used: Vec<bool>,
     points: Vec<String>,
     links: Vec<String>,
@@ -67,7 +67,7 @@ impl<'a> Named<'a> {
         let bars = (0..sketch.bars.len()).filter(|bar| named.stays(*bar));
         let bars: Vec<usize> = bars.collect();
         let slides = sketch.slides.iter().filter(|slide| named.moves(slide));
-        // Also the joint that slides: its bar may be one with the frame.
+        // Including the joint that slides: its bar may be fixed to the frame.
         let of_slides = slides.flat_map(|slide| [slide.joint, slide.line[0], slide.line[1]]);
         let of_slides: Vec<usize> = of_slides.collect();
         let of_bars = bars.iter().flat_map(|bar| sketch.bars[*bar].joints.clone());
@@ -97,12 +97,12 @@ impl<'a> Named<'a> {
         }
     }
 
-    /// Whether a bar is a link of its own.
+    /// Whether a bar remains a separate link.
     fn stays(&self, bar: usize) -> bool {
         self.bodies[bar] == Body::Bar(bar)
     }
 
-    /// What slides within one body, or in the frame, does not slide at all.
+    /// Whether a slide moves: one within a single body or the frame does not.
     fn moves(&self, slide: &Slide) -> bool {
         self.bodies[slide.bar] != self.body(slide.on)
     }
@@ -114,7 +114,7 @@ impl<'a> Named<'a> {
         }
     }
 
-    /// The names of the joints that are such.
+    /// The names of the joints that satisfy a condition.
     fn joints(&self, such: impl Fn(usize) -> bool) -> Vec<String> {
         let all = (0..self.points.len()).filter(|joint| self.used[*joint] && such(*joint));
         all.map(|joint| self.points[joint].clone()).collect()
@@ -132,7 +132,7 @@ impl<'a> Named<'a> {
     fn links(&self) -> impl Iterator<Item = LinkDocument> {
         let all = self.sketch.bars.iter().enumerate();
         all.filter(|(k, _)| self.stays(*k)).map(|(k, bar)| {
-            // The angle of a link runs from its hinge on the frame.
+            // The angle of a link is measured from its hinge on the frame.
             let first = |joint: &&usize| bar.wheel || self.sketch.joints[**joint].fixed;
             let (first, others): (Vec<usize>, Vec<usize>) = bar.joints.iter().partition(first);
             let joints = first.into_iter().chain(others);
@@ -155,7 +155,7 @@ impl<'a> Named<'a> {
         })
     }
 
-    /// The number of a slide among those of the linkage.
+    /// The index of a slide among those of the linkage.
     fn number(&self, slide: usize) -> usize {
         let before = self.sketch.slides[..slide].iter();
         before.filter(|slide| self.moves(slide)).count()
@@ -170,7 +170,7 @@ impl<'a> Named<'a> {
         })
     }
 
-    /// The drivers that move something, with their rates.
+    /// The drivers of moving parts, with their rates.
     fn drivers(&self, all: Vec<Driver>, left_out: &mut Vec<LeftOut>) -> Vec<DriverDocument> {
         let (moving, idle): (Vec<Driver>, Vec<Driver>) =
             all.into_iter().partition(|driver| match driver.moves {

@@ -1,6 +1,6 @@
-//! Names as a linkage may have them.
+//! Names that are valid for a linkage.
 
-/// Characters of a name.
+/// Maximum number of characters of a name.
 const LONGEST: usize = 40;
 
 /// The names that are taken.
@@ -8,12 +8,12 @@ const LONGEST: usize = 40;
 pub(super) struct Names(Vec<String>);
 
 impl Names {
-    /// Of links, one of which is the frame.
+    /// Names of links, including the frame.
     pub(super) fn links() -> Self {
         Self(vec![super::FRAME.to_owned()])
     }
 
-    /// A name like the one that is wished, unlike all others; a letter by a number where none is.
+    /// A unique name close to the wish; without a wish, a letter by a number.
     pub(super) fn take(&mut self, wished: &str, number: usize) -> String {
         let plain: String = wished.chars().filter(|c| !c.is_control()).collect();
         let mut plain = plain.trim().to_owned();

@@ -1,15 +1,15 @@
-//! At which rates several drivers go with the first.
+//! Rates of several drivers relative to the first.
 
 use super::{Driver, Moves};
 use crate::LeftOut;
 
-/// Cranks are back after so many turns of the first at most (docs/file-format.md).
+/// Maximum number of turns of the first crank after which all are back (docs/file-format.md).
 const MOST_TURNS: u32 = 24;
 
 /// Speed relative to the fastest driver below which a driver stands still.
 const STILL: f64 = 1e-9;
 
-/// The drivers, the first of which moves, each further one with its rate.
+/// The drivers, beginning with one that moves, each further one with its rate.
 pub(super) fn of(
     mut drivers: Vec<Driver>,
     left_out: &mut Vec<LeftOut>,
@@ -34,7 +34,7 @@ pub(super) fn of(
         let offs = cranks().map(|rate| (near(rate, turns) - rate).abs());
         offs.fold(0.0, f64::max)
     };
-    // The fewest turns among those that come as near as can be.
+    // The fewest turns among those with the best approximation.
     let least = (1..=MOST_TURNS).map(off).fold(f64::INFINITY, f64::min);
     let round = (1..=MOST_TURNS)
         .find(|turns| off(*turns) <= least + 1e-12)
@@ -86,12 +86,12 @@ mod tests {
             cranks(&[15.0, 15.0, -15.0]),
             (vec![None, None, Some(-1.0)], 0)
         );
-        // One that stands still is no first one.
+        // A driver at rest is not the first.
         assert_eq!(cranks(&[0.0, 4.0]), (vec![None, Some(0.0)], 0));
-        // 15.7 to 15 would be back after 150 turns.
+        // 15.7 to 15 would repeat only after 150 turns.
         assert_eq!(cranks(&[15.0, 15.7]), (vec![None, Some(22.0 / 21.0)], 1));
         assert_eq!(cranks(&[0.0, 0.0]), (vec![None, None], 0));
-        // Nor one that is far slower than the others, to which these would have no rate.
+        // Nor is one that is far slower than the others, whose rates would then be infinite.
         assert_eq!(cranks(&[1e-308, 1e9]), (vec![None, Some(0.0)], 0));
     }
 }

@@ -15,25 +15,25 @@ use crate::convert::to_js;
 use crate::here::Here;
 use crate::summary::HandleSummary;
 
-/// A drawing with what is said of it.
+/// A drawing with advice on its motion.
 pub(crate) struct Drawing {
     document: LinkageDocument,
-    /// What keeps it from moving; nothing where it could.
+    /// The reasons why it does not move; none if it could move.
     advice: Option<Advice>,
     sketch: Sketch,
 }
 
-/// What is said of a drawing that does not move.
+/// Summary of a drawing that does not move.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DraftSummary<'a> {
-    /// Nothing does.
+    /// Always null.
     #[cfg_attr(test, ts(type = "null"))]
     moves: Option<&'static str>,
     bounds: [f64; 4],
     handles: Vec<HandleSummary<'a>>,
     roles: BTreeMap<&'a str, &'static str>,
-    /// W by the count; none where what is named is not there.
+    /// Mobility W by count; none if a named part does not exist.
     mobility: Option<isize>,
     drivers: usize,
     /// Every reason why it does not move.
@@ -51,14 +51,14 @@ pub(crate) struct DraftSummary<'a> {
 /// A drawing after an edit.
 #[derive(Serialize)]
 struct Drawn {
-    /// What it is now: what moves is a linkage.
+    /// The document, of the kind linkage if it moves.
     #[serde(flatten)]
     document: Document,
     /// The point that was added last.
     point: Option<String>,
     /// The link that was added last.
     link: Option<String>,
-    /// Whether what is locked kept something from going where it was wanted.
+    /// Whether locks kept something from reaching its target.
     held: bool,
 }
 
@@ -161,7 +161,7 @@ impl Edited for Drawing {
 /// A document after an edit, from the pose at an input.
 ///
 /// # Errors
-/// What cannot be drawn on; why it cannot be edited so.
+/// A document that cannot be drawn on; the reason why the edit is impossible.
 pub(crate) fn edit(
     open: &dyn Capabilities,
     edit: &Edit,
@@ -177,10 +177,10 @@ pub(crate) fn edit(
     }))
 }
 
-/// Links and points of what is open, at an input, as a drawing of its own.
+/// Links and points of the open document, at an input, as a drawing of their own.
 ///
 /// # Errors
-/// What cannot be drawn on.
+/// A document that cannot be drawn on.
 pub(crate) fn part(
     open: &dyn Capabilities,
     points: &[String],

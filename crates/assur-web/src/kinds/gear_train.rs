@@ -1,4 +1,4 @@
-//! A differential by time on the page: as its wheels turn while nothing slips, or under load.
+//! A differential driven by time on the page: without slip, or under load.
 
 pub(crate) mod course;
 mod quantity;
@@ -16,7 +16,7 @@ use crate::convert::to_js;
 use course::Course;
 use summary::GearTrainSummary;
 
-/// A differential with all that is drawn of it.
+/// A differential with its drawing.
 pub(crate) struct GearTrain {
     document: GearTrainDocument,
     course: Course,
@@ -85,7 +85,7 @@ impl Capabilities for GearTrain {
 const LOADED: [f64; 4] = [0.15, 0.5, 0.7, 0.75];
 
 impl Edited for GearTrain {
-    /// The load's greatest torque is the only dimension: its times stay.
+    /// The greatest torque of the load is the only dimension; its times do not change.
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         if field != "load" {
             return Err(vec![unknown(field)]);
@@ -110,7 +110,7 @@ impl Edited for GearTrain {
                 .map(|[time, torque]| [*time, torque * (value / most)])
                 .collect()
         } else {
-            // A load that was set to nothing keeps its times.
+            // A load that was set to zero keeps its times.
             let times: Vec<f64> = self.document.load.iter().map(|[time, _]| *time).collect();
             let times = <[f64; 4]>::try_from(times);
             let [from, full, until, off] =

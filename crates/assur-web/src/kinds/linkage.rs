@@ -20,10 +20,10 @@ use crate::dimensions::DimensionSummary;
 use crate::moving::Moving;
 use crate::summary::MotionSummary;
 
-/// A linkage with all that is drawn of it.
+/// A linkage with its drawing.
 pub(crate) struct Linkage {
     moving: Moving,
-    /// Where it is the one of the catalogue that a paper is about, with whatever lengths.
+    /// The paper on this mechanism of the catalogue, whatever its lengths, if it has one.
     of_paper: Option<CombinedMethod>,
 }
 
@@ -55,8 +55,8 @@ impl Linkage {
     }
 }
 
-/// The fields of a linkage that change if it is redrawn. The drawing gives the
-/// assembly, so none is left that is meant by its number.
+/// The fields of a linkage that change when it is redrawn. The drawing determines the assembly, so
+/// its number is removed.
 #[derive(Serialize)]
 pub(crate) struct Redrawn {
     points: Vec<PointDocument>,
@@ -79,19 +79,19 @@ impl Redrawn {
     }
 }
 
-/// What is said of a linkage beyond its motion.
+/// Summary of a linkage beyond its motion.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct LinkageSummary<'a> {
     #[serde(flatten)]
     motion: MotionSummary<'a>,
     dimensions: Vec<DimensionSummary<'a>>,
-    /// What can drive it, by the links that are turned or slide.
+    /// The links that can drive it, by turning or sliding.
     drivers: Vec<&'a str>,
     rates: Vec<RateSummary<'a>>,
 }
 
-/// By how much the coordinate of a further driver grows with that of the first.
+/// Rate of a further driver's coordinate relative to that of the first.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct RateSummary<'a> {
@@ -123,7 +123,7 @@ impl Linkage {
         rates.collect()
     }
 
-    /// The document after a change, and the input where it is another one than before.
+    /// The document after a change, and the input if it has changed.
     fn changed(&self, changed: &Changed, input: f64) -> Change {
         let redrawn = Redrawn::of(changed.motion.mechanism().spec());
         let other = (changed.input != input).then_some(changed.input);
@@ -188,7 +188,7 @@ impl Edited for Linkage {
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
         let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
-        // A refusal compares with the same value.
+        // A refusal then reports the same value.
         let value = mechanism.nearest(dimension, of_field(dimension, value));
         let changed = self.moving.motion().changed(dimension, value, input);
         let changed = changed

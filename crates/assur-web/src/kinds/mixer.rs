@@ -1,4 +1,4 @@
-//! The mixer on the page: a linkage that its parameters describe.
+//! The mixer on the page: a linkage described by its parameters.
 
 use assur::gears::GearPair;
 use assur::mechanism::{LinkId, Mechanism, Quantity, Unsolved};
@@ -19,13 +19,13 @@ use crate::convert::to_js;
 use crate::moving::Moving;
 use crate::summary::MotionSummary;
 
-/// A mixer with all that is drawn of it.
+/// A mixer with its drawing.
 pub(crate) struct Mixer {
     parameters: Parameters,
     moving: Moving,
 }
 
-/// What is said of it beyond its motion.
+/// Summary of a mixer beyond its motion.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MixerSummary<'a> {
@@ -33,9 +33,9 @@ pub(crate) struct MixerSummary<'a> {
     motion: MotionSummary<'a>,
     /// The ratios of the peripheral wheels to the rocker.
     ratios: Vec<f64>,
-    /// Peripheral wheels of which two would lie one over the other.
+    /// Pairs of peripheral wheels that would overlap.
     overlaps: Vec<[usize; 2]>,
-    /// The direction from wheel 4 in which there is most room.
+    /// The direction from wheel 4 with the most room.
     free_direction: f64,
 }
 
@@ -63,7 +63,7 @@ impl Mixer {
         let parameters = document.mixer()?;
         let linkage = parameters.linkage;
         let assembly = parameters.assembly;
-        // Of a four-bar more can be said than that two links do not meet.
+        // For a four-bar the reason can be more precise than that two links do not meet.
         let explain = move |mechanism: &Mechanism, unsolved: &Unsolved| match linkage
             .pose::<3>(assembly, unsolved.input)
         {
@@ -96,7 +96,7 @@ impl Mixer {
     }
 }
 
-/// An assembly as the document counts them.
+/// An assembly as the document numbers it.
 fn number_of(assembly: Assembly) -> u8 {
     match assembly {
         Assembly::First => 1,
@@ -104,8 +104,8 @@ fn number_of(assembly: Assembly) -> u8 {
     }
 }
 
-/// What is read of it: all but the input itself, what stands still, and what turns as one
-/// with another link.
+/// The read-outs of a mixer: all quantities except the input itself, links at rest, and links fixed
+/// to another link.
 fn readouts(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
     let driven = document
         .drivers
@@ -186,7 +186,7 @@ impl Edited for Mixer {
     fn assemblies(&self, input: f64) -> Option<AssembliesHere> {
         let mut here = self.moving.assemblies(input);
         let drawn = usize::from(number_of(self.parameters.assembly));
-        // There are two: of a dyad.
+        // A dyad has two assemblies.
         if let Some(shown) = here.shown {
             for (k, one) in here.all.iter_mut().enumerate() {
                 one.number = if k == shown { drawn } else { 3 - drawn };

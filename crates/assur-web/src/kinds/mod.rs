@@ -16,7 +16,7 @@ use assur_file::{Document, Problem, State};
 use crate::capabilities::{Capabilities, unknown};
 use crate::moving::Moving;
 
-/// The document of a state with all that is drawn of it.
+/// The document of a state with its drawing.
 ///
 /// # Errors
 /// Every problem of the state.
@@ -31,13 +31,13 @@ pub(crate) fn open(state: &State) -> Result<Box<dyn Capabilities>, Vec<Problem>>
     })
 }
 
-/// The kinds of which a document is made of anything that moves.
+/// The kinds of document into which anything that moves can be converted.
 pub(crate) const BECOMES: [&str; 1] = ["scheme"];
 
-/// What moves, at an input, as a document of another kind.
+/// A moving linkage, at an input, as a document of another kind.
 ///
 /// # Errors
-/// No such kind, or none that is made of what moves; no pose.
+/// An unknown kind, or one that is not made from what moves; no pose.
 pub(crate) fn as_kind(kind: &str, moving: &Moving, input: f64) -> Result<Document, Problem> {
     match kind {
         "scheme" => scheme::of(moving, input).map(Document::Scheme),

@@ -1,5 +1,5 @@
-//! Links and pairs on the page: the drawing, whole or cut open, and what counting and geometry
-//! say of its mobility.
+//! Links and pairs on the page: the drawing, whole or cut open, and their mobility by count and by
+//! geometry.
 
 pub(crate) mod summary;
 
@@ -17,7 +17,7 @@ use crate::here::Here;
 use crate::moving::Moving;
 use summary::SchemeSummary;
 
-/// A scheme with all that is drawn of it.
+/// A scheme with its drawing.
 pub(crate) struct Scheme {
     document: SchemeDocument,
     scheme: assur::mobility::Scheme,
@@ -62,7 +62,7 @@ impl Scheme {
     }
 }
 
-/// What moves, at an input, as links and pairs.
+/// A moving linkage, at an input, as links and pairs.
 ///
 /// # Errors
 /// No pose there.
@@ -91,7 +91,7 @@ impl Capabilities for Scheme {
     fn rigid(&self) -> Rigid<'_> {
         Rigid {
             names: self.figure.names(),
-            // All of it may open.
+            // Nothing is rigid, since all of it may open.
             list: &[],
         }
     }
@@ -111,7 +111,7 @@ impl Capabilities for Scheme {
 }
 
 impl Edited for Scheme {
-    /// A pair is moved where nothing is cut: an open chain is not where its pairs are.
+    /// A pair can be moved only without cuts: in an open chain it is not drawn in its place.
     fn drag(&self, point: &str, _input: f64, to: Point) -> Result<Change, Problem> {
         let handle = self.handles.iter().find(|handle| handle.name == point);
         let handle = handle.ok_or_else(|| unknown(point))?;
@@ -124,7 +124,7 @@ impl Edited for Scheme {
         Ok(Change::document(&json!({ "pairs": pairs })))
     }
 
-    /// A pair is cut, or joined again.
+    /// Cuts a pair, or joins it again.
     fn press(&self, handle: &str) -> Result<Change, Problem> {
         if !self.handles.iter().any(|one| one.name == handle) {
             return Err(unknown(handle));
@@ -139,7 +139,7 @@ impl Edited for Scheme {
         Ok(Change::document(&json!({ "cut": cut })))
     }
 
-    /// The pairs as one of the ways to mend it has them, from 1.
+    /// The pairs after one of the replacements, by its number from 1.
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         let mended = self.scheme.replacements(summary::MENDED);
         let mended = mended.map_err(|_| vec![unknown(field)])?;

@@ -1,4 +1,4 @@
-//! A four-bar for given positions on the page: what is wanted, drawn under one of those that do it.
+//! A four-bar for given positions on the page: the positions, drawn under one of the solutions.
 
 pub(crate) mod options;
 pub(crate) mod plane;
@@ -22,14 +22,14 @@ use crate::handle::{Handle, HandlePlace};
 use crate::moving::Moving;
 use summary::SynthesisSummary;
 
-/// How far off their pivots directions are taken hold of: at least so far relative to the frame,
-/// and so far relative to their links, whose joints stay free.
+/// Distances of the handles of directions from their pivots: the least one relative to the frame,
+/// and one relative to their links, whose joints stay free.
 const REACH: [f64; 2] = [0.62, 1.25];
 
-/// The same for the direction of a coupler, off its joint with the input: within the coupler, whose ends stay free.
+/// Distances of the handle of a coupler's direction from its joint with the input, clear of both ends of the coupler.
 const REACH_OF_COUPLER: [f64; 2] = [0.25, 0.6];
 
-/// A dragged direction goes by this, degrees: what a hand can mean.
+/// Step of a dragged direction, degrees: as precise as a hand can be.
 const STEP_DEG: f64 = 0.1;
 
 /// The links and their colours.
@@ -42,16 +42,16 @@ const ROLES: [(&str, Role); 3] = [
 /// The numbers of their angles in the paper.
 const NUMBERS: [(&str, &str); 3] = [("crank", "3"), ("coupler", "1"), ("rocker", "2")];
 
-/// A synthesis with all that is drawn of it.
+/// A synthesis with its drawing.
 pub(crate) struct Synthesis {
     document: SynthesisDocument,
     solved: assur_file::Synthesis,
-    /// What is shown, as the simulator takes it.
+    /// The shown solution, as a document for the simulator.
     linkage: Document,
     moving: Moving,
 }
 
-/// A direction that can be dragged: of which position, from 0, and of which link.
+/// A direction that can be dragged: the index of its position, and its link.
 #[derive(Clone, Copy)]
 enum Direction {
     Output(usize),
@@ -60,7 +60,7 @@ enum Direction {
 }
 
 impl Direction {
-    /// Those that are wanted, and where their pivots are and they are taken hold of; of couplers those that are given.
+    /// The given directions, with their pivots and handles; of couplers only those that the document gives.
     fn all<'a>(
         document: &'a SynthesisDocument,
         solved: &'a assur_file::Synthesis,
@@ -147,8 +147,7 @@ impl Synthesis {
     }
 }
 
-/// The given positions as they are drawn: what is shown in each of them, with what it leaves open
-/// at the coupler.
+/// The given positions as drawn: the shown solution in each of them, with its gap at the coupler.
 fn given(document: &SynthesisDocument, solved: &assur_file::Synthesis) -> Vec<GivenPosition> {
     let (task, shown) = (&solved.task, &solved.shown);
     let drawn = (0..task.positions().len()).filter_map(|k| shown.drawn(task, k));
@@ -214,7 +213,7 @@ impl Edited for Synthesis {
         Ok(Change::document(&json!({ "positions": positions })))
     }
 
-    /// The output's length of a member of the family is its only dimension.
+    /// The output's length is the only dimension of a member of a family.
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         let Options::Family(family) = &self.solved.options else {
             return Err(vec![unknown(field)]);
@@ -239,7 +238,7 @@ impl Edited for Synthesis {
     }
 }
 
-/// An angle that a hand can mean, from 0° to 360°.
+/// An angle as precise as a hand can be, from 0° to 360°.
 fn degrees(angle: f64) -> f64 {
     let steps = (angle.to_degrees().rem_euclid(360.0) / STEP_DEG).round();
     (steps / STEP_DEG.recip()).rem_euclid(360.0)

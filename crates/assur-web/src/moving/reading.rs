@@ -1,4 +1,4 @@
-//! What of a linkage in motion is read at an input.
+//! Read-outs of a linkage in motion at an input.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -16,7 +16,7 @@ use crate::pair::{INPUT, Pair};
 use crate::table::SweepTable;
 
 impl Moving {
-    /// Of each quantity the value and two derivatives, with the input going as the axes say.
+    /// Value and two derivatives of each quantity, with the input rate of the axes.
     fn rates<'a>(
         &'a self,
         quantities: &'a [Quantity],
@@ -29,7 +29,7 @@ impl Moving {
         })
     }
 
-    /// What is plotted, at an input.
+    /// The plotted values at an input.
     fn on_plots(&self, input: f64, pose: &Pose<3>) -> Vec<f64> {
         match &self.pair {
             Some(pair) => pair.values(input, |column| {
@@ -40,7 +40,7 @@ impl Moving {
         }
     }
 
-    /// What is drawn in a pose, with the other assemblies where they are asked for.
+    /// The frame in a pose, with the other assemblies if they are shown.
     fn frame<const N: usize>(&self, input: f64, pose: &Pose<N>) -> Vec<f32> {
         let mut others = Vec::new();
         if self.others {
@@ -53,7 +53,7 @@ impl Moving {
         self.figure.frame_beside(pose, &others)
     }
 
-    /// Where a point is.
+    /// The position of a point.
     fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> Point {
         self.mechanism().place(pose, point).place()
     }

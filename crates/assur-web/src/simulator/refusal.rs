@@ -2,19 +2,19 @@
 
 use super::*;
 
-/// A place of the drawing.
+/// A finite point of the drawing.
 pub(super) fn place(x: f64, y: f64) -> Result<Point, JsValue> {
     let place = Point::new(x, y);
     let finite = place.coords.iter().all(|x| x.is_finite());
     finite.then_some(place).ok_or_else(|| one(unknown("place")))
 }
 
-/// One problem as it is thrown.
+/// One problem as an exception of the page.
 pub(crate) fn one(problem: Problem) -> JsValue {
     thrown([problem])
 }
 
-/// What is not as it must be, with its path.
+/// The problem of an invalid value, with its path.
 pub(crate) fn bad(path: &str, detail: &str) -> Problem {
     Problem::BadState {
         path: path.to_owned(),

@@ -3,7 +3,7 @@
 use super::*;
 
 impl OutputSummary {
-    /// What its profile says; of a motion that is not searched, the name alone.
+    /// The summary of a profile; without a search, the name alone.
     pub(super) fn new(name: &str, profile: Option<&OutputProfile<'_>>) -> Self {
         let limits = profile.map(OutputProfile::limits).unwrap_or_default();
         let swings = profile.map(OutputProfile::swings).unwrap_or_default();

@@ -18,7 +18,7 @@ fn axis(kind: Kind, order: usize) -> Axis {
     }
 }
 
-/// A circle of radius 2 about (5, 1), passed once.
+/// A circle of radius 2 about (5, 1), traced once.
 fn circle(order: usize) -> Against {
     let samples = (0..=360).map(|degrees| {
         let input = f64::from(degrees).to_radians();
@@ -35,7 +35,7 @@ fn field(against: &Against, [width, height]: [u32; 2]) -> Option<Field> {
     against.field((width * fine, height * fine), 1.0)
 }
 
-/// A circle stays one on a wide field, in the middle of it, and every point knows its input.
+/// A circle remains one on a wide field, in its middle, and every point has its input.
 #[test]
 fn lengths_have_one_scale() {
     for order in [0, 1, 2] {
@@ -58,7 +58,7 @@ fn lengths_have_one_scale() {
     }
 }
 
-/// What is no length, or a derivative of another order, fills the field.
+/// Quantities other than lengths, and different derivatives, fill the field.
 #[test]
 fn other_axes_fill_the_field() {
     let mut against = circle(0);
@@ -75,7 +75,7 @@ fn other_axes_fill_the_field() {
     assert_eq!(field(&against, [70, 340]), None);
 }
 
-/// Gaps of the motion are gaps of the curve, and what leaves the field is cut at its edge.
+/// Gaps of the motion are gaps of the curve, which is cut at the edges of the field.
 #[test]
 fn curves_are_cut_where_they_leave() {
     let spans = [[0.0, 10.0], [0.0, 10.0]];
@@ -96,7 +96,7 @@ fn curves_are_cut_where_they_leave() {
         vec![(2.5, [6.0, 10.0]), (3.0, [6.0, 6.0]), (4.0, [6.0, 6.0])],
     ];
     assert_eq!(told, expected);
-    // One stretch may cross the whole field.
+    // One segment may cross the whole field.
     let crossing = within(&run(&[[-10.0, 5.0], [30.0, 5.0]]), spans);
     let inputs: Vec<f64> = crossing[0].iter().map(|one| one.input).collect();
     assert_eq!(inputs, [0.25, 0.5]);

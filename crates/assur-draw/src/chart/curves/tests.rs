@@ -30,8 +30,8 @@ fn sine(input: InputRate, differenced: bool) -> [Plot; 3] {
     )
 }
 
-/// Centred differences of cos φ₁ over ±h are −sin φ₁ (sin h)/h: near the exact
-/// derivative, and not it.
+/// Central differences of cos φ₁ over ±h are −sin φ₁ (sin h)/h: near the exact derivative, but
+/// different.
 #[test]
 fn differences_are_of_the_samples() {
     let input = InputRate {
@@ -66,7 +66,7 @@ fn differences_are_of_the_samples() {
     );
 }
 
-/// Every curve has what it is by time: q, ω₁ q′, ω₁² q″ + ε₁ q′.
+/// Every curve is a rate: q, ω₁ q′, ω₁² q″ + ε₁ q′.
 #[test]
 fn curves_are_rates() {
     let input = InputRate {
@@ -104,7 +104,7 @@ fn curves_are_cut_at_the_bounds() {
     assert_eq!(parts, expected);
 }
 
-/// Of a dwell only the ends are marked, of everything else all.
+/// A dwell is marked only at its ends, everything else everywhere.
 #[test]
 fn a_dwell_is_marked_at_its_ends() {
     let mark = |(crank, value): (f64, f64)| Mark {
@@ -134,7 +134,7 @@ fn a_dwell_is_marked_at_its_ends() {
         .map(|mark| mark.crank)
         .collect();
     assert_eq!(marked, [1.0, 1.5, 2.0, 3.0, 4.0, 5.0]);
-    // The least value is said, wherever it is.
+    // The least value is marked, wherever it is.
     let marked = Curve {
         marks: dwell.into_iter().map(mark).collect(),
         ..Curve::default()
@@ -145,7 +145,7 @@ fn a_dwell_is_marked_at_its_ends() {
         .map(|mark| mark.crank)
         .collect();
     assert_eq!(marked, [2.0, 2.6, 3.0]);
-    // Where the dwell fills the plot, its extrema are distinct.
+    // If the dwell fills the plot, its extrema are distinct.
     let marked = curve.marks(-0.01, 0.01);
     assert_eq!(marked.len(), dwell.len());
 }

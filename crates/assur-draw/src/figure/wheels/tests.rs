@@ -6,9 +6,9 @@ use assur::motion::Motion;
 use super::super::View;
 use super::*;
 
-/// An arm with a sun on the frame and a planet, in a ring, and a train beside it.
+/// An arm with a sun on the frame and a planet in a ring, and a train beside it.
 fn draft() -> LinkageSpec {
-    // Where the second wheel's module is the same in both of its meshes.
+    // Where the second wheel has the same module in both of its meshes.
     let module = 2.0 * 10.0_f64.sqrt() / 94.0;
     let mut draft = LinkageSpec::default()
         .point("O", 0.0, 0.0)
@@ -32,7 +32,7 @@ fn draft() -> LinkageSpec {
     sun.fixed_to = Some("frame".to_owned());
     draft.links.push(sun);
     for (links, carrier, teeth, mesh) in [
-        // Not in the order in which they turn each other.
+        // Not in the order of the transmission.
         (["third", "second"], "frame", [15.0, 24.0], Mesh::External),
         (["sun", "planet"], "arm", [30.0, 20.0], Mesh::External),
         (["planet", "ring"], "arm", [20.0, 70.0], Mesh::Internal),
@@ -48,8 +48,8 @@ fn draft() -> LinkageSpec {
     draft
 }
 
-/// Where two wheels touch, a tooth's middle stands against a gap's, at every
-/// input, though some wheels mesh with two others.
+/// Where two wheels touch, a tooth meets a gap at every input, though some wheels mesh with two
+/// others.
 #[test]
 fn teeth_meet_gaps_all_along_a_train() {
     let draft = draft();

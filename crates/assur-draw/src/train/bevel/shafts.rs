@@ -1,4 +1,4 @@
-//! What goes round the main axis of bevel wheels: shafts, the carrier's cage, bearings.
+//! Parts of bevel trains about the main axis: shafts, the carrier's cage, bearings.
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,7 @@ impl Bevel {
         list
     }
 
-    /// The carrier's arm: from a pin along the wheels, and behind the ring to its hollow shaft.
+    /// The carrier's arm: from a pin past the wheels and behind the ring to its hollow shaft.
     pub(super) fn arm(&self, at: f64, first: bool) -> [Part; 2] {
         let ([cosine, sine], [outward, _]) = (self.inclination, turning(at));
         let [radius, left] = self.cage;
@@ -73,8 +73,8 @@ impl Bevel {
         [shaft, member]
     }
 
-    /// The bearings of sun and ring, each with its foot on the ground, which the frame's angle
-    /// turns away for who does not stand on it.
+    /// The bearings of sun and ring, each with its foot on the ground, which turns for an observer
+    /// who is not on the ground.
     pub(super) fn bearings(&self, ground: f64) -> [Part; 2] {
         let ends = [(self.shafts[0], 1.0), (self.shafts[1], -1.0)];
         ends.map(|(end, inward)| {

@@ -3,14 +3,14 @@ use assur::gears::train::{Coupling, Drive, Input, Shaft, Train};
 
 use super::*;
 
-/// What is left of a phase beyond half a turn, in turns.
+/// The excess of a phase over half a turn, in turns.
 fn beyond_half(phase: f64) -> f64 {
     let turns = phase / TAU - 0.5;
     (turns - turns.round()).abs()
 }
 
-/// Wheels touch in one place where they are in contact, and there teeth stand in gaps and north
-/// before south, at all speeds that the train allows.
+/// Wheels in contact touch in one place, where teeth meet gaps and north meets south, at all speeds
+/// that the train allows.
 #[test]
 fn cones_roll_on_one_another() {
     for (teeth, satellites) in [

@@ -1,4 +1,4 @@
-//! Bevel wheels with their teeth or plates, and what is on the satellites' pins.
+//! Bevel wheels with their teeth or plates, and the parts on the satellites' pins.
 
 use std::f64::consts::PI;
 
@@ -35,12 +35,12 @@ impl Bevel {
                 }
             }
         }
-        // Between two plates, where a line is seen.
+        // Between two plates, where a line is visible.
         let mark = zero + PI / f64::from(teeth);
         wheel.mark(list, &self.projection, role(body), mark);
     }
 
-    /// Sun or ring, and its shaft.
+    /// Sun or ring, with its shaft.
     pub(super) fn draw_central(&self, member: Member, angle: f64) -> [Part; 2] {
         let sun = member == Member::Sun;
         let (body, name) = match sun {

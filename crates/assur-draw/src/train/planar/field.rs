@@ -9,12 +9,12 @@ use super::{Planar, ROOM};
 use crate::train::arrows::arrow;
 use crate::train::wheel::polar;
 
-/// The length of an arrow of the greatest torque, and of the field, in units.
+/// Length of an arrow of the greatest torque, and of the field, in units.
 const FORCE: f64 = 15.0;
 const FIELD: f64 = 3.6;
 
 impl Planar {
-    /// The gaps of a satellite on the line from the main axis: from and to, at sun and ring.
+    /// The gaps of a satellite on the line from the main axis, at sun and ring: inner and outer radius.
     fn gaps(&self) -> [[f64; 2]; 2] {
         let step = self.step.as_ref().unwrap_or(&self.satellite);
         [
@@ -23,9 +23,9 @@ impl Planar {
         ]
     }
 
-    /// Arrows at both sides of each gap: apart where like poles face each other, else together.
+    /// Arrows at both sides of each gap: pointing apart between like poles, otherwise towards each other.
     pub(super) fn field(&self) -> Vec<Vec<Point>> {
-        // Small at small satellites.
+        // Smaller for small satellites.
         let unit = self.unit.min(2.0 * self.satellite.radius() / ROOM);
         let length = FIELD * unit;
         let turned = |direction: f64, at: Vector| {
@@ -51,7 +51,7 @@ impl Planar {
         all.collect()
     }
 
-    /// The forces on the satellites at their gaps: against the torques on sun and ring.
+    /// The forces on the satellites at their gaps: opposite to the torques on sun and ring.
     pub(super) fn forces(&self, torques: [f64; 2]) -> Vec<Vec<Point>> {
         let gaps = self.gaps().map(|[from, to]| 0.5 * (from + to));
         let all = self.directions.iter().flat_map(|direction| {

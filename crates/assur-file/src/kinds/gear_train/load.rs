@@ -1,4 +1,4 @@
-//! What a train is loaded with, and what makes it swing and slip.
+//! Loads of a train, and the magnets and bodies that determine how it swings and slips.
 
 use std::f64::consts::TAU;
 
@@ -11,11 +11,11 @@ use serde::{Deserialize, Serialize};
 use super::{GearTrainDocument, GearTrainProblem, problem};
 use crate::Problem;
 
-/// The speed about which a member's friction changes its sense, relative to that of its shaft while nothing slips, and
-/// at least, rad/s. A sharper change asks for shorter steps and shows nothing more.
+/// Speed about which a member's friction changes sign: relative to the speed of its shaft without slip,
+/// and its minimum in rad/s. A sharper change would require shorter steps and show nothing more.
 const CREEP: (f64, f64) = (0.5, 0.5);
 
-/// Millimetres of a metre.
+/// Metres in a millimetre.
 const MILLI: f64 = 1e-3;
 
 /// Working members 7 and 8.
@@ -36,14 +36,14 @@ pub struct MembersDocument {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct MemberDocument {
-    /// What it is.
+    /// Kind of the member.
     pub kind: MemberKind,
-    /// What it takes at the speed that its shaft has while nothing slips, N·m: one of several.
+    /// Torque of one member at the speed that its shaft has without slip, N·m.
     #[serde(default)]
     pub torque: f64,
 }
 
-/// What works: the table of uses of the source paper.
+/// Kinds of working members, by the table of uses in the source paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -59,7 +59,7 @@ pub enum MemberKind {
 }
 
 impl MemberKind {
-    /// Whether it takes a torque with the square of its speed; else it rubs at any speed.
+    /// Whether its torque grows with the square of its speed; otherwise it is friction.
     fn stirs(self) -> bool {
         matches!(self, Self::Fan | Self::Stirrer | Self::Propeller)
     }
@@ -95,7 +95,7 @@ impl MagnetsDocument {
     }
 }
 
-/// Which poles plates show.
+/// Polarity of plates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -115,7 +115,7 @@ impl From<PolesDocument> for Poles {
     }
 }
 
-/// The bodies, of each a number: sun, one satellite, carrier, ring.
+/// Parameters of the bodies, listed by sun, one satellite, carrier, ring.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(default, deny_unknown_fields)]
@@ -139,7 +139,7 @@ impl Default for BodiesDocument {
 }
 
 impl GearTrainDocument {
-    /// What moves under load; of what is not to move so, none where it could not.
+    /// The model of the train under load; none if the engine refuses it and the document is not loaded.
     pub(super) fn differential(
         &self,
         layout: &Layout,
@@ -223,7 +223,7 @@ impl GearTrainDocument {
         })
     }
 
-    /// The torque of the load by time, against the sense in which its shaft turns while nothing slips.
+    /// The load as a torque over time, of the sign that opposes its shaft's rotation without slip.
     fn pull(&self, speed: f64) -> Result<Profile, Vec<Problem>> {
         if self.load.is_empty() {
             return Ok(Profile::zero());
@@ -239,7 +239,7 @@ impl GearTrainDocument {
 }
 
 impl super::DriveDocument {
-    /// What turns the shaft under load.
+    /// The drive of the shaft under load.
     fn motor(&self) -> Drive {
         if let Some(to) = self.to {
             return Drive::Tied {
@@ -253,16 +253,16 @@ impl super::DriveDocument {
         } else {
             Profile::constant(speed)
         };
-        // Both numbers were checked.
+        // Speed and time of rise were checked.
         profile.map_or_else(|_| Drive::held(), Drive::Speed)
     }
 }
 
-/// The load of a member whose shaft has this speed while nothing slips, rad/s.
+/// The load of a member whose shaft has this speed without slip, rad/s.
 fn of_member(member: Option<MemberDocument>, speed: f64) -> Load {
     match member {
         Some(MemberDocument { kind, torque }) if kind.stirs() => Load {
-            // What does not turn stirs nothing.
+            // A member at rest stirs nothing.
             fan: if speed == 0.0 {
                 0.0
             } else {
@@ -272,7 +272,7 @@ fn of_member(member: Option<MemberDocument>, speed: f64) -> Load {
         },
         Some(MemberDocument { torque, .. }) => {
             let creep = CREEP.1.max(CREEP.0 * speed.abs());
-            // What rests, or nearly, creeps with less.
+            // At or near rest, `torque` is the friction at the creep speed.
             let part = (speed.abs().max(creep) / creep).tanh();
             Load {
                 friction: torque / part,

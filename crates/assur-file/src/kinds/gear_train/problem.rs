@@ -1,4 +1,4 @@
-//! Everything that can be wrong with a train, as a code with parameters.
+//! Problems of a train, as codes with parameters.
 
 use assur::Fault;
 use assur::dynamics::{Body, Defect, Mesh, ProfileFault, Quantity};
@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::{DriveDocument, GearTrainDocument, ShaftDocument};
 use crate::{Field, Problem};
 
-/// What can be wrong with a train; serialised as [`Problem`] is.
+/// A problem of a train; serialised like [`Problem`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 #[expect(
@@ -16,21 +16,21 @@ use crate::{Field, Problem};
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum GearTrainProblem {
-    /// In a plane the ring is larger than the sun.
+    /// The ring of a planar train is not larger than its sun.
     RingNotLarger { sun: u32, ring: u32 },
-    /// In a plane the satellite is smaller than the ring in which it runs.
+    /// The satellite of a planar train is not smaller than the ring.
     SatelliteNotInside { satellite: u32, ring: u32 },
     /// Bevel wheels have no pitch cones with one apex: |z₄ − z₁| < 2 z₂ does not hold.
     NoCones { sun: u32, satellite: u32, ring: u32 },
-    /// Magnets touch: the distance of the axes is not beyond this limit.
+    /// Magnets touch: the distance of the axes does not exceed this limit.
     Contact {
         mesh: ShaftDocument,
         distance: f64,
         limit: f64,
     },
-    /// There are not two drives, but so many.
+    /// The number of drives is not two.
     DriveCount { given: usize },
-    /// This shaft, which follows the driven ones, would turn faster than angles can be computed, min⁻¹.
+    /// This shaft, which is not driven, would turn too fast for its angles to be computed, min⁻¹.
     ShaftTooFast {
         shaft: ShaftDocument,
         rpm: f64,
@@ -42,23 +42,23 @@ pub enum GearTrainProblem {
     TiedToItself { shaft: ShaftDocument },
     /// Two shafts are tied to each other.
     TiedTogether { shaft: ShaftDocument },
-    /// With this tie no other drive determines the motion.
+    /// This tie leaves the motion undetermined, whatever the other drive.
     SingularTie {
         shaft: ShaftDocument,
         to: ShaftDocument,
         factor: f64,
     },
-    /// Only magnets in a plane are followed under load.
+    /// A train that cannot be run under load: only planar trains with magnets can.
     NotUnderLoad,
     /// Poles cannot alternate round a wheel with an odd number of plates.
     OddPlates { field: Field },
-    /// So many satellites cannot stand evenly spaced in one phase: they do not divide this sum of periods.
+    /// This number of satellites cannot be evenly spaced in one phase: it does not divide this sum of periods.
     OutOfPhase { satellites: u32, periods: u32 },
     /// The inertia of this body is too small for the torques on it.
     TooQuick { field: Field },
     /// This knot of the load is no later than the one before it.
     LoadOrder { knot: usize },
-    /// It is moved by time and no linkage.
+    /// A train is driven by time and is not a linkage.
     ByTime,
 }
 
@@ -88,7 +88,7 @@ pub(super) fn of_train(error: TrainError) -> Problem {
     problem.into()
 }
 
-/// Poles cannot alternate round a wheel.
+/// The problem of poles that cannot alternate round a wheel.
 pub(super) fn odd_plates(member: Member) -> Problem {
     let field = of_wheel(member).into();
     GearTrainProblem::OddPlates { field }.into()
@@ -105,7 +105,7 @@ fn of_wheel(member: Member) -> &'static str {
 }
 
 impl GearTrainDocument {
-    /// What is wrong with drives.
+    /// The problem of a drive.
     pub(super) fn input_problem(&self, error: InputError) -> Problem {
         let problem = match error {
             InputError::Number { shaft, fault } => {
@@ -143,7 +143,7 @@ impl GearTrainDocument {
         problem.into()
     }
 
-    /// What is wrong with what is loaded.
+    /// The problem of a load.
     pub(super) fn load_problem(&self, defect: Defect) -> Problem {
         match defect {
             Defect::Value {
@@ -154,7 +154,7 @@ impl GearTrainDocument {
         }
     }
 
-    /// A field of the drive of a shaft; without a drive all of them.
+    /// A field of a shaft's drive; the list of drives if the shaft has none.
     fn field_of(&self, shaft: Shaft, name: &str) -> Field {
         match self.drive_of(shaft) {
             Some((index, _)) => format!("drives[{index}].{name}").into(),
@@ -168,7 +168,7 @@ impl GearTrainDocument {
     }
 }
 
-/// The same, where no document is at hand: which drive it is of is not told.
+/// The problem of a load without its document: it names the list of drives, not the drive at fault.
 pub(super) fn of_load(defect: Defect) -> Problem {
     let problem = match defect {
         Defect::Value { quantity, fault } => return Problem::of_fault(field(quantity), fault),
@@ -192,7 +192,7 @@ pub(super) fn of_load(defect: Defect) -> Problem {
     problem.into()
 }
 
-/// What is wrong with the knots of the load.
+/// The problem of a knot of the load.
 pub(super) fn of_load_knot(fault: ProfileFault) -> Problem {
     match fault {
         // There is a knot, or no profile is made of them.
@@ -209,7 +209,7 @@ fn plates(body: Body) -> &'static str {
     match body {
         Body::Sun => "z1",
         Body::Satellite => "z2",
-        // It has no plates.
+        // The carrier has no plates.
         Body::Carrier => "drives",
         Body::Ring => "z4",
     }

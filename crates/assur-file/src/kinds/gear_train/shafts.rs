@@ -1,4 +1,4 @@
-//! Shafts and couplings of the file as those of the engine.
+//! Conversion of shafts and couplings from the file to the engine.
 
 use super::*;
 
@@ -32,7 +32,7 @@ impl From<CouplingDocument> for Coupling {
 }
 
 impl ObserverDocument {
-    /// The shaft on which he stands; none: he stands on the ground.
+    /// The shaft with which the observer turns; none: the observer is on the ground.
     pub fn shaft(self) -> Option<Shaft> {
         match self {
             Self::Ground => None,

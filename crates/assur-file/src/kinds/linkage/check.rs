@@ -1,5 +1,4 @@
-//! What is wrong with single fields of a linkage, before it is asked to move: a
-//! border bounds its work and what it shows.
+//! Checks of single fields of a linkage before it is built, with limits on its size.
 
 use assur::mechanism::Defect;
 
@@ -7,13 +6,13 @@ use super::spec::driver;
 use super::{LinkageDocument, LinkageProblem};
 use crate::problem::is_plain;
 
-/// No more of each are taken.
+/// Maximum numbers of parts.
 const MOST_POINTS: usize = 200;
 const MOST_LINKS: usize = 64;
 const MOST_PAIRS: usize = 64;
 const MOST_DRIVERS: usize = 8;
 const MOST_SHOWN: usize = 32;
-/// Characters of a name; of a title or source.
+/// Maximum number of characters of a name; of a title or source.
 const LONGEST_NAME: usize = 40;
 const LONGEST_TEXT: usize = 400;
 
@@ -119,7 +118,7 @@ fn links(document: &LinkageDocument) -> Vec<LinkageProblem> {
     found
 }
 
-/// What is plotted and traced must be there.
+/// The problems of plots and traces that name nothing.
 fn shown(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let points = document.points.iter().map(|point| &point.name);
     let points = points.chain(document.tracers.iter().map(|tracer| &tracer.name));
@@ -144,7 +143,7 @@ fn shown(document: &LinkageDocument) -> Vec<LinkageProblem> {
         .collect()
 }
 
-/// A lock is of two or three points, each of them once.
+/// The problems of locks that are not of two or three distinct points.
 fn locks(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let is_point = |name: &String| document.points.iter().any(|point| point.name == *name);
     let mut found = Vec::new();

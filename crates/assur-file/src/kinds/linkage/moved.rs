@@ -3,7 +3,7 @@
 use super::*;
 
 impl LinkageDocument {
-    /// Says where a document of the first version came from, which only its title told.
+    /// Sets the origin of a document of the first version, which only its title shows.
     pub(crate) fn recognise(&mut self) {
         let title = self.title.as_deref();
         let known = |name: &&str| catalogue::title(name).as_deref() == title;
@@ -12,7 +12,7 @@ impl LinkageDocument {
         }
     }
 
-    /// Checks single fields, of what need not move yet.
+    /// Checks single fields of a document that need not move yet.
     ///
     /// # Errors
     /// Every problem at once, each naming the field.
@@ -27,9 +27,8 @@ impl LinkageDocument {
     /// The mechanism that is described, drawn in the assembly that moves.
     ///
     /// # Errors
-    /// Every problem at once, each naming the field, or the links and points, at
-    /// fault. What is wrong with single fields comes first and alone. An assembly
-    /// that there is not.
+    /// Every problem at once, each naming the field, or the links and points, at fault. Problems of
+    /// single fields come first and alone. An assembly that does not exist.
     pub fn mechanism(&self) -> Result<Mechanism, Vec<Problem>> {
         self.check()?;
         let drawn = Mechanism::new(&self.spec()).map_err(Problem::all)?;
@@ -51,7 +50,7 @@ impl LinkageDocument {
         })
     }
 
-    /// The document by its kind: a linkage where it moves, else a drawing.
+    /// The document by its kind: a linkage if it moves, otherwise a drawing.
     pub fn as_it_moves(self) -> Document {
         if self.mechanism().is_ok() {
             Document::Linkage(self)
@@ -64,13 +63,13 @@ impl LinkageDocument {
     /// [`Mechanism::assembled`].
     ///
     /// # Errors
-    /// As of [`Self::mechanism`], other than that the drawing does not close. None where there is no assembly.
+    /// Those of [`Self::mechanism`], except a drawing that does not close. None if there is no assembly.
     pub fn assembled(&self, input: Option<f64>) -> Result<Option<Mechanism>, Vec<Problem>> {
         self.check()?;
         Mechanism::assembled(&self.spec(), input).map_err(Problem::all)
     }
 
-    /// The same document with the linkage as it is drawn in another pose; no assembly is then named.
+    /// The document redrawn in the pose of a draft; it then names no assembly.
     pub fn redrawn(&self, draft: &LinkageSpec) -> Self {
         let drawn = Self::new(draft);
         Self {
@@ -91,8 +90,8 @@ impl LinkageDocument {
         self.mechanism().map(Motion::new)
     }
 
-    /// The link by whose angle assemblies are numbered: that of the first plot, where this is an angle, or else the last
-    /// that is placed. None of a mechanism without links.
+    /// The link by whose angle assemblies are numbered: that of the first plot if this is an angle,
+    /// otherwise the last link that is placed. None for a mechanism without links.
     pub fn output(&self, mechanism: &Mechanism) -> Option<LinkId> {
         let first = self.plots.first();
         match first.and_then(|name| Quantity::named(mechanism, name)) {
@@ -101,8 +100,8 @@ impl LinkageDocument {
         }
     }
 
-    /// The outputs, of which swing and time ratio are listed: the quantities that the document plots, or else those of
-    /// textbooks.
+    /// The outputs, for which swing and time ratio are listed: the quantities that the document
+    /// plots, otherwise the usual ones of textbooks.
     pub fn outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
         let named = self.plots.iter();
         let named = named.filter_map(|name| Quantity::named(mechanism, name));
@@ -114,8 +113,8 @@ impl LinkageDocument {
         }
     }
 
-    /// The outputs of textbooks: places of sliders on guides of the frame, then angles of links that are hinged on the frame; of a
-    /// linkage that has neither the angles of all links. A driven link is none.
+    /// The usual outputs of textbooks: coordinates of sliders on guides of the frame, then angles of
+    /// links hinged on the frame; without either, the angles of all links. Driven links are excluded.
     fn usual_outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
         let draft = self.spec();
         let driven: Vec<&str> = (draft.drivers.iter())
@@ -150,9 +149,9 @@ impl LinkageDocument {
         others.filter_map(angle).collect()
     }
 
-    /// The quantities, of one kind, that a choice of the page names: `angles` those
-    /// the document asks for, else all angles; `LINK.angle`; a point, both of its
-    /// coordinates. None where there is nothing of the name.
+    /// The quantities, of one kind, that a choice of the page names: for `angles` those that the
+    /// document plots, otherwise all angles; `LINK.angle`; for a point both coordinates. None for
+    /// an unknown name.
     pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
         if choice == "angles" {
             let mut asked = self.outputs(mechanism);

@@ -1,5 +1,5 @@
-//! Everything that can be wrong with a linkage, as a code with parameters: paths of
-//! fields, names of links and points. The words are in `lang/`.
+//! Problems of a linkage, as codes with parameters: paths of fields, names of links and points. The
+//! words are in `lang/`.
 
 use assur::mechanism::{Cause, Defect, Dimension, Mechanism, Singularity, Unsolved};
 use assur::motion::{Refusal, TooManyTurns};
@@ -16,27 +16,27 @@ use crate::{Field, Problem};
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum LinkageProblem {
-    /// A list holds more than is taken.
+    /// A list that is too long.
     TooMany { path: String, max: usize },
     /// A name that is empty, too long or holds control characters.
     BadName { path: String, max: usize },
     /// A title or source that is too long or holds control characters.
     BadText { path: String, max: usize },
-    /// A length together with a shape, or of a link that has not two points.
+    /// A length together with a shape, or of a link without exactly two points.
     LengthOfTwo { path: String },
     /// A length that is not greater than zero.
     BadLength { path: String, value: f64 },
-    /// The band of a dwell must be wide.
+    /// A dwell band whose width is not greater than zero.
     BadBand { path: String, value: f64 },
-    /// A link that is fixed to another lies on it as drawn.
+    /// A length or shape of a link that is fixed to another and so lies on it as drawn.
     FixedAsDrawn { path: String },
     /// Neither a crank nor a slide with its range, or both.
     BadDriver { path: String },
-    /// A plot of what is not there.
+    /// A plot of a quantity that does not exist.
     NothingToPlot { path: String },
-    /// A trace of a point that is not there.
+    /// A trace of a point that does not exist.
     NothingToTrace { path: String },
-    /// A lock that is not of two or three points, each of them once.
+    /// A lock that is not of two or three distinct points.
     BadLock { path: String },
     /// A drawing in which links are in line.
     OpenInLine { links: Vec<String> },
@@ -46,9 +46,9 @@ pub enum LinkageProblem {
     OpenSingular { links: Vec<String> },
     /// The input is not a number, or outside the range of the driven slide.
     BeyondRange,
-    /// The motion does not come here, though there is a pose.
+    /// The motion does not reach this input, although a pose exists.
     Unreached,
-    /// The motion is given up before it comes here.
+    /// The motion could not be followed up to this input.
     Unfollowed,
     /// Extrema over the motion are not computed: it repeats only after many turns, and at most `most` are
     /// searched.
@@ -71,11 +71,11 @@ pub enum LinkageProblem {
     LinksSingular { links: Vec<String> },
     /// A point without a circle of curvature, as it stands still: at a cusp of its path, or for good.
     StandsStill { point: String },
-    /// The same, as its path is straight here.
+    /// A point without a circle of curvature, as its path is straight here.
     StraightPath { point: String },
     /// A link that does not turn here and so has no inflection circle.
     NotTurning { link: String },
-    /// A dimension that is set farther than it can be followed: these links come apart.
+    /// A dimension that is set too large to be followed: these links come apart.
     TooLarge {
         field: Field,
         by: f64,
@@ -89,28 +89,28 @@ pub enum LinkageProblem {
         links: Vec<String>,
         last: f64,
     },
-    /// A wish for a dwell that is not greater than zero, or an arc of more than a turn.
+    /// A dwell requirement that is not greater than zero, or an arc of more than a turn.
     BadWish { field: Field },
     /// The mechanism has no such output.
     NoOutput,
     /// A search in which no dimension may change.
     NothingMoves,
-    /// A dimension that is to change and is not there, or is no one length.
+    /// A dimension to be varied that does not exist or is not a single length.
     NoDimension { name: String },
-    /// A range of a dimension that is empty, or without its value.
+    /// A range of a dimension that is empty, or excludes its value.
     BadRange { name: String },
     /// A search from a linkage whose driver does not turn fully, or comes close to a
     /// singular position.
     Blocked,
-    /// Two points of a drawing that are to be apart and are in one place.
+    /// Two points of a drawing that must be distinct and coincide.
     OnePlace { points: [String; 2] },
-    /// Two points that are to become one hinge, and are of one link.
+    /// Two points to be joined in a hinge that are of one link.
     OneLink { link: String, points: [String; 2] },
-    /// What is to slide along a line and is an end of it, or joined to one.
+    /// A point to slide along a line that is an end of the line, or joined to one.
     OnItsLine { link: String, point: String },
-    /// A link along which nothing can slide: it has not two points.
+    /// A link along which nothing can slide, since it does not have two points.
     NoLine { link: String },
-    /// Three slides that are to be a dyad.
+    /// A dyad of three slides, which does not exist.
     NoSuchDyad,
     /// A defect of the specification.
     #[serde(untagged)]
@@ -147,7 +147,7 @@ impl LinkageProblem {
 }
 
 impl LinkageProblem {
-    /// Why there is no search for a dwell in which these dimensions may change.
+    /// The reason why there is no search for a dwell that varies these dimensions.
     pub fn refused(
         refused: SearchError,
         mechanism: &Mechanism,
@@ -202,7 +202,7 @@ pub fn dimension_field(dimension: Dimension) -> Field {
     .into()
 }
 
-/// A value of a dimension as its field has it: angles in degrees.
+/// A value of a dimension in the unit of its field: angles in degrees.
 pub fn in_field(dimension: Dimension, value: f64) -> f64 {
     match dimension {
         Dimension::Corner(..) => value.to_degrees(),
@@ -210,7 +210,7 @@ pub fn in_field(dimension: Dimension, value: f64) -> f64 {
     }
 }
 
-/// A value of a dimension's field as the engine has it: angles in radians.
+/// A value of a dimension's field in the unit of the engine: angles in radians.
 pub fn of_field(dimension: Dimension, value: f64) -> f64 {
     match dimension {
         Dimension::Corner(..) => value.to_radians(),
@@ -218,7 +218,7 @@ pub fn of_field(dimension: Dimension, value: f64) -> f64 {
     }
 }
 
-/// What the rate of a further driver, by its place, is called.
+/// The field of the rate of a further driver, by the driver's index.
 pub fn rate_field(driver: usize) -> Field {
     format!("drivers[{driver}].rate").into()
 }

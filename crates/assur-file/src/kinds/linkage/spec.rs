@@ -1,4 +1,4 @@
-//! A saved linkage from the engine's draft, and the draft of a saved one.
+//! Conversion between a saved linkage and the engine's draft.
 
 use assur::gears::Mesh;
 use assur::mechanism::{
@@ -137,7 +137,7 @@ impl TracerDocument {
     }
 }
 
-/// What a driver drives; none where it is neither a crank nor a slide.
+/// The driver of the engine; none if it is neither a crank nor a slide.
 pub(super) fn driver(driver: &DriverDocument) -> Option<DriverSpec> {
     match driver {
         DriverDocument {

@@ -1,4 +1,4 @@
-//! A wanted function y = f(x) of a synthesis, as it is saved.
+//! Saved form of a wanted function y = f(x) of a synthesis.
 
 use assur::synthesis::four_bar::{ErrorCurve, FunctionError, Mapping, Solution, Table, Task};
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{PositionDocument, SynthesisProblem};
 use crate::Problem;
 
-/// Parts in which the error of a linkage is looked at; between them the greatest one is sought.
+/// Number of samples of a linkage's error, between which its maximum is sought.
 const SAMPLES: usize = 101;
 
 /// A function that output and input are to follow: x becomes φ₃ and y becomes φ₂, both linearly.
@@ -14,9 +14,9 @@ const SAMPLES: usize = 101;
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct FunctionDocument {
-    /// f.
+    /// The function f.
     pub of: FormulaDocument,
-    /// From which x to which.
+    /// Interval of x.
     pub x: [f64; 2],
     /// φ₃ at these x, degrees.
     pub input_deg: [f64; 2],
@@ -24,7 +24,7 @@ pub struct FunctionDocument {
     pub output_deg: [f64; 2],
 }
 
-/// What y is of x.
+/// Formula of a wanted function.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -37,13 +37,13 @@ pub enum FormulaDocument {
     Sin,
     /// x to this power.
     Power(f64),
-    /// Straight between these x and y, x growing.
+    /// Linear interpolation between these x and y, in ascending x.
     Table(Vec<[f64; 2]>),
 }
 
 type Function = Box<dyn Fn(f64) -> f64>;
 
-/// A function that is sound.
+/// A valid wanted function.
 pub struct Wanted {
     mapping: Mapping,
     f: Function,
@@ -68,10 +68,10 @@ impl FormulaDocument {
 }
 
 impl FunctionDocument {
-    /// The function itself.
+    /// The function, checked.
     ///
     /// # Errors
-    /// Every reason why it is none.
+    /// Every problem of the function.
     pub fn wanted(&self) -> Result<Wanted, Vec<Problem>> {
         self.mapped(f64::to_radians)
     }
@@ -91,10 +91,10 @@ impl FunctionDocument {
         Ok(Wanted { mapping, f })
     }
 
-    /// So many positions on the function: in Chebyshev's spacing, or in even steps with the ends.
+    /// This number of positions on the function: with Chebyshev spacing, or evenly spaced including the ends.
     ///
     /// # Errors
-    /// Every reason why there are none.
+    /// Every problem of the function and the number.
     pub fn positions(
         &self,
         count: usize,
@@ -118,14 +118,14 @@ impl FunctionDocument {
 }
 
 impl Wanted {
-    /// How far a linkage for these positions is off the function; none where its lengths make no linkage.
+    /// The error of a linkage for these positions; none if its lengths make no linkage.
     pub fn error_curve(&self, task: &Task, solution: &Solution) -> Option<ErrorCurve> {
         let curve = self.mapping.error_curve(task, solution, SAMPLES, &self.f);
         curve.ok().flatten()
     }
 }
 
-/// What is wrong, by the fields at fault.
+/// The problems of a function, with the fields at fault.
 fn problems(errors: Vec<FunctionError>) -> Vec<Problem> {
     let problem = |error| match error {
         FunctionError::Interval => SynthesisProblem::equal_ends("function.x"),
@@ -153,7 +153,7 @@ fn problems(errors: Vec<FunctionError>) -> Vec<Problem> {
             row: row + 1,
         },
     };
-    // Of one x there is one value.
+    // In an empty interval of x the values are necessarily equal.
     let empty = errors.contains(&FunctionError::Interval);
     let told = |error: &FunctionError| !empty || *error != FunctionError::Values;
     errors

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// What it is compared with is a document of its own, of whatever kind; a broken one is named by its path.
+/// The compared document may be of any kind; a broken one is named by its path.
 #[test]
 fn what_it_is_compared_with() {
     let alone = serde_json::to_value(state()).unwrap();

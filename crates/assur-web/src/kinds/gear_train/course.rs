@@ -1,4 +1,4 @@
-//! What is read and plotted of a differential over time.
+//! Read-outs and plots of a differential over time.
 
 mod moves;
 
@@ -19,23 +19,23 @@ use crate::here::Here;
 use crate::pair::Pair;
 use crate::table::{SweepColumn, SweepRow, SweepTable};
 
-/// A curve of what is not under load has so many samples.
+/// Number of samples of a curve without load.
 const SAMPLES: usize = 240;
 
-/// Derivatives in the names of read-outs.
+/// Marks of derivatives in the names of read-outs.
 const STROKES: [&str; 3] = ["", "′", "″"];
 
-/// A differential over time, with what is plotted of it.
+/// A differential over time, with its plots.
 pub(crate) struct Course {
     pub(crate) train: assur_file::GearTrain,
     observer: Option<Shaft>,
     span: f64,
-    /// Under load.
+    /// The run, under load.
     recording: Option<Recording>,
-    /// The greatest torques of the fields, under load.
+    /// The peak torques of the fields, under load.
     peaks: Option<[f64; 2]>,
     plotted: Vec<Quantity>,
-    /// What is plotted against each other instead.
+    /// Quantities plotted against each other instead.
     pair: Option<Pair<Column>>,
     numbers: BTreeMap<String, String>,
     /// The plots of a run, which has an end.
@@ -43,11 +43,11 @@ pub(crate) struct Course {
     against: Option<Against>,
 }
 
-/// What is known of a time.
+/// State of the train at a time.
 struct Known {
-    /// As the observer sees it.
+    /// Rotation relative to the observer.
     turned: Turned,
-    /// The angle of the ground for him.
+    /// Angle of the ground relative to the observer.
     ground: f64,
     reading: Option<Reading>,
 }
@@ -94,18 +94,18 @@ impl Course {
         self.recording.is_some()
     }
 
-    /// Why a run ends before its span does.
+    /// The reason why a run ends before its span does.
     pub(crate) fn halt(&self) -> Option<Halt> {
         self.recording.as_ref().and_then(Recording::halt)
     }
 
-    /// What is read at the end of a run.
+    /// The read-outs at the end of a run.
     pub(crate) fn last(&self) -> Option<Reading> {
         let recording = self.recording.as_ref()?;
         Some(recording.at(recording.end()).reading())
     }
 
-    /// The end of its axis where it begins at 0.
+    /// The end of the time axis if it begins at 0.
     pub(crate) fn end(&self) -> f64 {
         self.recording.as_ref().map_or(self.span, Recording::end)
     }
@@ -118,12 +118,12 @@ impl Course {
         &self.numbers
     }
 
-    /// All quantities that are read.
+    /// All quantities with read-outs.
     fn quantities(&self) -> impl Iterator<Item = Quantity> {
         Quantity::all(self.loaded())
     }
 
-    /// The names of what is read under load beyond the quantities.
+    /// The names of further read-outs under load.
     fn names_of_run(&self) -> impl Iterator<Item = String> {
         let names = OF_RUN.iter().filter(|_| self.loaded());
         names.map(|name| (*name).to_owned())
@@ -155,7 +155,7 @@ impl Course {
         }
     }
 
-    /// The relations of the paper at a time, as the ground sees it.
+    /// The relations of the paper at a time, relative to the ground.
     pub(crate) fn relations(&self, time: f64) -> Vec<Relation> {
         let recording = self.recording.as_ref();
         let reading = recording.map(|recording| recording.at(time).reading());
@@ -200,7 +200,7 @@ impl Course {
         series.collect()
     }
 
-    /// Plots a run, once.
+    /// Plots a run once.
     fn plot_run(&mut self) {
         let Some(recording) = &self.recording else {
             return;
@@ -218,7 +218,7 @@ impl Course {
         self.chart = Some(Chart::by_time(span, Kind::Angle, self.series(), samples));
     }
 
-    /// Places over the span around a time, which goes on and on, and where that span begins.
+    /// The start of the span around a time of an endless motion, and samples over that span.
     fn around(&self, time: f64) -> (f64, Vec<(f64, Known)>) {
         let start = self.span * (on_axis(time) / self.span).floor();
         let known = (0..=SAMPLES).map(|step| {
@@ -228,7 +228,7 @@ impl Course {
         (start, known.collect())
     }
 
-    /// The plots over it.
+    /// The plots over the span around a time.
     fn plotted_around(&self, time: f64) -> Chart {
         let (start, known) = self.around(time);
         let samples = known.iter().map(|(time, known)| self.sample(*time, known));
@@ -236,7 +236,7 @@ impl Course {
         Chart::by_time(span, Kind::Angle, self.series(), samples.collect())
     }
 
-    /// One thing against another, by what is known of times.
+    /// The plot of one quantity against another, from samples.
     fn plotted_against(&self, pair: &Pair<Column>, known: &[(f64, Known)]) -> Against {
         let Pair { x, y } = *pair;
         let sample = |(time, known): &(f64, Known)| {
@@ -254,7 +254,7 @@ impl Course {
         Against::new(axes, y.quantity.role(), &[run], true, Settings::BY_TIME)
     }
 
-    /// What the curves on the plots are of.
+    /// The quantities of the plotted curves.
     pub(crate) fn curves(&self) -> Vec<Quantity> {
         match &self.pair {
             Some(pair) => pair.quantities(|column| column.quantity),
@@ -262,7 +262,7 @@ impl Course {
         }
     }
 
-    /// The values that are plotted at a time.
+    /// The plotted values at a time.
     fn on_plots(&self, time: f64, known: &Known) -> Vec<f64> {
         match &self.pair {
             Some(pair) => pair.values(time, |column| known.rates(column.quantity)[column.order]),
@@ -274,13 +274,13 @@ impl Course {
     }
 }
 
-/// A time as it can be taken; what is no number is none yet.
+/// A time within its limits; NaN becomes 0.
 fn on_axis(time: f64) -> f64 {
     time.clamp(0.0, Turning::LONGEST).max(0.0)
 }
 
 impl Known {
-    /// A quantity with two derivatives by time.
+    /// A quantity with two derivatives with respect to time.
     fn rates(&self, quantity: Quantity) -> [f64; 3] {
         match quantity {
             Quantity::Angle(body) => {
@@ -292,7 +292,7 @@ impl Known {
                 } = &self.turned;
                 [angles[body].radians(), speeds[body], accelerations[body]]
             }
-            // Asked for under load only.
+            // Read only under load.
             Quantity::LoadAngle(mesh) => self.reading.as_ref().map_or([0.0; 3], |reading| {
                 let one = &reading.meshes[mesh];
                 [one.advance, one.slip_speed, one.slip_acceleration]
@@ -301,7 +301,7 @@ impl Known {
     }
 }
 
-/// The names of what is read of a run beyond angles, with the account of its energies.
+/// The names of the read-outs of a run beyond angles, with its energy balance.
 const OF_RUN: [&str; 11] = [
     "sun.field",
     "ring.field",
@@ -316,7 +316,7 @@ const OF_RUN: [&str; 11] = [
     "imbalance",
 ];
 
-/// What is read so, in the order of the names.
+/// The values of these read-outs, in the order of the names.
 fn of_run(reading: &Reading) -> [f64; OF_RUN.len()] {
     let drive = |body| reading.body(body).drive_torque.unwrap_or(0.0);
     let energy = &reading.energy;

@@ -1,4 +1,4 @@
-//! What is read and plotted of a differential, by its names.
+//! Read-outs and plotted quantities of a differential, by name.
 
 use assur::dynamics::Mesh;
 use assur_draw::{Role, TrainFigure};
@@ -13,13 +13,13 @@ pub(crate) const MESHES: [&str; 2] = ["sun", "ring"];
 /// A quantity with two derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Quantity {
-    /// The angle of a body, by its place in [`Body::ALL`](assur::dynamics::Body::ALL), as the observer sees it.
+    /// The angle of a body, by its index in [`Body::ALL`](assur::dynamics::Body::ALL), relative to the observer.
     Angle(usize),
-    /// The load angle of a mesh, by its place in [`Mesh::ALL`], with all by which it has slipped.
+    /// The load angle of a mesh, by its index in [`Mesh::ALL`], including all slips.
     LoadAngle(usize),
 }
 
-/// What a choice of the page plots; none of which there is nothing.
+/// The quantities plotted for a choice of the page; none for an unknown one.
 pub(crate) fn plotted(plot: &str, loaded: bool) -> Option<Vec<Quantity>> {
     match plot {
         "angles" => Some(Quantity::angles().collect()),
@@ -39,7 +39,7 @@ pub(crate) struct Column {
 }
 
 impl Column {
-    /// The column of a name in tables.
+    /// The column with this name in tables.
     pub(crate) fn named(name: &str, loaded: bool) -> Option<Self> {
         Quantity::all(loaded).find_map(|quantity| {
             let mut columns = quantity.columns().into_iter();
@@ -58,7 +58,7 @@ impl Quantity {
         (0..MESHES.len()).map(Self::LoadAngle)
     }
 
-    /// All that are read, load angles under load only.
+    /// All quantities with read-outs, load angles only under load.
     pub(crate) fn all(loaded: bool) -> impl Iterator<Item = Self> {
         Self::angles().chain(Self::load_angles().filter(move |_| loaded))
     }
@@ -69,7 +69,7 @@ impl Quantity {
         name
     }
 
-    /// The names of it and its derivatives in tables, as those of a linkage have them.
+    /// The names of it and its derivatives in tables, in the form used for linkages.
     pub(crate) fn columns(self) -> [String; 3] {
         let (of, what) = match self {
             Self::Angle(body) => (BODIES[body], "angle"),
@@ -78,7 +78,7 @@ impl Quantity {
         ["", "d", "dd"].map(|rate| format!("{of}.{rate}{what}"))
     }
 
-    /// The place of the body whose it is.
+    /// The index of the body to which it belongs.
     pub(crate) fn body(self) -> usize {
         match self {
             Self::Angle(body) => body,

@@ -1,4 +1,4 @@
-//! What the page shows of a differential: speeds, ratios, conditions, torques, and how a run ends.
+//! Summary of a differential: speeds, ratios, conditions, torques, and the end of a run.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -18,10 +18,10 @@ use crate::summary::{CourseSummary, CycleSummary, ListedSummary};
 /// Maximum number of suggested trains.
 const SUGGESTED: usize = 5;
 
-/// The load can be set to so many times what the magnets hold.
+/// Maximum load, as a multiple of the torque that the magnets hold.
 const OVERLOAD: f64 = 1.5;
 
-/// All that is said of a differential. Speeds are in revolutions per minute when all drives have risen.
+/// Summary of a differential. Speeds are in revolutions per minute after the rise of all drives.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct GearTrainSummary<'a> {
@@ -39,15 +39,15 @@ pub(crate) struct GearTrainSummary<'a> {
     conditions: Vec<TrainConditionSummary>,
     /// Whether all conditions are met.
     builds: bool,
-    /// Trains near by that can be built, where this one cannot.
+    /// Similar trains that can be built, if this one cannot.
     suggestions: Vec<SuggestionSummary>,
-    /// z₂ with which gears of these z₁ and z₄ are in contact, where there is one.
+    /// z₂ with which gears of these z₁ and z₄ are in contact, if there is one.
     in_contact: Option<u32>,
     mobility: MobilitySummary,
-    /// Of magnets at sun and ring, mm.
+    /// Gaps of magnets at sun and ring, mm.
     gaps: Option<[f64; 2]>,
     axis_distance: f64,
-    /// At the last speeds, mm and mm/s.
+    /// Velocities at the last speeds, mm and mm/s.
     velocities: Option<VelocitySummary>,
     /// Torques from outside without losses, relative to the sun's, and what each shaft takes in of the power.
     #[serde(with = "ShaftNumbers")]
@@ -58,11 +58,11 @@ pub(crate) struct GearTrainSummary<'a> {
     powers: Shafts,
     /// The torques that the magnets hold, N·m, each with the other shafts held.
     limits: Option<BodyNumbers>,
-    /// Own frequencies of the meshes with sun and ring, Hz.
+    /// Natural frequencies of the meshes with sun and ring, Hz.
     swings: Option<[f64; 2]>,
-    /// The greatest torque of the load, and how far it can be set, N·m.
+    /// The greatest torque of the load, and its upper limit, N·m.
     load: Option<PullSummary>,
-    /// Periods by which the meshes with sun and ring have slipped at the end of a run.
+    /// Slips of the meshes with sun and ring at the end of a run, in periods.
     slips: Option<[i64; 2]>,
     halt: Option<HaltSummary>,
 }
@@ -118,7 +118,7 @@ pub(crate) struct TrainConditionSummary {
     relation: &'static str,
     right: f64,
     met: bool,
-    /// Whether gears with profile shift may be built all the same.
+    /// Whether gears with profile shift may still be built.
     shifted: bool,
 }
 
@@ -131,7 +131,7 @@ pub(crate) struct SuggestionSummary {
     z4: u32,
 }
 
-/// n, P₁, P₂, W by the count, and how many constraints only repeat others.
+/// n, P₁, P₂, W by the count, and the number of passive constraints.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MobilitySummary {
@@ -142,7 +142,7 @@ pub(crate) struct MobilitySummary {
     passive: i64,
 }
 
-/// Points of the first satellite on the line from the main axis: how far off it, and how fast.
+/// Points of the first satellite on the line from the main axis: distance from the axis and velocity.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct VelocitySummary {
@@ -159,7 +159,7 @@ pub(crate) struct PullSummary {
     max: f64,
 }
 
-/// A run that could be followed no further: which body turned too fast, and when.
+/// Early end of a run: the body that turned too fast, and the time.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct HaltSummary {
@@ -298,7 +298,7 @@ impl<'a> GearTrainSummary<'a> {
     }
 }
 
-/// What is listed beside the drawing, whatever is plotted.
+/// The quantities listed beside the drawing, whatever is plotted.
 fn listed(loaded: bool) -> Vec<ListedSummary<'static>> {
     let one = |quantity: Quantity| ListedSummary {
         name: quantity.name(),

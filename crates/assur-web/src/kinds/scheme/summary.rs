@@ -1,4 +1,4 @@
-//! What the page shows of a scheme: the counts, what its cuts come to, what its geometry says.
+//! Summary of a scheme: the counts, the result of its cuts, the result of its geometry.
 
 use std::collections::BTreeMap;
 
@@ -12,29 +12,29 @@ use crate::summary::HandleSummary;
 /// Maximum number of replacements in the summary.
 pub(crate) const MENDED: usize = 200;
 
-/// A pose near by is sought of schemes with so many pairs at most.
+/// Maximum number of pairs of a scheme for which a nearby pose is sought.
 const FOLLOWED: usize = 60;
 
-/// All that is said of a scheme. W and q are those that are counted in its own space.
+/// Summary of a scheme. W and q are counted in its own space.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SchemeSummary<'a> {
-    /// Nothing does.
+    /// Always null.
     #[cfg_attr(test, ts(type = "null"))]
     moves: Option<&'static str>,
     bounds: [f64; 4],
     handles: Vec<HandleSummary<'a>>,
     roles: BTreeMap<&'a str, &'static str>,
     planar: bool,
-    /// The ground is the first.
+    /// Names of the links, the ground first.
     links: Vec<&'a str>,
     pairs: Vec<PairSummary<'a>>,
     counts: CountSummary,
     mobility: isize,
     redundant: isize,
-    /// (6), where it holds.
+    /// q by (6), if it applies.
     redundant_by_plane: Option<isize>,
-    /// What the cuts come to, where they open every contour.
+    /// The result of the cuts, if they open every contour.
     sections: Option<SectionsSummary<'a>>,
     /// The pairs of a contour that is still closed.
     closed: &'a [String],
@@ -44,7 +44,7 @@ pub(crate) struct SchemeSummary<'a> {
     automatic: Vec<String>,
     plane: Option<JudgedSummary<'a>>,
     space: Option<JudgedSummary<'a>>,
-    /// A pair of which too little is known for the rank.
+    /// A pair with too few data for the rank.
     missing: Option<String>,
     mended: Option<MendedSummary<'a>>,
 }
@@ -57,7 +57,7 @@ pub(crate) struct PairSummary<'a> {
     freedoms: u8,
     constraints: u8,
     spatial_freedoms: u8,
-    /// What is cut of it when it is cut: itself, or one link of a compound hinge.
+    /// The cuts of this pair if it is cut: itself, or one link of a compound hinge.
     cuts: Vec<String>,
 }
 
@@ -80,12 +80,12 @@ pub(crate) struct ClassSummary {
     count: usize,
 }
 
-/// What is counted of the open chain.
+/// Counts of the open chain.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SectionsSummary<'a> {
     cuts: Vec<String>,
-    /// Of the pairs that are left: i, and how many.
+    /// Remaining pairs: i, and their number.
     left: Vec<ClassSummary>,
     open: usize,
     removed: usize,
@@ -108,7 +108,7 @@ pub(crate) struct LoopSummary<'a> {
     redundant: u8,
 }
 
-/// What the rank of the constraints says in the plane, or in space.
+/// Result of the rank of the constraints in the plane, or in space.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct JudgedSummary<'a> {
@@ -117,9 +117,9 @@ pub(crate) struct JudgedSummary<'a> {
     redundant: usize,
     redundancies: Vec<RedundancySummary<'a>>,
     idle: Vec<Vec<&'a str>>,
-    /// W in a pose near by.
+    /// W in a nearby pose.
     generic: Option<usize>,
-    /// There is none near by, though W is not 0.
+    /// Whether there is no nearby pose, though W is not 0.
     instantaneous: bool,
 }
 
@@ -130,12 +130,12 @@ pub(crate) struct RedundancySummary<'a> {
     pairs: Vec<&'a str>,
 }
 
-/// Ways to be without redundant constraints.
+/// Replacements of pairs that remove redundant constraints.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MendedSummary<'a> {
     list: Vec<Vec<ChangedPair<'a>>>,
-    /// Whether these are all.
+    /// Whether the list is complete.
     complete: bool,
 }
 
@@ -216,7 +216,7 @@ impl<'a> SchemeSummary<'a> {
     }
 }
 
-/// The pair of which something is not known.
+/// The pair with missing data.
 fn lacking(why: &NoRank) -> Option<String> {
     match why {
         NoRank::NoPlace(pair) | NoRank::NoAxis(pair) | NoRank::NoForm(pair) => Some(pair.clone()),
@@ -301,7 +301,7 @@ impl<'a> JudgedSummary<'a> {
             redundancies,
             idle,
         } = scheme.rank_report(space)?;
-        // Of more pairs a pose near by may take longer than a hand waits.
+        // With more pairs the search for a nearby pose may take longer than a drag allows.
         let near = (scheme.pairs().len() <= FOLLOWED).then(|| scheme.generic(space));
         let generic = near.transpose()?;
         let links = |links: &Vec<usize>| {

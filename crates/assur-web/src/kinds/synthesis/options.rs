@@ -1,4 +1,4 @@
-//! What there is to choose from: the family of two positions, or what a search found.
+//! The solutions to choose from: the family of two positions, or the results of a search.
 
 use std::f64::consts::TAU;
 
@@ -10,23 +10,23 @@ use serde::Serialize;
 use super::plane::PlaneSummary;
 use super::summary::lengths;
 
-/// Number of members of the family on its curve.
+/// Number of members on the curve of a family.
 const MEMBERS: usize = 240;
 
-/// The linkages that two positions leave.
+/// The family of linkages for two positions.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FamilySummary {
-    /// Of l₁, l₂, l₃ the least and the greatest; null where there is none.
+    /// Minimum and maximum of l₁, l₂, l₃; null if there is none.
     lengths: [[Option<f64>; 2]; 3],
-    /// Between which angles the coupler is in each position, radians.
+    /// Range of the coupler's angle in each position, radians.
     couplers: [[f64; 2]; 2],
     curve: FamilyCurve,
     /// l₁, l₂, l₃ where the class changes.
     changes: Vec<[f64; 3]>,
 }
 
-/// Members of the family from one end to the other, as far as their lengths are sought.
+/// Members of the family from one end to the other, within the lengths of the search.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FamilyCurve {
@@ -43,13 +43,13 @@ pub(crate) struct FamilyCurve {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FoundSummary {
-    /// From how many starts it went.
+    /// Number of its starts.
     starts: usize,
-    /// How many of them ended in the one that is shown first.
+    /// Number of starts that ended in the solution shown first.
     best: usize,
-    /// l₂ and l₃ along the way from each of the starts.
+    /// l₂ and l₃ along the path from each start.
     paths: Vec<Vec<[f64; 2]>>,
-    /// ΣJ, by its decimal logarithm, over l₂ and l₃.
+    /// Decimal logarithm of ΣJ over l₂ and l₃.
     sum: PlaneSummary,
 }
 

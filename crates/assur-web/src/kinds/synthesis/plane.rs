@@ -1,26 +1,26 @@
-//! The plane of two lengths, both on logarithmic scales, in equal parts.
+//! The plane of two lengths, both on logarithmic scales, in equal cells.
 
 use assur::synthesis::four_bar::{Surface, Task};
 use serde::Serialize;
 
-/// Parts along each length.
+/// Number of cells along each length.
 const PARTS: usize = 40;
 
-/// The least ΣJ that counts as more than zero, in squares of the frame's length.
+/// The least ΣJ that counts as greater than zero, in squares of the frame's length.
 const LEAST: f64 = 1e-9;
 
-/// Values at the middles of equal parts of the logarithms of two lengths: for each part of the
-/// first those of the second.
+/// Values at the centres of cells equal in the logarithms of two lengths: a row over the second
+/// length for each value of the first.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PlaneSummary {
-    /// Between which lengths they are.
+    /// Minimum and maximum of both lengths.
     bounds: [f64; 2],
     values: Vec<Vec<f64>>,
 }
 
 impl PlaneSummary {
-    /// Of what is so over the ratios that a task is sought in.
+    /// Values over the ratios within which a task is searched.
     fn new(task: &Task, value: impl Fn(f64, f64) -> f64) -> Self {
         let [least, most] = task.ratios();
         let ratio = |part: usize| least * (most / least).powf((part as f64 + 0.5) / PARTS as f64);
@@ -34,7 +34,7 @@ impl PlaneSummary {
         }
     }
 
-    /// The decimal logarithm of ΣJ by l₂ and l₃.
+    /// The decimal logarithm of ΣJ over l₂ and l₃.
     pub(super) fn sum(task: &Task) -> Self {
         let surface = Surface::new(task);
         Self::new(task, |output, input| {
@@ -43,8 +43,8 @@ impl PlaneSummary {
         })
     }
 
-    /// By l₁ and l₂ how many of the positions some l₃ closes: the region of theorems 1 and 2 is
-    /// where it is all of them.
+    /// Over l₁ and l₂, the number of positions that some l₃ closes: theorems 1 and 2 hold in the
+    /// region where it is all of them.
     pub(super) fn closed(task: &Task) -> Self {
         let positions = 0..task.positions().len();
         Self::new(task, |coupler, output| {

@@ -1,4 +1,4 @@
-//! What the page shows of a synthesis beyond the motion of the linkage that is drawn.
+//! Summary of a synthesis beyond the motion of the drawn linkage.
 
 use assur::synthesis::four_bar::{Options, Order, Passage, Proportions, Solution, Task};
 use assur_file::{Document, Synthesis, SynthesisDocument};
@@ -15,7 +15,7 @@ use crate::summary::MotionSummary;
 pub(crate) struct SynthesisSummary<'a> {
     #[serde(flatten)]
     motion: MotionSummary<'a>,
-    /// What there is to choose from.
+    /// Source of the solutions.
     #[cfg_attr(test, ts(type = "\"family\" | \"exact\" | \"found\" | \"trial\""))]
     from: &'static str,
     /// The numbered solutions in the order of their numbers.
@@ -24,7 +24,7 @@ pub(crate) struct SynthesisSummary<'a> {
     shown: Vec<usize>,
     /// Whether the output's angles are probably given in the opposite sense.
     turned: bool,
-    /// Which of them is drawn, from 1.
+    /// Number of the drawn solution, from 1.
     number: Option<usize>,
     drawn: SolutionSummary,
     /// l₀.
@@ -32,32 +32,32 @@ pub(crate) struct SynthesisSummary<'a> {
     family: Option<FamilySummary>,
     found: Option<FoundSummary>,
     wanted: Vec<WantedSummary>,
-    /// How many of the positions can be closed, over l₁ and l₂.
+    /// Number of positions that can be closed, over l₁ and l₂.
     closed: PlaneSummary,
-    /// What the method of the paper comes to, where the document gives every coupler angle.
+    /// Result of the paper's method, if the document gives every coupler angle.
     printed: Option<PrintedSummary>,
-    /// What Levitsky's quadratic approximation comes to.
+    /// Result of Levitsky's quadratic approximation.
     weighted: Option<WeightedSummary>,
     /// Error of the drawn linkage against the wanted function, if the document has one.
     function: Option<FunctionSummary>,
-    /// What is drawn, as a linkage for the simulator.
+    /// The drawn solution, as a linkage for the simulator.
     #[cfg_attr(test, ts(type = "{ kind: \"linkage\", document: LinkageDocument }"))]
     linkage: &'a Document,
 }
 
-/// A linkage beside a wanted function.
+/// Error of a linkage against a wanted function.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FunctionSummary {
-    /// x in even steps, and the error of the linkage's y there; null beyond its reach.
+    /// x in even steps, with the error of the linkage's y; null beyond its reach.
     curve: Vec<(f64, Option<f64>)>,
-    /// The same where the error is greatest; none where the linkage reaches nothing of the interval.
+    /// x and error at the greatest error; none if the linkage reaches nothing of the interval.
     greatest: Option<(f64, f64)>,
-    /// Whether it goes through the whole interval without a break.
+    /// Whether it covers the whole interval without a break.
     complete: bool,
 }
 
-/// A linkage that takes up the positions, exactly or nearly.
+/// A linkage for the positions, exact or approximate.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SolutionSummary {
@@ -65,13 +65,13 @@ pub(crate) struct SolutionSummary {
     lengths: [f64; 3],
     /// φ₂₀ and φ₃₀, radians.
     starts: [f64; 2],
-    /// The greatest length left open at the coupler in a position.
+    /// The greatest gap at the coupler over the positions.
     gap: f64,
     /// l₀²ΣJ, in squares of the unit of lengths.
     sum: f64,
-    /// Maximum error of the output angle, radians; none where a position is not reached.
+    /// Maximum error of the output angle, radians; none if a position is not reached.
     output_error: Option<f64>,
-    /// Whether a length is at the end of what is searched.
+    /// Whether a length is at a bound of the search.
     at_bound: bool,
     verdict: Option<VerdictSummary>,
 }

@@ -1,4 +1,4 @@
-//! What is true of each position that is wanted: the main equation and the conditions of the paper.
+//! Values at each wanted position: the main equation and the conditions of the paper.
 
 use assur::Relation;
 use assur::synthesis::four_bar::theorems::{
@@ -11,34 +11,33 @@ use serde::Serialize;
 
 use super::summary::lengths;
 
-/// From a length to a greater one, if there is a greatest.
+/// Minimum and maximum of a length, the latter if there is one.
 type Range = (f64, Option<f64>);
 
-/// A position that is wanted, with what is true of it.
+/// Values at a wanted position.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct WantedSummary {
-    /// φ₂ and φ₃ with their starts, and φ₁ of what is drawn, radians.
+    /// φ₂ and φ₃ with their starts, and φ₁ of the drawn linkage, radians.
     output: f64,
     input: f64,
     coupler: f64,
-    /// By how much the contour is open at the coupler.
+    /// Gap of the contour at the coupler.
     error: f64,
     /// The main equation: its left side, Z, e₀·e₂/z₃ and e₀·e₃/z₂.
     equation: [f64; 4],
-    /// φ₁ at which the conditions are evaluated, and the length by which the contour is open with
-    /// the coupler there.
+    /// φ₁ at which the conditions are evaluated, and the gap of the contour with the coupler at
+    /// this angle.
     at: f64,
     open: f64,
     conditions: Vec<ConditionSummary>,
     theorems: Vec<TheoremSummary>,
     /// The condition that theorem 5 leaves out.
     pair: Option<LeftOutSummary>,
-    /// Between which l₁ l₂ is positive, and between which l₃: null where it never is, and where there is no greatest; null
+    /// Ranges of l₁ in which l₂ and l₃ are positive: null if there is none, or no maximum; null
     /// altogether where (13) fails.
     ranges: Option<[Option<Range>; 2]>,
-    /// Between which l₁ all lengths are positive: null where there are none, and where there is
-    /// no greatest.
+    /// Range of l₁ in which all lengths are positive: null if there is none, or no maximum.
     interval: Option<Range>,
 }
 
@@ -48,7 +47,7 @@ pub(crate) struct WantedSummary {
 pub(crate) struct PrintedSummary {
     /// l₁, l₂, l₃.
     lengths: [f64; 3],
-    /// ΣJ there and of what is drawn: a number, as J is of zᵢ = lᵢ/l₀.
+    /// ΣJ of these lengths and of the drawn linkage: dimensionless, since J is of zᵢ = lᵢ/l₀.
     least: f64,
     drawn: f64,
 }
@@ -59,7 +58,7 @@ pub(crate) struct PrintedSummary {
 pub(crate) struct WeightedSummary {
     /// l₁, l₂, l₃.
     lengths: [f64; 3],
-    /// ΣJ there, with the best coupler angles, and of what is drawn: numbers.
+    /// ΣJ of these lengths, with the best coupler angles, and of the drawn linkage: dimensionless.
     sum: f64,
     drawn: f64,
 }
@@ -70,16 +69,16 @@ pub(crate) struct WeightedSummary {
 pub(crate) struct ConditionSummary {
     /// Its number in the paper.
     number: u8,
-    /// The length that it is about.
+    /// The length that it concerns.
     about: Option<&'static str>,
-    /// The two numbers whose signs it judges; null where one is infinite.
+    /// The two numbers whose signs it compares; null where one is infinite.
     values: [Option<f64>; 2],
-    /// Whether it holds as printed, and whether what it is printed for is so.
+    /// Whether it holds as printed, and whether its conclusion is true.
     holds: bool,
     truth: bool,
 }
 
-/// A theorem of the paper: whether what it asks for holds as printed, and whether what it concludes is true.
+/// A theorem of the paper: whether its conditions hold as printed, and whether its conclusion is true.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct TheoremSummary {
@@ -88,7 +87,7 @@ pub(crate) struct TheoremSummary {
     truth: bool,
 }
 
-/// The condition that theorem 5 leaves out, with the two numbers of which not both may be positive.
+/// The condition that theorem 5 leaves out: two numbers that must not both be positive.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct LeftOutSummary {
@@ -136,8 +135,8 @@ impl From<Condition> for ConditionSummary {
     }
 }
 
-/// The angles of all links in each position: the coupler's as the document gives it, else as it is
-/// in what is drawn.
+/// The angles of all links in each position: the coupler's as given by the document, otherwise that
+/// of the drawn linkage.
 pub(super) fn angles(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Vec<Angles> {
     let positions = task.positions().iter().zip(&document.positions);
     let all = positions.zip(&shown.closures);
@@ -216,7 +215,7 @@ impl PrintedSummary {
 }
 
 impl WeightedSummary {
-    /// For three positions or more with angles from the frame; without lengths if there are none.
+    /// For three positions or more with angles from the frame; none if the approximation has no lengths.
     pub(super) fn new(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Option<Self> {
         let enough = task.positions().len() >= 3 && !document.free;
         let found = enough.then(|| weighted_difference(task)).flatten()?;
