@@ -24,11 +24,11 @@ mass: number,
 damping: [number, number, number, number], };
 export type ChoiceDocument = { 
 /**
- * What there is to choose from.
+ * The options.
  */
 options: Array<string>, 
 /**
- * Which of them is right, from 0.
+ * Index of the right option, from 0.
  */
 answer: number, };
 export type CouplingDocument = "magnetic" | "contact";
@@ -36,15 +36,15 @@ export type Document = { "kind": "draft", "document": DraftDocument } | { "kind"
 export type DraftDocument = LinkageDocument;
 export type DriveDocument = { 
 /**
- * Which.
+ * The driven shaft.
  */
 shaft: ShaftDocument, 
 /**
- * Its speed, revolutions per minute; 0: it is held. Of a tied shaft, the speed that it has without the tie.
+ * Its speed, revolutions per minute; 0: it is held. For a tied shaft, its speed without the tie.
  */
 rpm: number, 
 /**
- * It rises evenly from rest in so many seconds; 0: it has that speed at once.
+ * Time of a uniform rise of the speed from rest, seconds; 0: full speed at once.
  */
 start_s: number, 
 /**
@@ -52,20 +52,20 @@ start_s: number,
  */
 to?: ShaftDocument | null, 
 /**
- * Its speed relative to that of the shaft to which it is tied.
+ * Ratio of its speed to that of the shaft to which it is tied.
  */
 factor: number, };
 export type DriverDocument = { 
 /**
- * The link that is turned.
+ * The driven link.
  */
 crank?: string | null, 
 /**
- * The link that it is turned against; without it the frame.
+ * The link relative to which it turns; without it the frame.
  */
 base?: string | null, 
 /**
- * Which of the slides is moved, from 0.
+ * Index of the driven slide, from 0.
  */
 slide?: number | null, 
 /**
@@ -73,7 +73,7 @@ slide?: number | null,
  */
 range?: [number, number] | null, 
 /**
- * Rate of a further driver's coordinate by that of the first; 1 by default.
+ * Rate of a further driver's coordinate relative to that of the first; 1 by default.
  */
 rate?: number | null, };
 export type EndDocument = { 
@@ -82,18 +82,18 @@ export type EndDocument = {
  */
 link: string, 
 /**
- * Where it is.
+ * Its place.
  */
 at: PlaceDocument, };
 export type FormDocument = "planar" | "stepped" | "bevel";
 export type FormulaDocument = "log10" | "exp" | "sin" | { "power": number } | { "table": Array<[number, number]> };
 export type FunctionDocument = { 
 /**
- * f.
+ * The function f.
  */
 of: FormulaDocument, 
 /**
- * From which x to which.
+ * Interval of x.
  */
 x: [number, number], 
 /**
@@ -118,16 +118,16 @@ carrier: string,
  */
 teeth: [number, number], 
 /**
- * How they engage.
+ * Type of mesh.
  */
 mesh: MeshDocument, };
 export type GearTrainDocument = { 
 /**
- * What it is called.
+ * Its title.
  */
 title?: string | null, 
 /**
- * Where it comes from.
+ * Its source.
  */
 source?: string | null, 
 /**
@@ -135,7 +135,7 @@ source?: string | null,
  */
 origin?: string | null, 
 /**
- * How the wheels stand.
+ * Arrangement of the wheels.
  */
 form: FormDocument, 
 /**
@@ -143,35 +143,35 @@ form: FormDocument,
  */
 z1: number, 
 /**
- * Those of a satellite; of a stepped one where it meets the sun.
+ * Plates or teeth of a satellite; if stepped, of its wheel in mesh with the sun.
  */
 z2: number, 
 /**
- * Those of a stepped satellite where it meets the ring.
+ * Plates or teeth of a stepped satellite's wheel in mesh with the ring.
  */
 z2_step?: number | null, 
 /**
- * Those of the ring.
+ * Plates or teeth of the ring.
  */
 z4: number, 
 /**
- * How many satellites there are.
+ * Number of satellites.
  */
 satellites: number, 
 /**
- * How the wheels turn each other.
+ * Coupling of the wheels: by magnets or by teeth in contact.
  */
 coupling: CouplingDocument, 
 /**
- * Module: a wheel's diameter over its number.
+ * Module: a wheel's diameter divided by its number of plates or teeth.
  */
 module_mm: number, 
 /**
- * Of magnets: how far the satellites' axes are from the main one; without it gaps are equal.
+ * Distance of the satellites' axes from the main axis, for magnets; if absent, the gaps are equal.
  */
 axis_distance_mm?: number | null, 
 /**
- * What turns two of the three shafts.
+ * Drives of two of the three shafts.
  */
 drives: Array<DriveDocument>, 
 /**
@@ -179,19 +179,19 @@ drives: Array<DriveDocument>,
  */
 members: MembersDocument, 
 /**
- * From where it is seen.
+ * The observer in whose frame of reference the train is shown.
  */
 observer: ObserverDocument, 
 /**
- * Whether it runs under load; else nothing slips.
+ * Whether it runs under load; otherwise nothing slips.
  */
 loaded: boolean, 
 /**
- * The span of time that is plotted, and that a run under load lasts.
+ * Plotted time span, and duration of a run under load.
  */
 span_s: number, 
 /**
- * Times (s) and torques (N·m) of a load on the shaft that is not driven, against the sense in which that turns while nothing slips.
+ * Knots of a load on the shaft that is not driven: times (s) and torques (N·m) against its rotation without slip.
  */
 load: Array<[number, number]>, 
 /**
@@ -199,7 +199,7 @@ load: Array<[number, number]>,
  */
 magnets: MagnetsDocument, 
 /**
- * The bodies in the order of their numbers 1, 2, 3, 4.
+ * Inertia, mass and damping of the bodies.
  */
 bodies: BodiesDocument, };
 export type Group = "four_bars" | "six_bars" | "guides" | "geared" | "higher" | "schemes";
@@ -207,11 +207,11 @@ export type KindDocument = "revolute" | "prismatic" | "screw" | "cylindrical" | 
 export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
 export type LessonDocument = { 
 /**
- * What it is called.
+ * Its title.
  */
 title: string, 
 /**
- * Who wrote it.
+ * Its author.
  */
 author?: string, 
 /**
@@ -249,11 +249,11 @@ centre_of_mass?: string | null,
 mass_kg?: number | null, };
 export type LinkageDocument = { 
 /**
- * What it is called.
+ * Its title.
  */
 title?: string | null, 
 /**
- * Where its dimensions are from.
+ * Source of its dimensions.
  */
 source?: string | null, 
 /**
@@ -261,7 +261,7 @@ source?: string | null,
  */
 origin?: string | null, 
 /**
- * What its lengths are in; without it only their proportions count.
+ * Unit of its lengths; without it only their proportions count.
  */
 unit?: LengthUnit | null, 
 /**
@@ -285,7 +285,7 @@ slides?: Array<SlideDocument>,
  */
 gears?: Array<GearDocument>, 
 /**
- * What is driven.
+ * Driven pairs.
  */
 drivers: Array<DriverDocument>, 
 /**
@@ -293,7 +293,7 @@ drivers: Array<DriverDocument>,
  */
 tracers?: Array<TracerDocument>, 
 /**
- * What is plotted: `LINK.angle`, `POINT.x` or `POINT.y`.
+ * Plotted quantities: `LINK.angle`, `POINT.x` or `POINT.y`.
  */
 plots?: Array<string>, 
 /**
@@ -301,22 +301,22 @@ plots?: Array<string>,
  */
 traces?: Array<string>, 
 /**
- * What stays as it is while points are moved by hand: the distance of two points, the angle at the second of
- * three. It has nothing to do with how the linkage moves.
+ * Dimensions kept while points are moved by hand: the distance of two points, the angle at the
+ * second of three. They do not affect the motion of the linkage.
  */
 locks?: Array<Array<string>>, 
 /**
- * The height of the ground that it stands on, where it is drawn.
+ * Height of the ground on which it stands, if the ground is drawn.
  */
 ground?: number | null, 
 /**
- * The full width of the band within which the first quantity that is plotted
- * counts as dwelling: degrees of an angle, else in the unit of the lengths.
+ * Full width of the dwell band of the first plotted quantity: degrees for an angle, otherwise
+ * in the unit of the lengths.
  */
 band?: number | null, 
 /**
- * Which of its assemblies moves, from 1; without it the drawn one. Only links
- * and files of before name one: an assembly is saved as its drawing.
+ * Number of the assembly that moves, from 1; without it the drawn one. Only links and older
+ * files contain it: an assembly is saved as its drawing.
  */
 assembly?: number | null, };
 export type MagnetsDocument = { 
@@ -334,11 +334,11 @@ peak: [number, number],
 damping: [number, number], };
 export type MemberDocument = { 
 /**
- * What it is.
+ * Kind of the member.
  */
 kind: MemberKind, 
 /**
- * What it takes at the speed that its shaft has while nothing slips, N·m: one of several.
+ * Torque of one member at the speed that its shaft has without slip, N·m.
  */
 torque: number, };
 export type MemberKind = "fan" | "brush" | "stirrer" | "scraper" | "blade" | "propeller" | "road_wheel";
@@ -354,7 +354,7 @@ carrier?: MemberDocument | null, };
 export type MeshDocument = "external" | "internal" | "as_printed";
 export type MixerDocument = { 
 /**
- * What its lengths are in; without it metres.
+ * Unit of its lengths; without it metres.
  */
 unit?: LengthUnit | null, 
 /**
@@ -382,7 +382,7 @@ z4: number,
  */
 wheels: Array<WheelDocument>, 
 /**
- * `external`, `internal` or `as_printed`.
+ * Type of mesh: `external`, `internal` or `as_printed`.
  */
 mesh: MeshDocument, 
 /**
@@ -390,7 +390,7 @@ mesh: MeshDocument,
  */
 module: number, 
 /**
- * 1 or 2.
+ * Number of the assembly, 1 or 2.
  */
 assembly: 1 | 2, 
 /**
@@ -399,58 +399,58 @@ assembly: 1 | 2,
 tracers: Array<MixerTracerDocument>, };
 export type MixerTracerDocument = { 
 /**
- * What carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
+ * The link that carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
  */
 link: string, 
 /**
- * Along the link from its first joint.
+ * Coordinate along the link from its first joint.
  */
 x: number, 
 /**
- * Across it, to the left.
+ * Coordinate perpendicular to it, to the left.
  */
 y: number, };
 export type NumberDocument = { 
 /**
- * Its name, such as `rocker.angle` or `C.x′`.
+ * Name of the quantity, such as `rocker.angle` or `C.x′`.
  */
 quantity?: string | null, 
 /**
- * The input at which it is asked for, as readers count; none: where the step shows it.
+ * The input at which it is evaluated, in the reader's unit; none: that of the step.
  */
 at?: number | null, 
 /**
- * The answer itself, if it is no quantity.
+ * The answer itself, if it is not a quantity.
  */
 value?: number | null, 
 /**
- * What is written beside a value.
+ * Unit written beside a value.
  */
 unit?: string, 
 /**
- * By how much an answer may be off.
+ * Tolerance of the answer.
  */
 within: number, 
 /**
- * Whether the page shows the quantity's value while it is asked for: without it, it does not.
+ * Whether the page shows the value of the quantity during the question; by default it does not.
  */
 shown?: boolean, };
 export type NumberField = { 
 /**
- * Where it stands, such as `wheels[0].z`.
+ * Path of its field, such as `wheels[0].z`.
  */
 field: string, 
 /**
- * What it is.
+ * Its value.
  */
 value: number, 
 /**
- * Whether it counts, as a number of teeth does.
+ * Whether it is a whole number, such as a number of teeth.
  */
 whole: boolean, 
 /**
- * Whether the engine sets it, from the pose at hand, and changes more than this field; else it is only
- * written down.
+ * Whether the engine sets it from the current pose and changes other fields, too; otherwise
+ * only this field is written.
  */
 followed: boolean, };
 export type ObserverDocument = "ground" | "sun" | "carrier" | "ring";
@@ -478,7 +478,7 @@ kind: KindDocument,
  */
 links: Array<string>, 
 /**
- * Where it is.
+ * Its place.
  */
 at?: PlaceDocument | null, 
 /**
@@ -490,32 +490,32 @@ axis?: [number, number, number] | null,
  */
 second?: [number, number, number] | null, 
 /**
- * The way of a screw with every turn.
+ * Advance of a screw per turn.
  */
 pitch?: number | null, 
 /**
- * How many freedoms a pair of no certain form leaves.
+ * Number of freedoms of a pair of unspecified form.
  */
 freedoms?: number | null, };
 export type PictureDocument = { 
 /**
- * The picture itself, as a `data:` address.
+ * The image, as a `data:` address.
  */
 image: string, 
 /**
- * Where its upper left corner is.
+ * Position of its upper left corner.
  */
 at: [number, number], 
 /**
- * How wide it is, in the unit of lengths.
+ * Its width, in the unit of lengths.
  */
 width: number, 
 /**
- * The direction in which its upper edge runs, degrees.
+ * Direction of its upper edge, degrees.
  */
 turn_deg: number, 
 /**
- * How much of the paper it covers, up to 1.
+ * Its opacity, up to 1.
  */
 opacity: number, };
 export type PlaceDocument = [number, number] | [number, number, number];
@@ -525,7 +525,7 @@ export type PointDocument = {
  */
 name: string, 
 /**
- * Where it is drawn: x, y.
+ * Drawn coordinates x, y.
  */
 at: [number, number], };
 export type PolesDocument = "alike" | "alternating";
@@ -539,43 +539,42 @@ output_deg: number,
  */
 input_deg: number, 
 /**
- * What it counts where not all can be met.
+ * Weight of the position where not all can be met.
  */
 weight: number, 
 /**
- * φ₁ at which the conditions of the paper are evaluated; without it that of the linkage
- * that is shown.
+ * φ₁ at which the conditions of the paper are evaluated; without it that of the shown linkage.
  */
 coupler_deg?: number | null, };
 export type Preset = { 
 /**
- * Its name.
+ * Name in the catalogue.
  */
 id: string, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type QuestionDocument = { 
 /**
- * What is asked.
+ * Text of the question.
  */
 text: string, 
 /**
- * What is said to an answer that is not right.
+ * Hint after a wrong answer.
  */
 hint?: string, 
 /**
- * A number is the answer.
+ * The answer is a number.
  */
 number?: NumberDocument | null, 
 /**
- * One of several options is.
+ * The answer is one of several options.
  */
 choice?: ChoiceDocument | null, 
 /**
- * The mechanism is to be brought somewhere.
+ * The answer is a state to which the mechanism is brought.
  */
 reach?: ReachDocument | null, };
 export type ReachDocument = { 
 /**
- * Its name, as of a number that is asked.
+ * Name of the quantity, as for a number.
  */
 quantity: string, 
 /**
@@ -583,16 +582,16 @@ quantity: string,
  */
 value: number, 
 /**
- * By how much it may be off.
+ * Tolerance of the value.
  */
 within: number, };
 export type SchemeDocument = { 
 /**
- * What it is called.
+ * Its title.
  */
 title?: string | null, 
 /**
- * Where it comes from.
+ * Its source.
  */
 source?: string | null, 
 /**
@@ -616,38 +615,38 @@ pairs: Array<PairDocument>,
  */
 ends?: Array<EndDocument>, 
 /**
- * The pairs that are cut: `D`, of a compound hinge with the link that is taken off it, `Q:3`.
+ * Cut pairs: `D`; of a compound hinge with the link that is taken off it, `Q:3`.
  */
 cut: Array<string>, 
 /**
- * From where a spatial scheme is looked at: to the left of the y-axis, and above the plane x, y.
+ * Direction from which a spatial scheme is viewed: to the left of the y-axis, and above the plane x, y.
  */
 look_deg: [number, number], 
 /**
- * The number of the task that it is; what is asked is then not told.
+ * Number of the task, if it is one; the answer is then hidden.
  */
 task?: number | null, };
 export type ShaftDocument = "sun" | "carrier" | "ring";
 export type Shelf = { 
 /**
- * Its name.
+ * Name in the catalogue.
  */
 id: string, 
 /**
- * What it is shown among.
+ * Category of the gallery.
  */
 group: Group, 
 /**
- * The highest class of its Assur groups, in Roman numerals; of what is no linkage none.
+ * Highest class of its Assur groups, in Roman numerals; none if it is not a linkage.
  */
 class: string | null, };
 export type ShownDocument = { 
 /**
- * What of it is not as usual.
+ * The view; only fields that differ from the default are saved.
  */
 view: Partial<View>, 
 /**
- * Numbers that are others for every reader.
+ * Numbers that vary from reader to reader.
  */
 vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type SlideDocument = { 
@@ -660,38 +659,38 @@ link: string,
  */
 point: string, 
 /**
- * The link that has the line, or `frame`.
+ * The link with the line, or `frame`.
  */
 on: string, 
 /**
- * Two points of that link.
+ * Two points of that link, on the line.
  */
 line: [string, string], };
 export type SpeedUnit = "rad_per_s" | "per_min";
 export type StepDocument = { 
 /**
- * What it is called.
+ * Its title.
  */
 title: string, 
 /**
- * Paragraphs, one a line; `*emphasis*`, and what follows `_` in a symbol stands low.
+ * Paragraphs, one per line; `*emphasis*`, and `_` starts a subscript in a symbol.
  */
 text: string, 
 /**
- * Formulas, one a line.
+ * Formulas, one per line.
  */
 formula?: string, 
 /**
- * What it shows; none: what the step before shows.
+ * The shown document; none: that of the step before.
  */
 shows?: ShownDocument | null, 
 /**
- * What is asked, if anything is.
+ * The question, if there is one.
  */
 question?: QuestionDocument | null, };
 export type SynthesisDocument = { 
 /**
- * What the lengths are in; without it only their proportions count.
+ * Unit of the lengths; without it only their proportions count.
  */
 unit?: LengthUnit | null, 
 /**
@@ -707,17 +706,17 @@ phi0_deg: number,
  */
 positions: Array<PositionDocument>, 
 /**
- * True if φ₂ and φ₃ are counted from starts that may be chosen.
+ * Whether φ₂ and φ₃ are counted from starts that may be chosen.
  */
 free: boolean, 
 /**
- * Which member of a family: l₂, and l₃ for one whose members all have the same l₂. Where
- * the family does not go so far, its nearest end is meant.
+ * Chosen member of a family: l₂, and l₃ for one whose members all have the same l₂. Beyond the
+ * ends of the family, the nearest end.
  */
 member?: [number, number] | null, 
 /**
- * Which of several solutions, from 1, by ascending ΣJ; without it, of those that are not held by the bounds of
- * the search, the one whose output is off by least.
+ * Number of the solution, from 1, in ascending ΣJ; without it, the one with the least output
+ * error among those not at a bound of the search.
  */
 solution?: number | null, 
 /**
@@ -730,7 +729,7 @@ trial?: [number, number, number] | null,
 function?: FunctionDocument | null, };
 export type TracerDocument = { 
 /**
- * Its name, unlike that of any point.
+ * Its name, different from that of any point.
  */
 name: string, 
 /**
@@ -744,7 +743,7 @@ link: string,
 at: [number, number], };
 export type VariedDocument = { 
 /**
- * Where it stands in the document, such as `links[0].length`: one of [`numbers`](crate::Document::numbers).
+ * Path of its field, such as `links[0].length`: one of [`numbers`](crate::Document::numbers).
  */
 field: string, 
 /**
@@ -756,7 +755,7 @@ from: number,
  */
 to: number, 
 /**
- * By how much one value differs from the next.
+ * Difference of successive values.
  */
 step: number, };
 export type View = { 

@@ -4,7 +4,7 @@ import { KindDocument, LinkageDocument, Only } from "assur/types/file.js";
 export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
 /**
- * What is seen of the curve, run by run: x and y in pixels of the reader, and the input.
+ * Visible runs of the curve: x and y in pixels of the reader, and the input.
  */
 curve: Array<Array<number>>, };
 export type AssembliesHere = { 
@@ -43,7 +43,7 @@ export type AxisLayout = {
  */
 name: string | null, 
 /**
- * The number by which the angle is called, where it is.
+ * The number that denotes the angle, if it has one.
  */
 number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
 export type Belonging = { 
@@ -60,43 +60,43 @@ export type Between = { min: number, max: number, stroke: number, };
 export type BodyNumbers = { sun: number, satellite: number, carrier: number, ring: number, };
 export type BranchLine = { 
 /**
- * From 0.
+ * Index of its circuit.
  */
 circuit: number, 
 /**
- * Input and output, one after the other, in pieces that neither wraps: radians in [0, 2π], or the way of a slide.
+ * Inputs and outputs in alternation, split where either wraps: radians in [0, 2π], or the displacement of a slide.
  */
 pieces: Array<Array<number>>, };
 export type ChangedPair = { pair: string, kind: KindDocument, };
 export type ChartLayout = { panels: Array<PanelLayout>, 
 /**
- * What is plotted against each other instead of the panels, where anything is and has room.
+ * The plot of one quantity against another that replaces the panels, if there is one and it has room.
  */
 against: AgainstLayout | null, };
 export type ChartRequest = { width: number, height: number, palette: Array<[number, number, number]>, 
 /**
- * How much larger than usual text and lines are.
+ * Scale of text and lines relative to the usual size.
  */
 scale: number, 
 /**
- * Pixels of the screen to one of the reader.
+ * Pixels of the screen per pixel of the reader.
  */
 ratio: number, 
 /**
- * Whether curves go through all their points: for a picture that may be enlarged.
+ * Whether curves go through all their points, for a picture that may be enlarged.
  */
 whole: boolean, 
 /**
- * The plot that has all of the room, if one has.
+ * The plot that takes all the room, if any.
  */
 only: Only, 
 /**
- * The input around which a motion is plotted that goes on and on.
+ * The input around which an endless motion is plotted.
  */
 around: number, };
 export type CircleHere = { point: string, 
 /**
- * The radius with two derivatives, as the axes have them.
+ * The radius with two derivatives, as the axes define them.
  */
 radius: [number, number, number] | null, centre: [number, number] | null, reason: import("assur/core/problem.js").Problem | null, };
 export type ClassSummary = { freedoms: number, count: number, };
@@ -106,15 +106,15 @@ export type ConditionSummary = {
  */
 number: number, 
 /**
- * The length that it is about.
+ * The length that it concerns.
  */
 about: string | null, 
 /**
- * The two numbers whose signs it judges; null where one is infinite.
+ * The two numbers whose signs it compares; null where one is infinite.
  */
 values: [number | null, number | null], 
 /**
- * Whether it holds as printed, and whether what it is printed for is so.
+ * Whether it holds as printed, and whether its conclusion is true.
  */
 holds: boolean, truth: boolean, };
 export type CountSummary = { 
@@ -166,11 +166,11 @@ export type DeadPointSummary = { input: number, kind: string, links: Array<strin
 export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
 export type DraftSummary = { 
 /**
- * Nothing does.
+ * Always null.
  */
 moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
 /**
- * W by the count; none where what is named is not there.
+ * Mobility W by count; none if a named part does not exist.
  */
 mobility: number | null, drivers: number, 
 /**
@@ -182,11 +182,11 @@ export type EquationSummary = { "kind": "distance", link: string, points: [strin
 export type FamilyCurve = { l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
 export type FamilySummary = { 
 /**
- * Of l₁, l₂, l₃ the least and the greatest; null where there is none.
+ * Minimum and maximum of l₁, l₂, l₃; null if there is none.
  */
 lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
 /**
- * Between which angles the coupler is in each position, radians.
+ * Range of the coupler's angle in each position, radians.
  */
 couplers: [[number, number], [number, number]], curve: FamilyCurve, 
 /**
@@ -196,33 +196,33 @@ changes: Array<[number, number, number]>, };
 export type FoundHere = { name: string, rates: [number, number], };
 export type FoundSummary = { 
 /**
- * From how many starts it went.
+ * Number of its starts.
  */
 starts: number, 
 /**
- * How many of them ended in the one that is shown first.
+ * Number of starts that ended in the solution shown first.
  */
 best: number, 
 /**
- * l₂ and l₃ along the way from each of the starts.
+ * l₂ and l₃ along the path from each start.
  */
 paths: Array<Array<[number, number]>>, 
 /**
- * ΣJ, by its decimal logarithm, over l₂ and l₃.
+ * Decimal logarithm of ΣJ over l₂ and l₃.
  */
 sum: PlaneSummary, };
 export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
 export type FunctionSummary = { 
 /**
- * x in even steps, and the error of the linkage's y there; null beyond its reach.
+ * x in even steps, with the error of the linkage's y; null beyond its reach.
  */
 curve: Array<[number, number | null]>, 
 /**
- * The same where the error is greatest; none where the linkage reaches nothing of the interval.
+ * x and error at the greatest error; none if the linkage reaches nothing of the interval.
  */
 greatest: [number, number] | null, 
 /**
- * Whether it goes through the whole interval without a break.
+ * Whether it covers the whole interval without a break.
  */
 complete: boolean, };
 export type GearTrainSummary = { bounds: [number, number, number, number], roles: { [key in string]: string }, 
@@ -239,19 +239,19 @@ weights: [number, number], ratios: Array<RatioSummary>, identities: Array<Identi
  */
 builds: boolean, 
 /**
- * Trains near by that can be built, where this one cannot.
+ * Similar trains that can be built, if this one cannot.
  */
 suggestions: Array<SuggestionSummary>, 
 /**
- * z₂ with which gears of these z₁ and z₄ are in contact, where there is one.
+ * z₂ with which gears of these z₁ and z₄ are in contact, if there is one.
  */
 in_contact: number | null, mobility: MobilitySummary, 
 /**
- * Of magnets at sun and ring, mm.
+ * Gaps of magnets at sun and ring, mm.
  */
 gaps: [number, number] | null, axis_distance: number, 
 /**
- * At the last speeds, mm and mm/s.
+ * Velocities at the last speeds, mm and mm/s.
  */
 velocities: VelocitySummary | null, 
 /**
@@ -263,15 +263,15 @@ torques: ShaftNumbers, powers: ShaftNumbers,
  */
 limits: BodyNumbers | null, 
 /**
- * Own frequencies of the meshes with sun and ring, Hz.
+ * Natural frequencies of the meshes with sun and ring, Hz.
  */
 swings: [number, number] | null, 
 /**
- * The greatest torque of the load, and how far it can be set, N·m.
+ * The greatest torque of the load, and its upper limit, N·m.
  */
 load: PullSummary | null, 
 /**
- * Periods by which the meshes with sun and ring have slipped at the end of a run.
+ * Slips of the meshes with sun and ring at the end of a run, in periods.
  */
 slips: [number, number] | null, halt: HaltSummary | null, 
 /**
@@ -310,18 +310,18 @@ export type GroupSummary = { term: string, role: string, };
 export type HaltSummary = { body: string, time: number, };
 export type HandleSummary = { name: string, role: string, 
 /**
- * Whether something comes of pressing it without a drag.
+ * Whether pressing it without a drag has an effect.
  */
 pressed: boolean, };
 export type IdentitySummary = { terms: [string, string], sum: number, };
 export type InflectionHere = { link: string, diameter: number | null, reason: import("assur/core/problem.js").Problem | null, };
 export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 
 /**
- * W in a pose near by.
+ * W in a nearby pose.
  */
 generic: number | null, 
 /**
- * There is none near by, though W is not 0.
+ * Whether there is no nearby pose, though W is not 0.
  */
 instantaneous: boolean, };
 export type LeftOutSummary = { values: [number, number], holds: boolean, };
@@ -333,11 +333,11 @@ known: boolean, };
 export type LimitSummary = { input: number, value: number, };
 export type LinkHere = { link: string, 
 /**
- * How far off it is drawn, in the unit of the lengths.
+ * Its distance from the place, in the unit of the lengths.
  */
 off: number, 
 /**
- * The wheel on which the place is, a ring by its rim.
+ * The wheel at the place, a ring only on its rim.
  */
 wheel: string | null, };
 export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
@@ -391,7 +391,7 @@ export type ListedSummary = { name: string,
  */
 what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
 /**
- * The number by which the angle is called.
+ * The number that denotes the angle.
  */
 number: string | null, role: string, };
 export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
@@ -399,7 +399,7 @@ export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: numb
 export type MeetingPlace = { kind: "fold" | "crossing", branches: [number, number], input: number, output: number, };
 export type MendedSummary = { list: Array<Array<ChangedPair>>, 
 /**
- * Whether these are all.
+ * Whether the list is complete.
  */
 complete: boolean, };
 export type MixerSummary = { 
@@ -458,27 +458,27 @@ redundant: Array<string>, class: string, order: number, formula: string, groups:
 export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
 export type MotionSummary = { equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
- * What the input is: `angle`, `length` or `time`.
+ * Kind of input: `angle`, `length` or `time`.
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number by which it is called.
+ * The number that denotes the input.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * Why what is extreme over the motion was not looked for, if it was not: outputs have a name alone then.
+ * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by which their angles are called.
+ * The numbers of links, which denote their angles.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * What can be plotted together, by its name as a choice.
+ * Groups of quantities that can be plotted together, by the name of the choice.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * What the curves on the plots are of: that, or what is plotted against each other.
+ * The quantities of the curves on the plots: those, or the ones plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
@@ -486,15 +486,15 @@ curves: Array<string>, handles: Array<HandleSummary>,
  */
 traceable: boolean, 
 /**
- * The other kinds of document that can be made of it.
+ * Other kinds of document into which it can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * Passive wheels, whose meshes repeat what others do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionsMap = { 
@@ -503,26 +503,26 @@ export type MotionsMap = {
  */
 output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
 /**
- * Whether these are all, each followed to its ends.
+ * Whether all branches were found, each followed to its ends.
  */
 whole: boolean, };
 export type Movement = { field: string, by: number, };
 export type OutputSummary = { name: string, searched: boolean, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
 export type PairSummary = { name: string, freedoms: number, constraints: number, spatial_freedoms: number, 
 /**
- * What is cut of it when it is cut: itself, or one link of a compound hinge.
+ * The cuts of this pair if it is cut: itself, or one link of a compound hinge.
  */
 cuts: Array<string>, };
 export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
 export type PhaseSummary = { kind: "rise" | "dwell" | "return", arc: [number, number], };
 export type PlaneSummary = { 
 /**
- * Between which lengths they are.
+ * Minimum and maximum of both lengths.
  */
 bounds: [number, number], values: Array<Array<number>>, };
 export type PolygonPictureHere = { 
 /**
- * The display list, and what its labels stand for.
+ * The display list, and the names to which its labels refer.
  */
 list: Array<number>, names: Array<string>, 
 /**
@@ -530,16 +530,16 @@ list: Array<number>, names: Array<string>,
  */
 bounds: [number, number, number, number], 
 /**
- * How long the line is that shows the scale.
+ * Length of the scale bar.
  */
 bar: number, 
 /**
- * How many times smaller the scale is than usual in the motion: 1, unless the polygon would have no room.
+ * Factor by which the scale is smaller than usual in the motion: 1, unless the polygon would not fit.
  */
 smaller: number, };
 export type PolygonStepHere = { 
 /**
- * The pole, an equation, points by the image of their link, points of a group that is no dyad.
+ * Kind of step: the pole, an equation, points by the image of their link, points of a group other than a dyad.
  */
 kind: "pole" | "equation" | "image" | "group", 
 /**
@@ -551,20 +551,20 @@ target?: string | null, from?: string | null,
  */
 link?: string | null, 
 /**
- * What is added to its velocity, and to its acceleration.
+ * Terms added to its velocity and to its acceleration.
  */
 legs: [Array<LegHere>, Array<LegHere>], 
 /**
- * The points that are known when it is done, each with the size of its velocity and acceleration.
+ * The points found by this step, each with the magnitudes of its velocity and acceleration.
  */
 found: Array<FoundHere>, };
 export type PolygonsHere = { 
 /**
- * What is drawn in turn, alike in both.
+ * Steps of the construction, the same for both polygons.
  */
 steps: Array<PolygonStepHere>, 
 /**
- * That of velocities and that of accelerations, after as many steps as were asked for.
+ * Pictures of the velocity and acceleration polygons, after the requested number of steps.
  */
 pictures: [PolygonPictureHere, PolygonPictureHere], };
 export type PrintedSummary = { 
@@ -573,16 +573,16 @@ export type PrintedSummary = {
  */
 lengths: [number, number, number], 
 /**
- * ΣJ there and of what is drawn: a number, as J is of zᵢ = lᵢ/l₀.
+ * ΣJ of these lengths and of the drawn linkage: dimensionless, since J is of zᵢ = lᵢ/l₀.
  */
 least: number, drawn: number, };
 export type ProfileSummary = { 
 /**
- * Degrees, or in the unit of the lengths.
+ * Width of the band, degrees or in the unit of the lengths.
  */
 width: number, 
 /**
- * From the least value to the greatest; none of what turns on and on.
+ * Stroke from minimum to maximum; none if the output turns on and on.
  */
 stroke: number | null, dwell: DwellSummary | null, phases: Array<PhaseSummary>, };
 export type PullSummary = { value: number, max: number, };
@@ -651,11 +651,11 @@ export type SectionsSummary = { cuts: Array<string>,
 left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
 export type SeriesLayout = { name: string, 
 /**
- * The number by which the angle is called, where it is.
+ * The number that denotes the angle, if it has one.
  */
 number: string | null, role: string, 
 /**
- * The value that the curve has throughout, where it does not change.
+ * The value of the curve if it is constant.
  */
 level: number | null, };
 export type ShaftNumbers = { sun: number, carrier: number, ring: number, };
@@ -669,7 +669,7 @@ lengths: [number, number, number],
  */
 starts: [number, number], 
 /**
- * The greatest length left open at the coupler in a position.
+ * The greatest gap at the coupler over the positions.
  */
 gap: number, 
 /**
@@ -677,47 +677,47 @@ gap: number,
  */
 sum: number, 
 /**
- * Maximum error of the output angle, radians; none where a position is not reached.
+ * Maximum error of the output angle, radians; none if a position is not reached.
  */
 output_error: number | null, 
 /**
- * Whether a length is at the end of what is searched.
+ * Whether a length is at a bound of the search.
  */
 at_bound: boolean, verdict: VerdictSummary | null, };
 export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Wheels whose meshes only repeat what the others do.
+ * Passive wheels, whose meshes repeat what others do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none where passive wheels are all that is redundant.
+ * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
 export type SweepColumn = { 
 /**
- * As in all tables: `rocker.dangle`.
+ * Name as in all tables: `rocker.dangle`.
  */
 name: string, 
 /**
- * None if the name says it all.
+ * None if the name is sufficient.
  */
 quantity: SweepQuantity | null, };
 export type SweepDimension = { kind: "length" | "x" | "y", 
 /**
- * Of two points, as in `A-B`, or of one.
+ * Names of two points, as in `A-B`, or of one.
  */
 of: string, value: number, };
 export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner" | "between" | "transmission" | "pressure" | "radius" | "centre_x" | "centre_y", of: string, order: number, };
 export type SweepRow = { 
 /**
- * Degrees of a crank, else in the unit of the lengths.
+ * Degrees of a crank, otherwise in the unit of the lengths.
  */
 input: number, values: Array<number | null>, reason: { readonly code: string } | null, };
 export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, 
 /**
- * Of what it is compared with the table at the same inputs.
+ * Table of the compared mechanism at the same inputs.
  */
 compared: SweepTable | null, };
 export type SynthesisSummary = { 
@@ -809,7 +809,7 @@ export type TheoremSummary = { number: number, conditions: boolean, truth: boole
 export type TickLayout = { value: number, at: number, };
 export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, 
 /**
- * Whether gears with profile shift may be built all the same.
+ * Whether gears with profile shift may still be built.
  */
 shifted: boolean, };
 export type TransmissionSummary = { what: "transmission" | "pressure", joint: string, links: [string, string], worst: number | null, input: number | null, };
