@@ -17,7 +17,7 @@ const VALUES: f64 = 10_000.0;
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct VariedDocument {
-    /// Path of its field, such as `links[0].length`: one of [`numbers`](crate::Document::numbers).
+    /// Path of its field, such as `links[0].length`, of a number that a lesson may vary.
     pub field: String,
     /// The least value.
     pub from: f64,

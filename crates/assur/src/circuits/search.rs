@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 use super::domain::Domain;
 use super::meetings::{Meetings, folds};
-use crate::mechanism::{Found, Mechanism, Pose};
+use crate::mechanism::{Found, MAX_PERIOD, Mechanism, Pose};
 use crate::motion::Motion;
 use crate::position::{ComplexPair, Group, Step};
 use crate::sorting::sort_by;
@@ -18,9 +18,6 @@ use crate::tolerance;
 
 /// Position of a new sample in an interval, off the special poses in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// Minimum interval, relative to the domain, that is divided for links that go to infinity: nothing can be missed there but
-/// a branch as short.
-const MIN_GAP_AT_INFINITY: f64 = 1e-3;
 /// A complex pair counts as about to become real if its linear extrapolation reaches zero within this many gaps …
 const EXTRAPOLATION: f64 = 1.5;
 /// … and as the start of a known branch at the end of the gap unless it does so before this fraction of it.
@@ -51,7 +48,7 @@ impl Default for Thoroughness {
         Self {
             samples_of_dyads: 144,
             samples_of_groups: 24,
-            max_turns: 24,
+            max_turns: MAX_PERIOD,
             max_samples: 2_000,
             max_branches: 512,
             max_knots: 500_000,
@@ -275,7 +272,8 @@ impl<'a> Search<'a> {
                 (None, None) => true,
                 _ if gap < tolerance::TRIPLE_ROOT * span => false,
                 _ => {
-                    let is_wide = gap > MIN_GAP_AT_INFINITY * span;
+                    // For links that go to infinity a shorter interval is not divided: only a branch as short is missed.
+                    let is_wide = gap > tolerance::NEAR * span;
                     let may_miss = |sample: Option<&Sample>, sense, known| {
                         sample.is_some_and(|sample| {
                             sample.may_become_real(sense, gap, known)

@@ -6,6 +6,8 @@
 //! maps of an order above 2 also step backwards, which is unstable with damping. Its stages are found by fixed-point
 //! iteration, which contracts by about (hΩ)²/12, where Ω is the greatest natural frequency.
 
+use crate::tolerance;
+
 /// Number of coordinates, one for each body.
 pub(super) const N: usize = 4;
 
@@ -53,9 +55,6 @@ const fn squared() -> [[f64; 3]; 3] {
 
 /// Maximum number of iterations; about 5 are usual.
 const ITERATIONS: usize = 40;
-
-/// Relative rounding of the accelerations.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Change below which the iteration may end without further decrease.
 const FLOOR: f64 = 1e-11;
@@ -139,7 +138,7 @@ pub(super) fn step(
         }
         known = found;
         let settled = change >= before && change <= FLOOR * size;
-        if change <= ROUNDING * size || settled {
+        if change <= tolerance::EXACT * size || settled {
             *past = Past {
                 length,
                 accelerations: known,

@@ -16,10 +16,10 @@ pub(super) const TICK: f64 = 1.0 / TICKS_PER_SECOND as f64;
 const STEP: f64 = 0.25;
 
 /// Maximum number of halvings of a tick.
-const MOST_HALVINGS: u32 = 12;
+const MAX_HALVINGS: u32 = 12;
 
 /// Maximum product of a tick and the fastest rate.
-pub(super) const QUICKEST: f64 = STEP * (1 << MOST_HALVINGS) as f64;
+pub(super) const QUICKEST: f64 = STEP * (1 << MAX_HALVINGS) as f64;
 
 /// Motion of a differential from its start.
 #[derive(Clone, Debug, PartialEq)]
@@ -236,7 +236,7 @@ impl State {
         } else if needed + 1 < self.halvings {
             self.halvings -= 1;
         }
-        while self.halvings <= MOST_HALVINGS {
+        while self.halvings <= MAX_HALVINGS {
             let mut tried = *self;
             if tried.steps(equations, from, to).is_some() {
                 *self = tried;

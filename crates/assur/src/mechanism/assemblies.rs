@@ -9,11 +9,11 @@ use crate::position::{Cause, ComplexPair, Method, Sign, State, Step, StepContext
 
 /// Maximum numbers of assemblies, and of steps solved to find them: n dyads have 2ⁿ combinations, few of which may
 /// close.
-const MOST: usize = 4096;
-const MOST_TRIES: usize = 1 << 16;
+const MAX_ASSEMBLIES: usize = 4096;
+const MAX_TRIES: usize = 1 << 16;
 /// Maximum work, about microseconds, to solve groups over the complex numbers: enough for a group of four loops of
 /// hinges, or of three with slides, but not for long chains of such groups, each with many assemblies.
-const MOST_WORK: usize = 60_000;
+const MAX_WORK: usize = 60_000;
 
 /// The assemblies of a linkage at an input.
 ///
@@ -199,9 +199,9 @@ impl<'a, const N: usize> Search<'a, N> {
             near,
             input: Jet::linear(input, 1.0),
             at: near.clone(),
-            most: MOST,
-            tries: MOST_TRIES,
-            work: MOST_WORK,
+            most: MAX_ASSEMBLIES,
+            tries: MAX_TRIES,
+            work: MAX_WORK,
             method: None,
             following: None,
             found: Found {

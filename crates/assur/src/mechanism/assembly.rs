@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use crate::Point;
 use crate::angle::whole_turns;
 use crate::index::{BodyId, List, PointId, StepId};
 use crate::mechanism::{
@@ -12,12 +11,10 @@ use crate::mechanism::{
 use crate::position::{
     BodyPoint, Cause, Orientation, Predictor, Sign, Solvable, State, Step, quotient,
 };
+use crate::{Point, tolerance};
 
 /// Maximum distance of a point from its drawn place, relative to the size.
 const MISDRAWN: f64 = 0.3;
-/// Distance of the starting input from a singular drawn pose: radians of a crank; for a slide, the same fraction of its
-/// range as of a turn.
-const ASIDE: f64 = 1e-3;
 /// Maximum number of doublings, starting at the rounding, of the step back from an input just beyond a dead point.
 const BACK: u32 = 24;
 /// Maximum deviation, radians, of a wheel mounted as drawn. A whole turn of the body that drives it shifts it by more,
@@ -184,9 +181,10 @@ impl Layout {
         inputs.find(|input| self.solve(*input, signs, at, state).is_ok())
     }
 
-    /// The input of a configuration and one on each side.
+    /// The input of a configuration and one on each side, for a singular drawn pose: a thousandth of a radian of a crank, of
+    /// a slide the same fraction of its range.
     pub(super) fn entries(&self, at: &Configuration) -> [f64; 3] {
-        [0.0, ASIDE, -ASIDE].map(|aside| at.input + aside * self.span() / TAU)
+        [0.0, tolerance::NEAR, -tolerance::NEAR].map(|aside| at.input + aside * self.span() / TAU)
     }
 }
 

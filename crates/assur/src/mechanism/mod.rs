@@ -36,6 +36,7 @@ pub(crate) use layout::Layout;
 pub(crate) use perturbation::{Assembled, LoopOpen, NoNeighbour, Setting};
 pub use plan::doubled::DoubledLink;
 pub use pose::{Pose, Unsolved};
+pub(crate) use rate::MAX_PERIOD;
 pub(crate) use rate::NEVER;
 pub(crate) use readout::arms_of;
 pub use readout::{

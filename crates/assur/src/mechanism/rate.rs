@@ -8,8 +8,8 @@ use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::mechanism::{Layout, Mechanism};
 use crate::position::Step;
 
-/// Maximum period of the drivers, in turns of the first crank.
-const MOST_TURNS: usize = 24;
+/// Maximum period of the drivers, in turns of the first crank, and of a linkage with wheels whose motions are searched.
+pub(crate) const MAX_PERIOD: usize = 24;
 
 /// A number of turns beyond that of any motion followed.
 pub(crate) const NEVER: usize = 10_000_000;
@@ -43,7 +43,7 @@ pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Def
             _ if !turns => Some(None),
             Driver::Crank { .. } => {
                 let all = period_turns.unwrap_or(1);
-                let mut together = (1..=MOST_TURNS).filter(|turns| turns % all == 0);
+                let mut together = (1..=MAX_PERIOD).filter(|turns| turns % all == 0);
                 together
                     .find(|turns| is_whole(rate, *turns))
                     .map(|turns| period_turns.map(|_| turns))
@@ -52,7 +52,7 @@ pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Def
             // It must reach an end of its range before the motion is cut.
             Driver::Slide { range, .. } => {
                 let way = (range[1] - range[0]) / rate.abs();
-                (way < TAU * (MOST_TURNS - 1) as f64).then_some(None)
+                (way < TAU * (MAX_PERIOD - 1) as f64).then_some(None)
             }
         };
         match back {

@@ -26,8 +26,6 @@ use crate::structure::{self, Structure, with_passive_links};
 
 /// Inputs on either side of the drawn one at which the constraints are checked, radians of a crank.
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
-/// Maximum number of poses beside the drawn one that may be in line; there angular velocities are lost to cancellation.
-const IN_LINE: usize = 1;
 
 /// Mobility by count and by rank.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -344,7 +342,8 @@ impl Layout {
                 (a - b).abs() <= tolerance::DOUBLE_ROOT
             });
             let alike = alike.count();
-            2 * alike > poses.len() && alike + IN_LINE >= poses.len()
+            // In one of the poses links may be in line; there angular velocities are lost to cancellation.
+            2 * alike > poses.len() && alike + 1 >= poses.len()
         };
         let mut parallel = Vec::new();
         for step in self.steps.ids().filter(|step| self.is_redundant(*step)) {

@@ -6,9 +6,6 @@ use super::{Carrier, Mixer};
 use crate::mechanism::{FRAME, GearSpec, LinkSpec, LinkageSpec, PointSpec, TracerSpec};
 use crate::{Link, Point, Unsolved, Vector};
 
-/// Crank angle in the drawing of a mixer whose crank turns fully.
-const DRAWN: f64 = 1.0;
-
 /// The links with two joints, and the names of their joints and centres of mass.
 const BARS: [(Link, Carrier, [&str; 4]); 3] = [
     (Link::Crank, Carrier::Crank, ["crank", "A", "B", "C1"]),
@@ -26,7 +23,8 @@ impl Mixer {
     pub fn spec(&self) -> Result<LinkageSpec, Unsolved> {
         let cycle = self.linkage.cycle();
         if cycle.is_full() {
-            return self.spec_at(DRAWN);
+            // Any angle would do.
+            return self.spec_at(1.0);
         }
         self.spec_on(cycle.arcs()[0])
     }

@@ -65,8 +65,8 @@ impl OutputProfile<'_> {
         self.motion.cycle().arcs().iter().map(travel).collect()
     }
 
-    /// Time ratio K ≥ 1 of the slow to the quick stroke at constant speed of the crank, as
-    /// [`crate::FourBar::time_ratio`]; none unless the crank turns fully and the quantity has two strokes per turn.
+    /// Time ratio K ≥ 1 of the slow to the quick stroke at constant speed of the crank; none
+    /// unless the crank turns fully and the quantity has two strokes per turn.
     pub fn time_ratio(&self) -> Option<f64> {
         let period = self.period?;
         match self.extrema[..] {

@@ -34,7 +34,8 @@ pub(crate) fn least_squares<const N: usize>(rows: &[([f64; N], f64)]) -> Option<
     factors.q_tr_mul(&mut right);
     let triangle = factors.r();
     let sizes = triangle.diagonal().abs();
-    if !(sizes.min() > tolerance::NEGLIGIBLE * sizes.max()) {
+    let has_full_rank = sizes.min() > tolerance::NEGLIGIBLE * sizes.max();
+    if !has_full_rank {
         return None;
     }
     let solution = triangle.solve_upper_triangular(&right.rows(0, N))?;
@@ -58,7 +59,8 @@ pub(crate) fn null_plane<const N: usize>(rows: &[[f64; N]]) -> Option<[[f64; N];
     });
     let factors = columns.col_piv_qr();
     let sizes = factors.r().diagonal().abs();
-    if !(sizes[N - 3] > tolerance::NEGLIGIBLE * sizes[0]) {
+    let is_plane = sizes[N - 3] > tolerance::NEGLIGIBLE * sizes[0];
+    if !is_plane {
         return None;
     }
     let orthogonal = factors.q();

@@ -25,6 +25,10 @@ pub(crate) const DISTINCT: f64 = 1e-7;
 /// A third of the digits, ∛ε rounded down: the step of a difference, and the level to which a triple root is known.
 pub(crate) const TRIPLE_ROOT: f64 = 1e-6;
 
+/// A thousandth: near a singular pose, or far enough from one input to count as another. The next term of an expansion is
+/// a millionth there, [`TRIPLE_ROOT`].
+pub(crate) const NEAR: f64 = 1e-3;
+
 /// Maximum absolute value of a length, a coordinate, a time or a load, in any unit: cubes of their ratios are far from
 /// overflow, and their sums keep half of the digits.
 pub const FARTHEST: f64 = 1e9;

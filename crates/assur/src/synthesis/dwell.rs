@@ -103,8 +103,6 @@ pub struct Search {
 
 /// First step, relative to the range of a dimension.
 const FIRST_STEP: f64 = 1.0 / 16.0;
-/// Minimum singularity margin of a candidate: nearer to a singular pose forces grow a thousandfold.
-const SINGULARITY_MARGIN: f64 = 1e-3;
 
 impl Search {
     /// A search from a mechanism; `output` is the name of a quantity, such as `CD.angle`.
@@ -259,10 +257,11 @@ impl DesignVariable {
     }
 }
 
-/// Achieved values of a motion; none if the driver does not turn fully or comes close to a singular pose.
+/// Achieved values of a motion; none if the driver does not turn fully or comes so close to a singular pose that forces
+/// grow a thousandfold.
 fn judged(motion: &Motion, output: Quantity, target: Target) -> Option<Evaluation> {
     let singularity_margin = motion.singularity_margin();
-    if !motion.cycle().is_full() || singularity_margin.abs() < SINGULARITY_MARGIN {
+    if !motion.cycle().is_full() || singularity_margin.abs() < tolerance::NEAR {
         return None;
     }
     // A candidate of too many turns is not evaluated, and so is not accepted.

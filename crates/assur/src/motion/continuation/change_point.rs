@@ -6,9 +6,6 @@ use crate::index::StepId;
 use crate::position::{KNOWN, Predictor, SmoothRoot, State};
 use crate::{Jet, tolerance};
 
-/// Distance of a change point, relative to the span of the input, at which it is recognized and passed: Newton's method
-/// for the minimum of a margin converges from there.
-const WINDOW: f64 = 1e-3;
 /// Distance, relative to the span, within which margins near a change point have too few digits; poses ahead are probed
 /// as far.
 pub(super) const PROBE_DISTANCE: f64 = 1e-5;
@@ -26,9 +23,10 @@ pub(super) struct ChangePoint {
 
 impl Continuation<'_> {
     /// The change point just ahead; none if there is none, or it is too far to be recognized. Steps that depend on its
-    /// links fail first, so one of its steps is `failed` or precedes it in the plan.
+    /// links fail first, so one of its steps is `failed` or precedes it in the plan. From a thousandth of the input's span
+    /// Newton's method for the minimum of a margin converges.
     pub(super) fn change_point_ahead(&self, failed: StepId, width: f64) -> Option<ChangePoint> {
-        if width.abs() > WINDOW * self.mechanism.span() {
+        if width.abs() > tolerance::NEAR * self.mechanism.span() {
             return None;
         }
         let sense = width.signum();
@@ -113,7 +111,7 @@ impl Continuation<'_> {
 
     /// The input just ahead at which the links of a step come into line and pass through.
     fn in_line_ahead(&self, step: StepId, sense: f64) -> Option<f64> {
-        let window = WINDOW * self.mechanism.span();
+        let window = tolerance::NEAR * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let placing = &self.mechanism.steps()[step];
         if placing.four_bar().is_some() {

@@ -10,8 +10,6 @@ use crate::tolerance;
 
 /// Maximum step of the homotopy parameter: a path is predicted in ten steps at least, with an error of order 5.
 const MAX_STEP: f64 = 0.1;
-/// Maximum correction, relative, of an accepted step: it stays on its path.
-const MAX_CORRECTION: f64 = 1e-3;
 /// Maximum number of corrector steps: from 10⁻³ quadratic convergence reaches 10⁻¹² in two, and the third confirms it.
 const MAX_CORRECTOR_STEPS: usize = 3;
 
@@ -149,7 +147,8 @@ impl Homotopy<'_> {
             for (x, step) in x.iter_mut().zip(step.iter()) {
                 *x -= step;
             }
-            (change <= MAX_CORRECTION).then_some(change)
+            // A step with a small correction stays on its path.
+            (change <= tolerance::NEAR).then_some(change)
         };
         let found = newton(MAX_CORRECTOR_STEPS, step, |change, _| {
             change < tolerance::COINCIDENT

@@ -2,14 +2,11 @@
 
 use super::bilinear::System;
 use super::solutions::Solutions;
-use crate::Vector;
+use crate::{Vector, tolerance};
 
 /// Maximum distance of the parameters from those of a branch, relative to the links, to track from it: farther away the
 /// extrapolation is a poor guess.
 pub(super) const MAX_DISTANCE: f64 = 0.25;
-/// Minimum distance of parameters with independent counts of assemblies: assemblies lost to rounding at one of them are not
-/// lost at the other.
-const INDEPENDENT_DISTANCE: f64 = 1e-3;
 /// Maximum extrapolation, in distances between the last two samples: errors of theirs grow with its square.
 const MAX_EXTRAPOLATION: f64 = 4.0;
 /// Maximum number of branches, to bound the memory; the nearest is sought among them at each input.
@@ -78,9 +75,11 @@ impl Tracker {
             self.general_count = count;
             self.branches.clear();
         } else if count == self.general_count {
-            self.agreed |= self.branches.iter().any(|branch| {
-                distance(&branch.last.parameters, &parameters) > INDEPENDENT_DISTANCE
-            });
+            // Assemblies lost to rounding at one set of parameters are not lost at another that is farther away than this.
+            self.agreed |= self
+                .branches
+                .iter()
+                .any(|branch| distance(&branch.last.parameters, &parameters) > tolerance::NEAR);
         } else {
             return;
         }
