@@ -743,7 +743,7 @@ link: string,
 at: [number, number], };
 export type VariedDocument = { 
 /**
- * Path of its field, such as `links[0].length`: one of [`numbers`](crate::Document::numbers).
+ * Path of its field, such as `links[0].length`, of a number that a lesson may vary.
  */
 field: string, 
 /**
