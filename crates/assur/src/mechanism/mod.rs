@@ -3,15 +3,16 @@
 //! A [`LinkageSpec`] need not be valid; a [`Mechanism`] can always be assembled, because only [`Mechanism::new`] makes
 //! one. It is solved group by group, in the order found by [`crate::structure`].
 
-mod assembled;
+mod assembled_by_dimensions;
 mod assemblies;
-mod assembly;
 mod closed;
 mod configuration;
 mod counts;
 mod dimension;
+mod drawn_assembly;
 mod layout;
 mod names;
+mod numbered_by_signs;
 mod perturbation;
 mod plan;
 mod pose;
@@ -19,7 +20,6 @@ mod rate;
 mod readout;
 mod redundant;
 mod repeated;
-mod signed;
 mod solve;
 mod tracer;
 
@@ -33,6 +33,7 @@ pub(crate) use configuration::{AssemblySigns, Configuration};
 pub use counts::Counts;
 pub use dimension::Dimension;
 pub(crate) use layout::Layout;
+pub use numbered_by_signs::SignedAssemblies;
 pub(crate) use perturbation::{Assembled, LoopOpen, NoNeighbour, Setting};
 pub use plan::doubled::DoubledLink;
 pub use pose::{Pose, Unsolved};
@@ -44,7 +45,6 @@ pub use readout::{
     RrpDyad, RrrDyad, Sides,
 };
 pub use redundant::Mobility;
-pub use signed::SignedAssemblies;
 
 pub use crate::index::{BodyId, LinkId, PointId, SlideId, StepId};
 pub use crate::position::{Cause, Method, Singularity};

@@ -7,12 +7,12 @@
 mod assemblies;
 mod complex;
 mod crank;
+mod crank_four_bar;
 mod curve;
 mod drive_law;
 mod dyads;
 mod enclosure;
 mod epicyclic;
-mod four_bar;
 mod group;
 mod margin;
 mod slider;
@@ -26,12 +26,12 @@ pub use assemblies::Method;
 pub(crate) use assemblies::{ComplexPair, Tracker};
 pub(crate) use complex::{Complex, conjugate, product, quotient};
 pub(crate) use crank::Crank;
+pub(crate) use crank_four_bar::CrankFourBar;
 pub(crate) use curve::Linearized;
 pub(crate) use drive_law::DriveLaw;
 pub(crate) use dyads::{Prp, Rpp, Rpr, Rrp, Rrr, Side};
 pub(crate) use enclosure::Enclosure;
 pub(crate) use epicyclic::{EpicyclicStep, Member};
-pub(crate) use four_bar::CrankFourBar;
 pub(crate) use group::{
     AngleConstraint, BodyForms, Drive, Equation, Form, Group, KnownTerm, power_of_two,
 };

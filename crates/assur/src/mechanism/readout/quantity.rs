@@ -163,7 +163,7 @@ impl Quantity {
             Self::X(point) => mechanism.place(pose, point).x,
             Self::Y(point) => mechanism.place(pose, point).y,
             Self::Transmission(dyad) => mechanism.between_links(pose, &dyad),
-            Self::Pressure(dyad) => mechanism.off_the_way(pose, &dyad),
+            Self::Pressure(dyad) => mechanism.unfolded_pressure_angle(pose, &dyad),
             Self::Distance(points) => mechanism.between_points(pose, points),
             Self::Corner(points) => mechanism.corner(pose, points),
             Self::Between([from, to]) => mechanism.angle(pose, to) - mechanism.angle(pose, from),

@@ -68,7 +68,7 @@ impl Mechanism {
     }
 
     /// The angle from the line of a dyad to its rod, not folded.
-    pub(in crate::mechanism) fn off_the_way<const N: usize>(
+    pub(in crate::mechanism) fn unfolded_pressure_angle<const N: usize>(
         &self,
         pose: &Pose<N>,
         dyad: &RrpDyad,

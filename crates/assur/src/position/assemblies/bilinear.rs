@@ -3,7 +3,7 @@
 
 use nalgebra::Complex;
 
-use super::newton::Workspace;
+use super::complex_newton::Workspace;
 use crate::tolerance;
 
 /// A complex number.

@@ -1,7 +1,7 @@
 //! All solutions of a group's equations over the complex numbers.
 
 use super::bilinear::{Bilinear, C, System};
-use super::newton::Workspace;
+use super::complex_newton::Workspace;
 use super::solutions::{REAL, Solutions, conjugate, distance, distance_to_conjugate, mean};
 use super::{ComplexPair, Method, dixon, homotopy};
 use crate::tolerance;

@@ -5,10 +5,10 @@
 //! the solutions are tracked (`tracking`).
 
 mod bilinear;
+mod complex_newton;
 mod dixon;
 mod enumeration;
 mod homotopy;
-mod newton;
 mod solutions;
 mod tracker;
 mod tracking;

@@ -5,7 +5,7 @@
 //! passes zero almost linearly, so two samples before the meeting predict the difference after it.
 
 use super::bilinear::{C, System};
-use super::newton::Workspace;
+use super::complex_newton::Workspace;
 use super::solutions::{REAL, Solutions, distance, distance_to_conjugate, distance_to_pair, mean};
 use super::tracker::{Extrapolation, MAX_DISTANCE, Sample, Tracker};
 use crate::Vector;
