@@ -108,13 +108,14 @@ fn damaged_arguments_end_with_a_status() {
         "structure https://designengrlab.github.io/PMKS/pmks.html?mech=ground,a,R,0,0,0,tfff|a,b,R,1,0|",
     ];
     let folder = Folder::new("arguments");
+    // Before they are damaged, all are accepted.
+    for line in LINES {
+        assert!(outcome((folder.0.clone(), words(line)), accepts), "{line}");
+    }
     let mut dice = Dice::new(seed());
-    let mut accepted = 0;
     for line in LINES.iter().cycle().take(scaled(QUICK)) {
         // No program is given a zero byte.
         let line = damaged(line, &mut dice).replace('\0', "");
-        accepted += usize::from(outcome((folder.0.clone(), words(&line)), accepts));
+        outcome((folder.0.clone(), words(&line)), accepts);
     }
-    println!("{accepted} are accepted");
-    assert!(accepted > 0, "{accepted}");
 }

@@ -75,6 +75,10 @@ fn source(text: &str) -> Option<Source<'_>> {
     if linkage2::begins(text) {
         return Some(Source::Linkage(text));
     }
+    // A file of ours, which may hold a part of a link in its texts.
+    if text.starts_with('{') {
+        return None;
+    }
     let (host, query) = match text.split_once("://") {
         Some(("http" | "https", rest)) => {
             let (place, query) = rest.split_once('?')?;

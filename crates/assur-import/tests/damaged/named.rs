@@ -146,6 +146,9 @@ fn what_is_wrong_is_told() {
     }
     assert!(recognised(link) && recognised("<linkage2") && !recognised("2.5.1"));
     assert!(recognised("https://x/pmks.html?set=s50&mech=") && !recognised("https://x/?smech=a"));
+    assert!(!recognised(
+        r#"{"kind":"linkage","document":{"source":"x&mech=ground"}}"#
+    ));
 }
 
 /// Programs write numbers otherwise than JSON has them.

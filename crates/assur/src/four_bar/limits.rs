@@ -25,9 +25,9 @@ pub struct Limit {
 /// Motion of the rocker over an arc of the crank.
 ///
 /// ```
-/// use assur::{Assembly, FourBar};
-/// let swings = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap().swings(Assembly::First);
-/// assert!((swings[0].stroke().unwrap().sin() - 2.0 / 3.0).abs() < 1e-12);
+/// use assur::Swing;
+/// assert_eq!(Swing::Between { min: 0.5, max: 2.0 }.stroke(), Some(1.5));
+/// assert_eq!(Swing::Turns.stroke(), None);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Swing {
