@@ -6,7 +6,8 @@ use serde_json::{Map, Value};
 
 use crate::kinds::Document;
 use crate::problem::Problems;
-use crate::state::{State, part, within};
+use crate::state::State;
+use crate::text::{part, within};
 use crate::view::View;
 use crate::{FORMAT, Problem};
 

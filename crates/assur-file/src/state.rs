@@ -1,13 +1,12 @@
 //! The whole state of the page: the contents of an address, a file and an undo step.
 
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::kinds::{Document, Moved};
 use crate::lesson::LessonDocument;
 use crate::problem::Problems;
-use crate::text::json;
+use crate::text::{json, part, under, within};
 use crate::view::{OpenLesson, View};
 use crate::{LinkageDocument, PictureDocument, Problem};
 
@@ -158,20 +157,6 @@ impl State {
     }
 }
 
-/// Reads a value of a type, or names the part of it that has another form.
-pub(crate) fn part<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
-    serde_path_to_error::deserialize(value).map_err(|error| Problem::BadState {
-        path: error.path().to_string(),
-        detail: error.inner().to_string(),
-    })
-}
-
-/// Reads a value of a type from a field, if there is one.
-pub(crate) fn within<T: DeserializeOwned>(value: &Value, name: &str) -> Result<Option<T>, Problem> {
-    let read = value.get(name).map(part).transpose();
-    read.map_err(|problem| under(name, problem))
-}
-
 /// The compared document of a state: `{kind, document}`.
 fn compared(state: &Value) -> Result<Option<Document>, Problem> {
     let name = "compared";
@@ -180,20 +165,6 @@ fn compared(state: &Value) -> Result<Option<Document>, Problem> {
     };
     let read = part(value).and_then(|Kind { kind }| Document::read("kind", &kind, value));
     read.map(Some).map_err(|problem| under(name, problem))
-}
-
-/// A problem of form, with its path below a field.
-fn under(name: &str, problem: Problem) -> Problem {
-    match problem {
-        Problem::BadState { path, detail } => Problem::BadState {
-            path: match path.as_str() {
-                "." => name.to_owned(),
-                inner => format!("{name}.{inner}"),
-            },
-            detail,
-        },
-        other => other,
-    }
 }
 
 #[cfg(test)]

@@ -1,9 +1,11 @@
-//! JSON text as a value. Duplicate keys are refused: one of the two would be ignored, like a
+//! Reading of JSON. Duplicate keys are refused: one of the two would be ignored, like a
 //! misspelt one.
 
 use std::fmt;
 
-use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::de::{
+    DeserializeOwned, DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor,
+};
 use serde_json::{Map, Value};
 
 use crate::Problem;
@@ -118,6 +120,34 @@ impl<'de> Visitor<'de> for Part<'_> {
             object.insert(key, part);
         }
         Ok(object.into())
+    }
+}
+
+/// Reads a value of a type, or names the part of it that has another form.
+pub(crate) fn part<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
+    serde_path_to_error::deserialize(value).map_err(|error| Problem::BadState {
+        path: error.path().to_string(),
+        detail: error.inner().to_string(),
+    })
+}
+
+/// Reads a value of a type from a field, if there is one.
+pub(crate) fn within<T: DeserializeOwned>(value: &Value, name: &str) -> Result<Option<T>, Problem> {
+    let read = value.get(name).map(part).transpose();
+    read.map_err(|problem| under(name, problem))
+}
+
+/// A problem of form, with its path below a field.
+pub(crate) fn under(name: &str, problem: Problem) -> Problem {
+    match problem {
+        Problem::BadState { path, detail } => Problem::BadState {
+            path: match path.as_str() {
+                "." => name.to_owned(),
+                inner => format!("{name}.{inner}"),
+            },
+            detail,
+        },
+        other => other,
     }
 }
 

@@ -16,7 +16,7 @@ use assur::motion::Motion;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::state::within;
+use crate::text::within;
 use crate::{LengthUnit, Problem};
 use draft::DraftDocument;
 use gear_train::GearTrainDocument;
