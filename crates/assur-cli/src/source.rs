@@ -343,7 +343,7 @@ fn text(name: &Name) -> Result<String, Failure> {
         Err(other) if other.as_bytes().starts_with(b"<") => {
             Ok(String::from_utf8_lossy(other.as_bytes()).into_owned())
         }
-        Err(_) => Err(Failure::Input(format!("{name}: this is no text"))),
+        Err(_) => Err(Failure::Input(format!("{name}: not a text file"))),
     }
 }
 
