@@ -82,8 +82,7 @@ impl Mechanism {
     /// equations of other groups are solved over the complex numbers, so that no solution is missed. Wheels keep their
     /// mounting.
     ///
-    /// The assemblies are in no particular order, without repetition; assemblies that meet in a singular pose are left
-    /// out. They come in no particular order, without repetition; those that meet in a singular pose are left out.
+    /// The assemblies are in no particular order, without repetition; those that meet in a singular pose are left out.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
         let state = &mut self.blank_state();
         let found = self
