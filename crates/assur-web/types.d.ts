@@ -499,7 +499,7 @@ passive: Array<string>,
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionsMap = { 
 /**
- * The link by whose angle assemblies are numbered.
+ * Link whose angle determines the numbers of assemblies.
  */
 output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
 /**
