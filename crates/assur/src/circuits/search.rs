@@ -272,8 +272,7 @@ impl<'a> Search<'a> {
                 (None, None) => true,
                 _ if gap < tolerance::TRIPLE_ROOT * span => false,
                 _ => {
-                    // For links that go to infinity, shorter intervals are not divided: only a branch shorter than that
-                    // is missed.
+                    // For links that go to infinity, shorter intervals are not divided: a shorter branch is missed.
                     let is_wide = gap > tolerance::NEAR * span;
                     let may_miss = |sample: Option<&Sample>, sense, known| {
                         sample.is_some_and(|sample| {

@@ -106,7 +106,7 @@ impl CrankFourBar {
         }
     }
 
-    /// Places each link by its own angle: rounding of the joints would turn a short link.
+    /// Places each link by its own angle: the rounding of the joints would turn a short link.
     fn set_angles<const N: usize>(
         &self,
         arms: &[Arm; 2],
@@ -131,7 +131,7 @@ impl CrankFourBar {
         Ok(())
     }
 
-    /// φ₁ less the angle of the crank's body.
+    /// Offset of φ₁ from the angle of the crank's body.
     pub(crate) fn offset(&self, mounting: &Mounting) -> f64 {
         self.angle_offset + mounting.shifts[self.coupler]
     }

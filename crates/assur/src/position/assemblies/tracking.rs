@@ -176,8 +176,7 @@ impl Group {
         Some(())
     }
 
-    /// Refines a real assembly by Newton's method, in place; unknowns are scaled by `units`. None if it does not
-    /// converge.
+    /// Refines a real assembly by Newton's method, in place, with unknowns in their units. None if it diverges.
     fn polish_real<const N: usize>(
         &self,
         at: &mut [C],
