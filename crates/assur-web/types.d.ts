@@ -499,7 +499,7 @@ passive: Array<string>,
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionsMap = { 
 /**
- * Link whose angle determines the numbers of assemblies.
+ * The link by whose angle assemblies are numbered.
  */
 output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
 /**

@@ -45,7 +45,7 @@ pub(crate) use step::{Mounting, Sign, Solvable, Step, StepContext};
 /// Maximum distance of close points, relative to the lengths that place them. The direction between close points loses
 /// digits and, for the outer hinges of a dyad, so do the closed forms of its derivatives.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
-/// Square of [`CLOSE`].
+/// Square of `CLOSE`.
 pub(crate) const CLOSE_SQUARED: f64 = CLOSE * CLOSE;
 
 /// A point of a body, in local coordinates.
