@@ -205,8 +205,8 @@ impl LinkageSpec {
         }
     }
 
-    /// True if the distances of a link's points may change: the link is fixed to no other link and, if it has more than
-    /// two points, no other link is fixed to it.
+    /// True if the distances of a link's points may change: the link is fixed to no other link and, if it has three
+    /// or more points, no other link is fixed to it.
     fn is_free(&self, link: &LinkSpec) -> bool {
         let points = link.points.len();
         link.fixed_to.is_none() && (points == 2 || points > 2 && !self.is_base(&link.name))
