@@ -10,7 +10,7 @@ use crate::tolerance::LENGTH;
 use crate::{Dimension, Fault, Invalid, Jet, Vector};
 pub use set::{GearSet, Mate};
 
-/// Minimum and maximum number of teeth: with fewer than 3 there is no wheel, above 1000 no screen shows the teeth.
+/// Minimum and maximum number of teeth: fewer than 3 make no wheel, and no screen shows more than 1000.
 pub const TEETH: (f64, f64) = (3.0, 1000.0);
 
 /// Height of a tooth above the pitch circle, in modules.
@@ -19,12 +19,12 @@ const ADDENDUM: f64 = 1.0;
 /// How two wheels engage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mesh {
-    /// Outer teeth on both: the sense of rotation is reversed.
+    /// Outer teeth on both wheels: the sense of rotation is reversed.
     External,
     /// The larger wheel is a ring with inner teeth: the sense is kept.
     Internal,
-    /// The mixer paper's (26), ψ₅ = +u φ₃, with outer teeth on both. A real pair of such wheels reverses the sense; the
-    /// sign is that of a train with an idler between them, and so it is drawn.
+    /// Equation (26) of the mixer paper, ψ₅ = +u φ₃, with outer teeth on both wheels. A real pair of such wheels
+    /// reverses the sense; a train with an idler between them has the printed sign, and so it is drawn.
     AsPrinted,
 }
 
@@ -45,7 +45,7 @@ pub struct GearPair {
     centre_line: f64,
 }
 
-/// A mounted wheel: teeth, centre relative to the driver's centre, and angle as a function of the driver's.
+/// Mounted wheel: teeth, centre relative to the driver's centre, and angle as a function of the driver's angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wheel {
     /// Number of teeth.
@@ -56,8 +56,8 @@ pub struct Wheel {
     pub centre: Vector,
     /// Transmission ratio: the angle is `ratio` times the driver's plus `mounting`.
     pub ratio: f64,
-    /// Angle of the wheel at which teeth meet gaps. A tooth (of a ring: an inward tooth) of every wheel is centred on
-    /// its zero direction.
+    /// Angle of the wheel at which teeth meet gaps. A tooth of every wheel (an inward tooth of a ring) is centred on
+    /// the zero direction of the wheel.
     pub mounting: f64,
 }
 
@@ -162,7 +162,7 @@ impl GearPair {
         }
     }
 
-    /// The idler that makes the printed sign true; none in a real pair.
+    /// Idler that gives the printed sign; None in a real pair.
     pub fn idler(&self) -> Option<Wheel> {
         // Any number of teeth keeps the ratio; a small wheel keeps the drawing compact.
         let teeth = (self.driver.min(self.driven) / 2).max(12);

@@ -61,9 +61,9 @@ pub enum Source {
 pub struct InstantCentre {
     /// The bodies, ascending.
     pub bodies: [BodyId; 2],
-    /// Its position.
+    /// Position of the instant centre.
     pub centre: Centre,
-    /// Its derivation.
+    /// Derivation of the position.
     pub source: Source,
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::mechanism::Mechanism;
 use crate::motion::{MAX_TURNS, Motion};
 
-/// The range of the input in which assemblies are searched.
+/// Range of the input in which assemblies are searched.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Domain {
     pub(super) ends: [f64; 2],
@@ -14,7 +14,7 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// The domain of a mechanism, of at most a number of turns, and true if it is searched completely.
+    /// Domain of a mechanism, up to a maximum number of turns, and whether the domain is searched completely.
     pub(super) fn of(mechanism: &Mechanism, max_turns: usize) -> (Self, bool) {
         match mechanism.turns_of_assemblies() {
             Some(turns) => {
@@ -45,7 +45,7 @@ impl Domain {
         self.ends[1] - self.ends[0]
     }
 
-    /// The input reduced by whole periods to the first.
+    /// The input reduced by whole periods to the first period.
     pub(super) fn wrap(&self, input: f64) -> f64 {
         let from = self.ends[0];
         self.period
@@ -59,7 +59,7 @@ impl Domain {
         (difference - self.period.map_or(0.0, rounded)).abs()
     }
 
-    /// The inputs of a motion that equal a given one modulo the period.
+    /// Inputs of a motion that equal a given input modulo the period.
     pub(super) fn visits(&self, motion: &Motion, input: f64) -> Vec<f64> {
         let cycle = motion.cycle();
         let Some(period) = self.period else {
@@ -87,7 +87,7 @@ impl Domain {
         visits.take(MAX_TURNS).map(image).collect()
     }
 
-    /// The wrapped inputs of the ends of a motion.
+    /// Wrapped inputs at the ends of a motion.
     pub(super) fn ends(&self, motion: &Motion) -> Vec<f64> {
         let cycle = motion.cycle();
         if cycle.is_full() {

@@ -1,4 +1,4 @@
-//! Meetings of branches in a common dead point or change point, and the circuits they form.
+//! Meetings of branches in a common dead point or change point, and the circuits formed by them.
 
 use super::domain::Domain;
 use super::{Circuits, Meeting, MeetingKind, Reach};
@@ -7,31 +7,31 @@ use crate::motion::{DeadPoint, DeadPointKind, Motion};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Tolerance of the poses at a fold, relative to the size: ten times the square root of the tolerance of its input.
+/// Tolerance of the poses at a fold, relative to the size: ten times the square root of the tolerance of the input.
 const FOLD_TOLERANCE: f64 = 1e-2;
-/// Maximum offset from an unmatched end at which the other branch is searched, relative to the domain; smaller ones follow.
+/// Maximum offset from an unmatched end, relative to the domain, in the search for the other branch; then it shrinks.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
 /// The meetings of all branches.
 #[derive(Default)]
 pub(super) struct Meetings {
     pub(super) list: Vec<Meeting>,
-    /// True if links on which others depend swing freely while the driver is at rest: the branches connected by that
-    /// are not determined.
+    /// True if links on which others depend swing freely while the driver is at rest: the branches connected by this
+    /// swing are not determined.
     pub(super) incomplete: bool,
-    /// Dead points in which only one branch was found to end: the input, and an offset along that branch.
+    /// Dead points at which only one branch was found to end: the input, and an offset along this branch.
     pub(super) unmatched: Vec<[f64; 2]>,
 }
 
-/// The end of a branch.
+/// End of a branch.
 struct End {
     branch: usize,
     dead: DeadPoint,
-    /// Index of the end of its arc: 0 or 1.
+    /// Index of the end in its arc: 0 or 1.
     side: usize,
     /// A small offset back along the branch.
     back: f64,
-    /// The wrapped input.
+    /// Wrapped input at the end.
     wrapped: f64,
     pose: Option<Pose<1>>,
 }
@@ -141,7 +141,7 @@ impl Meetings {
     }
 }
 
-/// The dead points of a motion in which it must meet another: not those at which links go to infinity.
+/// Dead points of a motion at which it must meet another motion; dead points with links at infinity are excluded.
 pub(super) fn folds(motion: &Motion) -> impl Iterator<Item = &DeadPoint> {
     let dead_points = motion.dead_points().iter();
     dead_points.filter(|dead| dead.kind.is_dead_point() && dead.kind != DeadPointKind::Parallel)
@@ -185,7 +185,7 @@ pub(super) fn circuits(branches: usize, meetings: &[Meeting]) -> Vec<usize> {
 }
 
 impl Circuits {
-    /// Reachability of a branch from another, with the shortest sequence of meetings, by breadth-first search.
+    /// Reachability of one branch from another, with the shortest sequence of meetings, by breadth-first search.
     pub fn reach(&self, from: usize, to: usize) -> Reach {
         if from == to {
             return Reach::SameBranch;
@@ -221,7 +221,7 @@ impl Circuits {
 }
 
 impl Meeting {
-    /// The other branch, if `branch` is one of the two.
+    /// The other branch of the meeting, if `branch` is one of the two.
     fn beyond(&self, branch: usize) -> impl Iterator<Item = usize> {
         let [one, other] = self.branches;
         let beyond = if branch == one {

@@ -21,7 +21,7 @@ pub use numbering::NoAssembly;
 use search::Search;
 pub use search::Thoroughness;
 
-/// The motions of a linkage in all its assemblies.
+/// Motions of a linkage in all its assemblies.
 ///
 /// ```
 /// use assur::circuits::Circuits;
@@ -44,9 +44,9 @@ pub struct Circuits {
 /// A motion between two folds, or a full cycle.
 #[derive(Clone, Debug)]
 pub struct Branch {
-    /// The motion, of the mechanism drawn in one of its poses.
+    /// Motion of the mechanism drawn in one of the poses of the branch.
     pub motion: Motion,
-    /// Index of its circuit, from 0.
+    /// Index of the circuit of the branch, from 0.
     pub circuit: usize,
 }
 
@@ -57,18 +57,18 @@ pub struct Meeting {
     pub kind: MeetingKind,
     /// Indices of the two branches, from 0; equal if a branch crosses itself.
     pub branches: [usize; 2],
-    /// The input on each branch, with its whole turns.
+    /// Input of the meeting on each branch, with its whole turns.
     pub inputs: [f64; 2],
-    /// The dead point of a fold, with the input on the first branch.
+    /// Dead point of a fold, with the input on the first branch.
     pub dead_point: Option<DeadPoint>,
 }
 
 /// Kind of a meeting of two branches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeetingKind {
-    /// Both end in a dead point.
+    /// Both branches end in a dead point.
     Fold,
-    /// Both pass through a change point.
+    /// Both branches pass through a change point.
     Crossing,
 }
 
@@ -85,9 +85,9 @@ impl MeetingKind {
 /// An assembly at an input.
 #[derive(Clone, Debug)]
 pub struct Assembled {
-    /// Index of its branch, from 0.
+    /// Index of the branch of the assembly, from 0.
     pub branch: usize,
-    /// The input on that branch, with its whole turns.
+    /// Input on this branch, with its whole turns.
     pub input: f64,
     /// The pose.
     pub pose: Pose<1>,
@@ -110,7 +110,7 @@ impl Circuits {
         Self::searched(mechanism, output, Thoroughness::default())
     }
 
-    /// The same by a finer or a coarser search.
+    /// All motions of a linkage, from a finer or a coarser search.
     pub fn searched(mechanism: &Mechanism, output: LinkId, thoroughness: Thoroughness) -> Self {
         let mut search = Search::new(mechanism, thoroughness);
         search.find_all();
@@ -141,7 +141,7 @@ impl Circuits {
         found
     }
 
-    /// The branches in ascending order of their minimum inputs, and there of their assembly numbers.
+    /// Branches in ascending order of their minimum inputs; for equal inputs, of their assembly numbers.
     pub fn branches(&self) -> &[Branch] {
         &self.branches
     }
@@ -156,21 +156,21 @@ impl Circuits {
         self.circuits
     }
 
-    /// True if these are all branches, each followed to its ends: at every sampled input the numbers of assemblies and
-    /// branches agree, and between the samples no pair of complex assemblies can become real.
+    /// True if all branches are found and each is followed to its ends: at every sampled input the numbers of
+    /// assemblies and of branches agree, and between the samples no pair of complex assemblies can become real.
     ///
-    /// False with wheels in mesh within a group, if a motion comes too close to a singular pose or is longer than it is
-    /// followed, or at a limit of work. A branch over less than a millionth of the turn may be missed.
+    /// False with wheels in mesh within a group, if a motion comes too close to a singular pose or is too long to be
+    /// followed, or at a limit of work. A branch shorter than a millionth of a turn may be missed.
     pub fn is_whole(&self) -> bool {
         self.whole
     }
 
-    /// The link by whose angle assemblies are numbered.
+    /// Link whose angle determines the numbers of assemblies.
     pub fn output(&self) -> LinkId {
         self.output
     }
 
-    /// The input reduced to the first period of the set of assemblies, of a crank a number of whole turns.
+    /// Input reduced to the first period of the set of assemblies; for a crank the period is a whole number of turns.
     pub fn wrapped(&self, input: f64) -> f64 {
         self.domain.wrap(input)
     }

@@ -12,8 +12,8 @@ use crate::motion::Motion;
 use crate::sorting::{permute, sort_by, sort_by_key};
 use crate::tolerance;
 
-/// Sort key of an assembly: the angle of the output, then all angles, then all coordinates relative to the size, each
-/// list in ascending order.
+/// Sort key of an assembly: the angle of the output, then all angles in ascending order, then all coordinates relative
+/// to the size in ascending order.
 fn key<const N: usize>(mechanism: &Mechanism, output: LinkId, pose: &Pose<N>) -> Vec<f64> {
     // A whole turn to rounding counts as 0.
     let angle = |link: LinkId| {
@@ -37,7 +37,7 @@ fn key<const N: usize>(mechanism: &Mechanism, output: LinkId, pose: &Pose<N>) ->
     key
 }
 
-/// Sorts items with poses by their assembly.
+/// Sorts items by the assembly of their poses.
 pub(super) fn sort_assemblies<T, const N: usize>(
     mechanism: &Mechanism,
     output: LinkId,
@@ -51,12 +51,12 @@ pub(super) fn sort_assemblies<T, const N: usize>(
     permute(all, ascending(&keys));
 }
 
-/// Error: there is no assembly of that number.
+/// Error of an assembly number without assembly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoAssembly {
     /// Number of assemblies at the input.
     pub of: usize,
-    /// True if these are all.
+    /// True if these are all assemblies at the input.
     pub whole: bool,
 }
 
@@ -68,7 +68,7 @@ impl Mechanism {
         if angle < TAU { angle } else { 0.0 }
     }
 
-    /// The default link by whose angle assemblies are numbered: the last one solved.
+    /// Default link whose angle determines the numbers of assemblies: the link solved last.
     pub fn output(&self) -> Option<LinkId> {
         let bodies = self.steps().iter().flat_map(|step| step.bodies());
         bodies.filter_map(|body| self.link_of(body)).next_back()
@@ -84,17 +84,17 @@ impl Mechanism {
 impl Motion {
     /// All assemblies at an input in ascending order of their numbers, by the angle of a link from 0 to 2π.
     ///
-    /// They include the poses of this motion at the input. If one of them was not found otherwise the list may be
-    /// incomplete, unless assemblies meet in that pose.
+    /// The list includes the poses of this motion at the input. If one of these poses was found only here, the list may
+    /// be incomplete, unless assemblies meet in this pose.
     pub fn assemblies_at(&self, input: f64, output: LinkId) -> Assemblies {
         let found = self.mechanism().assemblies_at(input, Method::Usual);
         self.numbered(found, input, output)
     }
 
-    /// The same linkage drawn in the assembly of a number, from 0, at an input.
+    /// The linkage drawn in the assembly with a given number, from 0, at an input.
     ///
     /// # Errors
-    /// There is no assembly of that number.
+    /// No assembly has this number.
     pub fn in_assembly(
         &self,
         input: f64,
@@ -155,7 +155,7 @@ impl Motion {
         found
     }
 
-    /// The inputs of this motion that equal a given one modulo the period of the set of assemblies.
+    /// Inputs of this motion that equal a given input modulo the period of the set of assemblies.
     fn visits(&self, input: f64) -> Vec<f64> {
         let (domain, _) = Domain::of(self.mechanism(), Thoroughness::default().max_turns);
         domain.visits(self, input)
@@ -187,7 +187,7 @@ impl Circuits {
                 meeting.branches.reverse();
                 meeting.inputs.reverse();
             }
-            // The dead point is common to both branches; its input is that on the first.
+            // The dead point is common to both branches; its input is the input on the first branch.
             if let Some(dead) = &mut meeting.dead_point {
                 dead.input = meeting.inputs[0];
             }
@@ -204,8 +204,8 @@ impl Circuits {
         self.circuits = named.len();
     }
 
-    /// Sort keys of the branches: the start, the assembly there (unless it is a fold, shared with others), and the
-    /// assembly just after it.
+    /// Sort keys of the branches: the start, the assembly at the start (except at a fold, which branches share), and
+    /// the assembly just after the start.
     fn branch_keys(&self) -> Vec<Vec<f64>> {
         let start = |branch: &Branch| self.domain.min_input(&branch.motion);
         let mut starts: Vec<f64> = self.branches.iter().map(start).collect();

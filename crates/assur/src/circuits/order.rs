@@ -5,14 +5,14 @@ use crate::tolerance;
 
 /// Indices of the rows in ascending order. Equal rows keep their order, and a row precedes its continuations.
 ///
-/// Values are compared with each other, not rounded to a grid: so two that differ by rounding are equal everywhere.
+/// Values are compared with each other and not rounded to a grid, so values that differ by rounding are always equal.
 pub(super) fn ascending(rows: &[Vec<f64>]) -> Vec<usize> {
     let mut order = Vec::with_capacity(rows.len());
     split(rows, (0..rows.len()).collect(), 0, &mut order);
     order
 }
 
-/// Appends rows that are equal before a column, in ascending order.
+/// Appends rows that are equal before a given column, in ascending order.
 fn split(rows: &[Vec<f64>], mut equal: Vec<usize>, column: usize, order: &mut Vec<usize>) {
     let more = equal.iter().any(|row| rows[*row].len() > column);
     if equal.len() < 2 || !more {
@@ -47,7 +47,7 @@ mod tests {
         assert_eq!(ascending(&rows), [2, 5, 4, 3, 1, 0]);
     }
 
-    /// Rows whose first values differ by rounding are ordered by their second values, at the edge of any grid cell, too.
+    /// Rows whose first values differ by rounding are ordered by their second values, even at the edge of a grid cell.
     #[test]
     fn rounding_does_not_swap_rows() {
         for edge in 0..2_000 {

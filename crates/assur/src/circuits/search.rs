@@ -1,4 +1,4 @@
-//! Search for all motions: all assemblies are found at sample inputs, those on no known branch are followed, and further
+//! Search for all motions: all assemblies are found at sample inputs, assemblies on no known branch are followed, and
 //! samples are inserted where a branch may have been missed.
 //!
 //! Completeness: between two neighbouring ends of branches the number of assemblies is constant, unless a branch inside
@@ -16,21 +16,21 @@ use crate::position::{ComplexPair, Group, Step};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Position of a new sample in an interval, off the special poses in which linkages are often drawn.
+/// Position of a new sample in an interval, away from the special poses in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// A complex pair counts as about to become real if its linear extrapolation reaches zero within this many gaps …
+/// Limit, in gaps, of the linear extrapolation to zero at which a complex pair counts as about to become real.
 const EXTRAPOLATION: f64 = 1.5;
-/// … and as the start of a known branch at the end of the gap unless it does so before this fraction of it.
+/// Fraction of a gap before which a pair must become real to count as other than a known branch at the end of the gap.
 const EARLY: f64 = 0.8;
 
-/// How finely all motions of a linkage are searched, and where the search stops. The default finds them all in the tests
-/// of this engine; a finer search takes longer and finds branches over shorter intervals at once.
+/// Density of the search for all motions of a linkage, and the limits of its work. The default finds all motions in the
+/// tests of this engine; a denser search takes longer and finds branches over shorter intervals at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Thoroughness {
-    /// Number of first samples per turn, or over a slide's range, of dyads alone: 144, as a sample is cheap and, with many
-    /// dimensions, pairs may become real over a short interval.
+    /// Number of initial samples per turn, or over the range of a slide, for dyads alone: 144. Such a sample is cheap,
+    /// and with many dimensions pairs may become real over a short interval.
     pub samples_of_dyads: usize,
-    /// The same with other groups: 24.
+    /// Number of initial samples per turn, or over the range of a slide, with other groups: 24.
     pub samples_of_groups: usize,
     /// Maximum number of turns of a linkage with wheels: 24.
     pub max_turns: usize,
@@ -38,8 +38,8 @@ pub struct Thoroughness {
     pub max_samples: usize,
     /// Maximum number of branches: 512.
     pub max_branches: usize,
-    /// Maximum number of knots times bodies: 500,000. If one link is millions of times as long as the others each motion
-    /// has thousands of knots.
+    /// Maximum number of knots times bodies: 500,000. If one link is millions of times as long as the others, each
+    /// motion has thousands of knots.
     pub max_knots: usize,
 }
 
@@ -61,7 +61,7 @@ struct Sample {
     input: f64,
     assemblies: usize,
     complex: Vec<ComplexPair>,
-    /// Squares of sines between guides: links go to infinity at their zeros.
+    /// Squares of sines between guides; at their zeros links go to infinity.
     parallel: Vec<ComplexPair>,
 }
 
@@ -69,7 +69,7 @@ struct Sample {
 struct Division<'a> {
     input: f64,
     sample: Option<&'a Sample>,
-    /// Number of branches that start at a fold here, towards greater and towards smaller inputs.
+    /// Number of branches that start at a fold at this input, towards greater and towards smaller inputs.
     starts: [usize; 2],
 }
 
@@ -167,7 +167,7 @@ impl<'a> Search<'a> {
         self.branches.push(motion);
     }
 
-    /// Finds the assemblies at an input, and follows those on no known branch.
+    /// Finds the assemblies at an input, and follows those that are on no known branch.
     fn sample(&mut self, input: f64) {
         let found: Found<4> = self.mechanism.found_at(input);
         self.whole &= found.whole;
@@ -272,7 +272,7 @@ impl<'a> Search<'a> {
                 (None, None) => true,
                 _ if gap < tolerance::TRIPLE_ROOT * span => false,
                 _ => {
-                    // For links that go to infinity a shorter interval is not divided: only a branch as short is missed.
+                    // For links that go to infinity, shorter intervals are not divided: a shorter branch is missed.
                     let is_wide = gap > tolerance::NEAR * span;
                     let may_miss = |sample: Option<&Sample>, sense, known| {
                         sample.is_some_and(|sample| {
@@ -291,7 +291,7 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// New inputs near the dead points at which only one branch is known to end: in eight distances, as the other
+    /// New inputs near the dead points at which only one branch is known to end, at eight distances, because the other
     /// branch may be short.
     fn inputs_near_ends(&self) -> Vec<f64> {
         let unmatched = Meetings::of(&self.branches, &self.domain).unmatched;
@@ -323,14 +323,14 @@ impl Sample {
 
     /// True if links may go to infinity within a gap.
     fn may_go_to_infinity(&self, sense: f64, gap: f64) -> bool {
-        // The double zero of a square is twice as far as its linear extrapolation.
+        // The double zero of a square is twice as far as the zero of its linear extrapolation.
         zeros(&self.parallel, sense, 0.5 * EXTRAPOLATION * gap)
             .next()
             .is_some()
     }
 }
 
-/// Distances in a sense, less than a limit, at which the linear extrapolations of squares are zero.
+/// Distances in a given sense, below a limit, at which the linear extrapolations of squares are zero.
 fn zeros(squares: &[ComplexPair], sense: f64, limit: f64) -> impl Iterator<Item = f64> {
     let zero = move |pair: &ComplexPair| -pair.square / (pair.slope * sense);
     let distances = squares.iter().map(zero);

@@ -81,7 +81,7 @@ impl First {
         Vector::new(x / det, y / det)
     }
 
-    /// The derivatives of E, F, C and K from that of G.
+    /// Derivatives of E, F, C and K from the derivative of G.
     pub(super) fn others(&self, g: Vector) -> [Vector; 4] {
         let c = &self.c;
         let y_e = c[14] * g.x + c[15] * g.y - c[16];

@@ -59,7 +59,7 @@ impl Second {
         Vector::new(x / det, y / det)
     }
 
-    /// The second derivatives of E, F, C and K from that of G.
+    /// Second derivatives of E, F, C and K from the second derivative of G.
     fn others(&self, first: &First, g: Vector) -> [Vector; 4] {
         let (c, d) = (&first.c, &self.d);
         let y_e = c[14] * g.x + c[15] * g.y - d[11];

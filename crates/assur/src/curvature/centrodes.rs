@@ -16,7 +16,7 @@ pub struct Rolling {
     pub input: f64,
     /// The pole, in the drawing.
     pub fixed: Point,
-    /// The pole on the link, in its own coordinates, those of [`crate::mechanism::TracerSpec::at`].
+    /// Pole on the link, in the coordinates of [`crate::mechanism::TracerSpec::at`].
     pub moving: Vector,
 }
 

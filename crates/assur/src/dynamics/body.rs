@@ -16,10 +16,10 @@ pub enum Body {
 }
 
 impl Body {
-    /// All of them, in the order of their numbers.
+    /// All bodies, in the order of their numbers.
     pub const ALL: [Self; 4] = [Self::Sun, Self::Satellite, Self::Carrier, Self::Ring];
 
-    /// Its index in arrays of all bodies.
+    /// Index of the body in arrays of all bodies.
     pub fn index(self) -> usize {
         self as usize
     }
@@ -47,7 +47,7 @@ pub enum Mesh {
 }
 
 impl Mesh {
-    /// Both.
+    /// Both meshes.
     pub const ALL: [Self; 2] = [Self::Sun, Self::Ring];
 
     /// The central wheel of the mesh.

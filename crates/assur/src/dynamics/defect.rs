@@ -5,7 +5,7 @@ use super::{Drive, Load, Poles};
 use crate::Fault;
 use crate::tolerance::FARTHEST;
 
-/// A defect.
+/// Defect of parameters or of a start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Defect {
     /// An invalid number.
@@ -25,11 +25,11 @@ pub enum Defect {
         /// p₁ + p₄.
         periods: u32,
     },
-    /// The shaft is tied to itself or to a tied one.
+    /// The shaft is tied to itself or to a tied shaft.
     Tie {
         /// The shaft.
         shaft: Shaft,
-        /// The shaft it is tied to.
+        /// Shaft to which it is tied.
         to: Shaft,
     },
     /// The inertia of this body is too small for the torques on it: it would oscillate or stop too fast to be

@@ -31,7 +31,7 @@ impl Differential {
         })
     }
 
-    /// Its parameters.
+    /// Parameters of the differential.
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }
@@ -48,7 +48,7 @@ impl Differential {
         Some(plates.periods(count))
     }
 
-    /// Maximum torque of the field on the central wheel of a mesh, N·m: of all satellites together.
+    /// Maximum torque of the field on the central wheel of a mesh, N·m, for all satellites together.
     pub fn peak(&self, mesh: Mesh) -> f64 {
         let field = self.equations.mesh(mesh);
         field.energy * field.wheel_periods

@@ -12,7 +12,7 @@ use crate::angle::{Angle, combination};
 pub(super) struct Equations {
     pub(super) meshes: [Field; 2],
     inertia: [f64; N],
-    /// Inertia including that of tied bodies.
+    /// Inertia of each body, including the inertia of tied bodies.
     pub(super) carried: [f64; N],
     /// Damping of the bearings; for the satellites relative to the carrier.
     pub(super) damping: [f64; N],
@@ -25,15 +25,15 @@ pub(super) struct Equations {
 /// Motion law of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Following {
-    /// Torques on it, including that of a drive, if any.
+    /// Torques on the body, including the torque of a drive, if any.
     Torques(Option<Profile>),
-    /// A given speed.
+    /// Given speed.
     Speed(Profile),
-    /// Another body.
+    /// Motion of another body, multiplied.
     Body {
         /// The other body.
         to: usize,
-        /// Its speed relative to that of the other body.
+        /// Speed of the body relative to the speed of the other body.
         ratio: f64,
     },
 }
@@ -67,16 +67,16 @@ pub(super) struct Driving {
 /// Powers, W.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Powers {
-    /// Of drives.
+    /// Power of the drives.
     pub(super) driven: f64,
-    /// Lost in bearings and to eddy currents.
+    /// Power lost in bearings and to eddy currents.
     pub(super) dissipated: f64,
-    /// Taken by loads.
+    /// Power taken by loads.
     pub(super) delivered: f64,
 }
 
 impl Field {
-    /// Σ nᵢxᵢ.
+    /// Linear combination Σ nᵢxᵢ of the bodies' values.
     pub(super) fn phase(&self, of: &[f64; N]) -> f64 {
         let n = &self.factors;
         n[0] * of[0] + n[1] * of[1] + n[2] * of[2] + n[3] * of[3]
@@ -92,7 +92,7 @@ impl Field {
         (-self.energy * phase.sin(), -self.damping * rate)
     }
 
-    /// U: zero without a load.
+    /// Potential U of the field: zero in the unloaded position.
     pub(super) fn potential(&self, phase: f64) -> f64 {
         let half = (0.5 * phase).sin();
         2.0 * self.energy * half * half
@@ -192,7 +192,7 @@ impl Equations {
         driving
     }
 
-    /// Torques on the bodies, without those of given speeds and ties.
+    /// Torques on the bodies, without torques of given speeds and ties.
     fn torques(&self, driving: &Driving, moment: &Moment) -> [f64; N] {
         let v = &moment.rates;
         let mut torques: [f64; N] = std::array::from_fn(|body| {
@@ -240,7 +240,7 @@ impl Equations {
         found
     }
 
-    /// Sets the values of tied bodies from those they are tied to.
+    /// Sets the values of tied bodies from the bodies to which they are tied.
     pub(super) fn tie(&self, values: &mut [f64; N]) {
         for (body, follows) in self.following.iter().enumerate() {
             if let Following::Body { to, ratio } = follows {

@@ -66,7 +66,7 @@ pub(super) struct Moment {
     pub(super) time: f64,
     /// Change of the coordinates since the start of the step.
     pub(super) moved: [f64; N],
-    /// Their rates.
+    /// Rates of the coordinates.
     pub(super) rates: [f64; N],
 }
 
@@ -81,7 +81,7 @@ pub(super) struct Step {
     pub(super) stages: [(Moment, [f64; N], f64); 3],
 }
 
-/// Accelerations at the stages of the previous step, from which those of the next are extrapolated.
+/// Accelerations at the stages of the previous step, from which the next accelerations are extrapolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Past {
     length: f64,
@@ -116,7 +116,7 @@ impl Past {
     }
 }
 
-/// One step; none if the iteration does not converge, because the step is too long.
+/// Step of the method; None if the iteration does not converge, because the step is too long.
 pub(super) fn step(
     past: &mut Past,
     length: f64,

@@ -30,16 +30,16 @@ pub struct Plates {
     pub satellite: u32,
     /// z₄, the ring.
     pub ring: u32,
-    /// Their magnetization.
+    /// Magnetization of the plates.
     pub poles: Poles,
 }
 
 /// Outward poles of the plates of a wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Poles {
-    /// All alike, as in the paper: one period of the field per plate.
+    /// Like poles, as in the paper: one period of the field per plate.
     Alike,
-    /// North and south in turn: one period per two plates.
+    /// North and south poles in turn: one period per two plates.
     Alternating,
 }
 
@@ -48,15 +48,15 @@ pub enum Poles {
 pub struct Satellites {
     /// k.
     pub count: u32,
-    /// Moment of inertia of one about its own axis, kg·m².
+    /// Moment of inertia of one satellite about its own axis, kg·m².
     pub inertia: f64,
-    /// Mass of one, kg; it moves with the carrier.
+    /// Mass of one satellite, kg; it moves with the carrier.
     pub mass: f64,
-    /// Radius of the circle of their centres, m.
+    /// Radius of the circle of the satellites' centres, m.
     pub orbit: f64,
-    /// Viscous damping of one in its bearing on the carrier, N·m·s.
+    /// Viscous damping of one satellite in its bearing on the carrier, N·m·s.
     pub damping: f64,
-    /// Load on one.
+    /// Load on one satellite.
     pub load: Load,
 }
 
@@ -67,9 +67,9 @@ pub struct Driven {
     pub inertia: f64,
     /// Viscous damping in its bearing, N·m·s.
     pub damping: f64,
-    /// Its load.
+    /// Load on the shaft.
     pub load: Load,
-    /// Its drive.
+    /// Prescribed torque or motion of the shaft.
     pub drive: Drive,
 }
 
@@ -84,7 +84,7 @@ pub enum Drive {
     Tied {
         /// The other shaft.
         to: Shaft,
-        /// Its speed relative to that of the other shaft.
+        /// Speed of the shaft relative to the speed of the other shaft.
         ratio: f64,
     },
 }
@@ -92,14 +92,14 @@ pub enum Drive {
 /// Torque of a working member against its body: a sum of parts, zero by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Load {
-    /// Constant, in the negative sense, as from a weight on a rope, N·m; either sign.
+    /// Constant torque in the negative sense, as from a weight on a rope, N·m; either sign.
     pub constant: f64,
-    /// Against the motion at any speed, as from a brush or a scraper, N·m.
+    /// Friction torque against the motion at any speed, as from a brush or a scraper, N·m.
     pub friction: f64,
     /// Speed at which friction changes its sign, as tanh(ω/creep), rad/s: a body held by friction creeps. Used only
     /// with friction.
     pub creep: f64,
-    /// Against the motion, proportional to the square of the speed, as from a fan or a stirrer, N·m·s².
+    /// Coefficient of a torque against the motion, proportional to the square of the speed, as from a fan, N·m·s².
     pub fan: f64,
 }
 
@@ -122,7 +122,7 @@ impl Parameters {
         }
     }
 
-    /// The same for changes.
+    /// The shaft with its inertia, load and drive, for changes.
     pub fn shaft_mut(&mut self, shaft: Shaft) -> &mut Driven {
         match shaft {
             Shaft::Sun => &mut self.sun,

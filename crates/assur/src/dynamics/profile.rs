@@ -27,15 +27,15 @@ pub enum ProfileFault {
     Time(usize, Fault),
     /// The value at this knot, from 0, is not finite.
     Value(usize),
-    /// This knot, from 0, is no later than the one before it.
+    /// The time of this knot, from 0, does not exceed the time of the knot before.
     Order(usize),
 }
 
 impl Profile {
-    /// A constant.
+    /// Constant profile.
     ///
     /// # Errors
-    /// It is not finite.
+    /// The value is not finite.
     pub fn constant(value: f64) -> Result<Self, Vec<ProfileFault>> {
         Self::new(vec![(0.0, value)])
     }
@@ -43,7 +43,7 @@ impl Profile {
     /// A linear change from one value to another between two times; seconds.
     ///
     /// # Errors
-    /// Those of [`Self::new`].
+    /// The errors of [`Self::new`].
     pub fn ramp(from: f64, to: f64, start: f64, end: f64) -> Result<Self, Vec<ProfileFault>> {
         Self::new(vec![(start, from), (end, to)])
     }
@@ -75,7 +75,7 @@ impl Profile {
         }
     }
 
-    /// Zero at all times.
+    /// Profile that is zero at all times.
     pub fn zero() -> Self {
         Self {
             knots: vec![(0.0, 0.0)],

@@ -25,7 +25,7 @@ pub struct Reading {
     pub energy: Energy,
 }
 
-/// Readings of a body. Torques and powers of the satellites are of all together.
+/// Readings of a body. Torques and powers of the satellites are totals over all satellites.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyReading {
     /// Angle in the ground's frame.
@@ -34,14 +34,13 @@ pub struct BodyReading {
     pub speed: f64,
     /// Acceleration, rad/s².
     pub acceleration: f64,
-    /// Torque of its drive on it, N·m; none if it has no drive of its own: for a tied body and the satellites.
+    /// Torque of the drive on the body, N·m; None for a body without its own drive: a tied body or the satellites.
     pub drive_torque: Option<f64>,
-    /// Torque of its load on it, N·m.
+    /// Torque of the load on the body, N·m.
     pub load_torque: f64,
 }
 
-/// Readings of a mesh, for all satellites together. Positive senses are those of the central wheel, the sun or the
-/// ring.
+/// Readings of a mesh, for all satellites together. Senses are positive as for the central wheel, the sun or the ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshReading {
     /// Δ: angle of the wheel ahead of its unloaded position, within half a period, radians.
@@ -58,16 +57,16 @@ pub struct MeshReading {
     pub slipped: i64,
     /// Angle of the wheel ahead, including slipped periods, radians.
     pub advance: f64,
-    /// True if it has not slipped for three of its natural periods. For display only.
+    /// True if the mesh has not slipped for three of its natural periods. For display only.
     pub synchronous: bool,
 }
 
-/// Energies and works, J; works since the balance was opened, at the start or at a change of the differential.
+/// Energies and works, J. Works are counted from the opening of the balance, at the start or at a change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy {
     /// Kinetic energy.
     pub kinetic: f64,
-    /// Potential energy of the fields: zero without a load.
+    /// Potential energy of the magnetic fields: zero in the unloaded position.
     pub potential: f64,
     /// Work of the drives with given speeds.
     pub driven: f64,
@@ -166,7 +165,7 @@ impl Run {
         let (state, equations) = (&self.state, &self.differential().equations);
         let field = equations.mesh(mesh);
         let periods = field.factors[mesh.wheel().index()];
-        // The equations count phases in their own sense, readings in that of the wheel.
+        // The equations count phases in their own sense; readings count them in the sense of the wheel.
         let sense = periods.signum();
         let (_, phase) = field.folded(&state.angles);
         let rate = field.phase(&state.speeds);

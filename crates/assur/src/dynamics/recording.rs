@@ -1,4 +1,4 @@
-//! A recorded run, of which any time can be read again.
+//! Recorded run that can be read again at any time.
 
 use super::run::{Run, State, TICKS_PER_SECOND};
 use super::{Halt, Reading};
@@ -47,7 +47,7 @@ impl Recording {
         self.halt
     }
 
-    /// Its last time, seconds.
+    /// Last time of the recording, seconds.
     pub fn end(&self) -> f64 {
         self.states.last().map_or(0.0, State::time)
     }

@@ -45,7 +45,7 @@ pub struct Start {
 /// Reasons why a run halts; it stays in its last state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Halt {
-    /// The bodies turn too fast to be integrated; this one is the fastest.
+    /// The bodies turn too fast for integration; the given body is the fastest.
     TooFast {
         /// The body.
         body: Body,
@@ -74,12 +74,12 @@ pub(super) struct State {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Slip {
     pub(super) periods: i64,
-    /// The tick of the last one.
+    /// Tick of the last slip.
     pub(super) last: Option<u64>,
 }
 
 impl Start {
-    /// All bodies at rest, no mesh loaded.
+    /// Start with all bodies at rest and no mesh loaded.
     pub fn rest() -> Self {
         Self {
             angles: [0.0; N],
@@ -87,7 +87,7 @@ impl Start {
         }
     }
 
-    /// Sun and ring at these speeds, rad/s, carrier and satellites synchronous with them, no mesh loaded.
+    /// Start with given speeds of sun and ring, rad/s, carrier and satellites synchronous, and no mesh loaded.
     pub fn synchronous(differential: &Differential, sun: f64, ring: f64) -> Self {
         Self {
             angles: [0.0; N],
@@ -290,7 +290,7 @@ impl State {
         Some(())
     }
 
-    /// Sets the speeds of bodies with given speeds at a time, and of tied ones.
+    /// Sets the speeds of tied bodies and of bodies with given speeds at a time.
     fn follow(&mut self, equations: &Equations, time: f64) {
         for (body, follows) in equations.following.iter().enumerate() {
             if let Following::Speed(profile) = follows {

@@ -21,7 +21,7 @@ pub enum Grashof {
 }
 
 impl Grashof {
-    /// Its name in files and program output.
+    /// Name of the type in files and program output.
     pub fn code(self) -> &'static str {
         match self {
             Self::CrankRocker => "crank_rocker",

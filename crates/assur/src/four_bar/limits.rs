@@ -31,9 +31,9 @@ pub struct Limit {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Swing {
-    /// It turns fully.
+    /// The link turns fully.
     Turns,
-    /// It oscillates between two angles.
+    /// The link oscillates between two angles.
     Between {
         /// Minimum of φ₃.
         min: f64,

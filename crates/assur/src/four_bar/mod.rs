@@ -174,7 +174,7 @@ impl FourBar {
         [self.k[1] * self.k[2], self.slack[1] * self.slack[2]]
     }
 
-    /// 4 l₁ l₄, the weight of cos² and sin² of the half angle in P and Q.
+    /// Coefficient 4 l₁l₄ of cos²(φ₁/2) in P and of sin²(φ₁/2) in Q.
     fn weight(&self) -> f64 {
         4.0 * self.lengths[0] * self.lengths[3]
     }

@@ -318,9 +318,9 @@ pub(super) fn half_angle<const N: usize>(crank: f64) -> Result<(Jet<N>, Jet<N>),
 
 /// Reasons why a factor of the area has no smooth root.
 enum Fold {
-    /// It is zero within rounding.
+    /// The factor is zero within rounding.
     At,
-    /// It is negative: the triangle does not close.
+    /// The factor is negative: the triangle does not close.
     Beyond,
 }
 

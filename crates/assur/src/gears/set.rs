@@ -14,8 +14,8 @@ pub struct Mate {
     pub centre_line: f64,
 }
 
-/// A driver and 1 to [`GearSet::MOST`] driven wheels, all of one module and in one kind of mesh: a pair for each of
-/// them with the same driver.
+/// Driver and 1 to [`GearSet::MOST`] driven wheels, all of one module and in one kind of mesh: one pair with the common
+/// driver for each driven wheel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSet {
     pairs: Vec<GearPair>,
@@ -32,8 +32,8 @@ impl GearSet {
     /// Wheels may overlap: see [`GearSet::overlaps`].
     ///
     /// # Errors
-    /// Every reason at once: those of [`GearPair::new`] by wheel; a number of wheels out of range; internal mesh with
-    /// wheels smaller and larger than the driver.
+    /// Every reason at once: the reasons of [`GearPair::new`] for each wheel; a number of wheels out of range; internal
+    /// mesh with wheels smaller and larger than the driver.
     pub fn new(driver: f64, mates: &[Mate], mesh: Mesh, module: f64) -> Result<Self, Vec<Invalid>> {
         let mut reasons = Vec::new();
         if !(1..=Self::MOST).contains(&mates.len()) {
@@ -76,7 +76,7 @@ impl GearSet {
         }
     }
 
-    /// The driver with each of its wheels, in the order given.
+    /// Pairs of the driver with each of its wheels, in the order given.
     pub fn pairs(&self) -> &[GearPair] {
         &self.pairs
     }
@@ -86,8 +86,8 @@ impl GearSet {
         self.module
     }
 
-    /// Pairs of wheels (counted from 0, the smaller first) whose tip circles, or those of their idlers, overlap: in one
-    /// plane they would collide. Two rings around one driver always do.
+    /// Pairs of wheels (counted from 0, the smaller index first) whose tip circles, or the circles of their idlers,
+    /// overlap: in one plane they would collide. Two rings around one driver always do.
     pub fn overlaps(&self) -> Vec<[usize; 2]> {
         let discs: Vec<Vec<Disc>> = self.pairs.iter().map(GearPair::discs).collect();
         let mut found = Vec::new();
@@ -127,7 +127,7 @@ impl GearSet {
     }
 }
 
-/// A reason of a pair as a reason of a wheel of the set.
+/// Reason of a pair, as a reason of a wheel of the set.
 fn of_wheel(reason: Invalid, wheel: usize) -> Invalid {
     let dimension = match reason.dimension {
         Dimension::DrivenTeeth(_) => Dimension::DrivenTeeth(wheel),

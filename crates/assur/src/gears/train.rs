@@ -1,12 +1,12 @@
 //! Epicyclic trains of two freedoms: sun 1, satellite 2, carrier 3, ring 4.
 //!
 //! One linear equation relates the three coaxial shafts, the [`Differential`]. The [`Train`] is the wheels that realize
-//! it, and the [`Layout`] their dimensions. Speeds are in radians per any unit of time, positive counter-clockwise.
-//! Wheels need not have teeth: for magnetic couplings the numbers are those of the poles.
+//! One linear equation relates the three coaxial shafts, the [`Differential`]. The [`Train`] is the set of wheels that
+//! realizes it, and the [`Layout`] has their dimensions. Speeds are in radians per any unit of time, positive
+//! counter-clockwise.
 //!
-//! The numbering and the formulas are those of Mukhametzyanov et al.,
-//! "Differential mechanism with magnetic couplings of the links"; the equation is
-//! Willis's (any textbook of the theory of mechanisms).
+//! The numbering and the formulas are those of Mukhametzyanov et al., "Differential mechanism with magnetic couplings
+//! of the links"; the equation is Willis's (any textbook of the theory of mechanisms).
 //!
 //! ```
 //! use assur::gears::train::{Drive, Input, Shaft, Train};
@@ -52,15 +52,15 @@ use crate::Fault;
 pub enum Member {
     /// The sun, z₁.
     Sun,
-    /// The satellite where it meets the sun, z₂.
+    /// Wheel of the satellite in mesh with the sun, z₂.
     Satellite,
-    /// The satellite where it meets the ring, z₂′; in a stepped satellite another wheel.
+    /// Wheel of the satellite in mesh with the ring, z₂′; in a stepped satellite a second wheel.
     Step,
     /// The ring, z₄.
     Ring,
 }
 
-/// Reasons why numbers make no train.
+/// Defects of the numbers that define a train.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TrainError {
     /// An invalid number of teeth (poles).
@@ -70,22 +70,21 @@ pub enum TrainError {
         /// The fault.
         fault: Fault,
     },
-    /// In a planar train the ring must be larger than the sun.
+    /// The ring of a planar train is not larger than the sun.
     RingNotLarger {
         /// z₁.
         sun: u32,
         /// z₄.
         ring: u32,
     },
-    /// In a planar train the satellite must be smaller than the ring.
+    /// The satellite of a planar train is not smaller than the ring.
     SatelliteNotInside {
-        /// z₂, or of a stepped satellite z₂′.
+        /// z₂, or z₂′ of a stepped satellite.
         satellite: u32,
         /// z₄.
         ring: u32,
     },
-    /// Bevel wheels of these numbers have no pitch cones with one apex:
-    /// |z₄ − z₁| < 2 z₂ does not hold.
+    /// Bevel wheels with these numbers have no pitch cones with a common apex: |z₄ − z₁| < 2 z₂ does not hold.
     NoCones {
         /// z₁.
         sun: u32,

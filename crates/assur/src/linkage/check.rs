@@ -123,7 +123,7 @@ fn numbers(spec: &LinkageSpec, found: &mut Vec<Defect>) {
 
 /// Checks the points of a link, or of the frame: none twice, no two at one place.
 fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<Defect>) {
-    // A link fixed to another has its points at the places of that one.
+    // The points of a link fixed to another are at their places on the other link.
     let own = spec.link(spec.root_of(link));
     let own = own.and_then(|own| Some((own, own.shape.as_ref()?)));
     let in_shape = |name: &String| {

@@ -31,8 +31,8 @@ pub struct LinkageSpec {
     pub slides: Vec<SlideSpec>,
     /// Gear couplings.
     pub gears: Vec<GearSpec>,
-    /// The drivers, as many as there are freedoms. The input is the coordinate of the first; that of each further one
-    /// grows in proportion to it from its drawn value.
+    /// Drivers, as many as there are freedoms. The input is the coordinate of the first driver; the coordinate of each
+    /// further driver grows in proportion to it from its drawn value.
     pub drivers: Vec<DriverSpec>,
     /// Points that links carry and that join nothing: tracer points.
     pub tracers: Vec<TracerSpec>,
@@ -42,16 +42,16 @@ pub struct LinkageSpec {
 /// their own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointSpec {
-    /// Its unique name.
+    /// Unique name of the point.
     pub name: String,
-    /// Where it is drawn.
+    /// Place of the point in the drawing.
     pub at: Point,
 }
 
 /// A moving link: a rigid body that holds points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkSpec {
-    /// Its unique name.
+    /// Unique name of the link.
     pub name: String,
     /// Its points, by name: joints with other links that list them too, and
     /// points of its own (tracer points, centres of mass). The link's angle runs
@@ -61,9 +61,9 @@ pub struct LinkSpec {
     pub shape: Option<Vec<Point>>,
     /// The link to which this one is fixed, as a wheel to its shaft: both turn as one.
     pub fixed_to: Option<String>,
-    /// Its centre of mass, by name, one of its points.
+    /// Name of the centre of mass, one of the points of the link.
     pub centre_of_mass: Option<String>,
-    /// Its mass, kilograms.
+    /// Mass of the link, kilograms.
     pub mass: Option<f64>,
 }
 
@@ -72,7 +72,7 @@ pub struct LinkSpec {
 pub struct SlideSpec {
     /// The link that slides.
     pub link: String,
-    /// Its point that stays at its drawn distance from the line.
+    /// Point of the sliding link that stays at its drawn distance from the line.
     pub point: String,
     /// The link with the line, or the frame.
     pub on: String,
@@ -88,11 +88,11 @@ pub struct SlideSpec {
 pub struct GearSpec {
     /// The two links.
     pub links: [String; 2],
-    /// The link both are hinged on, or the frame.
+    /// Link on which both links are hinged, or the frame.
     pub carrier: String,
     /// Numbers of teeth.
     pub teeth: [f64; 2],
-    /// How they engage.
+    /// Kind of mesh.
     pub mesh: Mesh,
 }
 
@@ -113,7 +113,7 @@ pub enum DriverSpec {
     Slide {
         /// Index of the slide.
         slide: usize,
-        /// Least and greatest coordinate.
+        /// Minimum and maximum coordinate.
         range: [f64; 2],
         /// Rate of its coordinate relative to the first driver's; 1 for the first.
         rate: f64,

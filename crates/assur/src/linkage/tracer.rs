@@ -8,9 +8,9 @@ use crate::Vector;
 /// A point carried by a link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TracerSpec {
-    /// Its name, unique among points and tracers.
+    /// Name of the tracer, unique among points and tracers.
     pub name: String,
-    /// The link that carries it, or the frame.
+    /// Link that carries the tracer, or the frame.
     pub link: String,
     /// Its place in the link's own coordinates: the origin at the link's first
     /// point, x along its angle, so towards its second point; of a wheel with one

@@ -9,12 +9,12 @@ use crate::mechanism::{Layout, Mechanism, check};
 use crate::tolerance::COINCIDENT;
 
 impl Mechanism {
-    /// The linkage of a specification, drawn in one of its assemblies at an input (radians, or the coordinate of a
-    /// driven slide; None for the drawn one). The drawing matters only for dimensions that it gives, and for the
-    /// coordinates of further drivers. None if the links cannot be joined at the input.
+    /// The linkage of a specification, drawn in one of its assemblies at an input: radians, or the coordinate of a
+    /// driven slide; None stands for the drawn input. Only dimensions given by the drawing, and coordinates of further
+    /// drivers, are taken from it. None if the links cannot be joined at the input.
     ///
     /// # Errors
-    /// All defects of the specification except those of its drawing.
+    /// All defects of the specification except defects of its drawing.
     pub fn assembled(spec: &LinkageSpec, input: Option<f64>) -> Result<Option<Self>, Vec<Defect>> {
         let spec = spec.spread();
         let defects = check::defects(&spec);
@@ -39,7 +39,7 @@ impl Mechanism {
 }
 
 impl LinkageSpec {
-    /// The same with coincident points of a link drawn apart, if no dimension is given by their drawn places.
+    /// Specification with coincident points of a link drawn apart, if their drawn places give no dimension.
     fn spread(&self) -> Self {
         let shapes = self.links.iter().filter_map(|link| link.shape.as_ref());
         let lengths = shapes.map(|shape| extent(shape.iter().map(|at| at.coords)));
@@ -72,7 +72,7 @@ impl LinkageSpec {
         spread
     }
 
-    /// True if another link is fixed to this one, as drawn on it.
+    /// True if another link is fixed to this one in its drawn place.
     pub(super) fn is_base(&self, link: &str) -> bool {
         let mut fixed = self
             .links

@@ -7,12 +7,12 @@ use crate::index::{List, StepId};
 use crate::mechanism::{AssemblySigns, Configuration, Defect, Layout, Mechanism, Pose};
 use crate::position::{Cause, ComplexPair, Method, Sign, State, Step, StepContext, Tracker};
 
-/// Maximum numbers of assemblies, and of steps solved to find them: n dyads have 2ⁿ combinations, few of which may
-/// close.
+/// Maximum number of assemblies, and of steps solved to find them: n dyads have 2ⁿ combinations, of which only a few
+/// may close.
 const MAX_ASSEMBLIES: usize = 4096;
 const MAX_TRIES: usize = 1 << 16;
-/// Maximum work, about microseconds, to solve groups over the complex numbers: enough for a group of four loops of
-/// hinges, or of three with slides, but not for long chains of such groups, each with many assemblies.
+/// Maximum work to solve groups over the complex numbers, in microseconds approximately. It is enough for a group of
+/// four loops of hinges, or three with slides, but not for long chains of such groups with many assemblies each.
 const MAX_WORK: usize = 60_000;
 
 /// The assemblies of a linkage at an input.
@@ -27,19 +27,19 @@ const MAX_WORK: usize = 60_000;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Assemblies {
-    /// A pose of each.
+    /// Pose of each assembly.
     pub poses: Vec<Pose<1>>,
-    /// The number of solutions of each group solved over the complex numbers, once for each assembly of the groups
-    /// before it: six for a Baranov truss of five links, 14, 16 or 18 for one of seven, fewer for special dimensions.
+    /// Number of solutions of each group solved over the complex numbers, once for each assembly of the groups before
+    /// it: six for a Baranov truss of five links; 14, 16 or 18 for a truss of seven; fewer for special dimensions.
     pub complex: Vec<usize>,
-    /// True if these are all. They are not if wheels mesh within a group, if there are very many, or if finding them
-    /// would take too long.
+    /// True if these are all assemblies. Some may be missing if wheels mesh within a group, if the maximum number is
+    /// exceeded, or if the search would take too long.
     pub whole: bool,
 }
 
-/// The assemblies of a linkage at successive inputs. Near the last input the solutions of groups are tracked from
-/// there, in a tenth of the time or less. They are complete if distinct and as many as there are in general; in any
-/// doubt they are found anew.
+/// Assemblies of a linkage at successive inputs. Near the last input the solutions of groups are tracked from there, in
+/// a tenth of the time or less. The tracked set is complete if its solutions are distinct and of the general number;
+/// in any doubt they are found anew.
 #[derive(Clone, Debug)]
 pub struct Following {
     mechanism: Mechanism,
@@ -49,7 +49,7 @@ pub struct Following {
 }
 
 impl Following {
-    /// All assemblies at an input, as [`Mechanism::assemblies_at`] finds them.
+    /// All assemblies at an input, as by [`Mechanism::assemblies_at`].
     pub fn at(&mut self, input: f64) -> Assemblies {
         let Self {
             mechanism,
@@ -63,26 +63,26 @@ impl Following {
     }
 }
 
-/// Result of the search at an input, with derivatives.
+/// Assemblies found at an input, with derivatives.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Found<const N: usize> {
-    /// The pose and the assembly signs of each assembly.
+    /// Pose and assembly signs of each assembly.
     pub(crate) ways: Vec<(Pose<N>, AssemblySigns)>,
     complex: Vec<usize>,
-    /// Complex pairs, if derivatives are computed: of groups, and of dyads out of reach.
+    /// Complex pairs of groups, and of dyads out of reach, if derivatives are computed.
     pub(crate) unreal: Vec<ComplexPair>,
-    /// Square of the sine between two guides that must cross. At its zeros bodies go to infinity; just beside, links
-    /// joined to them may be within reach over a short interval.
+    /// Square of the sine between two guides that must cross. At its zeros bodies go to infinity; near a zero, links
+    /// joined to these bodies may be within reach over a short interval.
     pub(crate) parallel: Vec<ComplexPair>,
     pub(crate) whole: bool,
 }
 
 impl Mechanism {
     /// All assemblies at an input: radians, or the coordinate of a driven slide. Dyads are solved in closed form; the
-    /// equations of other groups are solved over the complex numbers, so that no solution is missed. Wheels stay as
-    /// mounted.
+    /// equations of other groups are solved over the complex numbers, so that no solution is missed. Wheels keep their
+    /// mounting.
     ///
-    /// They come in no particular order, without repetition; those that meet in a singular pose are left out.
+    /// The assemblies are in no particular order, without repetition; those that meet in a singular pose are left out.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
         let state = &mut self.blank_state();
         let found = self
@@ -91,7 +91,7 @@ impl Mechanism {
         found.into()
     }
 
-    /// The same at successive inputs.
+    /// All assemblies at successive inputs.
     pub fn following(&self) -> Following {
         Following {
             mechanism: self.clone(),
@@ -100,12 +100,12 @@ impl Mechanism {
         }
     }
 
-    /// The same with derivatives, and with complex pairs.
+    /// All assemblies at an input, with derivatives and complex pairs.
     pub(crate) fn found_at<const N: usize>(&self, input: f64) -> Found<N> {
         self.layout.found_at(&self.drawn, input)
     }
 
-    /// The same linkage drawn in a pose found at an input.
+    /// The linkage drawn in a pose found at an input.
     pub(crate) fn in_assembly(
         &self,
         input: f64,
@@ -129,7 +129,7 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// All assemblies at an input, near a configuration.
+    /// All assemblies at an input, with the data of a nearby configuration.
     pub(super) fn found_at<const N: usize>(&self, at: &Configuration, input: f64) -> Found<N> {
         self.found_with(at, input, Method::Usual, None, &mut self.blank_state())
     }
@@ -150,8 +150,8 @@ impl Layout {
         search.result(state)
     }
 
-    /// The signs of the assemblies at the input of a configuration, up to a number of assemblies and of steps solved;
-    /// groups that no closed form solves only near the configuration.
+    /// Signs of the assemblies at the input of a configuration, up to a maximum number of assemblies and of solved
+    /// steps. Groups without closed form are solved only near the configuration.
     pub(super) fn found_by_signs(
         &self,
         near: &Configuration,
@@ -181,12 +181,12 @@ struct Search<'a, const N: usize> {
     layout: &'a Layout,
     near: &'a Configuration,
     input: Jet<N>,
-    /// The signs and unknowns so far, and approximate orientations of the bodies: angles are unwrapped next to them.
+    /// Signs and unknowns so far, and approximate orientations of the bodies, next to which angles are unwrapped.
     at: Configuration,
     most: usize,
     tries: usize,
     work: usize,
-    /// None if groups are solved near the configuration only.
+    /// Method for groups; None if groups are solved near the configuration only.
     method: Option<Method>,
     following: Option<&'a mut List<StepId, Tracker>>,
     found: Found<N>,
@@ -259,7 +259,7 @@ impl<'a, const N: usize> Search<'a, N> {
         self.at.signs[*step] = Sign::Plus;
     }
 
-    /// Places a step, whose unknowns may be solved already, and joins the rest.
+    /// Places a step, whose unknowns may already be solved, and joins the remaining steps.
     fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>, solved: bool) {
         if self.tries == 0 || self.found.ways.len() == self.most {
             self.found.whole = false;

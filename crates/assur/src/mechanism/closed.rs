@@ -10,20 +10,20 @@ use crate::sorting::sort_by;
 use crate::structure;
 use crate::{Assembly, FourBar, Grashof, Unsolved, Vector};
 
-/// A step that is a four-bar on the driven crank and the frame.
+/// Four-bar on the driven crank and the frame, solved as one step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DrivenFourBar<'a> {
-    /// Its step of the plan.
+    /// Step of the plan that solves the four-bar.
     pub(crate) step: StepId,
     pub(crate) linkage: &'a FourBar,
-    /// The body of its rocker.
+    /// Body of the rocker.
     pub(crate) rocker: BodyId,
     /// Offset of φ₁ from the input.
     pub(crate) angle_offset: f64,
 }
 
-/// The inputs within an arc at which φ₁, the input plus the offset, is a multiple of π: there the diagonal is longest
-/// or shortest.
+/// Inputs within an arc at which φ₁, the input plus the offset, is a multiple of π. There the diagonal is longest or
+/// shortest.
 pub(crate) fn half_turns(angle_offset: f64, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
     let first = ((from + angle_offset) / PI).ceil() as i32;
     let last = ((to + angle_offset) / PI).floor() as i32;
@@ -31,7 +31,7 @@ pub(crate) fn half_turns(angle_offset: f64, [from, to]: [f64; 2]) -> impl Iterat
 }
 
 impl DrivenFourBar<'_> {
-    /// The arc with `input`, or the nearest one; None if the crank turns fully.
+    /// Arc that contains `input`, or else the nearest arc; None if the crank turns fully.
     pub(crate) fn arc(&self, input: f64) -> Option<[f64; 2]> {
         let cycle = self.linkage.cycle();
         let crank = input + self.angle_offset;
@@ -46,20 +46,20 @@ impl DrivenFourBar<'_> {
         nearest.map(|(_, arc)| arc).filter(|_| !cycle.is_full())
     }
 
-    /// Turns of the crank until the four-bar repeats.
+    /// Turns of the crank after which the four-bar repeats.
     pub(crate) fn turns(&self) -> usize {
         let period = self.linkage.cycle().period().unwrap_or(TAU);
         (period / TAU).round() as usize
     }
 
-    /// The input at which coupler and rocker of a kite coincide and swing freely about the hinge of the frame.
+    /// Input at which coupler and rocker of a kite coincide and swing freely about the hinge of the frame.
     pub(crate) fn free_swing(&self) -> Option<f64> {
         let pose = self.linkage.pose::<1>(Assembly::First, 0.0);
         matches!(pose, Err(Unsolved::Undetermined { .. })).then_some(-self.angle_offset)
     }
 
-    /// The inputs of its change points within an arc, its end excluded, ascending: poses in which motions cross, and in
-    /// which coupler and rocker of a kite swing freely from one motion to the other.
+    /// Inputs of the change points within an arc, ascending, without the end of the arc. At a change point motions
+    /// cross; in a kite coupler and rocker swing freely from one motion to the other.
     pub(crate) fn change_points(&self, [from, to]: [f64; 2]) -> Vec<f64> {
         let turns = self.turns();
         let period = TAU * turns as f64;
@@ -70,7 +70,7 @@ impl DrivenFourBar<'_> {
         let mut found = Vec::new();
         for input in crossings.chain(swings) {
             let ahead = (input - from).rem_euclid(period);
-            // Rounding may put one at the start before it.
+            // Rounding may put a change point at the start of the arc before the start.
             let ahead = if ahead > period * (1.0 - tolerance::NEGLIGIBLE) {
                 0.0
             } else {
@@ -88,7 +88,7 @@ impl DrivenFourBar<'_> {
 }
 
 impl Layout {
-    /// The steps solved by the closed form of a four-bar.
+    /// Steps solved by the closed form of a four-bar.
     pub(super) fn closed_steps(
         &self,
         mounting: &Mounting,
@@ -126,7 +126,7 @@ impl Layout {
         alone && self.closed_steps(&at.mounting).count() <= 1 && self.steps.iter().all(known)
     }
 
-    /// True if a wheel returns with the crank or four-bar that turns it, or looks the same at any angle.
+    /// True if a wheel returns together with the crank or four-bar that turns it, or looks the same at any angle.
     fn returns(&self, wheel: BodyId, at: &Configuration) -> bool {
         let Some(link) = self.made_for[wheel].filter(|_| self.shows_its_angle(wheel)) else {
             return true;
@@ -145,19 +145,19 @@ impl Layout {
 }
 
 impl Mechanism {
-    /// The steps solved by the closed form of a four-bar.
+    /// Steps solved by the closed form of a four-bar.
     pub(crate) fn closed_steps(&self) -> impl Iterator<Item = DrivenFourBar<'_>> {
         self.layout.closed_steps(self.mounting())
     }
 
-    /// True if it is one crank, at most one four-bar, and wheels that drive nothing else: then the closed form gives
-    /// its whole motion.
+    /// True for one crank with at most one four-bar and wheels that drive nothing else: the closed form then gives the
+    /// whole motion.
     pub(crate) fn whole_closed_form(&self) -> bool {
         self.layout.whole_closed_form(&self.drawn)
     }
 
     /// Inputs within an arc at which the crank is in line with the outer hinges of a dyad RRR or RPR, one of them on
-    /// the crank and the other fixed. There the distance of the hinges is least or greatest.
+    /// the crank and the other fixed. There the distance of the hinges is minimum or maximum.
     pub(crate) fn in_line(&self, arc: [f64; 2]) -> Vec<f64> {
         let closed = self.closed_steps().map(|closed| closed.angle_offset);
         let guided = self.steps().iter().filter_map(|step| match step {
@@ -170,8 +170,8 @@ impl Mechanism {
             .collect()
     }
 
-    /// Offset from the input of the angle of a crank that carries one of two hinges, measured from the line of its
-    /// pivot and the other hinge; None if the other hinge moves.
+    /// Offset from the input of the angle of a crank that carries one of two hinges. The angle is measured from the
+    /// line through its pivot and the other hinge; None if the other hinge moves.
     fn lead_of(&self, hinges: [BodyPoint; 2]) -> Option<f64> {
         let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
             [true, false] => hinges,
@@ -188,8 +188,8 @@ impl Mechanism {
         is_first.then(|| angle(driven.local - crank.hinge) - crank.angle_offset - base)
     }
 
-    /// True if another drawing shows the same linkage: the same names, steps, and places of joints on their bodies,
-    /// within rounding.
+    /// True if another drawing shows the same linkage: equal names and steps, and equal places of joints on their
+    /// bodies within rounding.
     pub(crate) fn is_redrawn_as(&self, other: &Self) -> bool {
         let within = tolerance::COINCIDENT * self.size();
         let near = |a: &Vector, b: &Vector| (a - b).norm() <= within;

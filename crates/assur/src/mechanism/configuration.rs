@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Assembly sign of each step; plus if it has only one assembly.
+/// Assembly sign of each step; plus for a step with only one assembly.
 pub(crate) type AssemblySigns = List<StepId, Sign>;
 
 /// All that differs between the assemblies of a layout: the input, the signs of the dyads, the orientations of the bodies,
@@ -17,7 +17,7 @@ pub(crate) struct Configuration {
 }
 
 impl Configuration {
-    /// This pose as the nearby pose.
+    /// The configuration as the nearby pose.
     pub(super) fn near(&self) -> Nearby<'_> {
         Nearby {
             orientations: &self.orientations,
@@ -26,7 +26,7 @@ impl Configuration {
         }
     }
 
-    /// The data by which a step is solved at the input of this pose.
+    /// Data from which a step is solved at the input of this configuration.
     pub(super) fn context(&self, step: StepId, sign: Sign) -> StepContext<'_, 1> {
         StepContext {
             step,

@@ -8,30 +8,30 @@ use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Layout, Mechanism, Part};
 
-/// The numbers from which mobility is counted.
+/// Numbers from which the mobility is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Counts {
-    /// n: moving links; links fixed to each other are one, doubled links are not.
+    /// n: moving links; links fixed to each other count as one, doubled links do not.
     pub links: usize,
-    /// P₁: hinges and slides, a hinge of k links as k − 1.
+    /// P₁: hinges and slides; a hinge of k links counts as k − 1.
     pub lower_pairs: usize,
     /// P₂: wheels in mesh.
     pub higher_pairs: usize,
-    /// W by the formula, which is too low by one for each passive mesh.
+    /// W by the formula; each passive mesh makes it too low by one.
     pub mobility: isize,
-    /// Number of passive meshes, which only repeat the effect of others.
+    /// Number of passive meshes, which repeat the effect of other meshes.
     pub passive: usize,
 }
 
 impl Mechanism {
-    /// The links, pairs and mobility by Chebyshev and Grübler. Wheels in mesh "as
-    /// printed" have an idler between them, which counts with its hinge and meshes.
+    /// Links, pairs and mobility by Chebyshev and Grübler. Wheels in mesh "as printed" have an idler between them; the
+    /// idler counts as a link with its hinge and meshes.
     pub fn counts(&self) -> Counts {
         self.layout.counts
     }
 
-    /// The wheel of each passive mesh: the satellite, whose hinge is shared by fewer links than that of sun and ring.
-    /// The equation of a passive mesh holds in every pose.
+    /// Wheel of each passive mesh: the satellite, whose hinge has fewer links than the hinge of sun and ring. The
+    /// equation of a passive mesh holds in every pose.
     pub fn passive_wheels(&self) -> impl Iterator<Item = LinkId> {
         let Layout { bodies, links, .. } = &*self.layout;
         let passive = bodies.gears.iter().filter(|gear| gear.is_passive);
@@ -42,17 +42,17 @@ impl Mechanism {
                 let shares = |link: &&Part| link.points.iter().any(|point| own.contains(point));
                 links.iter().filter(shares).count()
             };
-            // The second of equals.
+            // The second of equal wheels is taken.
             wheels.rev().min_by_key(sharing)
         })
     }
 }
 
 impl LinkageSpec {
-    /// The links, pairs and mobility of a specification that need not move yet.
+    /// Links, pairs and mobility of a specification that need not be movable yet.
     ///
     /// # Errors
-    /// Names of nothing, and all other defects that prevent counting.
+    /// Names of absent objects, and all other defects that prevent counting.
     pub fn counts(&self) -> Result<Counts, Vec<Defect>> {
         let defects = check::defects(self);
         if !defects.is_empty() {
@@ -78,7 +78,7 @@ pub(super) fn counts(spec: &Resolved<'_>, bodies: &Bodies) -> Counts {
         links: graph.links - 1 + idlers + doubled,
         lower_pairs: graph.lower_pairs() + idlers + hinges,
         higher_pairs: graph.higher_pairs() + passive + idlers,
-        // An idler adds nothing: three freedoms, less its hinge and one more mesh.
+        // An idler changes no mobility: it has three freedoms, less its hinge and one more mesh.
         mobility: graph.mobility() - passive as isize + 3 * doubled as isize - 2 * hinges as isize,
         passive,
     }

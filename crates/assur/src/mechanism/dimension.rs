@@ -1,4 +1,4 @@
-//! Dimensions of a linkage: single numbers that can be read and set, by sliders, by dragging on the drawing and by
+//! Dimensions of a linkage: single numbers to read and to set, with sliders, by dragging on the drawing, or in
 //! searches.
 
 use crate::index::{BodyId, LinkId, PointId, SlideId};
@@ -22,36 +22,36 @@ use nalgebra::Rotation2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
-    /// The distance of the first two points of a link: its length, if there are only two. Its other points keep their
-    /// places on it.
+    /// Distance of the first two points of a link; the length of a link with only two points. Other points keep their
+    /// places on the link.
     Length(LinkId),
-    /// The distance from the first (0) or second (1) point of a link to a later one, given by its index from 2. The
-    /// first two points stay; so does, for 0, the angle at the first point and, for 1, the distance to it.
+    /// Distance from the first (0) or second (1) point of a link to a later point, given by its index from 2. The first
+    /// two points stay. For 0 the angle at the first point stays too, for 1 the distance from the first point.
     Side(LinkId, [usize; 2]),
-    /// The angle at the first point of a link from the second to a later one, given by its index from 2; radians in
+    /// Angle at the first point of a link from the second to a later point, given by its index from 2; radians in
     /// (−π, π]. The adjacent sides stay.
     Corner(LinkId, usize),
-    /// The distance of the point of a slide to the left of its line, seen from the first point of the line towards the
-    /// second.
+    /// Distance of the point of a slide to the left of its line; the line runs from its first point to its second
+    /// point.
     Offset(SlideId),
-    /// The abscissa of a hinge of the frame, or of a point of a guide of the frame; links hinged or sliding there keep
+    /// Abscissa of a hinge of the frame, or of a point of a guide of the frame; links hinged or sliding there keep
     /// their dimensions.
     X(PointId),
-    /// The ordinate of such a point.
+    /// Ordinate of a hinge of the frame, or of a point of a guide of the frame.
     Y(PointId),
 }
 
-/// Limits of a length, relative to its value …
+/// Limits of a length, relative to its current value.
 const LENGTHS: [f64; 2] = [0.05, 2.0];
-/// … maximum change of a corner, radians …
+/// Maximum change of a corner, radians.
 const OPENED: f64 = 0.5;
-/// … and of the coordinate of a hinge or an offset, relative to the size.
+/// Maximum change of an offset or of the coordinate of a hinge, relative to the size.
 const ASIDE: f64 = 0.1;
 
 impl Mechanism {
-    /// All dimensions, in the order of the specification: the lengths of links with two points and the sides and
-    /// corners of those with more, the offsets of slides, then the coordinates of hinges and guide points of the frame
-    /// on which nothing else depends: no driven slide is measured from them, and no link is fixed to another there.
+    /// All dimensions, in the order of the specification: lengths of links with two points, sides and corners of links
+    /// with more points, offsets of slides, then coordinates of hinges and guide points of the frame on which nothing
+    /// else depends: no driven slide is measured from such a point, and no link is fixed to another there.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let spec = self.spec();
         let links = self.link_ids().zip(&spec.links);
@@ -69,8 +69,8 @@ impl Mechanism {
         all.filter(|dimension| self.has(*dimension)).collect()
     }
 
-    /// True if this dimension exists; not for a point that a link shares, as one body, with the frame or with a link
-    /// that must keep its shape.
+    /// True if a dimension exists. A point does not give one if its link shares it, as one body, with the frame or with
+    /// a link that must keep its shape.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {
@@ -104,7 +104,7 @@ impl Mechanism {
             }
     }
 
-    /// The value of a dimension; None if it is not one of [`Self::dimensions`].
+    /// Value of a dimension; None if the dimension is not among [`Self::dimensions`].
     pub fn value(&self, dimension: Dimension) -> Option<f64> {
         let spec = self.spec();
         self.has(dimension).then(|| {
@@ -120,7 +120,7 @@ impl Mechanism {
         })
     }
 
-    /// The equivalent of a value nearest to the current one: an angle changes by at most half a turn.
+    /// Equivalent of a value nearest to the current value: an angle changes by at most half a turn.
     pub fn nearest(&self, dimension: Dimension, value: f64) -> f64 {
         match (dimension, self.value(dimension)) {
             (Dimension::Corner(..), Some(from)) => crate::angle::nearest_to(value, from),
@@ -128,7 +128,7 @@ impl Mechanism {
         }
     }
 
-    /// Sensible range of a dimension; not every value in it makes a mechanism. None if it is not one of
+    /// Sensible range of a dimension; some values in it may make no mechanism. None if the dimension is not among
     /// [`Self::dimensions`].
     pub fn range(&self, dimension: Dimension) -> Option<[f64; 2]> {
         let value = self.value(dimension)?;
@@ -144,14 +144,14 @@ impl Mechanism {
         })
     }
 
-    /// The sides adjacent to a corner at the first point of a link.
+    /// Sides adjacent to a corner at the first point of a link.
     pub(crate) fn beside_corner(&self, link: LinkId, point: usize) -> [f64; 2] {
         [1, point].map(|end| self.spec().side(link, [0, end]))
     }
 }
 
 impl Dimension {
-    /// The setting that gives it a value in a drawn linkage; a side opposite to a corner is set by that corner.
+    /// Setting that gives this dimension a value in a drawn linkage; a side opposite a corner is set by the corner.
     pub(crate) fn setting(self, spec: &LinkageSpec, value: f64) -> Setting {
         let at = |point: PointId| spec.points[point.index()].at;
         let placed = |link: LinkId, point: usize, angle: f64, side: f64| {
@@ -174,7 +174,7 @@ impl Dimension {
 }
 
 impl LinkageSpec {
-    /// The same with a shape for every link that can have one, so that moving the drawing changes none.
+    /// Specification with a shape for every link that can have one, so that moving the drawing changes no shape.
     pub(super) fn shaped(&self) -> Self {
         let mut shaped = self.clone();
         for (link, own) in shaped.links.iter_mut().zip(&self.links) {
@@ -205,15 +205,15 @@ impl LinkageSpec {
         }
     }
 
-    /// True if the distances of a link's points may change: it is fixed to no other and, with more than two
-    /// points, no other is fixed to it.
+    /// True if the distances of a link's points may change: the link is fixed to no other link and, if it has three
+    /// or more points, no other link is fixed to it.
     fn is_free(&self, link: &LinkSpec) -> bool {
         let points = link.points.len();
         link.fixed_to.is_none() && (points == 2 || points > 2 && !self.is_base(&link.name))
     }
 
     /// True if a point of the frame is a hinge or gives a line, and nothing else depends on its place: no driven slide
-    /// is measured from it, and no link with it is fixed to another or has another fixed to it.
+    /// is measured from the point, and no link at the point is fixed to another link or carries a fixed link.
     fn can_move(&self, point: &String) -> bool {
         let has = |link: &LinkSpec| link.points.contains(point);
         let guides = |slide: &SlideSpec| slide.line.contains(point);
@@ -228,7 +228,7 @@ impl LinkageSpec {
             && !self.links.iter().any(|link| has(link) && lies(link))
     }
 
-    /// Vector between two points of a link, in its coordinates.
+    /// Vector between two points of a link, in the coordinates of the link.
     fn ray(&self, link: LinkId, [from, to]: [usize; 2]) -> Vector {
         let link = &self.links[link.index()];
         self.on_link(link, to) - self.on_link(link, from)
@@ -253,7 +253,7 @@ impl LinkageSpec {
     }
 }
 
-/// The shape of a link; of one with two points only their distance counts.
+/// Shape of a link; of a link with two points only the distance counts.
 pub(super) fn along_axis(shape: Vec<Point>) -> Vec<Point> {
     match shape[..] {
         [from, to] => vec![Point::origin(), Point::new((to - from).norm(), 0.0)],

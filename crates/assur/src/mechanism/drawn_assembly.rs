@@ -15,14 +15,14 @@ use crate::{Point, tolerance};
 
 /// Maximum distance of a point from its drawn place, relative to the size.
 const MISDRAWN: f64 = 0.3;
-/// Maximum number of doublings, starting at the rounding, of the step back from an input just beyond a dead point.
+/// Maximum number of doublings of the step back from an input just beyond a dead point; the first step is the rounding.
 const BACK: u32 = 24;
-/// Maximum deviation, radians, of a wheel mounted as drawn. A whole turn of the body that drives it shifts it by more,
+/// Maximum deviation, radians, of a wheel mounted as drawn. A whole turn of the driving body shifts the wheel by more,
 /// unless it has tens of thousands of teeth.
 const MOUNTED: f64 = 1e-4;
 
 impl Layout {
-    /// The drawn configuration by a guess of it, and the start of the motion. Groups adopt the pivots of the drawn pose.
+    /// Drawn configuration from a guess of it, and the start of the motion. Groups adopt the pivots of the drawn pose.
     pub(super) fn settle(
         &mut self,
         spec: &LinkageSpec,
@@ -35,7 +35,7 @@ impl Layout {
             let sign = self.drawn_sign(spec, step, &at, &mut state);
             let sign = sign.map_err(|cause| vec![self.open(spec, step, Some(cause))])?;
             at.signs[step] = sign;
-            // Solved last with the chosen sign, so that the state is the drawn pose.
+            // The chosen sign is solved last, so that the state is the drawn pose.
             let solved = self.try_step(step, sign, &at, &mut state);
             solved.map_err(|cause| vec![self.open(spec, step, Some(cause))])?;
             if let Step::Group(group) = &mut self.steps[step] {
@@ -62,7 +62,7 @@ impl Layout {
         let mut pose = self.blank_state();
         let input = match self.entry(&at.signs, at, &mut pose) {
             Some(input) => input,
-            // A closed form gives the motion without following it.
+            // A closed form gives the motion without continuation.
             None if self.whole_closed_form(at) => at.input,
             None => {
                 let last = self.steps.ids().next_back();
@@ -74,8 +74,8 @@ impl Layout {
         Ok(Start { input, pose })
     }
 
-    /// Mounts the wheels of a step as drawn. Each whole turn by which the body that drives them differs from the
-    /// drawing turns a wheel by a fraction of a turn.
+    /// Mounts the wheels of a step as drawn. Each whole turn by which the driving body differs from the drawing turns a
+    /// wheel by a fraction of a turn.
     fn mount(&self, step: StepId, at: &mut Configuration, state: &mut State<1>) {
         match &self.steps[step] {
             Step::Group(group) => {
@@ -101,7 +101,7 @@ impl Layout {
         }
     }
 
-    /// The sign of a step that puts its points closest to their drawn places.
+    /// Sign of a step with which its points are closest to their drawn places.
     pub(super) fn drawn_sign(
         &self,
         spec: &LinkageSpec,
@@ -134,7 +134,7 @@ impl Layout {
         }
     }
 
-    /// The point of a step's links farthest from its drawn place, with the distance.
+    /// Point of a step's links farthest from its drawn place, and this distance.
     fn misdrawn(
         &self,
         spec: &LinkageSpec,
@@ -170,7 +170,7 @@ impl Layout {
         }
     }
 
-    /// The input of a configuration, or one next to it if the pose there has no derivatives.
+    /// Input of a configuration, or an input next to it if the pose there has no derivatives.
     pub(super) fn entry(
         &self,
         signs: &AssemblySigns,
@@ -181,18 +181,18 @@ impl Layout {
         inputs.find(|input| self.solve(*input, signs, at, state).is_ok())
     }
 
-    /// The input of a configuration and one on each side, for a singular drawn pose: a thousandth of a radian of a crank, of
-    /// a slide the same fraction of its range.
+    /// Input of a configuration and one input on each side, for a singular drawn pose: at a distance of a thousandth of
+    /// a radian for a crank, and of the same fraction of the range for a slide.
     pub(super) fn entries(&self, at: &Configuration) -> [f64; 3] {
         [0.0, tolerance::NEAR, -tolerance::NEAR].map(|aside| at.input + aside * self.span() / TAU)
     }
 }
 
 impl Mechanism {
-    /// Shifts the drawn input by whole turns, with wheels and four-bars kept as drawn. Returns false, with nothing
-    /// changed, if the links do not close at the new input.
+    /// Shifts the drawn input by whole turns; wheels and four-bars keep their drawn positions. Returns false, and
+    /// changes nothing, if the links do not close at the new input.
     pub(crate) fn rebase_turns(&mut self, drawn_input: f64) -> bool {
-        // The new input is rounded anew; drawn at a dead point, it may lie just beyond it.
+        // The new input is rounded again: if drawn at a dead point, it may lie just beyond.
         let unit = f64::EPSILON * drawn_input.abs().max(self.span());
         let aside = (0..BACK).flat_map(|doubled| {
             let off = unit * f64::from((1_u32 << doubled) - 1);
@@ -207,7 +207,7 @@ impl Mechanism {
         true
     }
 
-    /// The drawn configuration at an input less by whole turns; None if the links do not close there.
+    /// Drawn configuration at an input reduced by whole turns; None if the links do not close there.
     fn rebased(&self, input: f64, turned: f64) -> Option<Configuration> {
         let mut at = Configuration {
             input,
@@ -228,13 +228,13 @@ impl Mechanism {
         Some(at)
     }
 
-    /// The same linkage drawn in this pose.
+    /// Specification of the linkage drawn in a given pose.
     pub fn drawn_in(&self, pose: &Pose<1>) -> LinkageSpec {
         self.drawn_by(&pose.state)
     }
 
-    /// The same linkage drawn in this pose, with one point moved: the links that list it take their dimensions from the
-    /// drawing, the others keep theirs. A tracer is moved on its link.
+    /// Specification of the linkage drawn in a given pose with one point moved. Links that list the point take their
+    /// dimensions from the drawing; other links keep theirs. A tracer is moved on its link.
     pub fn redrawn(&self, pose: &Pose<1>, point: PointId, to: Point) -> LinkageSpec {
         let mut spec = self.drawn_in(pose);
         let joints = spec.points.len();
@@ -275,7 +275,7 @@ mod tests {
     use crate::gears::Mesh;
     use crate::mechanism::GearSpec;
 
-    /// If the links do not close at an input, wheels already mounted for it are restored.
+    /// If the links do not close at an input, wheels already mounted for this input are restored.
     #[test]
     fn turns_that_do_not_close_change_nothing() {
         let mut spec = LinkageSpec::default()

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Bodies, pairs, structure and order of solving of a linkage. They follow from its topology and dimensions, and do not
+/// Bodies, pairs, structure and order of solving of a linkage. They follow from its topology and dimensions and do not
 /// change.
 #[derive(Debug)]
 pub(crate) struct Layout {
@@ -10,12 +10,12 @@ pub(crate) struct Layout {
     pub(super) origin: Vector,
     /// The bodies with their points, the slides and the wheels in mesh.
     pub(super) bodies: Bodies,
-    /// The link of each body; None for the frame.
+    /// Link for which each body is made; None for the frame.
     pub(super) made_for: List<BodyId, LinkOrFrame>,
     pub(super) links: List<LinkId, Part>,
-    /// The points on their bodies: first those that links list, then the tracers.
+    /// Points on their bodies: first the points that links list, then the tracers.
     pub(super) points: List<PointId, BodyPoint>,
-    /// Number of points that links list.
+    /// Number of points listed by links.
     pub(super) listed: usize,
     pub(super) doubled: Vec<DoubledLink>,
     pub(super) counts: Counts,
@@ -30,20 +30,20 @@ pub(crate) struct Layout {
     pub(super) size: f64,
     /// The range of a driven slide.
     pub(super) range: Option<[f64; 2]>,
-    /// Turns of the crank until all drivers and visible wheels are back; None for a driven slide, or if a driver does
-    /// not return.
+    /// Turns of the crank until all drivers and visible wheels return; None for a driven slide, or if a driver does not
+    /// return.
     pub(super) period_turns: Option<usize>,
-    /// Turns until the assemblies repeat; wheels that carry nothing do not count.
+    /// Turns of the crank until the assemblies repeat, without regard to wheels that carry nothing.
     pub(super) turns_of_assemblies: Option<usize>,
     /// Number of complex unknowns of groups solved by Newton's method.
     unknowns: usize,
 }
 
-/// A moving link, or a part fixed to one.
+/// Moving link, or part fixed to a link.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub(super) body: BodyId,
-    /// Offset of its angle from its body's.
+    /// Offset of the angle of the part from the angle of its body.
     pub(super) angle_offset: f64,
     pub(super) points: Vec<PointId>,
 }
@@ -53,13 +53,13 @@ pub(super) struct Part {
 pub(super) struct PassiveLinks {
     /// The structure with passive links as separate steps.
     pub(super) structure: Structure,
-    /// RRR dyads inside the groups, found by removing their passive links.
+    /// RRR dyads inside the groups, found after the passive links are removed.
     pub(super) dyads: Vec<[Arm; 2]>,
 }
 
 impl Layout {
-    /// The layout of a specification with this structure, and its configuration as drawn: a guess, of which no loop need
-    /// close. If the drawn pose is known, angles have its whole turns.
+    /// Layout of a specification with a given structure, and a guess of its drawn configuration, in which loops may be
+    /// open. If the drawn pose is known, angles keep its whole turns.
     ///
     /// # Errors
     /// Inadmissible rates of drivers, or a group that no step can solve.
@@ -75,7 +75,7 @@ impl Layout {
         let plan = plan::plan(resolved, &bodies, placements, &structure, parallel, drawn);
         let plan = plan.map_err(|defect| vec![defect])?;
         let points = resolved.places.enumerate().map(|(point, at)| {
-            // A point of no link stays where it is drawn.
+            // A point that no link lists stays at its drawn place.
             let still = || BodyPoint {
                 body: BodyId::FRAME,
                 local: *at,
@@ -140,12 +140,12 @@ impl Layout {
         )
     }
 
-    /// The body of a link, its own or the one it is fixed to.
+    /// Body of a link: the link's own, or the body to which it is fixed.
     pub(super) fn body_of(&self, link: LinkOrFrame) -> BodyId {
         link.map_or(BodyId::FRAME, |link| self.links[link].body)
     }
 
-    /// Offset of a link's angle from its body's.
+    /// Offset of the angle of a link from the angle of its body.
     pub(super) fn angle_offset(&self, link: LinkOrFrame) -> f64 {
         link.map_or(0.0, |link| self.links[link].angle_offset)
     }

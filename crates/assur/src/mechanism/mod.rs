@@ -1,7 +1,7 @@
 //! Any planar linkage: links with points, hinges, slides, gears, a driver.
 //!
-//! A [`LinkageSpec`] need not be valid; a [`Mechanism`] can always be assembled, because only [`Mechanism::new`] makes
-//! one. It is solved group by group, in the order found by [`crate::structure`].
+//! A [`LinkageSpec`] need not be valid. A [`Mechanism`] can be assembled as drawn, because [`Mechanism::new`] refuses
+//! other specifications. It is solved group by group, in the order found by [`crate::structure`].
 
 mod assembled_by_dimensions;
 mod assemblies;
@@ -91,8 +91,8 @@ pub struct Mechanism {
     start: Start,
 }
 
-/// The input and pose from which the motion is followed: the drawn ones, or ones just beside them if the drawn pose is
-/// singular. The pose is blank if a closed form gives the motion.
+/// Input and pose from which the motion is followed: the drawn ones, or, if the drawn pose is singular, an input and
+/// pose next to them. The pose is blank if a closed form gives the motion.
 #[derive(Clone, Debug)]
 struct Start {
     input: f64,

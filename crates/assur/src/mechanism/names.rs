@@ -3,17 +3,17 @@
 use super::*;
 
 impl Mechanism {
-    /// The linkage as it is drawn.
+    /// Specification of the linkage as drawn.
     pub fn spec(&self) -> &LinkageSpec {
         &self.spec
     }
 
-    /// The moving links in the order of the specification, by name.
+    /// Names of the moving links, in the order of the specification.
     pub fn links(&self) -> impl ExactSizeIterator<Item = &str> {
         self.spec.links.iter().map(|link| link.name.as_str())
     }
 
-    /// The points in the order of the specification, then its tracers, by name.
+    /// Names of the points in the order of the specification, then of the tracers.
     pub fn points(&self) -> impl ExactSizeIterator<Item = &str> {
         self.point_ids().map(|point| self.point_name(point))
     }
@@ -32,12 +32,12 @@ impl Mechanism {
         self.layout.points.ids()
     }
 
-    /// The moving link of a name.
+    /// Moving link with a given name.
     pub fn link(&self, name: &str) -> Option<LinkId> {
         self.links().position(|link| link == name).map(LinkId::at)
     }
 
-    /// The point of a name.
+    /// Point with a given name.
     pub fn point(&self, name: &str) -> Option<PointId> {
         let found = self.points().position(|point| point == name);
         found.map(PointId::at)
@@ -61,12 +61,12 @@ impl Mechanism {
         &self.layout.links[link].points
     }
 
-    /// The link to which a link is ultimately fixed: itself if to none; None for the frame.
+    /// Link to which a link is ultimately fixed, or the link itself if it is fixed to none; None for the frame.
     pub fn root_of(&self, link: LinkId) -> LinkOrFrame {
         self.link_of(self.layout.links[link].body)
     }
 
-    /// The links that can be driven: cranks, links that slide along a line of the frame, and links driven now.
+    /// Links that can be driven: cranks, links that slide along a line of the frame, and links driven at present.
     pub fn drivable(&self) -> Vec<&str> {
         self.spec.drivable()
     }
@@ -78,24 +78,24 @@ impl Mechanism {
             .filter(|link| self.spec.is_crank(&links[link.index()]))
     }
 
-    /// Driver and Assur groups, then passive links. Its links are bodies, by their indices.
+    /// Driver and Assur groups, then passive links. Links of the structure are bodies, given by index.
     pub fn structure(&self) -> &Structure {
         let layout = &self.layout;
         let shown = layout.passive.as_ref();
         shown.map_or(&layout.structure, |passive| &passive.structure)
     }
 
-    /// The bodies: the frame, then the links that are fixed to no other.
+    /// Bodies: the frame, then the links that are fixed to no other link.
     pub fn bodies(&self) -> impl ExactSizeIterator<Item = BodyId> + Clone + use<> {
         self.layout.bodies.ids()
     }
 
-    /// The link that a body was made for, or the frame.
+    /// Link for which a body is made; None for the frame.
     pub(crate) fn link_of(&self, body: BodyId) -> LinkOrFrame {
         self.layout.made_for[body]
     }
 
-    /// The name of a body: of the link that it was made for.
+    /// Name of a body: the name of the link for which it is made.
     pub fn body_name(&self, body: BodyId) -> &str {
         self.spec.name_of(self.link_of(body))
     }
@@ -110,12 +110,12 @@ impl Mechanism {
         &self.layout.doubled
     }
 
-    /// The structural formula: [its terms](Self::terms) in turn.
+    /// Structural formula: [its terms](Self::terms) in sequence.
     pub fn formula(&self) -> String {
         self.terms().join(" → ")
     }
 
-    /// The terms of the structural formula with the names of links: of the structure, then of the doubled links.
+    /// Terms of the structural formula with the names of links: first of the structure, then of the doubled links.
     pub fn terms(&self) -> Vec<String> {
         let body_name = |link| self.body_name(BodyId::at(link));
         let doubled = self.doubled().iter();
@@ -127,18 +127,18 @@ impl Mechanism {
             .collect()
     }
 
-    /// The links that a step of the plan places, by name.
+    /// Names of the links that a step of the plan places.
     pub fn links_of(&self, step: StepId) -> impl Iterator<Item = &str> {
         let bodies = self.steps()[step].bodies().into_iter();
         bodies.map(|body| self.body_name(body))
     }
 
-    /// The kind of singular position of a dead point of a step.
+    /// Kind of singular position at a dead point of a step.
     pub fn singularity(&self, step: StepId) -> Singularity {
         self.steps()[step].singularity()
     }
 
-    /// The diagonal of the drawing.
+    /// Length of the diagonal of the drawing.
     pub fn size(&self) -> f64 {
         self.layout.size
     }

@@ -1,15 +1,15 @@
-//! Assemblies numbered by the signs of their dyads, as in older files and links. Everywhere else they are numbered by
+//! Assemblies numbered by the signs of their dyads, as in older files and links. Otherwise assemblies are numbered by
 //! the angle of a link, see [`Motion::assemblies_at`](crate::motion::Motion::assemblies_at).
 
 use crate::Assembly;
 use crate::mechanism::{AssemblySigns, Mechanism};
 use crate::position::Predictor;
 
-/// Maximum numbers of assemblies, and of steps solved to find them: those by which older files were numbered.
+/// Maximum number of assemblies, and of steps solved to find them, with which older files were numbered.
 const MOST: [usize; 2] = [256, (1 << 14) - 1];
 
-/// The assemblies at the drawn input in which a motion can begin, in the order of the signs of their dyads; groups of
-/// higher class only as drawn. Beyond 256, or 16,383 steps solved, only the drawn one is added.
+/// Assemblies at the drawn input in which a motion can begin, in the order of the signs of their dyads. Groups of
+/// higher class are only as drawn. Beyond 256 assemblies or 16,383 solved steps, only the drawn assembly is added.
 #[derive(Clone, Debug)]
 pub struct SignedAssemblies<'a> {
     mechanism: &'a Mechanism,
@@ -30,18 +30,18 @@ impl SignedAssemblies<'_> {
             .count()
     }
 
-    /// The same linkage drawn in the assembly with this number, from 0, at the drawn input, or just beside it if
-    /// assemblies meet there. None if there is no such assembly, or no drawing distinguishes it from the others.
+    /// The linkage drawn in the assembly with a given number, from 0, at the drawn input, or just beside this input if
+    /// assemblies meet there. None if no assembly has this number, or no drawing distinguishes it from the others.
     pub fn assembly(&self, number: usize) -> Option<Mechanism> {
         self.mechanism.with_signs(self.all.get(number)?)
     }
 }
 
 impl Mechanism {
-    /// The assemblies at the drawn input by their signs, found anew with each call in up to some milliseconds.
+    /// Assemblies at the drawn input by their signs, found anew at each call in up to some milliseconds.
     pub fn signed_assemblies(&self) -> SignedAssemblies<'_> {
         let mut all = self.layout.found_by_signs(&self.drawn, MOST);
-        // The search may have stopped before the drawn one.
+        // The search may have stopped before the drawn assembly.
         if !all.contains(&self.drawn.signs) {
             all.push(self.drawn.signs.clone());
         }
@@ -56,8 +56,8 @@ impl Mechanism {
         }
     }
 
-    /// The same linkage drawn with its four-bar in this assembly. None if it is so already, does not close, or no
-    /// drawing distinguishes it.
+    /// The linkage drawn with its four-bar in a given assembly. None if it is drawn so already, does not close, or no
+    /// drawing distinguishes this assembly.
     pub(crate) fn with_four_bar(&self, assembly: Assembly) -> Option<Self> {
         let step = self.closed_steps().next()?.step;
         let mut signs = self.drawn.signs.clone();

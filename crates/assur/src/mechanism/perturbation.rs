@@ -1,4 +1,4 @@
-//! Neighbours of a linkage: a dimension is set a little differently, in the same assembly, at an input nearby. Larger
+//! Neighbours of a linkage: one dimension is slightly different, in the same assembly, at an input nearby. Larger
 //! changes go from neighbour to neighbour.
 
 use std::collections::BTreeSet;
@@ -17,7 +17,7 @@ use crate::tolerance;
 /// A change of a linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Setting {
-    /// Place of a point on a link; the point is given by its index there.
+    /// Place of a point on a link; the point is given by its index on the link.
     Place(LinkId, usize, Point),
     /// Place of a hinge of the frame.
     Hinge(PointId, Point),
@@ -25,18 +25,18 @@ pub(crate) enum Setting {
     Offset(SlideId, f64),
 }
 
-/// A linkage assembled at an input, with a specification drawn in that pose.
+/// Linkage assembled at an input, with a specification drawn in this pose.
 #[derive(Clone, Debug)]
 pub(crate) struct Assembled {
     layout: Arc<Layout>,
     spec: LinkageSpec,
     input: f64,
     state: State<1>,
-    /// For each step, the side on which its links are joined: ±1.
+    /// Side on which the links of each step are joined: ±1.
     sides: List<StepId, f64>,
 }
 
-/// Links that come apart on the way to a neighbour.
+/// Links that come apart before a neighbour is reached.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LoopOpen {
     pub(crate) step: StepId,
@@ -47,21 +47,21 @@ pub(crate) struct LoopOpen {
 /// The reason why there is no neighbour.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NoNeighbour {
-    /// Its links cannot be joined.
+    /// Links of the neighbour cannot be joined.
     LoopOpen(LoopOpen),
-    /// With this setting it is no mechanism, in any assembly.
+    /// The linkage with this setting is not a mechanism in any assembly.
     Defects(Vec<Defect>),
 }
 
-/// Maximum turn, radians, and displacement, relative to the size, of the bodies of a neighbour.
+/// Maximum turn, radians, and maximum displacement, relative to the size, of a body between neighbours.
 const NEAR: f64 = 0.2;
-/// Maximum ratio of the second to the first correction of Newton's method at which it converges to the continuation
-/// of the last solution: P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 5.1.
+/// Maximum ratio of the second to the first correction at which Newton's method converges to the continuation of the
+/// last solution: P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 5.1.
 const CONTRACTION: f64 = 0.125;
 /// Maximum length of the first correction, relative to the size.
 const CORRECTED: f64 = 0.03;
-/// Maximum factor by which the determinant of a group's Jacobian may change: two solutions that are about to meet
-/// are not confused.
+/// Maximum factor by which the determinant of a group's Jacobian may change. It keeps two solutions about to meet from
+/// being confused.
 const CHANGED: f64 = 2.0;
 
 impl Assembled {
@@ -79,8 +79,8 @@ impl Assembled {
         Self::joined(&mechanism.layout, spec, None, drawn, input, None)
     }
 
-    /// The mechanism of a specification with a setting that differs from its drawing, joined at an input on these sides,
-    /// or else as drawn.
+    /// Mechanism of a specification with a setting that differs from its drawing, joined at an input on the given
+    /// sides, or as drawn where no side is given.
     fn joined(
         before: &Layout,
         mut spec: LinkageSpec,
@@ -116,13 +116,13 @@ impl Assembled {
         self.input
     }
 
-    /// Span of its input: a turn, or the range of a slide.
+    /// Span of the input: a turn, or the range of a slide.
     pub(crate) fn span(&self) -> f64 {
         self.layout.span()
     }
 
-    /// Margin of a step: distance of its links from being in line, or from a singular pose; to be compared with that of
-    /// its neighbours.
+    /// Margin of a step: distance of its links from being in line, or from a singular pose. It is comparable with the
+    /// margins of neighbours.
     pub(crate) fn margin(&self, step: StepId) -> f64 {
         let [p, q] = self.state.margins[step].map(|margin| margin.value());
         match self.layout.steps[step] {
@@ -132,10 +132,10 @@ impl Assembled {
         }
     }
 
-    /// The neighbour with this setting, at an input.
+    /// Neighbour with a given setting, at an input.
     ///
     /// # Errors
-    /// The links that come apart, or would move farther than those of a neighbour; or the defects of the mechanism.
+    /// The links that come apart or would move too far for a neighbour; or the defects of the mechanism.
     pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, NoNeighbour> {
         let spec = match setting {
             Setting::Place(link, point, at) => self.layout.placed(&self.spec, link, point, at),
@@ -167,7 +167,7 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// The layout of a specification drawn in a known pose, with a setting that differs from the drawing, and its
+    /// Layout of a specification drawn in a known pose, with a setting that differs from the drawing, and its
     /// configuration before assembly.
     fn with_setting(
         &self,
@@ -176,7 +176,7 @@ impl Layout {
         drawn: Drawn<'_>,
     ) -> Result<(Self, Configuration), Vec<Defect>> {
         let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
-        // Links cease to be one body if a dimension is changed on one of them and kept by another, or by the frame.
+        // Links cease to be one body if a dimension changes on one of them and not on the other, or on the frame.
         let (before, after) = (&self.doubled, &resolved.doubled);
         if before != after {
             let parted = before.iter().filter(|one| !after.contains(one));
@@ -245,7 +245,7 @@ impl Layout {
         })
     }
 
-    /// A step whose links moved farther than those of a neighbour.
+    /// Step whose links moved too far for a neighbour; None if there is none.
     fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
         let moved = self.moved(before, state, NEAR);
         if let Some(body) = moved {
@@ -264,7 +264,7 @@ impl Layout {
         let lost = groups.find(|(step, group)| {
             let margins = [before, state].map(|state| state.margins[*step]);
             let [[a, of_a], [b, of_b]] = margins.map(|both| both.map(|margin| margin.value()));
-            // Pivoting may have left out other redundant equations.
+            // Pivoting may have dropped different redundant equations.
             let ratio = b / a * (of_b - of_a).exp2();
             let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&ratio);
             far || changed

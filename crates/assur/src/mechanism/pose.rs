@@ -1,4 +1,4 @@
-//! Poses of a mechanism, and the reason if there is none at an input.
+//! Poses of a mechanism, and the reason why an input has none.
 
 use std::fmt;
 
@@ -7,19 +7,19 @@ use crate::mechanism::Mechanism;
 use crate::position::{BodyPoint, Cause, Complex, State};
 use crate::{Jet, JetPoint};
 
-/// The reason why a mechanism has no pose at an input.
+/// Reason why a mechanism has no pose at an input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unsolved {
     /// The input.
     pub input: f64,
-    /// The step of the plan that fails; [`Mechanism::links_of`] names its links.
+    /// Step of the plan that fails; [`Mechanism::links_of`] gives the names of its links.
     pub step: StepId,
     /// The cause.
     pub cause: Cause,
 }
 
 impl fmt::Display for Unsolved {
-    /// For the programmer's log; the words for people live in string tables.
+    /// Debug form, for the programmer's log; texts for the reader are in the string tables.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self:?}")
     }
@@ -27,8 +27,8 @@ impl fmt::Display for Unsolved {
 
 impl std::error::Error for Unsolved {}
 
-/// Positions of all links, with `N − 1` derivatives by the input. Filled only by [`crate::motion::Motion`]; valid only
-/// with its mechanism.
+/// Positions of all links, with `N − 1` derivatives with respect to the input. Written only by
+/// [`crate::motion::Motion`]; valid only with its mechanism.
 #[derive(Clone, Debug)]
 pub struct Pose<const N: usize> {
     pub(super) state: State<N>,
@@ -44,8 +44,8 @@ impl<const N: usize> Pose<N> {
         }
     }
 
-    /// The pose with the places of its bodies only. The data for solving nearby poses, many times as large, is left
-    /// out: many poses may be kept.
+    /// Copy of the pose with only the places of its bodies. It omits the data for solving nearby poses, many times as
+    /// large, so that many poses may be kept.
     pub fn bodies(&self) -> Self {
         Self::of(self.state.bodies())
     }
@@ -74,8 +74,8 @@ impl Mechanism {
         (pose.state.place(self.layout.points[point]) + Complex::constant(self.layout.origin)).into()
     }
 
-    /// The position of a point as carried by a link: the same as [`Self::place`], for each of the links hinged there.
-    /// None if the point is not the link's.
+    /// Position of a point as carried by a link: equal to [`Self::place`] for each of the links hinged there. None if
+    /// the point is not on the link.
     pub fn carried<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -85,7 +85,7 @@ impl Mechanism {
         let body = self.layout.links[link].body;
         let joint = self.layout.bodies.local(body, point);
         let joint = joint.map(|local| BodyPoint { body, local });
-        // A tracer is among the points of one body only.
+        // A tracer is listed among the points of one body only.
         let own = Some(self.layout.points[point]).filter(|anchor| anchor.body == body);
         let place = pose.state.place(joint.or(own)?);
         Some((place + Complex::constant(self.layout.origin)).into())

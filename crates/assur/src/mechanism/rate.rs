@@ -1,4 +1,4 @@
-//! Rates of further drivers relative to the first, and periods in turns of the first.
+//! Rates of further drivers relative to the first driver, and periods in turns of the first crank.
 
 use std::f64::consts::TAU;
 
@@ -11,17 +11,17 @@ use crate::position::Step;
 /// Maximum period of the drivers, in turns of the first crank, and of a linkage with wheels whose motions are searched.
 pub(crate) const MAX_PERIOD: usize = 24;
 
-/// A number of turns beyond that of any motion followed.
+/// Number of turns greater than in any followed motion.
 pub(crate) const NEVER: usize = 10_000_000;
 
 /// Tolerance of a rate as a ratio of whole numbers.
 const WHOLE: f64 = 1e-11;
 
-/// Turns of the first crank until every driver is back; None if the first driver is a slide, or a further one is a
+/// Turns of the first crank until every driver returns; None if the first driver is a slide, or a further driver is a
 /// slide that does not return.
 ///
 /// # Errors
-/// Each driver with an inadmissible rate.
+/// The drivers with inadmissible rates.
 pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Defect>> {
     let defect = |driver: &Driver| Defect::Rate {
         link: spec.link_name(spec.driven(driver)).to_owned(),
@@ -49,7 +49,7 @@ pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Def
                     .map(|turns| period_turns.map(|_| turns))
             }
             Driver::Slide { .. } if rate == 0.0 => Some(period_turns),
-            // It must reach an end of its range before the motion is cut.
+            // The slide must reach an end of its range before the motion is cut.
             Driver::Slide { range, .. } => {
                 let way = (range[1] - range[0]) / rate.abs();
                 (way < TAU * (MAX_PERIOD - 1) as f64).then_some(None)
@@ -73,7 +73,7 @@ fn denominator(ratio: f64) -> Option<usize> {
     let mut denominators = [0.0, 1.0];
     while denominators[1] < NEVER as f64 {
         let turned = ratio * denominators[1];
-        // Rounding of a sum of products of a few ratios.
+        // Bound on the rounding of a sum of products of a few ratios.
         let exact = 64.0 * f64::EPSILON * (1.0 + ratio.abs()) * denominators[1];
         if (turned - turned.round()).abs() <= exact {
             return Some(denominators[1] as usize);
@@ -93,7 +93,7 @@ fn common(a: usize, b: usize) -> Option<usize> {
     (multiple < NEVER).then_some(multiple)
 }
 
-/// True if a body turning at this rate is back after this number of turns of the crank.
+/// True if a body that turns at a given rate returns after a given number of turns of the crank.
 fn is_whole(rate: f64, turns: usize) -> bool {
     let turned = rate * turns as f64;
     (turned - turned.round()).abs() <= WHOLE * turns as f64
@@ -101,7 +101,7 @@ fn is_whole(rate: f64, turns: usize) -> bool {
 
 impl Layout {
     /// Extends the period to the wheels that turn in proportion to the input, if they carry other links or show their
-    /// orientation. It becomes [`NEVER`] if one of them does not return.
+    /// orientation. The period becomes [`NEVER`] if one of these wheels does not return.
     pub(super) fn count_turns_of_wheels(&mut self) {
         let [carrying, seen] = [false, true].map(|seen| {
             self.together(|body| self.carries(body) || seen && self.shows_its_angle(body))
@@ -109,7 +109,7 @@ impl Layout {
         (self.period_turns, self.turns_of_assemblies) = (seen, carrying);
     }
 
-    /// Turns until the drivers, and the selected bodies that turn in proportion to the input, are all back.
+    /// Turns until all drivers return, together with the selected bodies that turn in proportion to the input.
     fn together(&self, counts: impl Fn(BodyId) -> bool) -> Option<usize> {
         let period_turns = self.period_turns?;
         let rates = self.rates_of_bodies();
@@ -119,7 +119,7 @@ impl Layout {
         Some(together.unwrap_or(NEVER))
     }
 
-    /// Rate of each body's angle by the input, if the drivers and the numbers of teeth make it constant.
+    /// Rate of each body's angle with respect to the input, if drivers and numbers of teeth make it constant.
     fn rates_of_bodies(&self) -> List<BodyId, Option<f64>> {
         let mut rates = self.placed_by.same_len(None);
         rates[BodyId::FRAME] = Some(0.0);
@@ -146,7 +146,7 @@ impl Layout {
 
 impl Mechanism {
     /// Maximum rate, radians per unit of the input, of links turned by drivers and of wheels that carry another link or
-    /// a point off their centre; 0 if nothing turns in proportion to the input.
+    /// a point off their centre; 0 if no link turns in proportion to the input.
     pub fn quickest(&self) -> f64 {
         let rates = self.layout.rates_of_bodies();
         let bodies = self.bodies();
@@ -156,7 +156,7 @@ impl Mechanism {
         rates.fold(0.0, |most, rate| most.max(rate.abs()))
     }
 
-    /// Rate of each driver's coordinate relative to the first.
+    /// Rate of each driver's coordinate relative to the coordinate of the first driver.
     pub fn rates(&self) -> impl Iterator<Item = f64> {
         self.spec.drivers.iter().map(DriverSpec::rate)
     }
@@ -169,13 +169,13 @@ impl Mechanism {
             .map(|period_turns| TAU * period_turns as f64)
     }
 
-    /// Turns of the crank until the assemblies repeat: until the drivers, and the wheels that carry other links, are
-    /// back. None as for [`Self::period`].
+    /// Turns of the crank until the assemblies repeat, that is, until the drivers and the wheels that carry other links
+    /// return. None as for [`Self::period`].
     pub(crate) fn turns_of_assemblies(&self) -> Option<usize> {
         self.layout.turns_of_assemblies
     }
 
-    /// The interval of inputs within the ranges of all driven slides; infinite without any.
+    /// Interval of inputs within the ranges of all driven slides; infinite if there are no driven slides.
     pub(crate) fn within_ranges(&self) -> [f64; 2] {
         let within = self.steps().iter().flat_map(|step| match step {
             Step::Slider(slider) => vec![(slider.law, slider.range)],
@@ -198,7 +198,7 @@ impl Mechanism {
         self.layout.period_turns.unwrap_or(1)
     }
 
-    /// Turns until a mechanism of cranks and wheels alone repeats, by the numbers of teeth; None for any other
+    /// Turns until a mechanism of only cranks and wheels repeats, from the numbers of teeth; None for any other
     /// mechanism, and beyond [`NEVER`].
     pub(crate) fn turns_of_wheels(&self) -> Option<usize> {
         let mut steps = self.steps().iter();
@@ -209,14 +209,14 @@ impl Mechanism {
     }
 
     /// Minimum number of turns after which a motion may repeat: common multiple of the period of drivers and wheels and
-    /// those of four-bars in closed form (two turns if one turn leads to the other assembly). None beyond [`NEVER`].
+    /// the periods of four-bars in closed form (two turns if one leads to the other assembly). None beyond [`NEVER`].
     pub(crate) fn least_turns(&self) -> Option<usize> {
         let turns = self.closed_steps().map(|closed| closed.turns());
         common(turns.max().unwrap_or(1), self.period_turns())
     }
 
-    /// Shift of the input that leaves the pose unchanged, for a motion that does not repeat: [`Self::least_turns`] in
-    /// radians. None without such turns, or if a group counts the turns of the crank.
+    /// Shift of the input that leaves the pose of a motion that does not repeat unchanged: [`Self::least_turns`] in
+    /// radians. None without such turns, or if a group depends on the number of turns of the crank.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.layout.rates_of_bodies();
         let mut counted = self.steps().iter().flat_map(|step| match step {

@@ -1,8 +1,8 @@
-//! Redundant constraints: groups with more constraints than freedoms that still move.
+//! Redundant constraints: groups with more constraints than freedoms that move all the same.
 //!
-//! Every constraint of such a group is one of its equations. Pivoting selects, in each pose anew, as many independent
-//! equations as there are unknowns; the residuals of the others are checked. Bodies that stay parallel, as rods on
-//! equal cranks, add further equations: with all cranks in line the Jacobian of the constraints alone is singular,
+//! Every constraint of such a group is one of its equations. In each pose pivoting selects as many independent
+//! equations as there are unknowns; the residuals of the others are checked. Bodies that stay parallel, such as rods on
+//! equal cranks, give additional equations: with all cranks in line the Jacobian of the constraints alone is singular,
 //! although all constraints together allow only one motion.
 
 use crate::tolerance;
@@ -34,8 +34,8 @@ pub struct Mobility {
     pub count: isize,
     /// W = 3n − r with the rank r of the constraints of the pairs in a general pose.
     pub rank: isize,
-    /// The pairs with a redundant constraint, once for each, in the order of points, slides and gears: a hinge or a
-    /// slide by its point, wheels in mesh by both names. Of dependent constraints the last in this order is named.
+    /// Names of the pairs with a redundant constraint, one per constraint, in the order of points, slides and gears:
+    /// the point of a hinge or slide, both wheels in mesh. Of dependent constraints the last in this order is listed.
     pub redundant: Vec<String>,
 }
 
@@ -61,10 +61,10 @@ enum PairName {
 struct Basis(Vec<DVector<f64>>);
 
 impl Basis {
-    /// Adds a row if it is independent of those before; true if added.
+    /// Adds a row if it is independent of the rows before; returns true if the row is added.
     fn takes(&mut self, row: &DVector<f64>) -> bool {
         let mut rest = row.clone();
-        // Twice is enough (Kahan, in Parlett, The Symmetric Eigenvalue Problem, 6.9).
+        // Two orthogonalizations suffice (Kahan, in Parlett, The Symmetric Eigenvalue Problem, 6.9).
         for _ in 0..2 {
             for one in &self.0 {
                 rest -= one * one.dot(&rest);
@@ -102,23 +102,23 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// The pairs with redundant constraints in the most general of some poses, and the hinges of doubled links.
+    /// Pairs with redundant constraints in the most general of several poses, and the hinges of doubled links.
     fn redundant(&self, rows: &[Rows]) -> Vec<PairName> {
-        // In a singular pose more constraints depend on each other.
+        // In a singular pose more constraints are dependent.
         let general = rows.iter().map(dependent);
         let mut redundant = general.min_by_key(Vec::len).unwrap_or_default();
         redundant.extend(self.hinges_of_doubled());
         redundant
     }
 
-    /// True if the rank of the constraints in the most general of some poses leaves as many freedoms as drivers.
+    /// True if the rank of the constraints in the most general of several poses leaves as many freedoms as drivers.
     fn rank_allows(&self, rows: &[Rows], drivers: &[structure::Driver]) -> bool {
         let rank = self.counts.mobility + self.redundant(rows).len() as isize;
         rank == drivers.len() as isize
     }
 
-    /// The hinges of doubled links, repeated by their number of redundant constraints: 0 for the first hinge, 1 for the
-    /// second, 2 for each further one.
+    /// Hinges of doubled links, each repeated as often as it has redundant constraints: not listed for the first hinge
+    /// of a link, once for the second, twice for each further hinge.
     fn hinges_of_doubled(&self) -> impl Iterator<Item = PairName> {
         self.doubled.iter().flat_map(|one| {
             let further = one.shared.iter().enumerate().skip(1);
@@ -137,7 +137,7 @@ impl Layout {
     fn rows(&self, pose: &Predictor) -> Rows {
         let place = |anchor: BodyPoint| pose.place(anchor).value() / self.size;
         let blank = || DVector::zeros(3 * self.placed_by.len());
-        // Component at a place of the velocity of a body relative to another.
+        // Component in a direction of the velocity of a body relative to another, at a place.
         let along = |at: Vector, way: Vector, [body, base]: [BodyId; 2]| {
             let mut row = blank();
             for (of, sign) in [(body, 1.0), (base, -1.0)] {
@@ -241,9 +241,9 @@ impl Layout {
         Ok(settled)
     }
 
-    /// The structure with passive links as separate steps. None if a redundant constraint fails around the drawn pose,
-    /// or if the mobility by rank differs from the number of drivers: drivers compatible only at their given rates are
-    /// too many.
+    /// Structure with passive links as separate steps. None if a redundant constraint fails near the drawn pose, or if
+    /// the mobility by rank differs from the number of drivers: drivers that are compatible only at their given rates
+    /// are too many.
     fn shown(&self, redundancy: &Redundancy, at: &Configuration) -> Option<Structure> {
         let rows = self.rows_beside(at);
         let Redundancy { graph, drivers, .. } = redundancy;
@@ -267,8 +267,8 @@ impl Layout {
         Some(shown.unwrap_or_else(|| self.structure.clone()))
     }
 
-    /// The defects of a drawing whose constraints fail around it. If the rank in the drawn pose allows a motion, the
-    /// links are mobile for an instant, else locked.
+    /// Defects of a drawing whose constraints fail near it. If the rank in the drawn pose allows a motion, the links
+    /// are mobile for an instant; otherwise they are locked.
     fn locked(&self, redundancy: &Redundancy, at: &Configuration) -> Vec<Defect> {
         let mut state: Predictor = self.blank_state();
         let solved = self.solve(at.input, &at.signs, at, &mut state);
@@ -281,8 +281,8 @@ impl Layout {
         redundancy.defects.iter().cloned().map(told).collect()
     }
 
-    /// Poses on both sides of the drawn one, as far as there are poses. Empty if a redundant constraint fails in one of
-    /// them: the links are locked.
+    /// Poses on both sides of the drawn pose, as far as they exist. Empty if a redundant constraint fails in one of
+    /// them: the links are then locked.
     fn beside(&self, drawn: &Configuration) -> Vec<Predictor> {
         let unit = self.span() / TAU;
         let mut found = Vec::new();
@@ -342,13 +342,13 @@ impl Layout {
                 (a - b).abs() <= tolerance::DOUBLE_ROOT
             });
             let alike = alike.count();
-            // In one of the poses links may be in line; there angular velocities are lost to cancellation.
+            // In one of the poses links may be in line; cancellation then makes angular velocities inexact.
             2 * alike > poses.len() && alike + 1 >= poses.len()
         };
         let mut parallel = Vec::new();
         for step in self.steps.ids().filter(|step| self.is_redundant(*step)) {
             for body in self.steps[step].bodies() {
-                // The first body with the same angular velocity; the frame comes before all others.
+                // The first body with the same angular velocity is taken; the frame is before all others.
                 let before = self.bodies.ids().filter(|other| *other != body);
                 let before = before.filter(|other| {
                     let placed = self.placed_by[*other];
@@ -362,7 +362,7 @@ impl Layout {
     }
 }
 
-/// The pairs with a constraint that depends on those before it.
+/// Pairs with a constraint that depends on the constraints before it.
 fn dependent(rows: &Rows) -> Vec<PairName> {
     let mut basis = Basis::default();
     let dependent = rows.iter().filter(|(_, row)| !basis.takes(row));

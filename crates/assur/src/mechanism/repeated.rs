@@ -1,4 +1,4 @@
-//! Comparison of poses, in which wheels that move nothing else do not count.
+//! Comparison of poses, without regard to wheels that move nothing else.
 
 use crate::index::BodyId;
 use crate::mechanism::{Layout, Mechanism, Pose};
@@ -15,8 +15,8 @@ impl Mechanism {
         })
     }
 
-    /// Distance of two poses: maximum over the bodies of the displacement, relative to the size or to the distance from
-    /// the origin if that is larger, and of the turn, radians if small. Wheels that move nothing else do not count.
+    /// Distance of two poses: maximum over the bodies of the turn (radians if small) and of the displacement. A
+    /// displacement is relative to the size, or to the distance from the origin if larger. Idle wheels do not count.
     pub(crate) fn distance<const N: usize, const M: usize>(&self, a: &Pose<N>, b: &Pose<M>) -> f64 {
         let bodies = self.bodies();
         let bodies = bodies.filter(|body| !self.layout.is_idle_wheel(*body));
@@ -30,7 +30,7 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// A body whose position or orientation differs between two poses. A wheel that moves nothing else may have turned.
+    /// Body whose position or orientation differs between two poses. A wheel that moves nothing else may have turned.
     pub(crate) fn moved<const N: usize>(
         &self,
         a: &State<N>,
@@ -57,7 +57,7 @@ impl Layout {
         matches!(placing, Some(Step::Epicyclic(_))) && !self.carries(body)
     }
 
-    /// True if a body has a point off its hinge, so that its orientation is visible.
+    /// True if a body has a point away from its hinge, so that its orientation is visible.
     pub(super) fn shows_its_angle(&self, body: BodyId) -> bool {
         let mut tracers = self.points.iter().skip(self.listed);
         self.bodies.of(body).len() > 1 || tracers.any(|tracer| tracer.body == body)
@@ -69,7 +69,7 @@ impl Layout {
     }
 }
 
-/// Turn, radians if small, and displacement of a body between two poses.
+/// Turn (radians if small) and displacement of a body between two poses.
 fn off<const N: usize, const M: usize>(a: &State<N>, b: &State<M>, body: BodyId) -> [f64; 2] {
     let turned = a.bodies[body].turn.value() - b.bodies[body].turn.value();
     let moved = a.bodies[body].origin.value() - b.bodies[body].origin.value();

@@ -1,4 +1,4 @@
-//! Solving the steps of a mechanism.
+//! Solution of the steps of a mechanism.
 
 use super::*;
 
@@ -50,7 +50,7 @@ impl Mechanism {
         solve(steps, input, signs, near, self.mounting(), state)
     }
 
-    /// The same for the steps before one.
+    /// Solves every step before a given step for an input.
     pub(crate) fn solve_before<const N: usize>(
         &self,
         end: StepId,

@@ -1,5 +1,5 @@
-//! Tracer points: points of a link that join nothing. They change neither the structure nor the assemblies, and stay on
-//! their link whenever it is redrawn.
+//! Tracer points: points of a link that join nothing. They change neither the structure nor the assemblies, and keep
+//! their places on the link whenever it is redrawn.
 
 use crate::index::{BodyId, LinkId, List, PointId};
 use crate::linkage::TracerSpec;
@@ -10,7 +10,7 @@ use crate::position::{BodyPoint, product};
 use crate::{Point, Vector};
 
 impl Mechanism {
-    /// The place on a tracer's link that is at `place` in a pose, in the coordinates of [`TracerSpec::at`].
+    /// Place on the link of a tracer that is at `place` in a pose, in the coordinates of [`TracerSpec::at`].
     pub(super) fn on_link_of(&self, tracer: &TracerSpec, pose: &Pose<1>, place: Point) -> Vector {
         let link = self.link(&tracer.link);
         link.map_or(place.coords, |link| self.on_link(pose, link, place))
@@ -22,7 +22,7 @@ impl Mechanism {
         self.spec.tracers.get(tracer)
     }
 
-    /// A place in the coordinates of a link, those of [`TracerSpec::at`].
+    /// Place of the frame in the coordinates of a link, as in [`TracerSpec::at`].
     pub fn on_link<const N: usize>(&self, pose: &Pose<N>, link: LinkId, place: Point) -> Vector {
         // `Mechanism::new` refuses a link without points.
         let origin = self

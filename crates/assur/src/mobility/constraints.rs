@@ -39,7 +39,7 @@ impl Constraints {
     }
 
     /// Equilibrium of every moving link under stresses of the pairs alone: the transposed constraints, whose solutions
-    /// are the self-stresses. Its rank is that of the constraints.
+    /// are the self-stresses. Its rank equals the rank of the constraints.
     pub(super) fn equilibrium(&self, scheme: &Scheme) -> System {
         let sizes = self
             .starts

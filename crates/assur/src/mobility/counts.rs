@@ -11,7 +11,7 @@ pub struct Counts {
     pub links: usize,
     /// P_i: number of pairs with i freedoms in the scheme's own space; a hinge of k links counts as k − 1.
     pub pairs: BTreeMap<u8, usize>,
-    /// The same by freedoms in space.
+    /// Number of pairs with i freedoms in space.
     pub spatial_pairs: BTreeMap<u8, usize>,
     /// W by Chebyshev and Grübler for a planar scheme, W = 3n − 2P₁ − P₂ (mobility paper, (1)).
     pub planar: Option<isize>,

@@ -25,13 +25,13 @@ pub struct Cut {
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum CutError {
-    /// There is no pair of this name.
+    /// No pair has this name.
     NoSuchPair { pair: String },
     /// The pair does not have this link.
     NotOfPair { pair: String, link: String },
     /// More than two links meet in this pair: the detached link must be named.
     WhichLink { pair: String },
-    /// This was cut before, and nothing is left to cut.
+    /// This pair was cut before, and nothing is left to cut.
     CutTwice { pair: String },
     /// The shortest contour that is still closed, by its pairs in their order along it.
     StillClosed { pairs: Vec<String> },
@@ -40,7 +40,7 @@ pub enum CutError {
 }
 
 impl Scheme {
-    /// The cut with a name: that of a pair, or for a compound hinge pair and link, `Q:3`.
+    /// Cut with a given name: the name of a pair, or of a compound hinge and a link, `Q:3`.
     ///
     /// # Errors
     /// There is no such pair, no such link in it, or the link of a compound hinge is missing.

@@ -23,7 +23,7 @@ impl Placement {
         }
     }
 
-    /// Displaced further by a twist.
+    /// Placement displaced further by a twist.
     pub(super) fn moved(&self, twist: &Screw) -> Self {
         let turn = Rotation3::from_scaled_axis(Vector3::new(twist[0], twist[1], twist[2]));
         let along = Vector3::new(twist[3], twist[4], twist[5]);

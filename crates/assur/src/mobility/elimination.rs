@@ -40,7 +40,7 @@ pub(super) struct Eliminated {
     free: Vec<Free>,
 }
 
-/// A pivot row: its unknown as a combination of free unknowns and of those eliminated later.
+/// Pivot row: its unknown as a combination of free unknowns and of unknowns eliminated later.
 #[derive(Clone, Debug)]
 struct Pivot {
     column: usize,
@@ -52,7 +52,7 @@ struct Pivot {
 #[derive(Clone, Copy, Debug)]
 struct Free {
     column: usize,
-    /// Number of pivots before it was found to be free: no later one depends on it.
+    /// Number of pivots before the column was found to be free: no later pivot depends on it.
     before: usize,
 }
 
@@ -287,7 +287,7 @@ impl Eliminated {
             .extend(columns.map(|column| Free { column, before }));
     }
 
-    /// Basis of solutions, with one free unknown 1 and the others 0; that of a block kept free is the last.
+    /// Basis of the null space: one free unknown is 1, the other free ones are 0; vectors of a kept block come last.
     pub(super) fn solutions(&self) -> impl DoubleEndedIterator<Item = Vec<f64>> + '_ {
         self.free.iter().map(|free| {
             let mut values = vec![0.0; self.columns];
@@ -297,7 +297,7 @@ impl Eliminated {
         })
     }
 
-    /// A generic combination of the solutions of the wanted free unknowns: no two of these are in a simple ratio.
+    /// Generic combination of the solutions of the wanted free unknowns, with no two coefficients in a simple ratio.
     pub(super) fn mixture(&self, wanted: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut values = vec![0.0; self.columns];
         for column in self.free().filter(|column| wanted(*column)) {

@@ -1,4 +1,4 @@
-//! Idle links: they can move while all others are at rest.
+//! Idle links: links that can move while all others are at rest.
 
 use crate::sorting::sort_by_key;
 use std::collections::BTreeSet;
@@ -9,9 +9,9 @@ use super::{Pair, Scheme, Space};
 impl Scheme {
     /// Idle links, single or in joined twos, in the order of names.
     ///
-    /// Excluded are the ends of open chains. Also excluded is a link joined to the ground by a pair of one freedom if
-    /// it is the only one moving at this instant (a cam in its dwell), and two links one of which is joined so (a crank
-    /// in its dead point with its coupler).
+    /// Excluded are the ends of open chains. Also excluded is a link joined to the ground by a pair of one freedom, if
+    /// only this link moves at this instant (a cam in its dwell), and two links of which one is joined so (a crank in
+    /// its dead point with its coupler).
     pub(super) fn idle(
         &self,
         constraints: &Constraints,

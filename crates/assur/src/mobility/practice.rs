@@ -165,7 +165,7 @@ impl Task {
         }
     }
 
-    /// A random kind in space, mostly a hinge or a ball.
+    /// Random kind of spatial pair, most often a hinge or a ball.
     fn kind(&mut self) -> PairKind {
         let forms = [
             PairKind::Revolute,

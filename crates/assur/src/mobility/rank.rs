@@ -58,7 +58,7 @@ pub struct RankReport {
 pub struct Redundancy {
     /// Number of redundant constraints.
     pub count: usize,
-    /// The pairs involved: those that can be stressed without a load.
+    /// Pairs involved: pairs that can be stressed without a load.
     pub pairs: Vec<usize>,
 }
 

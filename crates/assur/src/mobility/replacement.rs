@@ -32,11 +32,11 @@ pub struct Replacement {
 pub struct Change {
     /// The pair.
     pub pair: usize,
-    /// Its new kind.
+    /// New kind of the pair.
     pub kind: PairKind,
-    /// Its new axis.
+    /// New axis of the pair.
     pub axis: Option<Vector3>,
-    /// Its new second direction.
+    /// New second direction of the pair.
     pub second: Option<Vector3>,
 }
 

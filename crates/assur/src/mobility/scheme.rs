@@ -35,15 +35,15 @@ pub struct Scheme {
 /// A pair of a scheme.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pair {
-    /// Its name, unique in the scheme.
+    /// Name of the pair, unique in the scheme.
     pub name: String,
-    /// Its form.
+    /// Form of the pair.
     pub kind: PairKind,
     /// The links it joins, by number: two, or k in a compound hinge, which counts as k − 1 pairs.
     pub links: Vec<usize>,
-    /// Its position.
+    /// Position of the pair.
     pub place: Option<Point3>,
-    /// Its axis or normal, of length 1.
+    /// Axis or normal of the pair, of length 1.
     pub axis: Option<Vector3>,
     /// The second direction, if any, of length 1 and perpendicular to the axis.
     pub second: Option<Vector3>,

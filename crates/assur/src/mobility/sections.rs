@@ -33,7 +33,7 @@ pub struct Sections {
 pub struct Loop {
     /// The cut.
     pub cut: Cut,
-    /// Its pairs along the contour, the cut one first.
+    /// Pairs along the contour, the cut pair first.
     pub pairs: Vec<usize>,
     /// S of the cut pair in the scheme's own space.
     pub constraints: u8,

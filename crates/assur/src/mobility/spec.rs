@@ -16,13 +16,13 @@ pub struct SchemeSpec {
 /// A pair as entered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairSpec {
-    /// Its name.
+    /// Name of the pair.
     pub name: String,
-    /// Its form.
+    /// Form of the pair.
     pub kind: PairKind,
     /// The links it joins: two, or more for a compound hinge.
     pub links: Vec<String>,
-    /// Its position. The rank needs it for every pair.
+    /// Position of the pair. The rank needs it for every pair.
     pub place: Option<Point3>,
     /// Its axis or normal, of any length. Default in a planar scheme: the normal of the plane for the hinge,
     /// cylindrical and universal pair and ball in a cylinder; no default for other pairs.

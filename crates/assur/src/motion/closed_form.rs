@@ -9,8 +9,8 @@ use crate::sorting::sort_by;
 use crate::{Assembly, Cycle};
 
 impl Motion {
-    /// The motion of a four-bar and the wheels on it; if its crank cannot turn fully, over the drawn arc. Cranks and wheels
-    /// alone repeat after a number of turns.
+    /// Motion of a four-bar and its wheels; over the drawn arc if the crank cannot turn fully. Cranks and wheels alone
+    /// repeat after a number of turns.
     pub(super) fn in_closed_form(mut mechanism: Mechanism, turns_of_wheels: usize) -> Self {
         let arc = mechanism.closed_steps().next();
         let arc = arc.and_then(|closed| closed.arc(mechanism.drawn_input()));
@@ -41,7 +41,7 @@ impl Motion {
     }
 }
 
-/// A link that turns at a constant ratio to the rocker of a four-bar in closed form, or the rocker itself.
+/// Link that turns at a constant ratio to the rocker of a four-bar in closed form, or the rocker itself.
 struct Rocker<'a> {
     closed: DrivenFourBar<'a>,
     assembly: Assembly,
@@ -49,7 +49,7 @@ struct Rocker<'a> {
 }
 
 impl Motion {
-    /// The inputs of the extrema of the angle of a four-bar's rocker, or of a wheel driven by it; none of other
+    /// Inputs of the extrema of the angle of a four-bar's rocker, or of a wheel driven by the rocker; None for other
     /// quantities.
     pub(super) fn limits_in_closed_form(&self, quantity: Quantity) -> Option<Vec<f64>> {
         let Rocker {
@@ -64,10 +64,10 @@ impl Motion {
         Some(inputs)
     }
 
-    /// The growth of such an angle over a full cycle.
+    /// Growth over a full cycle of the angle of a rocker, or of a wheel driven by it; None for other quantities.
     pub(super) fn gain_in_closed_form(&self, quantity: Quantity, period: f64) -> Option<f64> {
         let rocker = self.rocker(quantity)?;
-        // Any angle at which a deltoid is not indeterminate.
+        // At a crank angle of 1 no deltoid is indeterminate.
         let at = |crank: f64| {
             let pose = rocker.closed.linkage.pose::<1>(rocker.assembly, crank);
             Some(pose.ok()?.rocker.value())
@@ -76,7 +76,7 @@ impl Motion {
         Some(rocker.ratio * TAU * turns)
     }
 
-    /// The rocker to which an angle is proportional.
+    /// Rocker whose angle determines a quantity at a constant ratio.
     fn rocker(&self, quantity: Quantity) -> Option<Rocker<'_>> {
         let mechanism = &self.mechanism;
         let closed = mechanism.closed_steps().next()?;

@@ -20,20 +20,20 @@ pub enum PhaseKind {
 pub struct Phase {
     /// Rise, dwell or return.
     pub kind: PhaseKind,
-    /// Inputs of its ends.
+    /// Inputs at the ends of the phase.
     pub arc: [f64; 2],
-    /// Values at its ends.
+    /// Values at the ends of the phase.
     pub values: [f64; 2],
 }
 
 impl OutputProfile<'_> {
-    /// The phases of a cycle: dwells at the extrema within a band of full width `tolerance`, of overlapping ones the
-    /// longest, and the strokes between them. Empty if the tolerance is not positive.
+    /// Phases of a cycle: dwells at the extrema within a band of full width `tolerance`, and the strokes between them.
+    /// Of overlapping dwells the longest is kept. Empty if the tolerance is not positive.
     pub fn cyclogram(&self, tolerance: f64) -> Vec<Phase> {
         self.phases(self.touching(tolerance), tolerance)
     }
 
-    /// [`Self::cyclogram`] from the arcs of the extrema.
+    /// Phases of a cycle, as [`Self::cyclogram`], from the arcs around extrema.
     pub(super) fn phases(&self, mut arcs: Vec<Dwell>, tolerance: f64) -> Vec<Phase> {
         let (Some(first), true) = (self.stations.first(), is_width(tolerance)) else {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! Dead points: the ends of a motion. Those of dyads are found in `continuation::obstacle`, those of groups in
+//! Dead points: the ends of a motion. Dead points of dyads are found in `continuation::obstacle`, folds of groups in
 //! `continuation::fold`.
 
 use crate::index::StepId;
@@ -19,21 +19,21 @@ pub enum DeadPointKind {
     Singular,
     /// A redundant constraint of a group no longer holds: its links lock.
     Locked,
-    /// The end of a driven slide's range: no dead point of the linkage.
+    /// End of the range of a driven slide; not a dead point of the linkage.
     Range,
-    /// A pose so close to a singular one, or to another branch, that the continuation is uncertain: no known dead point.
+    /// A pose too close to a singular one, or to another branch, for a certain continuation; not a known dead point.
     NearSingular,
-    /// The limit of work: the motion goes on farther, or needs smaller steps, than it is followed. No dead point.
+    /// Limit of computing work: the motion continues, or needs smaller steps, but is not followed. Not a dead point.
     Unfollowed,
 }
 
 impl DeadPointKind {
-    /// True if the linkage itself stops the driver: not at the end of its range, nor where the motion is given up.
+    /// True if the linkage itself stops the driver; false at the end of a range and where the motion is given up.
     pub fn is_dead_point(self) -> bool {
         !matches!(self, Self::Range) && !self.is_given_up()
     }
 
-    /// True if the motion goes on, or may go on, and is not followed further.
+    /// True if the motion continues, or may continue, but is not followed further.
     pub fn is_given_up(self) -> bool {
         matches!(self, Self::NearSingular | Self::Unfollowed)
     }
@@ -57,9 +57,9 @@ impl DeadPointKind {
 /// A pose at which the driver must turn back, or the motion is given up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeadPoint {
-    /// The input.
+    /// Input of the pose.
     pub input: f64,
-    /// The cause.
+    /// Cause of the end.
     pub kind: DeadPointKind,
     pub(crate) step: StepId,
 }

@@ -1,5 +1,5 @@
-//! The exact drawing nearest to one whose redundant constraints nearly hold, as in drawings by hand and files with four
-//! decimals.
+//! The nearest exact drawing to a drawing whose redundant constraints nearly hold: one drawn by hand, or a file with
+//! four decimals.
 //!
 //! The unknowns are the drawing and several poses of its motion. Each constraint has the same value in every pose as in
 //! the drawing. The Gauss–Newton method finds the solution with the least change of the drawing; the poses are free.
@@ -13,18 +13,18 @@ use crate::{Point, Vector, tolerance};
 
 /// Maximum displacement of a point, relative to the size of the drawing.
 pub const NEARLY: f64 = 1e-3;
-/// Angles of the crank, radians, in the poses on each side of the drawing: four, for the redundant constraints have to
-/// hold over a motion and not at an instant.
+/// Angles of the crank, radians, in the poses on each side of the drawing. There are four, because the redundant
+/// constraints have to hold over a motion and not for an instant.
 const POSE_ANGLES: [f64; 4] = [0.15, 0.3, 0.45, 0.6];
-/// Number of steps from a pose to the next, for each begins at the extrapolation of two before.
+/// Number of steps from one pose to the next; each step begins at the extrapolation of the two poses before.
 const STEPS: usize = 4;
-/// Scale of the unknowns of poses relative to those of the drawing: large, so that the poses are as good as free.
+/// Scale of the unknowns of poses relative to the unknowns of the drawing: large, so that poses are nearly free.
 const DRAWING_WEIGHT: f64 = 1e2;
-/// Relative tolerances of the rank for the initial poses, tried in turn: near a singular pose they keep the error of the
-/// drawing from growing.
+/// Relative tolerances of the rank for the initial poses, tried in turn. Near a singular pose a large tolerance keeps
+/// the error of the drawing from growing.
 const INITIAL_RANKS: [f64; 3] = [1e-3, 1e-2, 3e-4];
-/// Relative tolerances of the rank for the solution, tried in turn: the singular values that vanish there depend on the
-/// mechanism.
+/// Relative tolerances of the rank for the solution, tried in turn: the size of the vanishing singular values depends
+/// on the mechanism.
 const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
 
 /// An exact drawing.
@@ -39,8 +39,8 @@ pub struct MadeExact {
 }
 
 impl LinkageSpec {
-    /// The nearest drawing whose redundant constraints hold over a motion. None unless this is an overconstrained
-    /// linkage with a crank on the frame, or if a point would move farther than [`NEARLY`] of its size.
+    /// Nearest drawing whose redundant constraints hold over a motion. None unless this is an overconstrained linkage
+    /// with a crank on the frame, or if a point would move by over [`NEARLY`] of the size of the drawing.
     pub fn made_exact(&self) -> Option<MadeExact> {
         let refused = Mechanism::new(self).err()?;
         let locked =
@@ -56,7 +56,7 @@ impl LinkageSpec {
         })
     }
 
-    /// The drawing with its points at other places, if it moves and does not lock.
+    /// The drawing with new places of its points; None if it does not move, or locks.
     fn moved(&self, places: Vec<Point>) -> Option<MadeExact> {
         let size = self.size();
         let mut spec = self.clone();
@@ -82,7 +82,7 @@ impl LinkageSpec {
     }
 }
 
-/// A quantity of points, given by index, that is constant over the motion.
+/// Quantity of points, given by index, that is constant over the motion.
 enum Constant {
     /// |p − q|².
     Distance([usize; 2]),
@@ -100,7 +100,7 @@ struct System {
     /// True for points of the frame.
     fixed: Vec<bool>,
     constants: Vec<Constant>,
-    /// The first two points of each link that has two.
+    /// First two points of each link with at least two.
     lines: Vec<[usize; 2]>,
     /// The centre of the crank and a point on it.
     crank: [usize; 2],
@@ -136,7 +136,7 @@ impl System {
             if let [first, second, ..] = points[..] {
                 lines.push([first, second]);
                 constants.push(Constant::Distance([first, second]));
-                // Distances alone leave open on which side of the line of the first two a further point is.
+                // Distances from the first two points leave open on which side of their line a further point is.
                 for point in &points[2..] {
                     let four = [first, second, first, *point];
                     constants.extend([Constant::Dot(four), Constant::Cross(four)]);
@@ -163,13 +163,13 @@ impl System {
         })
     }
 
-    /// The column of a point in a pose. Pose 0 is the drawing; it holds the points of the frame for all poses.
+    /// Column of a point in a pose. Pose 0 is the drawing, with the points of the frame for all poses.
     fn column(&self, pose: usize, point: usize) -> usize {
         let pose = if self.fixed[point] { 0 } else { pose };
         2 * (pose * self.drawn.len() + point)
     }
 
-    /// The residuals of poses at crank angles from the drawing, and their Jacobian.
+    /// Residuals of poses at crank angles measured from the drawing, and their Jacobian.
     fn residuals(&self, at: &DVector<f64>, angles: &[f64]) -> (DVector<f64>, DMatrix<f64>) {
         let rows = angles.len() * (self.constants.len() + 1);
         let mut residuals = DVector::zeros(rows);
@@ -246,7 +246,7 @@ impl System {
         (residuals, jacobian)
     }
 
-    /// The drawing with poses around it that nearly fulfil the constraints, and their crank angles.
+    /// The drawing with poses around it that nearly satisfy the constraints, and the crank angles of the poses.
     fn start(&mut self, rank: f64) -> Option<(DVector<f64>, Vec<f64>)> {
         let drawn = self.drawn.iter().flat_map(|place| [place.x, place.y]);
         let drawn: Vec<f64> = drawn.collect();
@@ -271,8 +271,8 @@ impl System {
                 last = angle;
             }
         }
-        // Bound on the residuals if an exact drawing is within `NEARLY`: most locked drawings end here, before the
-        // large systems.
+        // Bound on the residuals if an exact drawing is within `NEARLY`: most locked drawings are rejected here, before
+        // the large systems are solved.
         let all = DVector::from_vec(all);
         let (residuals, _) = self.residuals(&all, &angles);
         let most = 4.0 * NEARLY * self.size.powi(2) * (residuals.len() as f64).sqrt();
@@ -283,7 +283,7 @@ impl System {
         Some((all, angles))
     }
 
-    /// The places of the exact drawing.
+    /// Places of the points in the exact drawing.
     fn solved(&self, (start, angles): (DVector<f64>, Vec<f64>), rank: f64) -> Option<Vec<Point>> {
         let exact = self.nearest(start, &angles, [1.0, rank])?;
         let (residuals, _) = self.residuals(&exact, &angles);
@@ -294,8 +294,8 @@ impl System {
         })
     }
 
-    /// Adds the constraint that nearly parallel links stay parallel, to the frame or to each other. Without it the exact
-    /// drawing is a double root.
+    /// Adds the constraint that nearly parallel links stay parallel, to the frame or to each other. Without this
+    /// constraint the exact drawing is a double root.
     fn keep_parallel(&mut self, all: &[f64]) {
         let width = 2 * self.drawn.len();
         let stay_parallel = |one: Option<[usize; 2]>, other: [usize; 2]| {
@@ -316,7 +316,7 @@ impl System {
                 let difference = rotation(other) - one.map_or(0.0, rotation);
                 2.0 * (0.5 * difference).sin().abs()
             });
-            // Both ends of a link may be displaced. The mean counts: one pose may be close to a singular one and inexact.
+            // Both ends of a link may be displaced. The mean over the poses is tested: one pose may be inexact.
             deviations.sum::<f64>() <= 2.0 * NEARLY * count
         };
         let mut parallel = Vec::new();
@@ -336,8 +336,8 @@ impl System {
         self.constants.extend(parallel);
     }
 
-    /// The least-squares solution nearest to a start by the Gauss–Newton method, with the drawing free (1) or fixed
-    /// (0), and singular values below `rank` of the largest taken as zero.
+    /// Least-squares solution nearest to a start, by the Gauss–Newton method, with the drawing free (1) or fixed (0).
+    /// Singular values below `rank` of the largest are taken as zero.
     fn nearest(
         &self,
         mut at: DVector<f64>,

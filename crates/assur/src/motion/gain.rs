@@ -1,20 +1,20 @@
-//! Growth of angles over a full cycle: whole turns, times the gear ratio for driven wheels.
+//! Growth of angles over a full cycle: whole turns, multiplied by the gear ratio for driven wheels.
 
 use super::Motion;
 use crate::index::LinkId;
 use crate::mechanism::{Pose, Quantity};
 
-/// The poses just before and just after the end of a full cycle. At the end itself a deltoid has no pose, so the angle
-/// just after it is extrapolated from just before by the rate.
+/// Poses just before and just after the end of a full cycle. At the end itself a deltoid has no pose; there the angle
+/// just after the end is extrapolated by the rate from the angle just before it.
 pub(super) struct Seam<'a> {
     motion: &'a Motion,
     period: f64,
-    /// The poses, and their offset from the end.
+    /// The two poses, and their offset from the end.
     poses: Option<([Pose<3>; 2], f64)>,
 }
 
 impl Motion {
-    /// The end of a full cycle of this period.
+    /// Poses around the end of a full cycle with this period.
     pub(super) fn seam(&self, period: f64) -> Seam<'_> {
         let mut offsets = [1e-6, 1e-5, 1e-4].into_iter().map(|offset| offset * period);
         let poses = offsets.find_map(|offset| {

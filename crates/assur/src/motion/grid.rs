@@ -6,9 +6,9 @@ use crate::tolerance;
 /// The input of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct At {
-    /// In the reader's unit.
+    /// Input in the reader's unit.
     pub counted: f64,
-    /// In the engine's unit: radians of a crank, or the unit of lengths.
+    /// Input in the engine's unit: radians of a crank, or the unit of lengths.
     pub input: f64,
 }
 
@@ -23,11 +23,11 @@ pub struct At {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Grid {
-    /// The reader's unit in the engine's: π/180 for degrees.
+    /// The reader's unit expressed in the engine's unit: π/180 for degrees.
     pub unit: f64,
     /// Origin of the steps, in the reader's unit.
     pub origin: f64,
-    /// The step, positive, in the reader's unit.
+    /// Step, positive, in the reader's unit.
     pub step: f64,
 }
 
@@ -59,7 +59,7 @@ impl Motion {
         arcs.flatten().collect()
     }
 
-    /// The inputs of a grid over the whole motion, including those at which it turns back.
+    /// Inputs of a grid over the whole motion, including the inputs at which the motion turns back.
     pub fn rows(&self, grid: Grid) -> impl Iterator<Item = At> + use<> {
         let ends = self.ends_in(grid.unit);
         let arcs = self.arcs_in(grid.unit).into_iter();
@@ -68,7 +68,7 @@ impl Motion {
 }
 
 impl Grid {
-    /// The inputs of the grid within an arc and the ends within it, ascending. Of a grid point and an end that coincide
+    /// Inputs of the grid within an arc, and the ends within the arc, ascending. If a grid point and an end coincide,
     /// only the end is kept.
     pub fn rows(self, [first, last]: [At; 2], ends: &[At]) -> impl Iterator<Item = At> + use<> {
         let Self { unit, origin, step } = self;
@@ -106,7 +106,7 @@ fn merged(rows: impl Iterator<Item = At>, ends: Vec<At>) -> impl Iterator<Item =
     })
 }
 
-/// A multiple of a decimal step without its rounding: 3 × 0.1 is 0.3.
+/// Multiple of a decimal step, free of rounding: 3 × 0.1 is 0.3.
 fn decimal(value: f64) -> f64 {
     let rounded = (value * 1e9).round() / 1e9;
     if (rounded - value).abs() <= tolerance::CONVERGED * value.abs() {
@@ -146,13 +146,13 @@ mod tests {
             rows(grid(0.0, 10.0), -12.5, 15.0, &[-12.5, 15.0]),
             [-12.5, -10.0, 0.0, 10.0, 15.0]
         );
-        // An end on the grid is one row, with the exact input of the end.
+        // An end on the grid gives one row, with the exact input of the end.
         let near = 20.0 - 1e-12;
         assert_eq!(
             rows(grid(0.0, 10.0), 0.0, near, &[0.0, near]),
             [0.0, 10.0, near]
         );
-        // Ends outside the arc are dropped, those inside are rows.
+        // Ends outside the arc are dropped; ends inside it are rows.
         assert_eq!(
             rows(grid(1.5, 1.0), 1.5, 4.0, &[-3.0, 2.25, 5.0]),
             [1.5, 2.25, 2.5, 3.5]

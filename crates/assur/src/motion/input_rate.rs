@@ -12,19 +12,19 @@ pub struct InputRate {
 }
 
 impl InputRate {
-    /// One radian per unit of time: rates are the derivatives with respect to the crank angle.
+    /// One radian per unit of time: rates equal the derivatives with respect to the crank angle.
     pub const ANALOGUES: Self = Self {
         speed: 1.0,
         acceleration: 0.0,
     };
 
-    /// The `order`-th derivative with respect to time, 0 to 2, of a function of the crank angle: q, q′ ω₁, q″ ω₁² + q′
-    /// ε₁; and its first two derivatives with respect to the crank angle. Derivatives beyond the jet count as zero.
+    /// Derivative of order 0 to 2 with respect to time of a function of the crank angle: q, q′ ω₁ or q″ ω₁² + q′ ε₁;
+    /// then its first two derivatives with respect to the crank angle. Derivatives beyond the jet count as zero.
     pub fn rates<const N: usize>(self, jet: &Jet<N>, order: usize) -> [f64; 3] {
         let power = self.scale(order);
         [0, 1, 2].map(|further| {
             let steady = power * jet.derivative(order + further);
-            // With ε₁ = 0 nothing is added, and the analogues are returned unchanged.
+            // With ε₁ = 0 nothing is added, so analogues are returned unchanged.
             if order == 2 && self.acceleration != 0.0 {
                 steady + self.acceleration * jet.derivative(order - 1 + further)
             } else {

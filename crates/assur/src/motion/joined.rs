@@ -12,18 +12,18 @@ use crate::tolerance;
 /// Reason why two motions have no union.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unjoinable {
-    /// They belong to different linkages.
+    /// The motions belong to different linkages.
     OtherLinkage,
-    /// A driver turns fully, or their inputs overlap.
+    /// A driver turns fully, or the inputs of the motions overlap.
     Overlap,
 }
 
 impl Motion {
-    /// The union with the motion of another drawing of the same linkage over other inputs: a crank that turns back may be
-    /// assembled on another arc. The other's arcs are shifted by whole turns to follow these.
+    /// Union with the motion of another drawing of the same linkage over other inputs: a crank that turns back may be
+    /// assembled on another arc. The arcs of the other motion are shifted by whole turns to follow these arcs.
     ///
     /// # Errors
-    /// They belong to different linkages, or overlap.
+    /// The motions belong to different linkages, or overlap.
     pub fn joined(mut self, other: Self) -> Result<Self, Unjoinable> {
         if !self.mechanism.is_redrawn_as(&other.mechanism) {
             return Err(Unjoinable::OtherLinkage);
@@ -50,7 +50,7 @@ impl Motion {
         sort_by(&mut self.change_points, f64::total_cmp);
         self.cycle = cycle;
         self.end_in_poses();
-        // The drawn pose of the other must be a pose of this one.
+        // The drawn pose of the other motion must be a pose of the union.
         let input = other.drawn_input;
         let same = match (self.pose::<1>(input + shift), other.pose::<1>(input)) {
             (Ok(ours), Ok(theirs)) => {

@@ -9,14 +9,14 @@ use crate::{Swing, tolerance};
 /// A limit position: the quantity is at rest and turns back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitPosition {
-    /// The input.
+    /// Input at the limit position.
     pub input: f64,
-    /// The quantity there.
+    /// Value of the quantity at the limit position.
     pub value: f64,
 }
 
 impl OutputProfile<'_> {
-    /// The limit positions over the whole motion, in ascending inputs: the roots of the rate at which its sign changes.
+    /// Limit positions of the whole motion, in ascending inputs: roots of the rate at which its sign changes.
     pub fn limits(&self) -> Vec<LimitPosition> {
         let limit = |[input, value]: &[f64; 2]| LimitPosition {
             input: *input,
@@ -25,7 +25,7 @@ impl OutputProfile<'_> {
         self.extrema.iter().map(limit).collect()
     }
 
-    /// Minimum and maximum on each arc of the motion; equal if they differ by rounding alone.
+    /// Minimum and maximum of the quantity on each arc of the motion; equal if they differ only by rounding.
     pub fn swings(&self) -> Vec<Swing> {
         if self.motion.cycle().is_full() && self.gain != 0.0 {
             return vec![Swing::Turns];
@@ -45,7 +45,7 @@ impl OutputProfile<'_> {
         self.motion.cycle().arcs().iter().map(swing).collect()
     }
 
-    /// Total travel of the quantity on each arc: over the full cycle, or over the arc and back.
+    /// Total travel of the quantity on each arc: over a full cycle, or along the arc and back.
     pub fn travels(&self) -> Vec<f64> {
         let full = self.motion.cycle().is_full();
         let travel = |arc: &[f64; 2]| {
@@ -56,7 +56,7 @@ impl OutputProfile<'_> {
             });
             let sum: f64 = strokes.sum();
             match (full, &turnings[..]) {
-                // With the stroke from the last to the first of the next cycle.
+                // The stroke from the last limit position to the first one of the next cycle is included.
                 (true, [first, .., last]) => sum + (first[1] + self.gain - last[1]).abs(),
                 (true, _) => self.gain.abs(),
                 (false, _) => 2.0 * sum,

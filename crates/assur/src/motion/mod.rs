@@ -48,14 +48,14 @@ use crate::{Cycle, tolerance};
 use continuation::{Continuation, End, Knots, longest_step};
 use turn_count::range_between;
 
-/// Number of samples per turn when extrema are searched; the unit of the steps of the continuation.
+/// Number of samples per turn in the search for extrema; also the unit of the steps of the continuation.
 const SAMPLES_PER_TURN: usize = 360;
-/// Maximum number of turns of a motion that are searched, for its extrema and among those of other assemblies: more
-/// could not be distinguished in a plot, and wheels that carry nothing may take a million.
+/// Maximum number of turns of a motion searched for its extrema, and in motions of other assemblies. A plot could not
+/// resolve more turns, and wheels that carry nothing may take a million.
 pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
-/// were determined once, by following the motion. A clone shares the layout of the mechanism and the knots.
+/// are determined once, by following the motion. A clone shares the layout of the mechanism and the knots.
 ///
 /// ```
 /// # use assur::{linkage::LinkageSpec, mechanism::Mechanism, motion::Motion};
@@ -80,7 +80,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The motion of a mechanism through its drawn pose. Another assembly is drawn by [`Motion::in_assembly`].
+    /// Motion of a mechanism through its drawn pose. [`Motion::in_assembly`] draws another assembly.
     pub fn new(mechanism: Mechanism) -> Self {
         if mechanism.whole_closed_form() {
             Self::in_closed_form(mechanism, 1)
@@ -106,7 +106,7 @@ impl Motion {
                 let mut before = Knots::new(longest);
                 let first = match backward.follow(-1.0, &mut before) {
                     End::Dead(first) => first,
-                    // Inconsistent: it cannot turn fully in one sense only.
+                    // Inconsistent: a driver cannot turn fully in one sense only.
                     End::Cycle(_) => DeadPoint {
                         input: mechanism.drawn_input(),
                         ..last
@@ -167,8 +167,8 @@ impl Motion {
         motion
     }
 
-    /// Pulls the ends of the arcs inward until the pose exists: changing the whole turns of an input rounds it again,
-    /// possibly beyond the dead point.
+    /// Pulls the ends of the arcs inward until each has a pose: when an input is shifted by whole turns it is rounded
+    /// again, possibly beyond the dead point.
     fn end_in_poses(&mut self) {
         if self.cycle.is_full() {
             return;
@@ -187,9 +187,9 @@ impl Motion {
         }
     }
 
-    /// The last input with a pose towards an end of an arc, given with the other end: by doubled offsets from the end.
-    /// If it differs from the end by more than rounding, also the step that fails beyond it: of two dead points close to
-    /// each other another than the expected one may come first.
+    /// Last input with a pose towards an end of an arc, searched by doubled offsets from the end; the other end is
+    /// given too. If this input differs from the end by more than rounding, also the step that fails beyond it: of two
+    /// dead points close to each other, a different one may come first.
     fn last_pose(&self, [end, other]: [f64; 2]) -> Option<(f64, Option<StepId>)> {
         let scale = end.abs().max(other.abs()).max(self.mechanism.span());
         let sense = (other - end).signum();
@@ -209,12 +209,12 @@ impl Motion {
         Some((last, Some(step)))
     }
 
-    /// The mechanism that moves.
+    /// The mechanism of this motion.
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism
     }
 
-    /// The range of its input.
+    /// Range of the input.
     pub fn cycle(&self) -> &Cycle {
         &self.cycle
     }
@@ -226,12 +226,12 @@ impl Motion {
         signs.clone()
     }
 
-    /// Number of knots that represent it.
+    /// Number of knots of the motion.
     pub(crate) fn knot_count(&self) -> usize {
         self.knots.count()
     }
 
-    /// The input of the drawn pose, reduced by whole turns to the cycle; if it has no pose, the middle of the first arc.
+    /// Input of the drawn pose, reduced by whole turns to the cycle; the middle of the first arc if it has no pose.
     pub fn drawn_input(&self) -> f64 {
         self.drawn_input
     }
@@ -246,13 +246,13 @@ impl Motion {
         self.mechanism.links_of(dead.step)
     }
 
-    /// Change points: the inputs at which links pass through in line, and another motion crosses this one.
+    /// Change points: inputs at which links pass through in line and another motion crosses this one.
     pub fn change_points(&self) -> &[f64] {
         &self.change_points
     }
 
-    /// Margin from singular poses of the groups solved by Newton's method: the minimum of a Jacobian's determinant over
-    /// the motion, relative to its maximum, with its sign; 1 without such a group.
+    /// Margin from singular poses of the groups solved by Newton's method: the signed minimum over the motion of a
+    /// Jacobian's determinant, relative to its maximum; 1 without such a group.
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();
         let groups = steps.filter(|(_, step)| matches!(step, Step::Group(_)));
@@ -271,7 +271,7 @@ impl Motion {
         })
     }
 
-    /// The pose at an input, with `N − 1` derivatives with respect to it.
+    /// Pose at an input, with `N − 1` derivatives with respect to the input.
     ///
     /// # Errors
     /// The step that has no solution, and the cause.
@@ -284,7 +284,7 @@ impl Motion {
         Ok(pose)
     }
 
-    /// Evaluates `of` for the poses at successive inputs, without allocation after the first.
+    /// Function that evaluates `of` for the poses at successive inputs, without allocation after the first.
     ///
     /// # Errors
     /// The step that has no solution, and the cause.

@@ -1,11 +1,11 @@
-//! Poses of a motion with any number of derivatives. The solver is compiled once, with the engine: a generic one would be
-//! compiled again in every crate that uses it.
+//! Poses of a motion with any number of derivatives. The solver is compiled once, with the engine: a generic solver
+//! would be compiled again in every crate that uses it.
 
 use super::Motion;
 use crate::index::StepId;
 use crate::mechanism::{Cause, Pose, Unsolved};
 
-/// A pose with none to five derivatives with respect to the input.
+/// Pose with up to five derivatives with respect to the input.
 pub trait PoseOrder {
     /// Writes the pose of a motion at an input; see [`Motion::place`].
     ///

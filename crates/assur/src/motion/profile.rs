@@ -15,12 +15,12 @@ use crate::numeric::roots::root;
 use crate::sorting::extremes;
 use crate::tolerance;
 
-/// An arc of the input over which a quantity stays within a band.
+/// Arc of the input over which a quantity stays within a band.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dwell {
-    /// Inputs of its ends; the second may lie beyond the end of the cycle.
+    /// Inputs at the ends of the arc; the second may lie beyond the end of the cycle.
     pub arc: [f64; 2],
-    /// Minimum and maximum of the quantity on it.
+    /// Minimum and maximum of the quantity on the arc.
     pub band: [f64; 2],
 }
 
@@ -36,7 +36,7 @@ impl Dwell {
     }
 }
 
-/// A quantity over a motion as a sequence of monotone pieces; over several arcs, on the one of the drawn pose.
+/// Quantity as a sequence of monotone pieces, over the whole motion or the arc with the drawn pose.
 ///
 /// ```
 /// use assur::{Swing, mechanism::Quantity, motion::OutputProfile};
@@ -51,7 +51,7 @@ pub struct OutputProfile<'a> {
     pub(super) motion: &'a Motion,
     pub(super) quantity: Quantity,
     buffer: RefCell<Pose<1>>,
-    /// Inputs and values of the ends of pieces in one cycle: extrema, and the ends of an arc.
+    /// Inputs and values at the ends of the pieces in one cycle: extrema, and the ends of an arc.
     pub(super) stations: Vec<[f64; 2]>,
     /// Period of a full cycle.
     pub(super) period: Option<f64>,
@@ -59,7 +59,7 @@ pub struct OutputProfile<'a> {
     pub(super) gain: f64,
     /// Inputs and values of the extrema on every arc.
     pub(super) extrema: Vec<[f64; 2]>,
-    /// True without any extremum.
+    /// True if the quantity has no extremum.
     pub(super) monotone: bool,
 }
 
@@ -69,7 +69,7 @@ pub(super) fn is_width(tolerance: f64) -> bool {
 }
 
 impl<'a> OutputProfile<'a> {
-    /// The profile of a quantity.
+    /// Profile of a quantity over a motion.
     ///
     /// # Errors
     /// The motion has too many turns to be searched for extrema, and no closed form.
@@ -118,7 +118,7 @@ impl<'a> OutputProfile<'a> {
         Ok(profile)
     }
 
-    /// Inputs with the values there, without those that have no pose.
+    /// Inputs that have a pose, with the values of the quantity.
     pub(super) fn valued(&self, inputs: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
         inputs
             .filter_map(|input| Some([input, self.value(input)?]))
@@ -140,7 +140,7 @@ impl<'a> OutputProfile<'a> {
         Some(jet.value() + cycles * self.gain)
     }
 
-    /// A station by its number; those of the cycles before and after continue the numbers.
+    /// Station with a given number; the numbers continue over the cycles before and after.
     fn station(&self, number: isize) -> Option<[f64; 2]> {
         let Some(period) = self.period else {
             return self.stations.get(usize::try_from(number).ok()?).copied();
@@ -170,7 +170,7 @@ impl<'a> OutputProfile<'a> {
         self.stations.len() as isize - ends
     }
 
-    /// The input at which the quantity has a value on a piece, or the nearer end of it.
+    /// Input at which the quantity has a given value on a piece, or the nearer end of the piece.
     fn input_at(&self, piece: isize, level: f64) -> Option<f64> {
         let [low, high] = [self.station(piece)?, self.station(piece + 1)?];
         let sense = if high[1] < low[1] { -1.0 } else { 1.0 };
@@ -185,7 +185,7 @@ impl<'a> OutputProfile<'a> {
         root(ends, |input| Some(above(self.value(input)?)))
     }
 
-    /// The arc around a station on which the quantity stays within a band, at most a cycle on either side.
+    /// Arc around a station on which the quantity stays within a band, up to one cycle on either side.
     fn around(&self, station: isize, band: [f64; 2]) -> Option<Dwell> {
         let margin = tolerance::COINCIDENT * (band[1] - band[0]);
         let inside = |value: f64| value >= band[0] - margin && value <= band[1] + margin;
@@ -208,7 +208,7 @@ impl<'a> OutputProfile<'a> {
         Some(self.dwell_on([end(-1)?, end(1)?]))
     }
 
-    /// The dwell on an arc, with the range of values there.
+    /// Dwell on an arc, with the minimum and maximum of the quantity there.
     fn dwell_on(&self, arc: [f64; 2]) -> Dwell {
         let ends = arc.map(|input| self.value(input)).into_iter().flatten();
         let values = ends.chain(self.within(arc).map(|[_, value]| value));
@@ -216,7 +216,7 @@ impl<'a> OutputProfile<'a> {
         Dwell { arc, band }
     }
 
-    /// A dwell shifted by whole cycles to begin in the one that starts at the first station.
+    /// Dwell shifted by whole cycles, so that it begins in the cycle that starts at the first station.
     fn in_first_cycle(&self, dwell: Dwell) -> Dwell {
         let (Some(period), Some([start, _])) = (self.period, self.stations.first()) else {
             return dwell;
@@ -228,7 +228,7 @@ impl<'a> OutputProfile<'a> {
         }
     }
 
-    /// The arcs around extrema that touch an edge of the band from inside; none if its width is not positive.
+    /// Arcs around extrema that touch an edge of the band from inside; none if the width of the band is not positive.
     pub(super) fn touching(&self, tolerance: f64) -> Vec<Dwell> {
         if !is_width(tolerance) {
             return Vec::new();
@@ -244,27 +244,27 @@ impl<'a> OutputProfile<'a> {
             .collect()
     }
 
-    /// The longest arc on which the quantity stays within a band of full width `tolerance`: the whole cycle if it
+    /// Longest arc on which the quantity stays within a band of full width `tolerance`: the whole cycle if the quantity
     /// varies less. None if the tolerance is not positive, or the motion has no poses.
     pub fn dwell(&self, tolerance: f64) -> Option<Dwell> {
         self.longest(&self.touching(tolerance), tolerance)
     }
 
-    /// [`Self::dwell`] and [`Self::cyclogram`] of one tolerance.
+    /// [`Self::dwell`] and [`Self::cyclogram`] for one tolerance.
     pub fn dwell_and_cyclogram(&self, tolerance: f64) -> (Option<Dwell>, Vec<Phase>) {
         let touching = self.touching(tolerance);
         let longest = self.longest(&touching, tolerance);
         (longest, self.phases(touching, tolerance))
     }
 
-    /// The longest arc: one of those around extrema, or on a flank.
+    /// Longest arc within a band: one of the arcs around extrema, or one on a flank.
     fn longest(&self, touching: &[Dwell], tolerance: f64) -> Option<Dwell> {
         if !is_width(tolerance) {
             return None;
         }
         let (first, last) = (self.stations.first()?[0], self.stations.last()?[0]);
         let whole = self.dwell_on([first, self.period.map_or(last, |period| first + period)]);
-        // If the tolerance is the stroke to rounding, an arc around an extremum is longer than a cycle.
+        // If the tolerance equals the stroke to rounding, an arc around an extremum is longer than a cycle.
         let is_whole =
             |arc: &Dwell| self.gain == 0.0 && self.period.is_some_and(|p| arc.length() >= p);
         if whole.residual() <= tolerance || touching.iter().any(is_whole) {
@@ -281,7 +281,7 @@ impl<'a> OutputProfile<'a> {
         let pieces = self.pieces();
         for piece in 0..pieces {
             let mut band = [f64::INFINITY, f64::NEG_INFINITY];
-            // The exit may be on the same piece a cycle later.
+            // The exit may be on the same piece, one cycle later.
             let last = self.period.map_or(pieces, |_| piece + pieces + 1);
             for exit in piece..last {
                 if exit > piece {

@@ -12,11 +12,11 @@ pub enum Spacing {
     Even,
     /// Even on a full cycle; otherwise denser towards the ends, where curves become vertical.
     Crowded,
-    /// At the middles of equal steps: not at the ends, which may be dead points.
+    /// At the middles of equal steps, so not at the ends, which may be dead points.
     Middles,
 }
 
-/// Turns that are sampled when there are too many to sample all.
+/// Sampled turns of a motion that has too many to sample all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
     /// The first turns, in one piece.
@@ -28,20 +28,20 @@ pub enum Shown {
 /// The density of samples over a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
-    /// Number of samples of a turn of the crank, of an arc shorter than a turn, and of the range of a driven slide.
+    /// Number of samples for a turn of the crank, an arc shorter than a turn, or the range of a driven slide.
     pub turn: usize,
-    /// Minimum number of samples of a turn, when there are many turns.
+    /// Minimum number of samples of a turn in a motion of many turns.
     pub coarsest: usize,
     /// Maximum number of samples of the whole motion.
     pub most: usize,
     /// Distribution over an arc.
     pub spacing: Spacing,
-    /// Turns that are sampled if the coarsest sampling of all would exceed `most`.
+    /// Turns that are sampled if all turns, at the coarsest density, would have more samples than `most`.
     pub shown: Shown,
 }
 
 impl Cycle {
-    /// Length of an arc in turns of the crank, at least 1: a shorter arc, and the range of a driven slide, count as one.
+    /// Length of an arc in turns of the crank, at least 1: a shorter arc, and a slide's range, count as one.
     pub fn turns_of(&self, [from, to]: [f64; 2]) -> f64 {
         match self.period() {
             Some(_) => ((to - from) / TAU).max(1.0),
@@ -74,7 +74,7 @@ impl Cycle {
         pieces.collect()
     }
 
-    /// The samples of `shown` turns out of all those of a full cycle.
+    /// Samples of `shown` turns of a full cycle of `all` turns.
     fn some_turns(&self, shown: f64, all: f64, sampling: Sampling) -> Vec<Vec<f64>> {
         let start = self.arcs()[0][0];
         let turns = |from: f64, turns: f64| {
@@ -92,7 +92,7 @@ impl Cycle {
 }
 
 impl Motion {
-    /// The sample inputs, as [`Cycle::samples`], but with the density for each turn of the fastest driver or wheel.
+    /// Sample inputs as in [`Cycle::samples`], but with the density for each turn of the fastest driver or wheel.
     pub fn samples(&self, sampling: Sampling) -> Vec<Vec<f64>> {
         let quickest = self.mechanism().quickest();
         let [start, end] = self.cycle().axis();
@@ -109,7 +109,7 @@ impl Motion {
     }
 }
 
-/// A whole number of steps, at least one.
+/// Whole number of steps, at least one, rounded from a count.
 fn steps(count: f64) -> usize {
     count.round().max(1.0) as usize
 }
@@ -125,8 +125,8 @@ fn even([from, to]: [f64; 2], count: usize, spacing: Spacing) -> Vec<f64> {
         .collect()
 }
 
-/// Samples whose steps shrink to zero towards both ends, over half a turn or half of a shorter arc; between these parts
-/// there are `turn` samples per turn.
+/// Samples whose steps shrink to zero towards both ends, over half a turn or half of a shorter arc. Between these parts
+/// the density is `turn` samples per turn.
 fn crowded_to_ends([from, to]: [f64; 2], turns: f64, turn: f64) -> Vec<f64> {
     let eased = |share: f64| 0.5 - 0.5 * (PI * share).cos();
     if turns <= 1.0 {

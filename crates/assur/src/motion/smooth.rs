@@ -1,4 +1,4 @@
-//! Roots at change points of dyads off the driven crank, through which the motion is smooth.
+//! Smooth roots at change points of dyads that are not on the driven crank.
 
 use std::sync::Arc;
 
@@ -9,12 +9,12 @@ use crate::position::{KNOWN, SmoothRoot};
 use crate::sorting::sort_by;
 use crate::{Jet, tolerance};
 
-/// Maximum reach of the interpolation on each side of a change point, relative to the span of the input: 15° of a crank. It
-/// is halved until the error is rounding.
+/// Maximum reach of the interpolation on each side of a change point, relative to the span of the input: 15° of a
+/// crank. The reach is halved until the error is only rounding.
 const MAX_REACH: f64 = 1.0 / 24.0;
 
 impl Motion {
-    /// Adds the roots at the change points of these steps, in the order of the plan: later steps depend on earlier ones.
+    /// Adds the roots at the given change points, in the order of the plan: later steps depend on earlier ones.
     pub(super) fn smooth(&mut self, mut passed: Vec<(StepId, f64)>) {
         sort_by(&mut passed, |(a, _), (b, _)| a.index().cmp(&b.index()));
         for (step, input) in passed {
@@ -27,8 +27,8 @@ impl Motion {
         sort_by(&mut self.change_points, f64::total_cmp);
     }
 
-    /// The root of a step around a change point, over the widest reach, halved up to eleven times, at which its error
-    /// is rounding or else smallest.
+    /// Root of a step around a change point, over the widest reach whose error is only rounding. If none of up to
+    /// eleven halvings gives this, the reach with the smallest error is taken.
     fn smooth_root(&self, step: StepId, input: f64) -> Option<SmoothRoot> {
         let placing = &self.mechanism.steps()[step];
         let margins = self.margins(step, input)?;
@@ -52,8 +52,8 @@ impl Motion {
         best.map(|(_, smooth)| smooth)
     }
 
-    /// The root interpolated from the square at a change point and at `reach` on both sides, and the error of its
-    /// square half way.
+    /// Root interpolated from the square at a change point and at `reach` on both sides, with the error of the square
+    /// of this root half way.
     fn interpolated(
         &self,
         step: StepId,
@@ -76,7 +76,7 @@ impl Motion {
         error.is_finite().then_some((error, smooth))
     }
 
-    /// The square of which a step takes the root, with its derivatives.
+    /// Square whose root a step takes, with its derivatives.
     fn square(&self, step: StepId, input: f64) -> Option<Jet<KNOWN>> {
         let margins = self.margins(step, input)?;
         Some(self.mechanism.steps()[step].square(margins))
@@ -92,7 +92,7 @@ impl Motion {
         let known = self.cycle.contains(input)
             && match solved {
                 Ok(()) => true,
-                // In line the square is zero or, by rounding, negative; steps that depend on it are not needed.
+                // In line the square is zero or, by rounding, negative; dependent steps are not needed.
                 Err((failed, cause)) => {
                     let known = !matches!(cause, Cause::Undetermined | Cause::Input);
                     failed.index() > step.index() || failed == step && known

@@ -36,7 +36,7 @@ impl Column {
         angles.flat_map(|quantity| [0, 1, 2].map(|order| Self { quantity, order }))
     }
 
-    /// The column with a name given by [`Column::name`].
+    /// Column whose name [`Column::name`] gives.
     pub fn named(mechanism: &Mechanism, name: &str) -> Option<Self> {
         let (subject, mut kind) = name.rsplit_once('.')?;
         for order in [0, 1, 2] {
@@ -103,9 +103,9 @@ impl Motion {
     ///
     /// Beyond the period of a full cycle angles continue to grow.
     pub fn row_by_time(&self, columns: &[Column], input: f64, rate: InputRate) -> Row {
-        // A group is solved so close to its dead point that derivatives may seem to exist.
+        // A group is solved so close to its dead point that derivatives may seem to exist there.
         let at = self.cycle.wrap(input);
-        // An input converted from degrees is rounded.
+        // The input is compared within rounding, for it may be converted from degrees.
         let is_at = |dead: &&DeadPoint| (dead.input - at).abs() <= 4.0 * f64::EPSILON * at.abs();
         let dead = self.dead_points.iter().find(is_at);
         let dead = dead.filter(|dead| dead.kind.is_dead_point());
@@ -149,7 +149,7 @@ impl Motion {
         columns.iter().map(value).collect()
     }
 
-    /// Adds to angles their growth over the periods by which the input was wrapped.
+    /// Adds to the angles their growth over the periods removed from the input.
     fn unfold(&self, columns: &[Column], input: f64, values: &mut [Option<f64>]) {
         let Some(period) = self.cycle.period().filter(|_| self.cycle.is_full()) else {
             return;

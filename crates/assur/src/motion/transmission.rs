@@ -10,7 +10,7 @@ use crate::{Jet, tolerance};
 pub struct WorstTransmission {
     /// The minimum transmission angle, 0 at a dead point, or the maximum pressure angle, π/2 there, radians.
     pub angle: f64,
-    /// The input.
+    /// Input of the extreme angle.
     pub input: f64,
 }
 
@@ -19,7 +19,7 @@ pub struct WorstTransmission {
 pub struct DyadTransmission {
     /// The transmission angle of an RRR dyad, or the pressure angle of an RRP dyad.
     pub quantity: Quantity,
-    /// The links of the dyad; of an RRP dyad the rod, then the slider.
+    /// Links of the dyad; for an RRP dyad the rod, then the slider.
     pub links: [LinkId; 2],
     /// The minimum transmission angle, or the maximum pressure angle; none if the motion has too many turns to be
     /// searched.
@@ -50,8 +50,8 @@ impl Motion {
         worst.collect()
     }
 
-    /// The minimum transmission angle of an RRR dyad: at an extremum of the cosine of the angle between its links, at
-    /// the end of an arc, or at a change point. None without any pose.
+    /// Minimum transmission angle of an RRR dyad: at an extremum of the cosine of the angle between its links, at the
+    /// end of an arc, or at a change point. None if the motion has no pose.
     ///
     /// # Errors
     /// The motion has too many turns to be searched, and no closed form.
@@ -86,8 +86,8 @@ impl Motion {
         Ok(found.min_by(by_angle))
     }
 
-    /// The maximum pressure angle of an RRP dyad: at an extremum of its sine, at the end of an arc, or at a change
-    /// point. None without any pose.
+    /// Maximum pressure angle of an RRP dyad: at an extremum of its sine, at the end of an arc, or at a change point.
+    /// None if the motion has no pose.
     ///
     /// # Errors
     /// The motion has too many turns to be searched.
@@ -100,12 +100,12 @@ impl Motion {
         let rise = |input: f64| rise(input).ok();
         let unit = self.unit_within(mechanism.rod_of(dyad));
         let found = self.extreme(Quantity::Pressure(*dyad), &rise, unit)?;
-        // Of equal ones the first.
+        // The first of equal angles is taken.
         Ok(found.min_by(|a, b| b.angle.total_cmp(&a.angle)))
     }
 
-    /// The acute angle at every input at which it can be extreme: the extrema of its monotone function, the ends, the
-    /// change points and the drawn pose.
+    /// Acute angles at all inputs at which an angle can be extreme: the extrema of its monotone function, the ends of
+    /// arcs, the change points and the drawn pose.
     fn extreme(
         &self,
         angle: Quantity,

@@ -1,4 +1,4 @@
-//! Whole turns of the inputs of a motion that turns back or is given up, and its range.
+//! Range, and whole turns of the inputs, of a motion that turns back or is given up.
 
 use std::f64::consts::TAU;
 
@@ -6,11 +6,11 @@ use super::DeadPoint;
 use crate::Cycle;
 use crate::mechanism::Mechanism;
 
-/// The range between two ends, and the whole turns subtracted from the followed inputs in it.
+/// Range between two ends, and the whole turns subtracted from the followed inputs.
 ///
-/// The range begins within half a period of 0, whatever the drawn pose. If the motion was given up at an end, nothing
-/// is known beyond: inputs keep the turns of the drawn one, and an input outside is wrapped into the range only if the
-/// range is at most a turn, so that the angle of the crank alone determines the pose.
+/// The range begins within half a period of 0, whatever the drawn pose. If the motion was given up at an end, the
+/// motion beyond it is unknown, so inputs keep the whole turns of the drawn input. In this case an input outside the
+/// range is wrapped only if the range is at most one turn: then the angle of the crank alone determines the pose.
 pub(super) fn range_between(mechanism: &mut Mechanism, ends: [DeadPoint; 2]) -> (Cycle, f64) {
     let [first, last] = ends.map(|end| end.input);
     let given_up = ends.iter().any(|end| end.kind.is_given_up());

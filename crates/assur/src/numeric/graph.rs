@@ -10,7 +10,7 @@ impl Partition {
         Self((0..count).collect())
     }
 
-    /// The least number of the set of a number.
+    /// Least member of the set that contains a number.
     pub(crate) fn representative(&self, mut number: usize) -> usize {
         while self.0[number] != number {
             number = self.0[number];

@@ -53,7 +53,7 @@ pub(crate) fn rank<const N: usize>(matrix: [[f64; N]; N]) -> usize {
 
 /// Orthonormal basis of the solutions of N − 2 homogeneous equations; none if the space has three dimensions or more.
 pub(crate) fn null_plane<const N: usize>(rows: &[[f64; N]]) -> Option<[[f64; N]; 2]> {
-    // The columns of the orthogonal factor beyond those of the rows are perpendicular to them.
+    // The further columns of the orthogonal factor are perpendicular to the rows.
     let columns = DMatrix::from_fn(N, N, |row, column| {
         rows.get(column).map_or(0.0, |values| values[row])
     });

@@ -57,7 +57,7 @@ pub(crate) fn descended<T>(
 mod tests {
     use super::{MAX_STEPS, descended, is_exact, newton};
 
-    /// A step that does not help, or is none, is not taken.
+    /// Steps that are undefined or do not reduce the residual are rejected.
     #[test]
     fn steps_that_reduce_the_residual() {
         let halved = |x: &f64| Some((0.5 * x, (0.5 * x - 1.0).abs()));

@@ -4,7 +4,7 @@ use std::ops::{Add, Index, IndexMut, Mul, Sub};
 
 use crate::{Jet, JetPoint, Vector};
 
-/// x + iy with `N − 1` derivatives by the input, as Taylor coefficients.
+/// Complex number x + iy with `N − 1` derivatives with respect to the input, as Taylor coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Complex<const N: usize>([Vector; N]);
 
@@ -23,7 +23,7 @@ impl<const N: usize> Complex<N> {
         }))
     }
 
-    /// Sets it to a constant in place: a copy would take as long as the sums.
+    /// Sets the vector to a constant in place: a copy would take as long as the sums.
     #[inline(always)]
     pub(crate) fn set_constant(&mut self, v: Vector) {
         for (order, c) in self.0.iter_mut().enumerate() {
@@ -31,7 +31,7 @@ impl<const N: usize> Complex<N> {
         }
     }
 
-    /// e^(iθ).
+    /// Turn e^(iθ) by an angle θ.
     pub(crate) fn turn(angle: Jet<N>) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self::new(cos, sin)
@@ -79,13 +79,13 @@ impl<const N: usize> Complex<N> {
         Self::new(self.x() * factor, self.y() * factor)
     }
 
-    /// The unit vector of the same direction; not finite if it vanishes.
+    /// Unit vector in the direction of the vector; not finite if the vector vanishes.
     pub(crate) fn unit(self) -> Self {
         self.scaled(self.norm_squared().sqrt().recip())
     }
 
-    /// The vector of constant length with a given value and scalar product with another vector, order by order. If the
-    /// other vector is short, these two conditions lose no digits of the derivatives, as the closed forms do.
+    /// Vector of constant length with a given value and scalar product with another vector, order by order. If the
+    /// other vector is short, these conditions lose no digits of the derivatives, but closed forms do.
     pub(super) fn of_constant_length(value: Vector, other: Self, product: Jet<N>) -> Self {
         let along = value.normalize();
         let across = crate::perpendicular(along);
@@ -109,7 +109,7 @@ impl<const N: usize> Complex<N> {
         self.x() * other.x() + self.y() * other.y()
     }
 
-    /// Zero if it is finite in all orders, else NaN: one sum instead of 2N comparisons.
+    /// Zero if the vector is finite in all orders, NaN otherwise: one sum instead of 2N comparisons.
     pub(crate) fn finite_probe(&self) -> Vector {
         self.0.iter().fold(Vector::zeros(), |sum, c| sum + c * 0.0)
     }

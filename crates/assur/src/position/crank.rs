@@ -4,11 +4,11 @@ use super::{BodyPoint, Cause, DriveLaw, Enclosure, Predictor, Solvable, State, S
 use crate::Vector;
 use crate::index::{BodyId, PointId, StepId};
 
-/// A body hinged on a base, the frame or a moving body; its angle relative to the base is linear in the input.
+/// Body hinged on a base, the frame or a moving body; its angle relative to the base is linear in the input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Crank {
     pub(crate) body: BodyId,
-    /// The hinge, on the base and on the body.
+    /// Hinge, in the coordinates of the base and of the body.
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
@@ -31,7 +31,7 @@ impl Solvable for Crank {
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let at = cell.point(from, self.at).acceleration;
-        // Its angular velocity relative to the base is constant.
+        // The angular velocity of the body relative to its base is constant.
         let angular_acceleration = cell.angular_acceleration(self.at.body);
         cell.set(self.body, angular_acceleration, [(self.hinge, at); 2]);
         true

@@ -1,4 +1,4 @@
-//! The four-bar of a dyad RRR between a crank on the frame and the frame. Its closed form passes change points smoothly
+//! Four-bar of an RRR dyad between a crank on the frame and the frame. Its closed form passes change points smoothly
 //! without a previous pose, and is exact next to them.
 
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -8,14 +8,14 @@ use super::{Angle, Arm, CLOSE, Cause, Complex, Mounting, Orientation, Sign, Stat
 use crate::index::BodyId;
 use crate::{Assembly, FourBar, Unsolved, Vector};
 
-/// Minimum of P and Q, relative to (l₂ + l₃)², with the links far from being in line: their roots lose at most two digits.
+/// Minimum of P and Q, relative to (l₂ + l₃)², with links far from in line: the roots lose at most two digits.
 const MIN_MARGIN: f64 = 1.0 / 64.0;
 
 /// A four-bar on the driven crank.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CrankFourBar {
     pub(crate) linkage: FourBar,
-    /// The body of the crank, and φ₁, measured from the line AD, less its angle, as drawn.
+    /// Body of the crank; and φ₁, measured from the line AD, less the angle of this body, as drawn.
     pub(crate) crank: BodyId,
     angle_offset: f64,
     /// The bodies of coupler and rocker.
@@ -23,7 +23,7 @@ pub(crate) struct CrankFourBar {
     pub(crate) rocker: BodyId,
     /// Offsets of the angles of the bodies of coupler and rocker from φ₂ and φ₃.
     arm_offsets: [f64; 2],
-    /// Minimum of P and Q to lay it as any dyad; infinite if it never may.
+    /// Minimum of P and Q with which the four-bar is placed as any dyad; infinite if it never may be.
     min_margin: f64,
     /// The angles and turns of the bodies of coupler and rocker at φ₂ = φ₃ = π/2.
     across: [(f64, Vector); 2],
@@ -72,8 +72,8 @@ impl CrankFourBar {
         })
     }
 
-    /// Places the links: far from poses in line as those of any dyad, which is as exact there and takes less than half the
-    /// time.
+    /// Places the links. Far from poses in line they are placed as the links of any dyad: this is as exact there and
+    /// takes less than half the time.
     #[inline(always)]
     pub(super) fn place<const N: usize>(
         &self,
@@ -91,7 +91,7 @@ impl CrankFourBar {
         Ok(())
     }
 
-    /// Takes the angles of links laid as those of any dyad, less than half a turn from a known orientation.
+    /// Takes the angles of links placed as those of any dyad; they are less than half a turn from a known orientation.
     ///
     /// With a crank shorter than the frame φ₅ is within a quarter turn of AD, so φ₂ and φ₃ are within half a turn of ±π/2.
     fn turn_near<const N: usize>(&self, arms: &[Arm; 2], state: &mut State<N>, sign: Sign) {
@@ -106,7 +106,7 @@ impl CrankFourBar {
         }
     }
 
-    /// Places each link by its own angle: rounding of the joints would turn a short link.
+    /// Places each link by its own angle: the rounding of the joints would turn a short link.
     fn set_angles<const N: usize>(
         &self,
         arms: &[Arm; 2],
@@ -131,7 +131,7 @@ impl CrankFourBar {
         Ok(())
     }
 
-    /// φ₁ less the angle of the crank's body.
+    /// Offset of φ₁ from the angle of the crank's body.
     pub(crate) fn offset(&self, mounting: &Mounting) -> f64 {
         self.angle_offset + mounting.shifts[self.coupler]
     }

@@ -1,4 +1,4 @@
-//! A group's equations linearized at any values of its unknowns, also where they are singular.
+//! Equations of a group linearized at any values of its unknowns, including singular ones.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -12,12 +12,12 @@ pub(crate) struct Linearized {
     pub(crate) slopes: DMatrix<f64>,
     /// True if redundant equations have been left out.
     pub(crate) is_redundant: bool,
-    /// True if the residuals are rounding.
+    /// True if the residuals are only rounding.
     pub(crate) residual_is_rounding: bool,
 }
 
 impl Group {
-    /// A Taylor coefficient of its unknowns, each in its unit.
+    /// Taylor coefficient of the group's unknowns, each in its unit.
     pub(crate) fn in_units<const N: usize>(
         &self,
         natural: &[Complex<N>],
@@ -28,7 +28,7 @@ impl Group {
         DVector::from_iterator(2 * self.unknowns, own)
     }
 
-    /// Its equations at values of its unknowns, each in its unit, with its inputs solved.
+    /// Equations of the group at values of its unknowns, each in its unit, with solved inputs.
     ///
     /// # Errors
     /// A driven coordinate is out of its range.
@@ -53,7 +53,7 @@ impl Group {
         let rows = self.equations.len();
         let mut residual = DVector::from_iterator(rows, residual);
         let mut slopes = DMatrix::from_fn(rows, size + 1, |row, column| match column {
-            // With the unknowns fixed, the inputs change.
+            // At fixed unknowns, the inputs of the group change.
             _ if column == size => {
                 self.equations[row].coefficient(&work.values, &work.known_angles, 1)
             }

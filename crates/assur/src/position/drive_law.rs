@@ -2,7 +2,7 @@
 
 use crate::Jet;
 
-/// The coordinate is `rate` times the input, plus `offset`.
+/// Linear law of a coordinate: `rate` times the input, plus `offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct DriveLaw {
     pub(crate) rate: f64,
@@ -16,7 +16,7 @@ impl DriveLaw {
         offset: 0.0,
     };
 
-    /// The law with a rate, through the drawn input and coordinate.
+    /// Law with a given rate, through the drawn input and the drawn coordinate.
     pub(crate) fn through(rate: f64, [input, coordinate]: [f64; 2]) -> Self {
         let offset = coordinate - rate * input;
         Self { rate, offset }

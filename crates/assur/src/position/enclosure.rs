@@ -1,12 +1,12 @@
-//! Enclosures of the motion between two poses, by bounds of all second derivatives over a step of the input. They certify
-//! a step: they prove that no margin vanishes in it, no group has a singular pose and no point goes to infinity, which
-//! the poses at its ends cannot show.
+//! Enclosures of the motion between two poses, by bounds of all second derivatives over a step of the input. They
+//! certify a step: they prove that in it no margin vanishes, no group has a singular pose and no point goes to
+//! infinity. The poses at the ends of the step cannot show this.
 //!
 //! The pose of every body and its first derivative are known at the start of the step. A bound b of the second
-//! derivative over the step then encloses the path of a point: p(t) is within t²b/2 of p + t p′. Body by body, in the
-//! order in which they are solved, the bound follows from those of the bodies it is joined to, and from a bound on the
-//! sine of the angle between its links, by the same enclosures. (For groups of higher class: L. V. Kantorovich's theorem,
-//! J. M. Ortega and W. C. Rheinboldt, *Iterative Solution of Nonlinear Equations in Several Variables*, 1970, 12.6.)
+//! derivative over the step then encloses the path of a point: p(t) is within t²b/2 of p + t p′. In the order of
+//! solving, the bound of each body follows from the bounds of the bodies joined to it, and from a bound on the sine of
+//! the angle between its links, by the same enclosures. (For groups of higher class: L. V. Kantorovich's theorem, J. M.
+//! Ortega and W. C. Rheinboldt, *Iterative Solution of Nonlinear Equations in Several Variables*, 1970, 12.6.)
 
 mod dyads;
 
@@ -18,7 +18,7 @@ use crate::index::{BodyId, List, StepId};
 /// A step of the input from a pose, with bounds of the motion.
 #[derive(Clone, Debug)]
 pub(crate) struct Enclosure {
-    /// Change of the input, and its absolute value.
+    /// Change of the input over the step, and its absolute value.
     pub(super) width: f64,
     pub(super) step_len: f64,
     bodies: List<BodyId, Bound>,
@@ -30,8 +30,8 @@ pub(crate) struct Enclosure {
     pub(super) bounds: Bounds,
 }
 
-/// Maximum relative change q of the Jacobian of a group; below 1 the theorem holds, ½ gives a ball of twice the first
-/// correction.
+/// Maximum relative change q of the Jacobian of a group. The theorem holds for q below 1; q = ½ gives a ball with twice
+/// the first correction as radius.
 pub(super) const MAX_JACOBIAN_CHANGE: f64 = 0.5;
 /// Number of columns of an inverse that are computed together.
 pub(super) const BLOCK: usize = 4;
@@ -50,11 +50,11 @@ pub(super) struct Bounds {
 /// Bounds of the motion of a body over the step.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Bound {
-    /// Bound on the second derivative of its angle.
+    /// Bound on the second derivative of the angle of the body.
     pub(crate) angular_acceleration: f64,
-    /// Bound on its turn from elsewhere; infinite without one.
+    /// Bound on the turn of the body from other data; infinite without such data.
     max_turn: f64,
-    /// Two points on it, with bounds on their second derivatives.
+    /// Two points on the body, with bounds on their second derivatives.
     pub(crate) places: [(Vector, f64); 2],
 }
 
@@ -92,7 +92,7 @@ impl Enclosure {
     /// Certifies a step of the input from a pose.
     ///
     /// # Errors
-    /// The first step of the plan that it cannot certify.
+    /// The first step of the plan without certificate.
     pub(crate) fn certify(
         &mut self,
         steps: &List<StepId, Step>,
@@ -102,8 +102,8 @@ impl Enclosure {
         self.certify_beside(steps, from, width, (&[], from))
     }
 
-    /// The same if links of some steps pass through in line before the pose `to`: the second derivatives of their bodies
-    /// are estimated from both ends, since their equations do not bound them there.
+    /// Certifies a step in which links of some steps of the plan pass through in line before the pose `to`. Second
+    /// derivatives of their bodies are estimated from both ends, because their equations do not bound them there.
     pub(crate) fn certify_beside(
         &mut self,
         steps: &List<StepId, Step>,
@@ -123,13 +123,13 @@ impl Enclosure {
         Ok(())
     }
 
-    /// Upper bound, by the groups, on the length of a certifiable step relative to the last one: their Jacobians change at
-    /// least in proportion to it.
+    /// Upper bound, from the groups, on the length of a certifiable step relative to the last one: the change of their
+    /// Jacobians is at least proportional to the length.
     pub(crate) fn ease(&self) -> f64 {
         MAX_JACOBIAN_CHANGE / self.jacobian_change
     }
 
-    /// Sets the second derivatives to twice the greater ones of both ends.
+    /// Sets each second derivative to twice the greater of its values at both ends.
     fn estimate(&mut self, placing: &Step, from: &Predictor, to: &Predictor) {
         for body in placing.bodies() {
             let most = |of: &dyn Fn(&Predictor) -> f64| 2.0 * f64::max(of(from), of(to));
@@ -234,7 +234,7 @@ impl Enclosure {
         let radius = 0.5 * self.step_len * self.step_len * point.acceleration;
         let end = at + rate * self.width;
         let most = at.norm().max(end.norm());
-        // The nearest point of the tangent.
+        // The point of the tangent nearest to the origin.
         let nearest = -at.dot(&rate) / rate.norm_squared() * self.width.signum();
         let least = if nearest.is_finite() {
             let nearest = nearest.clamp(0.0, self.step_len) * self.width.signum();
@@ -245,8 +245,8 @@ impl Enclosure {
         [least - radius, most + radius]
     }
 
-    /// Bound on a continuous speed v that begins at v₀ and obeys v ≤ v₀ + h (a v² + c): the lesser root, which it cannot
-    /// pass. None without a real root.
+    /// Bound on a continuous speed v that begins at v₀ and satisfies v ≤ v₀ + h (a v² + c): the lesser root of the
+    /// equation, which v cannot pass. None without a real root.
     pub(crate) fn bounded_speed(&self, v0: f64, a: f64, c: f64) -> Option<f64> {
         let start = v0 + self.step_len * c;
         let rest = 1.0 - 4.0 * self.step_len * a * start;

@@ -1,11 +1,11 @@
-//! An epicyclic train: wheels and carriers whose angles follow from those of other bodies by the numbers of teeth.
+//! Epicyclic train: wheels and carriers whose angles follow from the angles of other bodies by the numbers of teeth.
 
 use super::{BodyPoint, Cause, Enclosure, Mounting, Predictor, Solvable, State, StepContext};
 use crate::index::{BodyId, PointId, StepId};
 use crate::{Jet, Vector};
 
-/// Bodies, each hinged on one placed before it, whose meshes determine all their angles: a wheel in mesh with a solved
-/// one, or the carrier between sun and ring with its planet.
+/// Bodies whose meshes determine all their angles, each hinged on a body placed before: a wheel in mesh with a solved
+/// wheel, or the carrier between sun and ring with its planet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct EpicyclicStep {
     /// The bodies in the order in which they are placed.
@@ -16,18 +16,18 @@ pub(crate) struct EpicyclicStep {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Member {
     pub(crate) body: BodyId,
-    /// The hinge, on the body placed before it and on itself.
+    /// Hinge, in the coordinates of the body placed before and of the body itself.
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
-    /// The solved bodies that determine its angle, with the derivative of the angle by theirs.
+    /// Solved bodies that determine the angle, with the derivative of the angle by the angle of each.
     pub(crate) ratios: Vec<(BodyId, f64)>,
-    /// Its angle when theirs are zero, as drawn.
+    /// Angle of the body when the angles of these bodies are zero, as drawn.
     pub(crate) shift: f64,
 }
 
 impl Member {
-    /// Its angle, by those of the other bodies.
+    /// Angle of the body, from the angles of the other bodies.
     fn angle<const N: usize>(&self, state: &State<N>, mounting: &Mounting) -> Jet<N> {
         let terms = self.ratios.iter();
         let terms = terms.map(|(body, ratio)| state.angle(*body) * *ratio);
@@ -65,7 +65,7 @@ impl Solvable for EpicyclicStep {
         self.members.iter().map(|member| member.body)
     }
 
-    /// True also of a carrier, on which its own planets depend.
+    /// True if the train depends on a body; also for a carrier, on which its own planets depend.
     fn depends_on(&self, body: BodyId) -> bool {
         self.members.iter().any(|member| {
             member.at.body == body || member.ratios.iter().any(|(other, _)| *other == body)

@@ -1,5 +1,5 @@
 //! Positions of Assur groups with derivatives to any order: Taylor series in the input pass through the closed forms.
-//! Each dyad, driver and train has a file of its own, with all that a mechanism needs of it ([`Solvable`]).
+//! Each dyad, driver and train has its own file, with all data that a mechanism needs of it ([`Solvable`]).
 //!
 //! Body 0 is the frame. A body has an origin and is turned by e^(iθ); points fixed to it have constant local coordinates.
 //! A group is solved from bodies that were solved before it.
@@ -42,10 +42,10 @@ use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Mounting, Sign, Solvable, Step, StepContext};
 
-/// Maximum distance of close points relative to the lengths that place them: the direction between them and, if they are
-/// the outer hinges of a dyad, the closed forms of its derivatives lose digits.
+/// Maximum distance of close points, relative to the lengths that place them. The direction between close points loses
+/// digits and, for the outer hinges of a dyad, so do the closed forms of its derivatives.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
-/// Its square.
+/// Square of `CLOSE`.
 pub(crate) const CLOSE_SQUARED: f64 = CLOSE * CLOSE;
 
 /// A point of a body, in local coordinates.
@@ -59,12 +59,12 @@ pub(crate) struct BodyPoint {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Arm {
     pub(crate) body: BodyId,
-    /// The solved point it is hinged at.
+    /// Solved point at which the arm is hinged.
     pub(crate) outer: BodyPoint,
-    /// The hinges on the link.
+    /// Hinges in the coordinates of the link.
     pub(crate) from: Vector,
     pub(crate) to: Vector,
-    /// Its hinges by name: the solved point, and the inner joint.
+    /// Names of the hinges: the solved point, and the inner joint.
     pub(crate) joints: [PointId; 2],
     length: f64,
     /// The link's turn relative to the vector between its hinges.
@@ -106,11 +106,11 @@ pub(crate) struct Track {
     /// A point of the link, and its distance to the left of the line.
     pub(crate) point: Vector,
     pub(crate) offset: f64,
-    /// That point by name; None if it is only on the line of the link.
+    /// Name of that point; None if the point is only on the line of the link.
     pub(crate) joint: Option<PointId>,
 }
 
-/// The kind of singular position that a dead point of a step is.
+/// Kind of singular position at a dead point of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Singularity {
@@ -120,22 +120,22 @@ pub enum Singularity {
     Perpendicular,
     /// The two guides of a dyad with two slides are parallel.
     Parallel,
-    /// The Jacobian of a group that no closed form solves is singular.
+    /// The Jacobian of a group without closed form is singular.
     Group,
 }
 
-/// Why a step of the plan has no solution.
+/// Reason why a step of the plan has no solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause {
     /// The input is not finite, or outside a driven slide's range.
     Input,
-    /// The solved joints are too far apart, or too close, by this length.
+    /// The distance of the solved joints is too large or too small by this length.
     Apart {
         /// Length.
         by: f64,
     },
-    /// A link is too short by this length to reach its guide, or the offset of a line from a hinge too great to reach the
-    /// other hinge.
+    /// A link is too short by this length to reach its guide, or the offset of a line from a hinge is too large by it
+    /// to reach the other hinge.
     OutOfReach {
         /// Length.
         by: f64,
@@ -144,17 +144,17 @@ pub enum Cause {
     Parallel,
     /// Two hinges coincide: the links between them may have any angle.
     Undetermined,
-    /// The pose exists, its derivatives are unbounded.
+    /// The pose exists, but its derivatives are unbounded.
     DeadPoint,
-    /// A redundant constraint contradicts the others.
+    /// A redundant constraint contradicts the other constraints.
     Locked {
-        /// A body that it constrains.
+        /// Body subject to the constraint.
         body: BodyId,
-        /// Its residual as a length.
+        /// Residual of the constraint as a length.
         by: f64,
     },
-    /// There is a pose, but the shown motion does not reach it.
+    /// The pose exists, but the shown motion does not reach it.
     Unreached,
-    /// The motion was followed only up to an earlier input: whether it reaches this one is unknown.
+    /// The motion was followed only up to an earlier input; it is unknown whether it reaches this input.
     Unfollowed,
 }

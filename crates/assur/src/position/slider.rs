@@ -4,11 +4,11 @@ use super::{Cause, Complex, DriveLaw, Enclosure, Predictor, Solvable, State, Ste
 use crate::Jet;
 use crate::index::{BodyId, StepId};
 
-/// A body on a line of the frame or of a moving body; its coordinate along the line is linear in the input.
+/// Body on a line of the frame or of a moving body; its coordinate along the line is linear in the input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Slider {
     pub(crate) track: Track,
-    /// Least and greatest coordinate.
+    /// Minimum and maximum coordinate.
     pub(crate) range: [f64; 2],
     pub(crate) law: DriveLaw,
 }

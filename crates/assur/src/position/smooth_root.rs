@@ -1,7 +1,7 @@
 //! The signed root of a dyad around a change point, by Hermite interpolation.
 //!
-//! At a change point the square under the root of the closed form touches zero, and its root has few digits there. In the
-//! smooth motion the root changes sign, and a polynomial through its exact derivatives has all digits.
+//! At a change point the square under the root of the closed form touches zero, so the root has few digits near it. In
+//! the smooth motion the root changes sign, and a polynomial through its exact derivatives has all digits.
 
 use crate::Jet;
 use crate::index::StepId;
@@ -19,9 +19,9 @@ pub(crate) struct SmoothRoot {
     pub(crate) step: StepId,
     /// The input of the change point.
     pub(crate) input: f64,
-    /// Distance of the outer nodes before and after it.
+    /// Distance from the change point to the nodes before and after it.
     radius: f64,
-    /// Those of root/u, with u = (input − change point) / radius.
+    /// Divided differences of root/u, with u = (input − change point) / radius.
     differences: Differences,
 }
 
@@ -48,8 +48,8 @@ impl SmoothRoot {
         }
     }
 
-    /// Hermite interpolation by the square and its derivatives at the change point and at `radius` before and after it.
-    /// `sign` is that of the root after the change point.
+    /// Hermite interpolation from the square and its derivatives at the change point and at `radius` before and after
+    /// it. `sign` is the sign of the root after the change point.
     pub(crate) fn new(
         (step, sign): (StepId, f64),
         [input, radius]: [f64; 2],
@@ -73,7 +73,7 @@ impl SmoothRoot {
         }
     }
 
-    /// The same root at inputs that are greater by a shift.
+    /// The root for inputs increased by a shift.
     pub(crate) fn shifted(&self, shift: f64) -> Self {
         let input = self.input + shift;
         Self {
@@ -82,7 +82,7 @@ impl SmoothRoot {
         }
     }
 
-    /// True if it is valid at an input.
+    /// True if the interpolation is valid at an input.
     pub(crate) fn covers(&self, input: f64) -> bool {
         (input - self.input).abs() <= 0.5 * self.radius
     }
@@ -98,7 +98,7 @@ impl SmoothRoot {
     }
 }
 
-/// A series in the input as one in u.
+/// Series in u from a series in the input.
 fn in_u(square: Jet<KNOWN>, radius: f64) -> Jet<KNOWN> {
     let mut power = 1.0;
     Jet::from_coefficients(std::array::from_fn(|order| {
@@ -115,8 +115,8 @@ fn root_over_u(square: Jet<KNOWN>, radius: f64) -> Jet<KNOWN_AT_CHANGE> {
     Jet::from_coefficients(rest).sqrt()
 }
 
-/// The nodes in u, each as often as it has coefficients. The change point comes first: near it the differences with the
-/// other nodes hardly count.
+/// Nodes in u, each repeated once per coefficient. The change point is first: near it the differences with the other
+/// nodes have little weight.
 fn node(k: usize) -> f64 {
     if k < KNOWN_AT_CHANGE {
         0.0

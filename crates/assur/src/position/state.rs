@@ -10,15 +10,15 @@ use crate::{Jet, Vector};
 #[derive(Clone, Debug)]
 pub(crate) struct State<const N: usize> {
     pub(crate) bodies: List<BodyId, BodyPose<N>>,
-    /// Margins of every step of the plan: the squares whose roots it takes, or the squared sine of the angle between two
-    /// guides; of a group the determinant of its Jacobian as a multiple of a power of two, and the exponent of that power.
+    /// Margins of every step of the plan: the squares whose roots the step takes, or the squared sine of the angle
+    /// between two guides. For a group: the determinant of its Jacobian over a power of two, and the exponent.
     pub(crate) margins: List<StepId, [Jet<N>; 2]>,
     /// The square of the mechanism's size.
     pub(crate) scale: f64,
     /// The unknowns of all groups solved by Newton's method.
     pub(crate) natural: Vec<Complex<N>>,
-    /// The largest first and the largest second Newton correction of all groups, in units of their unknowns: the errors of
-    /// the guess and of the first correction.
+    /// Largest first and largest second Newton correction of all groups, in units of their unknowns. They are the
+    /// errors of the guess and of the first correction.
     pub(crate) corrections: [f64; 2],
     pub(super) work: Work<N>,
 }
@@ -27,10 +27,10 @@ pub(crate) struct State<const N: usize> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BodyPose<const N: usize> {
     pub(crate) origin: Complex<N>,
-    /// e^(iθ) of its angle.
+    /// Turn e^(iθ) of the body by its angle θ.
     pub(crate) turn: Complex<N>,
     pub(crate) angle: Angle<N>,
-    /// Its orientation nearby, less than half a turn away.
+    /// Nearby orientation of the body, less than half a turn away.
     near: Orientation,
 }
 
@@ -45,7 +45,7 @@ pub(crate) struct Orientation {
 }
 
 impl Orientation {
-    /// The orientation with another turn, less than half a turn away.
+    /// Orientation with another turn, less than half a turn from this one.
     pub(crate) fn turned_to(self, turn: Vector) -> Self {
         let rotation = quotient(turn, self.turn);
         let angle = self.angle + rotation.y.atan2(rotation.x);
@@ -56,13 +56,13 @@ impl Orientation {
 /// The angle of a body, continuous along the motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Angle<const N: usize> {
-    /// The angle from which its turn was computed.
+    /// Known angle, from which the turn of the body was computed.
     Known(Jet<N>),
-    /// The angle of its turn, less than half a turn from that nearby; computed on demand.
+    /// Angle of the turn of the body, less than half a turn from the nearby angle; computed on demand.
     Turned,
 }
 
-/// The guess for a pose: a pose nearby.
+/// Nearby pose, used as the guess for a pose.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Nearby<'a> {
     /// Orientations of the bodies.
@@ -139,7 +139,7 @@ impl<const N: usize> State<N> {
         body.origin.value() + product(body.turn.value(), track.point)
     }
 
-    /// Lays an arm from a point along a vector of its length.
+    /// Places an arm from a point along a vector of the arm's length.
     pub(crate) fn lay(&mut self, arm: &Arm, at: Complex<N>, along: Complex<N>) {
         self.put(arm.body, along.by(arm.turn), arm.from, at);
     }
@@ -170,7 +170,7 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// Takes the angle of a body from its turn, less than half a turn from that nearby.
+    /// Takes the angle of a body from its turn, less than half a turn from the nearby angle.
     pub(crate) fn track_turn(&mut self, body: BodyId, near: Nearby<'_>) {
         self.turned_near(body, near.orientations[body]);
     }
@@ -182,9 +182,9 @@ impl<const N: usize> State<N> {
         body.angle = Angle::Turned;
     }
 
-    /// Orientation of a body. The angle is that of the turn, and only its whole turns are those nearby: rounding does not
-    /// accumulate from pose to pose. If the outer hinges of a dyad coincide, the turn may have any length before it is
-    /// normalized.
+    /// Orientation of a body. Its angle follows from the turn, and only whole turns from the nearby orientation, so
+    /// rounding does not accumulate from pose to pose. If the outer hinges of a dyad coincide, the turn may have any
+    /// length before it is normalized.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
         let body = &self.bodies[body];
         let turn = body.turn.value();

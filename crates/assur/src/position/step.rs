@@ -1,4 +1,4 @@
-//! A step of the plan, and the interface of its kinds.
+//! Step of the plan, and the interface of the kinds of steps.
 
 use super::margin::root;
 use super::{
@@ -35,7 +35,7 @@ impl Sign {
     }
 }
 
-/// The data by which a step is solved, besides the bodies solved before it.
+/// Data from which a step is solved, in addition to the bodies solved before it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepContext<'a, const N: usize> {
     pub(crate) step: StepId,
@@ -48,14 +48,14 @@ pub(crate) struct StepContext<'a, const N: usize> {
 /// Angles of an assembly that differ from the plan by the whole turns of its drivers.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mounting {
-    /// Shift of the angle of a wheel in a train, or of the angle φ₁ of a four-bar, by its coupler.
+    /// Shift of the angle of a wheel in a train; for the coupler of a four-bar, shift of its angle φ₁.
     pub(crate) shifts: List<BodyId, f64>,
-    /// Whole turns of a body since the drawing, in radians, which angle constraints do not count.
+    /// Whole turns of a body since the drawing, in radians, that angle constraints do not include.
     pub(crate) turns: List<BodyId, f64>,
 }
 
 impl Mounting {
-    /// All bodies as planned.
+    /// Mounting of all bodies as planned.
     pub(crate) fn planned(bodies: usize) -> Self {
         let none: List<BodyId, f64> = vec![0.0; bodies].into();
         Self {
@@ -66,7 +66,7 @@ impl Mounting {
 }
 
 impl<const N: usize> StepContext<'_, N> {
-    /// The root of a margin with the sign of the assembly; `scale` is the size of the squares in it.
+    /// Root of a margin with the sign of the assembly; `scale` is the size of the squares in the margin.
     #[inline(always)]
     pub(super) fn root(&self, square: Jet<N>, scale: f64) -> Result<Jet<N>, Dead> {
         match self.smooth_root() {
@@ -85,30 +85,30 @@ impl<const N: usize> StepContext<'_, N> {
     }
 }
 
-/// A step that places one or several bodies relative to those placed before.
+/// Step that places one or several bodies relative to bodies placed before.
 pub(crate) trait Solvable {
-    /// Sets the origins and turns of its bodies.
+    /// Sets the origins and turns of the bodies of the step.
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
         context: &StepContext<'_, N>,
     ) -> Result<(), Cause>;
 
-    /// Bounds the motion of its bodies over a step of the input from a pose; true if it certainly stays in its assembly.
+    /// Bounds the motion of the bodies over a step of the input from a pose; true if their assembly certainly stays.
     fn enclose(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool;
 
-    /// The bodies that it places.
+    /// Bodies that the step places.
     fn bodies(&self) -> impl Iterator<Item = BodyId>;
 
-    /// True if it depends on the pose of a body.
+    /// True if the step depends on the pose of a body.
     fn depends_on(&self, body: BodyId) -> bool;
 
-    /// True if the angles of its bodies follow from their turns but for whole turns.
+    /// True if the angles of the bodies follow from their turns except for whole turns.
     fn tracks_turns(&self) -> bool {
         true
     }
 
-    /// True if it has two assemblies, distinguished by the sign of the root in its closed form.
+    /// True if the step has two assemblies, distinguished by the sign of the root in its closed form.
     fn has_sign(&self) -> bool {
         use Singularity::{InLine, Perpendicular};
         matches!(self.singularity(), InLine | Perpendicular)
@@ -119,25 +119,25 @@ pub(crate) trait Solvable {
         self.has_sign()
     }
 
-    /// The square under the root of its closed form, by its margins.
+    /// Square under the root of the closed form, from the margins.
     fn square<const N: usize>(&self, [margin, _]: [Jet<N>; 2]) -> Jet<N> {
         margin
     }
 
-    /// The kind of singular position that its dead points are.
+    /// Kind of singular position at the dead points of the step.
     fn singularity(&self) -> Singularity {
         Singularity::Group
     }
 
-    /// Scales of its margins, to which their rounding is relative.
+    /// Scales of the margins, to which their rounding is relative.
     fn scales(&self) -> [f64; 2] {
         [1.0; 2]
     }
 
-    /// Solves it, with the angles.
+    /// Solves the step, with the angles.
     ///
     /// # Errors
-    /// It has no solution, or one that is not finite.
+    /// The step has no solution, or a solution that is not finite.
     #[inline(always)]
     fn put<const N: usize>(
         &self,
@@ -157,7 +157,7 @@ pub(crate) trait Solvable {
     }
 }
 
-/// An error unless a sum of [`super::Complex::finite_probe`] is finite.
+/// Error unless a sum of [`super::Complex::finite_probe`] is finite.
 pub(super) fn finite(sum: Vector) -> Result<(), Cause> {
     if sum == Vector::zeros() {
         Ok(())
@@ -198,7 +198,7 @@ macro_rules! ask {
 }
 
 impl Step {
-    /// Places its bodies.
+    /// Places the bodies of the step.
     #[inline(always)]
     pub(crate) fn put<const N: usize>(
         &self,
@@ -208,12 +208,12 @@ impl Step {
         ask!(self, kind => kind.put(state, context))
     }
 
-    /// Bounds the motion of its bodies over a step of the input.
+    /// Bounds the motion of the bodies of the step over a step of the input.
     pub(crate) fn enclose(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         ask!(self, kind => kind.enclose(step, from, cell))
     }
 
-    /// The bodies that it places.
+    /// Bodies that the step places.
     pub(crate) fn bodies(&self) -> Vec<BodyId> {
         ask!(self, kind => kind.bodies().collect())
     }
@@ -222,7 +222,7 @@ impl Step {
         ask!(self, kind => kind.depends_on(body))
     }
 
-    /// The four-bar on the driven crank, if it is the dyad of one.
+    /// Four-bar on the driven crank, if this step is its dyad.
     pub(crate) fn four_bar(&self) -> Option<&CrankFourBar> {
         match self {
             Self::Rrr(dyad) => dyad.four_bar.as_ref(),

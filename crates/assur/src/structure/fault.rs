@@ -87,7 +87,7 @@ pub enum Fault {
 }
 
 impl fmt::Display for Fault {
-    /// For the programmer's log; the words for people live in string tables.
+    /// Debug form, for the programmer's log; texts for the reader are in the string tables.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self:?}")
     }

@@ -15,9 +15,9 @@ use crate::tolerance;
 pub struct Target {
     /// Full width of the band within which the output counts as dwelling.
     pub tolerance: f64,
-    /// Minimum arc of the crank over which it dwells, radians.
+    /// Minimum arc of the crank over which the output dwells, radians.
     pub arc: f64,
-    /// Difference of its maximum and minimum.
+    /// Difference of the maximum and minimum of the output.
     pub stroke: f64,
 }
 
@@ -26,18 +26,18 @@ pub struct Target {
 pub struct DesignVariable {
     /// The dimension.
     pub dimension: Dimension,
-    /// Its bounds; the value at the start lies between them.
+    /// Bounds of the dimension; the initial value lies between them.
     pub range: [f64; 2],
 }
 
 /// Reasons why there is nothing to search.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SearchError {
-    /// The tolerance, the arc (up to a turn) or the stroke is not positive and finite.
+    /// The tolerance is not positive and finite.
     Tolerance,
-    /// See [`SearchError::Tolerance`].
+    /// The arc is not positive and finite, or exceeds a turn.
     Arc,
-    /// See [`SearchError::Tolerance`].
+    /// The stroke is not positive and finite.
     Stroke,
     /// The mechanism has no such output.
     Output,
@@ -74,7 +74,7 @@ pub struct Progress {
     pub accepted: bool,
     /// Values of the best candidate.
     pub evaluation: Evaluation,
-    /// Reason for the end of the search; none before it.
+    /// Reason for the end of the search; None while it runs.
     pub end: Option<End>,
 }
 
@@ -211,7 +211,7 @@ impl Search {
             if value != self.values[k] {
                 return Some(value);
             }
-            // Already at its bound: the other direction.
+            // The dimension is at its bound: the other direction is tried.
             self.steps[k] *= -0.5;
             return self.candidate();
         }

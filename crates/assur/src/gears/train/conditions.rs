@@ -14,7 +14,7 @@ pub enum Coupling {
 /// Kinds of conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConditionKind {
-    /// Sun and ring have one axis, z₄ = z₁ + z₂ + z₂′ (gears in contact).
+    /// Sun and ring have a common axis, z₄ = z₁ + z₂ + z₂′ (gears in contact).
     Coaxiality,
     /// There is room for gaps, z₄ > z₁ + z₂ + z₂′ (magnets).
     Room,
@@ -30,7 +30,7 @@ pub enum ConditionKind {
 }
 
 impl ConditionKind {
-    /// Its name for programs.
+    /// Name of the condition for programs.
     pub fn code(self) -> &'static str {
         match self {
             Self::Coaxiality => "coaxiality",
@@ -46,20 +46,20 @@ impl ConditionKind {
 /// Required relation between the two sides of a condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
-    /// They are equal.
+    /// Both sides are equal.
     Equal,
-    /// The left one is greater.
+    /// The left side is greater.
     Greater,
-    /// The left one is less.
+    /// The left side is less.
     Less,
-    /// The left one is a whole multiple of the right one.
+    /// The left side is a whole multiple of the right side.
     Multiple,
 }
 
 /// A condition with its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Condition {
-    /// Its kind.
+    /// Kind of the condition.
     pub kind: ConditionKind,
     /// The left side.
     pub left: f64,
@@ -93,7 +93,7 @@ impl Condition {
 }
 
 impl Differential {
-    /// The condition that this number of satellites can be mounted at equal angles. For stepped ones, all alike, the
+    /// Condition that this number of satellites can be mounted at equal angles. For stepped satellites, all alike, the
     /// sum is (z₁z₂′ + z₂z₄)/gcd(z₂, z₂′).
     pub fn assembly(&self, satellites: u32) -> Condition {
         Condition {
@@ -106,7 +106,7 @@ impl Differential {
 }
 
 impl Layout {
-    /// The conditions for this coupling, met or not. Bevel wheels are always coaxial; a gap is set by axial
+    /// Conditions for a coupling, met or not. Bevel wheels are always coaxial; their gaps are set by axial
     /// displacement.
     pub fn conditions(&self, coupling: Coupling) -> Vec<Condition> {
         let mut conditions = match (self.train().kind(), coupling) {

@@ -9,19 +9,19 @@ pub(super) const GREATEST: f64 = 1e12;
 /// A coaxial shaft of a train.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Shaft {
-    /// The sun's, 1.
+    /// Shaft of the sun, 1.
     Sun,
-    /// The carrier's, 3.
+    /// Shaft of the carrier, 3.
     Carrier,
-    /// The ring's, 4.
+    /// Shaft of the ring, 4.
     Ring,
 }
 
 impl Shaft {
-    /// All of them.
+    /// All shafts.
     pub const ALL: [Self; 3] = [Self::Sun, Self::Carrier, Self::Ring];
 
-    /// Its index among sun, satellite, carrier and ring.
+    /// Index of the shaft among sun, satellite, carrier and ring.
     pub fn index(self) -> usize {
         match self {
             Self::Sun => 0,
@@ -30,7 +30,7 @@ impl Shaft {
         }
     }
 
-    /// The number of its link in the source paper.
+    /// Number of the shaft's link in the source paper.
     pub fn number(self) -> u8 {
         match self {
             Self::Sun => 1,
@@ -43,11 +43,11 @@ impl Shaft {
 /// A number for each shaft: angle turned since assembly, speed, torque or power.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shafts {
-    /// The sun's value.
+    /// Value of the sun.
     pub sun: f64,
-    /// The carrier's value.
+    /// Value of the carrier.
     pub carrier: f64,
-    /// The ring's value.
+    /// Value of the ring.
     pub ring: f64,
 }
 
@@ -72,7 +72,7 @@ impl Shafts {
         Self::from_each(|shaft| self.of(shaft) * speeds.of(shaft))
     }
 
-    /// Angles or speeds relative to a shaft, which then is at rest (Willis's inversion).
+    /// Angles or speeds relative to a given shaft, taken as fixed (Willis's inversion).
     pub fn relative_to(&self, shaft: Shaft) -> Self {
         let own = self.of(shaft);
         Self::from_each(|other| self.of(other) - own)
@@ -123,12 +123,12 @@ impl Differential {
         }
     }
 
-    /// a + b: it must be a multiple of the number of satellites for these to be mounted at equal angles.
+    /// Sum a + b, which must be a multiple of the number of satellites for mounting them at equal angles.
     pub fn pitches(&self) -> u32 {
         self.sun + self.ring
     }
 
-    /// External torques on the shafts in steady motion without losses, from one of them:
+    /// External torques on the shafts in steady motion without losses, from the torque on one shaft:
     /// T₁ : T₄ : T₃ = a : b : −(a + b).
     ///
     /// The torques balance, and so do their powers at all speeds that the train allows. By the principle of virtual
@@ -141,7 +141,7 @@ impl Differential {
         Ok(self.balanced(known, torque))
     }
 
-    /// The torques relative to that of one of the shafts.
+    /// Torques relative to the torque on one of the shafts.
     pub fn torques_relative_to(&self, known: Shaft) -> Shafts {
         self.balanced(known, 1.0)
     }

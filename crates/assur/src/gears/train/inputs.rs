@@ -1,4 +1,4 @@
-//! Motion of all shafts with two of the three driven, held or tied.
+//! Motion of all shafts when two of the three are driven, held or tied.
 
 use crate::tolerance;
 use nalgebra::Vector3;
@@ -10,22 +10,22 @@ use crate::Fault;
 /// Input of a shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input {
-    /// The shaft.
+    /// Shaft with the input.
     pub shaft: Shaft,
-    /// Its drive.
+    /// Prescribed motion of the shaft.
     pub drive: Drive,
 }
 
 /// Drive of a shaft from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive {
-    /// This speed, or turned by this angle; 0 if it is held.
+    /// Prescribed speed or angle of rotation; 0 holds the shaft.
     Given(f64),
-    /// A multiple of another shaft's speed, as from a train between the two.
+    /// Multiple of another shaft's speed, as from a train between both shafts.
     Tied {
-        /// The other shaft.
+        /// Other shaft.
         to: Shaft,
-        /// The multiple.
+        /// Ratio of this shaft's speed to the other shaft's speed.
         factor: f64,
     },
 }
@@ -47,11 +47,11 @@ pub enum InputError {
         /// The fault.
         fault: Fault,
     },
-    /// A shaft that follows the given ones turns too fast for its angles to be computed.
+    /// The speed of a shaft that results from the inputs is too high to compute its angles.
     TooFast {
         /// The shaft.
         shaft: Shaft,
-        /// Its speed, revolutions per minute.
+        /// Speed of the shaft, revolutions per minute.
         speed: f64,
     },
     /// A shaft tied to itself.
@@ -74,11 +74,11 @@ pub enum InputError {
         /// Number of inputs.
         given: usize,
     },
-    /// With this tie the train is at rest or moves at any speed; no other input determines it.
+    /// A tie with which the train is at rest or moves at any speed; no other input determines the speed.
     SingularTie {
         /// The shaft that is tied.
         shaft: Shaft,
-        /// The shaft it is tied to.
+        /// Shaft to which it is tied.
         to: Shaft,
         /// The factor.
         factor: f64,
@@ -86,13 +86,13 @@ pub enum InputError {
 }
 
 impl Differential {
-    /// The motion of all shafts from exactly two inputs; for angles and speeds alike, because the equation is linear
-    /// with constant coefficients.
+    /// Motion of all shafts from exactly two inputs, for angles as for speeds, because the equation is linear with
+    /// constant coefficients.
     ///
     /// Two ties leave the train at rest.
     ///
     /// # Errors
-    /// Every fault of a single input; otherwise the reason why they do not determine the motion.
+    /// Every fault of a single input; otherwise the reason why the inputs do not determine the motion.
     pub fn solve(&self, inputs: &[Input]) -> Result<Shafts, Vec<InputError>> {
         let reasons: Vec<InputError> = inputs.iter().filter_map(fault).collect();
         if !reasons.is_empty() {

@@ -5,9 +5,9 @@ use crate::Fault;
 use crate::gears::ADDENDUM;
 use crate::tolerance::LENGTH;
 
-/// A train with its satellites at equal angles, in lengths; always valid.
+/// Train with its satellites at equal angles, with lengths; always valid.
 ///
-/// Its [conditions](Layout::conditions) decide whether it can be built.
+/// The [conditions](Layout::conditions) decide whether the train can be built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
     train: Train,
@@ -53,7 +53,7 @@ impl Layout {
         }
     }
 
-    /// The same layout with poles that alternate around each wheel: two plates per period of the field.
+    /// The layout with poles that alternate around each wheel: two plates per period of the field.
     pub fn alternating(self) -> Self {
         Self {
             alternating: true,
@@ -77,7 +77,7 @@ impl Layout {
         &self.train
     }
 
-    /// The same layout with other wheels.
+    /// The layout with other wheels.
     pub(super) fn with(&self, train: Train) -> Self {
         Self { train, ..*self }
     }
@@ -90,7 +90,7 @@ impl Layout {
         }
     }
 
-    /// Its links and pairs.
+    /// Numbers of links and pairs of the train.
     pub fn counts(&self) -> Counts {
         self.counts
     }
@@ -105,8 +105,8 @@ impl Layout {
         self.module * f64::from(self.train.teeth(member))
     }
 
-    /// The distance a_w of a satellite's middle from the main axis: for gears in contact that of sun and satellite; for
-    /// magnets the given one, or by default the one with equal gaps.
+    /// Distance a_w of a satellite's middle from the main axis. For gears in contact it is the distance of sun and
+    /// satellite; for magnets it is the given distance, or by default the distance with equal gaps.
     pub fn axis_distance(&self, coupling: Coupling) -> f64 {
         let [sun, satellite, step, ring] =
             [Member::Sun, Member::Satellite, Member::Step, Member::Ring]

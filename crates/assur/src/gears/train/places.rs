@@ -8,19 +8,19 @@ use crate::Point;
 /// Position of a satellite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Its centre, from the main axis.
+    /// Centre of the satellite, from the main axis.
     pub centre: Point,
-    /// Angle of its zero direction, on which a tooth (a plate) of each of its wheels is centred.
+    /// Angle of the satellite's zero direction, on which a tooth (a plate) of each of its wheels is centred.
     pub angle: f64,
 }
 
 /// Mounting angles of wheels with parallel axes: the angles of their zero directions, on which a tooth (a plate) is
-/// centred, with those of sun and carrier 0.
+/// centred, when the angles of sun and carrier are 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mounting {
-    /// The ring.
+    /// Mounting angle of the ring.
     pub ring: f64,
-    /// Each satellite.
+    /// Mounting angle of each satellite.
     pub satellites: Vec<f64>,
 }
 

@@ -20,7 +20,7 @@ pub struct Ratio {
 }
 
 impl Ratio {
-    /// u.
+    /// Value of the ratio u.
     pub fn value(&self) -> f64 {
         self.numerator as f64 / self.denominator as f64
     }
@@ -34,7 +34,7 @@ impl fmt::Display for Ratio {
     }
 }
 
-/// The identity u_ij⁽ᵏ⁾ + u_ik⁽ʲ⁾ = 1, one for each i.
+/// Identity u_ij⁽ᵏ⁾ + u_ik⁽ʲ⁾ = 1, one for each i.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Identity {
     /// The two ratios, with a common denominator.
@@ -77,7 +77,7 @@ impl Differential {
         ]
     }
 
-    /// The source paper's (8), (9), (10).
+    /// Identities (8), (9), (10) of the source paper.
     pub fn identities(&self) -> [Identity; 3] {
         use Shaft::{Carrier, Ring, Sun};
         let identity = |of, one, other| Identity {

@@ -1,4 +1,4 @@
-//! Similar numbers of teeth with which a train can be built.
+//! Similar numbers of teeth for a train that can be built.
 
 use super::{Coupling, Kind, Layout, Member, Train};
 use crate::sorting::sort_by_key;
@@ -6,7 +6,7 @@ use crate::sorting::sort_by_key;
 /// A train that meets all conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Suggestion {
-    /// Its wheels.
+    /// Train with the suggested numbers of teeth.
     pub train: Train,
     /// Sum of the changes of all numbers of teeth.
     pub change: u32,

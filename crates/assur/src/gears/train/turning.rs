@@ -26,12 +26,12 @@ pub struct Turned {
     pub speeds: [f64; 4],
     /// Accelerations, rad/s².
     pub accelerations: [f64; 4],
-    /// True if values of the satellite are relative to the carrier, about its own axis, as for bevel wheels.
+    /// True if the values of the satellite are relative to the carrier, about its axis, as for bevel wheels.
     pub spins: bool,
 }
 
 impl Turned {
-    /// The state seen from a shaft, which then is at rest (Willis's inversion).
+    /// State relative to a given shaft, taken as fixed (Willis's inversion).
     pub fn seen_from(&self, shaft: Shaft) -> Self {
         let own = shaft.index();
         let fixed = |body: usize| body == 1 && self.spins;
@@ -60,7 +60,7 @@ pub struct Turning {
     train: Train,
     /// The driven shafts with their motors.
     driven: [(Shaft, Motor); 2],
-    /// The third shaft.
+    /// Shaft without an input.
     free: Shaft,
 }
 
@@ -71,7 +71,7 @@ enum Motor {
         rpm: f64,
         rise: f64,
     },
-    /// This multiple of the motion of the other driven shaft.
+    /// Multiple of the motion of the other driven shaft.
     Other(f64),
     Rest,
 }
@@ -152,7 +152,7 @@ impl Turning {
     ///
     /// # Errors
     /// Every invalid rise time; errors of [`Differential::solve`](super::Differential::solve); two inputs of one shaft;
-    /// given speeds above [`Self::FASTEST`], or else resulting ones.
+    /// given speeds above [`Self::FASTEST`], otherwise resulting speeds above it.
     pub fn new(train: Train, inputs: &[TimedInput]) -> Result<Self, Vec<InputError>> {
         let rises: Vec<InputError> = inputs.iter().filter_map(rise_fault).collect();
         let asked: Vec<Input> = inputs.iter().map(|timed| timed.input).collect();
@@ -300,7 +300,7 @@ impl Turning {
         })
     }
 
-    /// The motor of a driven shaft and its multiple.
+    /// Motor of a driven shaft, and the multiple of its motion.
     fn motor(&self, this: usize) -> (Motor, f64) {
         match (self.driven[this].1, self.driven[1 - this].1) {
             (Motor::Other(factor), other) => (other, factor),

@@ -5,9 +5,9 @@ use super::{Coupling, Kind, Layout, Member, Shafts, Train};
 /// Angular velocity of a satellite, or its angle turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spin {
-    /// Relative to the carrier, about the satellite's own axis.
+    /// Component relative to the carrier, about the satellite's own axis.
     pub relative: f64,
-    /// ω₂: absolute, component along the main axis; the only one in a planar train.
+    /// Absolute component ω₂ along the main axis; the only component in a planar train.
     pub along: f64,
     /// Component across the main axis, away from it on the satellite's side; zero except for bevel wheels.
     pub across: f64,
@@ -41,13 +41,13 @@ pub struct PointVelocity {
 /// Velocities of a satellite in the plane. Over the radius they lie on a straight line: the velocity triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Velocities {
-    /// Point of rolling on the sun: both have this velocity.
+    /// Point of rolling on the sun; satellite and sun have this velocity.
     pub sun: PointVelocity,
-    /// Its centre, with the carrier's velocity.
+    /// Centre of the satellite, with the velocity of the carrier.
     pub centre: PointVelocity,
-    /// Point of rolling in the ring: both have this velocity.
+    /// Point of rolling in the ring; satellite and ring have this velocity.
     pub ring: PointVelocity,
-    /// Radius of its instant centre; none if it does not turn and all velocities are equal.
+    /// Radius of the satellite's instant centre; None if the satellite does not turn and all velocities are equal.
     pub instantaneous_centre: Option<f64>,
 }
 

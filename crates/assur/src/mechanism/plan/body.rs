@@ -11,7 +11,7 @@ use crate::mechanism::plan::resolved::{self, Driver, Resolved};
 use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::plan::willis;
 
-/// Bodies with their points in local coordinates; those of the frame are those of the drawing.
+/// Bodies with their points in local coordinates; for the frame these are the coordinates of the drawing.
 #[derive(Clone, Debug)]
 pub(in crate::mechanism) struct Bodies {
     /// The points of each body, in the order of its links.
@@ -29,11 +29,11 @@ pub(in crate::mechanism) struct Gear {
     pub(in crate::mechanism) by_link: resolved::Gear,
     pub(in crate::mechanism) bodies: [BodyId; 2],
     pub(in crate::mechanism) carrier: BodyId,
-    /// True if its equation follows from those of other couplings.
+    /// True if the equation of this coupling follows from the equations of other couplings.
     pub(in crate::mechanism) is_passive: bool,
 }
 
-/// A link's body and the link's angle offset from it.
+/// Body of a link, and the offset of the link's angle from the angle of the body.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::mechanism) struct Placement {
     pub(in crate::mechanism) body: BodyId,
@@ -41,8 +41,8 @@ pub(in crate::mechanism) struct Placement {
 }
 
 impl Bodies {
-    /// The bodies of a specification, and the placements of its links. A hinge of the frame may differ from the
-    /// drawing: the links, their guides and wheels stay as drawn.
+    /// Bodies of a specification, and the placements of its links. A hinge of the frame may differ from the drawing:
+    /// links, guides and wheels at the hinge stay as drawn.
     ///
     /// # Errors
     /// A link of undetermined orientation; a slide whose point is not on its link, or whose line has two coincident
@@ -67,7 +67,7 @@ impl Bodies {
         Ok((bodies, placements))
     }
 
-    /// The same without slides and gear couplings.
+    /// Bodies and placements without slides and gear couplings.
     ///
     /// # Errors
     /// A link of undetermined orientation.
@@ -104,11 +104,11 @@ impl Bodies {
         Ok((bodies, placements))
     }
 
-    /// Makes the body of a link: its origin is the first point, and its axis runs to the second one or, without a
-    /// second, along its guide.
+    /// Makes the body of a link. Its origin is the first point; its axis runs to the second point or, without a second
+    /// point, along the guide of the link.
     ///
     /// # Errors
-    /// A link with a shape, no two points of which are drawn apart: its orientation is not determined.
+    /// A link with a shape and no two points drawn apart: its orientation is not determined.
     fn make(&mut self, spec: &Resolved<'_>, id: LinkId) -> Result<(), Defect> {
         let link = &spec.links[id];
         let origin = spec.places[link.first];
@@ -140,7 +140,7 @@ impl Bodies {
         Ok(())
     }
 
-    /// Adds the points of a link fixed to a body; returns the angle of the link on it.
+    /// Adds the points of a link fixed to a body; returns the angle of the link on the body.
     fn fix(&mut self, spec: &Resolved<'_>, body: BodyId, points: &[PointId]) -> f64 {
         let (origin, turn) = self.drawn[body];
         let own = |way: Vector| product(way, conjugate(turn));
@@ -150,7 +150,7 @@ impl Bodies {
             known.unwrap_or_else(|| own(spec.places[point] - origin))
         };
         let way = match *points {
-            // For two points close together, rounding of their places on the body would blur the direction.
+            // For two points close together, rounded places on the body would give an inexact direction.
             [first, second, ..] if is_new(&first) && is_new(&second) => {
                 own(spec.places[second] - spec.places[first])
             }
@@ -185,12 +185,12 @@ impl Bodies {
         self.gears.iter().filter(|gear| !gear.is_passive)
     }
 
-    /// The points of a body.
+    /// Points of a body with their places on it.
     pub(in crate::mechanism) fn of(&self, body: BodyId) -> &[(PointId, Vector)] {
         &self.points[body]
     }
 
-    /// The place of a point on a body; None if the body does not have it.
+    /// Place of a point on a body; None if the body does not have the point.
     pub(in crate::mechanism) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
         let mut points = self.points[body].iter();
         points
@@ -198,7 +198,7 @@ impl Bodies {
             .map(|(_, local)| *local)
     }
 
-    /// A point on the first accepted body that has it.
+    /// A point on the first accepted body that has the point.
     pub(in crate::mechanism) fn anchor_of(
         &self,
         point: PointId,
@@ -212,7 +212,7 @@ impl Bodies {
         })
     }
 
-    /// The graph of the pairs; its links are the bodies.
+    /// Graph of the pairs; the links of the graph are the bodies.
     pub(in crate::mechanism) fn graph(&self, points: impl Iterator<Item = PointId>) -> Graph {
         let hinge = |point: PointId| -> Option<Pair> {
             let joined = self.ids().filter(|body| self.local(*body, point).is_some());
@@ -266,7 +266,7 @@ impl Bodies {
         Ok(structure::Driver { pair, links })
     }
 
-    /// True if the drawing shows the orientation of a body: a wheel with nothing but its hinge looks the same at any
+    /// True if the drawing shows the orientation of a body: a wheel with no point but its hinge looks the same at any
     /// angle.
     pub(in crate::mechanism) fn shows_its_angle(&self, body: BodyId) -> bool {
         let mut slides = self.slides.iter();
@@ -301,11 +301,11 @@ impl Gear {
     }
 }
 
-/// The turn of a link, by the vectors from its first point to all its points in the drawing: the direction to the
-/// second point or, if that is drawn at the same place, of the first two points that are apart both in the drawing and
-/// in the link's shape. None if there are no such two.
+/// Turn of a link, from the vectors of its first point to all its points in the drawing: the direction to the second
+/// point. If this point is drawn at the first one, the direction of the first two points that are apart both in the
+/// drawing and in the link's shape. None if no two points are apart.
 fn drawn_turn(ways: &[Vector], shape: Option<&[Vector]>, size: f64) -> Option<Vector> {
-    // However small a link is drawn, the direction is known if the distance exceeds rounding.
+    // However small a link is drawn, the direction is known if the distance exceeds the rounding.
     let direction = |way: Vector, size: f64| {
         let length = way.norm();
         (length > f64::EPSILON * size).then(|| way / length)
@@ -325,7 +325,7 @@ fn drawn_turn(ways: &[Vector], shape: Option<&[Vector]>, size: f64) -> Option<Ve
     })
 }
 
-/// The places of a shape, moved so that the first is the origin and the second is on the axis.
+/// Places of a shape, moved so that the first place is the origin and the second is on the axis.
 fn in_own_axes(shape: &[Vector]) -> Vec<Vector> {
     let [first, rest @ ..] = shape else {
         return Vec::new();

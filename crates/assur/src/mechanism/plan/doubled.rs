@@ -1,5 +1,5 @@
-//! Doubled links: a link that shares two points or more with another body, at the same places on both, is one body with
-//! it.
+//! Doubled links: a link that shares two or more points with another body, at the same places on both, is one body with
+//! the other.
 
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::linkage::spec::{Defect, LinkageSpec, extent};
@@ -12,24 +12,24 @@ use crate::structure::subscript;
 use crate::tolerance::COINCIDENT;
 use crate::{Point, Vector};
 
-/// A link that is one body with another, or with the frame, by shared points.
+/// Link that is one body with another link, or with the frame, because of shared points.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct DoubledLink {
     /// The link.
     pub link: LinkId,
-    /// The points shared with its body, two or more.
+    /// Points shared with the body, at least two.
     pub shared: Vec<PointId>,
 }
 
 impl DoubledLink {
-    /// q with the number of its redundant constraints: q₁ of two shared points, q₃ of three.
+    /// Letter q with the number of redundant constraints: q₁ for two shared points, q₃ for three.
     pub fn symbol(&self) -> String {
         format!("q{}", subscript(2 * self.shared.len() - 3))
     }
 }
 
 impl Layout {
-    /// A specification of this layout with a point moved on a link, and on the links doubled with it.
+    /// Specification of this layout with a point moved on a link and on the links doubled with this link.
     pub(in crate::mechanism) fn placed(
         &self,
         spec: &LinkageSpec,
@@ -59,7 +59,7 @@ impl Layout {
         changed
     }
 
-    /// A place on a link, in the coordinates of another link of its body.
+    /// Place on a link, in the coordinates of another link of the same body.
     fn on_other(&self, spec: &LinkageSpec, at: Point, links: [LinkId; 2]) -> Option<Point> {
         let [from, to] = links.map(|link| self.axes(spec, link));
         let ([own, on_body, turn], [other, there, turned]) = (from?, to?);
@@ -67,8 +67,8 @@ impl Layout {
         Some((other + product(at - there, conjugate(turned))).into())
     }
 
-    /// Place of the first point of a link with a shape, on the link and on its body, and the turn of the link's axes on
-    /// the body.
+    /// Place of the first point of a link with a shape, on the link and on its body, and the turn of the link's axes
+    /// relative to the body.
     fn axes(&self, spec: &LinkageSpec, link: LinkId) -> Option<[Vector; 3]> {
         let Part { body, points, .. } = &self.links[link];
         let shape = spec.links[link.index()].shape.as_ref()?;
@@ -87,18 +87,18 @@ impl Layout {
     }
 }
 
-/// A body that is one with an earlier body.
+/// Body that is one body with an earlier one.
 struct Doubling {
     body: BodyId,
     base: BodyId,
     shared: Vec<PointId>,
-    /// Its other points with their places on the base.
+    /// Other points of the body, with their places on the base.
     others: Vec<(PointId, Vector)>,
 }
 
 impl Resolved<'_> {
-    /// Merges doubled links with the bodies that they double. Each brings its points along, by which further links may
-    /// double the merged body.
+    /// Merges doubled links with the bodies that they double. Each doubled link brings its points along; by these
+    /// points further links may double the merged body.
     ///
     /// # Errors
     /// A link of undetermined orientation.
@@ -136,7 +136,7 @@ impl Resolved<'_> {
 }
 
 impl Doubling {
-    /// None unless the bodies share two points that are apart, and every shared point has the same place on both.
+    /// Doubling of a base by a body; None unless two shared points are apart and all are at equal places on both.
     fn of(bodies: &Bodies, [body, base]: [BodyId; 2]) -> Option<Self> {
         let closest = COINCIDENT * extent(bodies.of(body).iter().map(|(_, own)| *own));
         let (mut shared, mut others) = (Vec::new(), Vec::new());

@@ -8,19 +8,19 @@ use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::mechanism::plan::{Drawn, Placed};
 use crate::position::{BodyPoint, Crank, DriveLaw, Slider, Step};
 
-/// A driven pair between two bodies of one group: the group is solved with its coordinate.
+/// Driven pair between two bodies of one group; its coordinate is given when the group is solved.
 pub(in crate::mechanism) struct DrivenPair {
     pub(in crate::mechanism) kind: PairKind,
     pub(in crate::mechanism) course: DriveLaw,
 }
 
 pub(in crate::mechanism) enum PairKind {
-    /// A hinge: the driven body, its base, and the offset of the coordinate from the angle between them.
+    /// Hinge: the driven body, its base, and the offset of the coordinate from the angle between the two.
     Hinge {
         bodies: [BodyId; 2],
         angle_offset: f64,
     },
-    /// A slide, with its least and greatest coordinate.
+    /// Slide, with its minimum and maximum coordinate.
     Slide { slide: SlideId, range: [f64; 2] },
 }
 
@@ -44,7 +44,7 @@ impl DrivenPair {
         Self { kind, course }
     }
 
-    /// True if it turns this body relative to another one.
+    /// True if the pair turns this body relative to another one.
     pub(in crate::mechanism) fn turns(&self, body: BodyId) -> bool {
         match &self.kind {
             PairKind::Hinge { bodies, .. } => bodies.contains(&body),
@@ -54,7 +54,7 @@ impl DrivenPair {
 }
 
 impl Bodies {
-    /// The hinge of two bodies, and its place on the first and on the second.
+    /// Hinge of two bodies, with its places on the first and on the second body.
     pub(in crate::mechanism) fn hinge(
         &self,
         [base, body]: [BodyId; 2],
@@ -88,7 +88,7 @@ pub(in crate::mechanism) fn drawn_beyond_range(
 }
 
 impl Placed<'_> {
-    /// Offset of a driven link's angle relative to its base from that of their bodies.
+    /// Offset of the angle between a driven link and its base from the angle between their bodies.
     fn angle_offset(&self, driver: &Driver) -> f64 {
         match driver {
             Driver::Crank { link, base, .. } => {
@@ -100,7 +100,7 @@ impl Placed<'_> {
         }
     }
 
-    /// The drawn coordinate of a driver; that of a slide is within its range.
+    /// Drawn coordinate of a driver; the coordinate of a slide is limited to its range.
     pub(in crate::mechanism) fn drawn(&self, spec: &Resolved<'_>, driver: &Driver) -> f64 {
         match driver {
             Driver::Crank { link, base, .. } => {
@@ -114,8 +114,8 @@ impl Placed<'_> {
         }
     }
 
-    /// The drawn input. An angle relative to a moving link is at most half a turn; in a known pose the input and the
-    /// driven link have the whole turns of that pose.
+    /// Drawn input. An angle relative to a moving link is at most half a turn. In a known pose, the input and the
+    /// driven link have the whole turns of this pose.
     pub(in crate::mechanism) fn drawn_input(
         &mut self,
         spec: &Resolved<'_>,
@@ -141,7 +141,7 @@ impl Placed<'_> {
         drawn + turned
     }
 
-    /// The step of a driver that places `body`, with `base` placed already; either of them may be the driven one.
+    /// Step of a driver that places `body` when `base` is placed; either of the two may be the driven body.
     pub(in crate::mechanism) fn driven(
         &self,
         spec: &Resolved<'_>,

@@ -33,7 +33,7 @@ pub(in crate::mechanism) struct Plan {
     pub(in crate::mechanism) range: Option<[f64; 2]>,
     /// The drawn unknowns of groups solved by Newton's method.
     pub(in crate::mechanism) natural: Vec<f64>,
-    /// Orientations of the bodies in the drawing; wheels as they are mounted.
+    /// Orientations of the bodies in the drawing; for wheels, as mounted.
     pub(in crate::mechanism) orientations: List<BodyId, Orientation>,
 }
 
@@ -44,17 +44,17 @@ pub(in crate::mechanism) struct Drawn<'a> {
     pub(in crate::mechanism) orientations: &'a List<BodyId, Orientation>,
 }
 
-/// The bodies placed by the steps so far.
+/// Bodies placed by the steps so far.
 pub(in crate::mechanism) struct Placed<'a> {
     pub(in crate::mechanism) bodies: &'a Bodies,
     pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,
     pub(in crate::mechanism) solved: List<BodyId, bool>,
     pub(in crate::mechanism) orientations: List<BodyId, Orientation>,
-    /// The crank on the frame that the input turns.
+    /// Crank on the frame turned by the input.
     crank: Option<BodyId>,
 }
 
-/// The steps in the order of the structure, and the drawn input. Bodies that stay parallel give further equations of
+/// Steps in the order of the structure, and the drawn input. Bodies that stay parallel give additional equations of
 /// groups with redundant constraints.
 ///
 /// # Errors
@@ -110,7 +110,7 @@ pub(in crate::mechanism) fn plan(
                 if let (true, Driver::Slide { range, .. }) = (first, driver) {
                     plan.range = Some(*range);
                 }
-                // The bodies that it drives are solved with the group.
+                // The bodies driven from the group are solved with the group.
                 if of_group(links) {
                     within.push(DrivenPair::new(&placed, spec, driver, course));
                     continue;
@@ -161,11 +161,11 @@ pub(in crate::mechanism) fn plan(
     Ok(plan)
 }
 
-/// A hinge of a body on one solved before.
+/// Hinge of a body on a body solved before.
 pub(in crate::mechanism) struct Hinge {
     joint: PointId,
     at: BodyPoint,
-    /// Its place on the body.
+    /// Place of the hinge on the body.
     local: Vector,
 }
 
@@ -177,13 +177,13 @@ enum Outer<'a> {
 
 /// Inner pair of a dyad.
 enum Inner<'a> {
-    /// The hinge, with its place on each of the two links.
+    /// Hinge, with its place on each of the two links.
     Hinge(PointId, [Vector; 2]),
     Slide(&'a Slide),
 }
 
 impl Placed<'_> {
-    /// The step of a group that is a dyad, with all other bodies it is joined to solved; None if no closed form is
+    /// Step of a group that is a dyad, when the other bodies joined to it are solved; None if no closed form is
     /// known.
     fn closed_form(&self, group: &[BodyId]) -> Option<Step> {
         match *group {
@@ -192,7 +192,7 @@ impl Placed<'_> {
         }
     }
 
-    /// A point on the solved body that has it.
+    /// A point on the solved body that has the point.
     fn anchor(&self, point: PointId) -> Option<BodyPoint> {
         self.bodies.anchor_of(point, |body| self.solved[body])
     }
@@ -232,7 +232,7 @@ impl Placed<'_> {
             slide.track(body).moved(inner, at)
         };
         let step = match (self.outer(i)?, self.outer(j)?, self.inner([i, j])?) {
-            // Swapped, so that the hinge is the first.
+            // The arms are swapped, so that the hinge is the first pair.
             (Outer::Slide(_), Outer::Hinge(_), _) => return self.dyad([j, i]),
             (Outer::Hinge(b), Outer::Hinge(d), Inner::Hinge(c, [c_i, c_j])) => {
                 let mut arms = [arm(i, &b, c, c_i), arm(j, &d, c, c_j)];
@@ -270,8 +270,8 @@ impl Placed<'_> {
         Some(step)
     }
 
-    /// The four-bar of arms of which the first is hinged on the driven crank and the second on the frame: its closed form
-    /// gives arcs and dead points as well.
+    /// Four-bar of two arms, the first hinged on the driven crank and the second on the frame. Its closed form also
+    /// gives arcs and dead points.
     fn four_bar(&self, arms: &[Arm; 2]) -> Option<CrankFourBar> {
         let crank = self.crank?;
         if arms.each_ref().map(|arm| arm.outer.body) != [crank, BodyId::FRAME] {

@@ -1,5 +1,5 @@
-//! Natural coordinates of an Assur group: the unknowns, the places that follow from them, and the equations that are
-//! left.
+//! Natural coordinates of an Assur group: the unknowns, the places that follow from the unknowns, and the remaining
+//! equations.
 
 mod condition;
 
@@ -17,7 +17,7 @@ use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::driver::DrivenPair;
 use condition::Condition;
 
-/// The plan of a group and the drawn values of its unknowns; None if there are fewer equations than unknowns.
+/// Plan of a group and the drawn values of its unknowns; None if it has fewer equations than unknowns.
 pub(in crate::mechanism) fn group(
     placed: &Placed<'_>,
     members: &[BodyId],
@@ -42,7 +42,7 @@ pub(in crate::mechanism) fn group(
         drawn_input: Vec::new(),
         units: Vec::new(),
         close: BTreeMap::new(),
-        // Any size will do for a group drawn in one place.
+        // A group drawn in one place may have any size.
         size: Some(extent(drawn_points))
             .filter(|size| size.is_finite() && *size > 0.0)
             .unwrap_or(1.0),
@@ -85,9 +85,9 @@ pub(in crate::mechanism) fn group(
     plan.finished(offset)
 }
 
-/// Known data from which the place of a body follows.
+/// Known data that determine the place of a body.
 enum Follows {
-    /// Two known points, with their places on it.
+    /// Two known points, with their places on the body.
     Points([(PointId, Vector); 2]),
     /// A known point, and the direction of a slide along another body.
     Slide {
@@ -108,13 +108,13 @@ struct Plan<'a> {
     placed: BTreeMap<BodyId, [Form; 2]>,
     /// Slides used for a direction.
     by_slide: Vec<SlideId>,
-    /// The conditions, each with the body that it constrains.
+    /// Conditions, each with the constrained body.
     conditions: Vec<(BodyId, Condition)>,
     angle_constraints: Vec<AngleConstraint>,
     /// The drawn values of the unknowns, and their units.
     drawn_input: Vec<Vector>,
     units: Vec<f64>,
-    /// The bodies turned by two points close together, with the place of the first one on them.
+    /// Bodies turned by two points close together, with the place of the first of these points on the body.
     close: BTreeMap<BodyId, Vector>,
     /// The size of the group.
     size: f64,
@@ -154,7 +154,7 @@ impl Plan<'_> {
         self.solved[body] || self.placed.contains_key(&body)
     }
 
-    /// A slide of a body on another one that is placed.
+    /// Slide between a body and a placed body, with the placed body.
     fn guided(&self, body: BodyId) -> Option<(SlideId, BodyId)> {
         let mut slides = self.bodies.slides.enumerate();
         slides.find_map(|(slide, joint)| {
@@ -174,7 +174,7 @@ impl Plan<'_> {
                 slide,
                 other,
             }),
-            // The first of equals.
+            // The first of equal bodies is taken.
             None => {
                 let pairs = known.iter().enumerate();
                 let pairs = pairs.flat_map(|(k, a)| known[k + 1..].iter().map(move |b| [*a, *b]));
@@ -186,7 +186,7 @@ impl Plan<'_> {
                         best
                     }
                 });
-                // Two points close together do not determine a distant one, which must be known first.
+                // Two points close together do not determine a distant point, which must be known first.
                 let longest =
                     longest.filter(|pair| length(pair) >= CLOSE * self.reach(body, first.1));
                 longest.map(Follows::Points)
@@ -194,7 +194,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Maximum distance of the hinges and guides of a body from a place on it: other bodies follow from these.
+    /// Maximum distance from a place on a body to its hinges and guides, from which other bodies follow.
     fn reach(&self, body: BodyId, from: Vector) -> f64 {
         let bodies = self.bodies;
         let others = move |point| {
@@ -215,8 +215,8 @@ impl Plan<'_> {
         places.fold(0.0, |most, at| most.max((at - from).norm()))
     }
 
-    /// True if a place on a body is far enough from its known points to determine the whole body together with any of
-    /// them.
+    /// True if a place on a body is so far from its known points that it determines the whole body together with any of
+    /// these points.
     fn is_far(&self, body: BodyId, at: Vector) -> bool {
         let mut known = self.bodies.of(body).iter();
         known.all(|(point, other)| {
@@ -225,8 +225,8 @@ impl Plan<'_> {
         })
     }
 
-    /// Readiness of a body to be placed: the number of its known points and guides, then the number of its points, all
-    /// of which will follow.
+    /// Readiness of a body to be placed: the number of its known points and guides, then the number of all its points,
+    /// which will follow.
     fn readiness(&self, body: BodyId) -> (usize, usize) {
         let known = self
             .bodies
@@ -247,7 +247,7 @@ impl Plan<'_> {
         };
         let free = self.bodies.of(body).iter();
         let free = free.filter(|(point, _)| !self.points.contains_key(point));
-        // The first of equals: `max_by_key` takes the last.
+        // The first of equal points is taken; `max_by_key` would give the last.
         let best = free
             .rev()
             .max_by_key(|(point, at)| (self.is_far(body, *at), joints(*point)));
@@ -256,7 +256,7 @@ impl Plan<'_> {
             self.points.insert(point, form);
             return;
         }
-        // A block with one point, or with known points too close together: its direction is the unknown.
+        // For a block with one point, or known points too close together, the direction is the unknown.
         let turn = self.unknown(self.orientations[body].turn, 1.0);
         self.conditions
             .push((body, Condition::Unit(turn.clone(), 0.0)));
@@ -275,7 +275,7 @@ impl Plan<'_> {
                 if (b - a).norm() < CLOSE * self.size {
                     self.close.insert(body, a);
                 }
-                // The distance of two points on solved bodies, or on the frame, is redundant.
+                // The distance of two points on solved bodies, or on the frame, is a redundant constraint.
                 let unit = Condition::Unit(turn.clone(), (b - a).norm());
                 self.conditions.push((body, unit));
                 let origin = p.minus(&turn.by(a));
@@ -297,7 +297,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Sets the forms of a body and of its points; a point with a form already gives a condition.
+    /// Sets the forms of a body and of its points; a point that already has a form gives a condition.
     fn settle(&mut self, body: BodyId, [origin, turn]: [Form; 2], used: &[PointId]) {
         for (point, local) in self.bodies.of(body) {
             let at = origin.plus(&turn.by(*local));

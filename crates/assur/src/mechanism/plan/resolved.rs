@@ -1,4 +1,4 @@
-//! A specification with names replaced by indices: everything named exists.
+//! Specification with indices in place of names; every named object exists.
 
 use crate::gears::Mesh;
 use crate::index::{BodyId, Id, LinkId, List, PointId, SlideId};
@@ -8,12 +8,12 @@ use crate::mechanism::plan::doubled::DoubledLink;
 use crate::mechanism::readout::constraint::LinkOrFrame;
 use crate::{Point, Vector};
 
-/// A specification without its names.
+/// Specification with indices in place of names.
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) spec: &'a LinkageSpec,
     /// Origin of the coordinates used while solving: far from the origin of the drawing, coordinates would lose digits.
-    /// Places are moved without rounding (Sterbenz's lemma), since two of them close together may give a direction.
+    /// Places are moved without rounding (Sterbenz's lemma), because two places close together may give a direction.
     pub(in crate::mechanism) origin: Vector,
     /// Drawn places of the points.
     pub(in crate::mechanism) places: List<PointId, Vector>,
@@ -22,11 +22,11 @@ pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) slides: List<SlideId, Slide>,
     pub(in crate::mechanism) gears: Vec<Gear>,
     pub(in crate::mechanism) drivers: Vec<Driver>,
-    /// The tracers with the links that carry them.
+    /// Tracers with the links that carry them.
     pub(in crate::mechanism) tracers: Vec<(LinkOrFrame, &'a TracerSpec)>,
-    /// The link of each body; None for the frame.
+    /// Link of each body; None for the frame.
     pub(in crate::mechanism) bodies: List<BodyId, LinkOrFrame>,
-    /// The points that doubled links bring to each body, with their places on it.
+    /// Points that doubled links bring to each body, with their places on the body.
     pub(in crate::mechanism) brought: List<BodyId, Vec<(PointId, Vector)>>,
     /// The doubled links, in the order of the specification.
     pub(in crate::mechanism) doubled: Vec<DoubledLink>,
@@ -37,11 +37,11 @@ pub(in crate::mechanism) struct Link {
     pub(in crate::mechanism) body: BodyId,
     pub(in crate::mechanism) first: PointId,
     pub(in crate::mechanism) points: Vec<PointId>,
-    /// True if it is one body with another link, or with the frame.
+    /// True if the link is one body with another link, or with the frame.
     pub(in crate::mechanism) is_fixed: bool,
 }
 
-/// A sliding pair, by links and points.
+/// Sliding pair, with indices of links and points.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::mechanism) struct Slide {
     pub(in crate::mechanism) link: LinkOrFrame,
@@ -50,7 +50,7 @@ pub(in crate::mechanism) struct Slide {
     pub(in crate::mechanism) line: [PointId; 2],
 }
 
-/// Wheels in mesh, by links.
+/// Wheels in mesh, with indices of links.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::mechanism) struct Gear {
     pub(in crate::mechanism) links: [LinkOrFrame; 2],
@@ -83,7 +83,7 @@ impl Driver {
 
 impl<'a> Resolved<'a> {
     /// # Errors
-    /// The first unknown name, and similar defects.
+    /// The first unknown name or similar defect.
     pub(in crate::mechanism) fn new(spec: &'a LinkageSpec) -> Result<Self, Defect> {
         let names = Names(spec);
         let mut bodies: List<BodyId, LinkOrFrame> = vec![None].into();
@@ -182,7 +182,7 @@ impl<'a> Resolved<'a> {
         self.link_name(self.bodies[body])
     }
 
-    /// The defect that two points of a link coincide.
+    /// Defect of two coincident points of a link.
     pub(in crate::mechanism) fn coincident(
         &self,
         link: LinkOrFrame,
@@ -194,13 +194,13 @@ impl<'a> Resolved<'a> {
         }
     }
 
-    /// The places of a link's points on it, if it has a shape of its own.
+    /// Places of a link's points on the link, if it has its own shape.
     pub(in crate::mechanism) fn shape(&self, link: LinkId) -> Option<&'a [Point]> {
         self.spec.links[link.index()].shape.as_deref()
     }
 }
 
-/// The body of a link: its own, or that of the link to which it is ultimately fixed. None if that is the link itself.
+/// Body of a link: its own, or the body of the link to which it is ultimately fixed. None if a link is fixed to itself.
 fn body(
     link: LinkId,
     bases: &List<LinkId, Option<LinkOrFrame>>,

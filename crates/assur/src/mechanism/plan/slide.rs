@@ -1,4 +1,4 @@
-//! Prismatic pairs between rigid bodies: their lines on both.
+//! Prismatic pairs between rigid bodies: the line of a pair in the coordinates of both bodies.
 
 use crate::Vector;
 use crate::index::{BodyId, PointId, SlideId};
@@ -13,14 +13,14 @@ use crate::tolerance;
 #[derive(Clone, Debug)]
 pub(in crate::mechanism) struct Slide {
     pub(in crate::mechanism) by_link: resolved::Slide,
-    /// The body with the line and the one that slides.
+    /// Body with the line, and body that slides.
     pub(in crate::mechanism) bodies: [BodyId; 2],
-    /// The line on the first: a point and the direction, of length 1.
+    /// Line on the first body: a point, and the direction of length 1.
     start: Vector,
     heading: Vector,
     /// Distance of the two points that give the line.
     length: f64,
-    /// On the second: the point, the direction of the line, and the distance of the point to the left of the line.
+    /// Data on the second body: the point, the direction of the line, its distance to the left of the line.
     point: Vector,
     direction: Vector,
     off: f64,
@@ -52,7 +52,7 @@ impl Bodies {
         let heading = (to - start).normalize();
         let bodies = [slide.on, slide.link].map(|link| spec.body(link));
         let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
-        // A line of the frame may differ from the drawing: the link slides on it as drawn.
+        // A line of the frame may differ from the drawing; the link slides on it as drawn.
         let along = match slide.on {
             None => (spec.places[end] - spec.places[from]).normalize(),
             Some(_) => product(heading, on_turn),
@@ -67,7 +67,7 @@ impl Bodies {
             length: (to - start).norm(),
             point,
             direction: product(along, conjugate(turn)),
-            // A point drawn on the line is meant to be on it.
+            // A point drawn on the line within rounding gets the offset 0.
             off: if off.abs() <= tolerance::NEGLIGIBLE * spec.spec.size() {
                 0.0
             } else {
@@ -79,7 +79,7 @@ impl Bodies {
 }
 
 impl Slide {
-    /// The other body, if this is one of the two.
+    /// The other body of the pair; None if the given body is neither of the two.
     pub(in crate::mechanism) fn joins(&self, body: BodyId) -> Option<BodyId> {
         match self.bodies {
             [on, moving] if on == body => Some(moving),
@@ -88,7 +88,7 @@ impl Slide {
         }
     }
 
-    /// The point of the body that slides.
+    /// Point of the sliding body, in the coordinates of that body.
     pub(in crate::mechanism) fn point(&self) -> Vector {
         self.point
     }
@@ -103,7 +103,7 @@ impl Slide {
         self.off
     }
 
-    /// Sets that distance, whatever the drawing.
+    /// Sets the distance of the sliding point to the left of the line, whatever the drawing.
     pub(in crate::mechanism) fn set_offset(&mut self, off: f64) {
         self.off = off;
     }
@@ -113,7 +113,7 @@ impl Slide {
         self.length
     }
 
-    /// The line on one of the two bodies: a point and the direction.
+    /// Line on one of the two bodies: a point and the direction.
     pub(in crate::mechanism) fn line_on(&self, body: BodyId) -> (Vector, Vector) {
         if body == self.bodies[0] {
             (self.start, self.heading)
@@ -123,7 +123,7 @@ impl Slide {
         }
     }
 
-    /// Track of one of the two bodies along the line of the other, which is solved.
+    /// Track of one body of the pair along the line of the other, which is already solved.
     pub(in crate::mechanism) fn track(&self, body: BodyId) -> Track {
         let other = usize::from(body == self.bodies[0]);
         let (start, heading) = self.line_on(self.bodies[other]);
@@ -146,7 +146,7 @@ impl Slide {
         }
     }
 
-    /// One of the two bodies as a side of a dyad with this slide between its links.
+    /// Side of a dyad with this slide as inner pair, for one of the two bodies.
     pub(in crate::mechanism) fn side(&self, body: BodyId, hinge: &Hinge) -> Side {
         Side::new(
             body,
@@ -158,7 +158,7 @@ impl Slide {
 }
 
 impl Track {
-    /// The same track, given by another point of the sliding link.
+    /// The track through another point of the sliding link.
     pub(in crate::mechanism) fn moved(self, joint: PointId, point: Vector) -> Self {
         let offset = self.offset + product(point - self.point, conjugate(self.direction)).y;
         Self {

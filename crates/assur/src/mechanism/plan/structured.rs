@@ -8,18 +8,18 @@ use crate::mechanism::plan::resolved::Resolved;
 use crate::numeric::graph::Partition;
 use crate::structure::{self, Fault, Graph, Pair, Structure, decompose, decompose_redundant};
 
-/// A structure with surplus constraints; geometry decides if they are redundant.
+/// Structure with surplus constraints; the geometry decides whether they are redundant.
 pub(in crate::mechanism) struct Redundancy {
     pub(in crate::mechanism) graph: Graph,
     pub(in crate::mechanism) drivers: Vec<structure::Driver>,
-    /// The defects if the constraints are not redundant.
+    /// Defects that apply if the constraints are not redundant.
     pub(in crate::mechanism) defects: Vec<Defect>,
 }
 
 /// Driver and Assur groups of the bodies.
 ///
 /// # Errors
-/// All defects of the count of pairs.
+/// All defects found by counting pairs.
 pub(in crate::mechanism) fn structured(
     spec: &Resolved<'_>,
     bodies: &Bodies,
@@ -68,7 +68,7 @@ pub(in crate::mechanism) fn structured(
             Fault::SelfJoined { link, .. } => Defect::WithItself { link: name(&link) },
             _ => Defect::NoDriver,
         };
-        // Without a driver everything is free: only the missing driver is reported.
+        // Without a driver every link is undriven; only the missing driver is reported.
         let told = |fault: &Fault| !drivers.is_empty() || !matches!(fault, Fault::Undriven { .. });
         faults.into_iter().filter(told).map(defect).collect()
     };
@@ -84,7 +84,7 @@ pub(in crate::mechanism) fn structured(
     Ok((structure, Some(redundancy)))
 }
 
-/// The last gear coupling that is not passive, closes a ring of wheels, and without which there is no fault.
+/// The last gear coupling that is not passive, closes a ring of wheels, and whose removal leaves no fault.
 fn contradicting<'a>(
     bodies: &'a Bodies,
     graph: &Graph,
@@ -99,7 +99,7 @@ fn contradicting<'a>(
     })
 }
 
-/// True if the wheels of a gear coupling are joined by others as well.
+/// True if other couplings also join the wheels of a gear coupling.
 fn closes_ring(count: usize, bodies: &Bodies, closing: &Gear) -> bool {
     let mut parts = Partition::new(count);
     let gears = bodies.active_gears();

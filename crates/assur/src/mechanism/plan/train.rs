@@ -1,4 +1,4 @@
-//! The meshes of a group, the mounting of its wheels, and the plan of a group that is just an epicyclic train.
+//! Meshes of a group, mounting of its wheels, and plan of a group that is an epicyclic train.
 
 use crate::Vector;
 use crate::index::BodyId;
@@ -8,11 +8,11 @@ use crate::mechanism::plan::driver::DrivenPair;
 use crate::mechanism::plan::willis::{Adds, Equation, Solved};
 use crate::position::{EpicyclicStep, Member, Orientation};
 
-/// The meshes of a group do not determine the angles of its bodies: if its mates turn alike, any angle will do.
+/// Error of a group whose meshes do not determine the angles of its bodies: if its mates turn alike, any angle fits.
 pub(in crate::mechanism) struct Singular;
 
 impl Placed<'_> {
-    /// The gear couplings of a group: at least one of their bodies is in the group, the others are in it or solved
+    /// Gear couplings of a group: at least one of their bodies is in the group, the others are in the group or solved
     /// before.
     pub(in crate::mechanism) fn couplings(&self, group: &[BodyId]) -> Vec<&Gear> {
         let inside = |body: &BodyId| group.contains(body);
@@ -23,9 +23,9 @@ impl Placed<'_> {
         self.bodies.active_gears().filter(of_it).collect()
     }
 
-    /// Mounts the wheels of a group whose orientation no point and no guide shows: relative to their carrier, the angle
-    /// is zero when that of a mate is, by the first coupling that gives it. The angle of a driven one is given by its
-    /// coordinate.
+    /// Mounts the wheels of a group whose orientation no point and no guide shows. By the first coupling that gives it,
+    /// the angle relative to the carrier is zero when the angle of the mate is zero. The angle of a driven wheel is
+    /// given by its coordinate.
     pub(in crate::mechanism) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
         let round = group.iter().copied();
         let round = round.filter(|body| {
@@ -41,7 +41,7 @@ impl Placed<'_> {
         }
     }
 
-    /// A waiting wheel with known mate and carrier, and its angle.
+    /// Waiting wheel whose mate and carrier are known, and its angle.
     fn mounted(&self, group: &[BodyId], waiting: &[BodyId]) -> Option<(BodyId, f64)> {
         self.couplings(group).into_iter().find_map(|gear| {
             let mut unknown = gear.all().into_iter().filter(|body| waiting.contains(body));
@@ -56,7 +56,7 @@ impl Placed<'_> {
         })
     }
 
-    /// The angle in the drawing that follows from those of other bodies.
+    /// Angle in the drawing that follows from the angles of other bodies.
     fn turned(&self, ratios: &[(BodyId, f64)]) -> f64 {
         ratios
             .iter()
@@ -64,11 +64,11 @@ impl Placed<'_> {
             .fold(0.0, |sum, term| sum + term)
     }
 
-    /// The step of a group that is a train: each body has just a hinge, and there are as many meshes as bodies. None
-    /// for any other group.
+    /// Step of a group that is a train: each body has only a hinge, and there are as many meshes as bodies. None for
+    /// any other group.
     ///
     /// # Errors
-    /// The numbers of teeth do not determine its angles.
+    /// The numbers of teeth do not determine the angles of the train.
     pub(in crate::mechanism) fn train(
         &self,
         group: &[BodyId],

@@ -4,13 +4,13 @@
 use crate::index::BodyId;
 use crate::mechanism::plan::body::Gear;
 
-/// The coefficients of the angles of bodies in an equation with a constant right side, by ascending bodies. The frame
-/// is left out: its angle is zero.
+/// Coefficients of the angles of bodies in an equation with a constant right side, in ascending order of bodies. The
+/// frame is left out, because its angle is zero.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::mechanism) struct Equation(Vec<(BodyId, i128)>);
 
 impl Equation {
-    /// `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀)`, θ₀ that of the carrier.
+    /// Equation `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` of two wheels, with the angle θ₀ of the carrier.
     pub(in crate::mechanism) fn of(gear: &Gear) -> Self {
         // Numbers of teeth are whole.
         let [first, second] = gear.signed_teeth().map(|teeth| teeth as i128);
@@ -46,7 +46,7 @@ impl Equation {
         Some(())
     }
 
-    /// The equation with a body eliminated by another equation, in the smallest integers; None on overflow.
+    /// Equation from which a body is eliminated by another equation, in the smallest integers; None on overflow.
     fn without(&self, body: BodyId, other: &Self) -> Option<Self> {
         let (Some(own), Some(its)) = (self.factor(body), other.factor(body)) else {
             return Some(self.clone());
@@ -66,18 +66,18 @@ impl Equation {
     }
 }
 
-/// Independent equations, each solved for a body of its own.
+/// Independent equations, each solved for a different body.
 #[derive(Clone, Debug, Default)]
 pub(in crate::mechanism) struct Solved(Vec<(BodyId, Equation)>);
 
-/// Contribution of an equation to those before it.
+/// Contribution of an equation to the equations before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::mechanism) enum Adds {
-    /// It determines one more angle.
+    /// The equation determines one more angle.
     Angle,
-    /// It follows from them.
+    /// The equation follows from the earlier ones.
     Nothing,
-    /// It relates angles that are not sought.
+    /// The equation relates angles that are not sought.
     Elsewhere,
 }
 
@@ -111,11 +111,11 @@ impl Solved {
         Some(Adds::Angle)
     }
 
-    /// The bodies solved for, with the ratios of their angles to those they depend on.
+    /// Bodies for which equations are solved, with the ratios of their angles to the angles of other bodies.
     pub(in crate::mechanism) fn ratios(
         &self,
     ) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {
-        // Every equation contains the body that it is solved for.
+        // Every equation contains the body for which it is solved.
         self.0.iter().filter_map(|(body, equation)| {
             let own = equation.factor(*body)? as f64;
             let others = equation.terms().filter(|(other, _)| other != body);
@@ -125,8 +125,8 @@ impl Solved {
     }
 }
 
-/// Marks the passive gear couplings: their equations follow from those before, as does one of a second satellite between
-/// the same wheels.
+/// Marks the passive gear couplings: their equations follow from those of earlier couplings, as for a second satellite
+/// between the same wheels.
 pub(in crate::mechanism) fn mark_passive(gears: &mut [Gear]) {
     let mut solved = Solved::default();
     for gear in gears {

@@ -1,5 +1,5 @@
-//! The constraint equations of a mechanism: the conditions of its links and pairs on its points. The engine solves them
-//! group by group and in other unknowns; here they have the form of papers, so that a reader can check every pose.
+//! Constraint equations of a mechanism: the conditions that its links and pairs impose on its points. The engine solves
+//! other unknowns, group by group; here the equations have the form used in papers, so that a reader can check a pose.
 
 use std::f64::consts::TAU;
 
@@ -14,12 +14,12 @@ use crate::position::{Orientation, conjugate, product};
 /// A link; None for the frame.
 pub type LinkOrFrame = Option<LinkId>;
 
-/// A constraint equation: an expression that stays constant, and the constant on its right.
+/// Constraint equation: a constant expression on the left, and the value of the constant on the right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
-    /// The expression that stays constant.
+    /// Expression that stays constant.
     pub kind: ConstraintKind,
-    /// The constant: in the square of the unit of lengths, or radians.
+    /// Constant, in the square of the unit of lengths or in radians.
     pub constant: f64,
 }
 
@@ -54,7 +54,7 @@ pub enum ConstraintKind {
     Mesh {
         /// The wheels.
         links: [LinkOrFrame; 2],
-        /// The link both are hinged on.
+        /// Link on which both wheels are hinged.
         carrier: LinkOrFrame,
         /// Numbers of teeth; z₂ < 0 if the sense is kept.
         teeth: [f64; 2],
@@ -78,7 +78,7 @@ impl Sides {
 }
 
 impl Layout {
-    /// The equations in the order of links, slides and gears; with the wheels as mounted in a pose.
+    /// Equations in the order of links, slides and gears, with the mounting of the wheels in a pose.
     pub(in crate::mechanism) fn constraints(
         &self,
         orientations: &List<BodyId, Orientation>,
@@ -92,8 +92,8 @@ impl Layout {
         links.chain(slides).chain(gears).collect()
     }
 
-    /// Distances between the joints of a link with a body of its own: one of the first two, and two for each further
-    /// joint, make it rigid without redundancy.
+    /// Distances between the joints of a link with its own body. The distance of the first two joints, and two
+    /// distances for each further joint, make the link rigid without redundancy.
     fn distances(&self, link: LinkId) -> Vec<Constraint> {
         let body = self.links[link].body;
         let points = self.bodies.of(body).iter();
@@ -114,7 +114,7 @@ impl Layout {
         found
     }
 
-    /// True if a point of a body is hinged on another one, slides, or gives a line.
+    /// True if a point of a body is hinged on another body, slides, or gives a line.
     fn is_joint(&self, body: BodyId, point: PointId) -> bool {
         let having = self.bodies.ids();
         let having = having.filter(|other| self.bodies.local(*other, point).is_some());
@@ -125,7 +125,7 @@ impl Layout {
         having.count() > 1 || self.bodies.slides.iter().any(slides)
     }
 
-    /// The equations of a slide: the distance of its point from the line, and its direction.
+    /// Equations of a slide: the distance of its point from the line, and the direction of the sliding link.
     fn guided(&self, slide: &Slide) -> [Constraint; 2] {
         let [base, moving] = slide.bodies;
         let resolved::Slide {
@@ -169,7 +169,7 @@ impl Layout {
 }
 
 impl Mechanism {
-    /// Its constraint equations: the distances that keep each link rigid, two equations of each slide, one of each pair
+    /// Constraint equations: distances that keep each link rigid, two equations of each slide, one of each pair
     /// of wheels. If all pairs are hinges, their number is that of the coordinates of moving points less the mobility.
     pub fn constraints(&self) -> &[Constraint] {
         &self.constraints
@@ -223,8 +223,8 @@ impl Mechanism {
     }
 }
 
-/// Leibniz's rule for half the square of a vector: terms with the highest derivatives on the left, the rest on the
-/// right.
+/// Derivative of half the square of a vector of constant length, by Leibniz's rule: the term with the highest
+/// derivative on the left, the others on the right.
 fn differentiated<const N: usize>(way: [Jet<N>; 2], order: usize) -> Sides {
     let term = |k: usize| -> f64 {
         let terms = way.iter();

@@ -1,4 +1,4 @@
-//! RRR dyads of the plan, their transmission angles, and the four-bars that they close.
+//! RRR dyads of the plan, their transmission angles, and the four-bars closed by them.
 
 use crate::index::{LinkId, PointId};
 use crate::mechanism::closed::DrivenFourBar;
@@ -6,31 +6,30 @@ use crate::mechanism::{LinkOrFrame, Mechanism, Pose};
 use crate::position::{Arm, Step};
 use crate::{FourBar, Grashof, Jet};
 
-/// An Assur group of two links and three hinges.
+/// Assur group of two links and three hinges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RrrDyad {
-    /// Its links.
+    /// The two links of the dyad.
     pub links: [LinkId; 2],
-    /// The point at which they are hinged on each other.
+    /// Point at which the two links are hinged on each other.
     pub inner: PointId,
-    /// Their hinges on links solved before, in the same order.
+    /// Hinges of the two links on links solved before, in the order of `links`.
     pub outer: [OuterJoint; 2],
 }
 
 /// A hinge of a dyad on a link solved before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OuterJoint {
-    /// The point.
+    /// Point of the hinge.
     pub point: PointId,
-    /// The link solved before.
+    /// Link solved before, on which the dyad is hinged.
     pub on: LinkOrFrame,
 }
 
-/// A four-bar within a linkage: a dyad RRR whose outer links are hinged on each
-/// other.
+/// Four-bar within a linkage: an RRR dyad whose outer links are hinged on each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FourBarLoop {
-    /// The base: the frame, or else the outer link that is solved first.
+    /// Base: the frame, or the outer link that is solved first.
     pub base: LinkOrFrame,
     /// The other outer link.
     pub crank: LinkId,
@@ -41,12 +40,12 @@ pub struct FourBarLoop {
     /// The points A, B, C, D: crank on base, crank and coupler, coupler and rocker,
     /// rocker on base.
     pub joints: [PointId; 4],
-    /// Its lengths.
+    /// Lengths of the four-bar.
     pub linkage: FourBar,
 }
 
 impl FourBarLoop {
-    /// Its class by Grashof.
+    /// Grashof type of the four-bar.
     pub fn grashof(&self) -> Grashof {
         self.linkage.grashof()
     }
@@ -66,8 +65,8 @@ impl Mechanism {
         solved.chain(passive.flat_map(|passive| &passive.dyads))
     }
 
-    /// The transmission angle of a dyad in a pose: between the lines of its two links, acute, radians; 0 if they are in
-    /// line.
+    /// Transmission angle of a dyad in a pose: the acute angle between the lines of its two links, radians; 0 if the
+    /// links are in line.
     pub fn transmission_angle<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> f64 {
         let at = |point: PointId| self.place(pose, point).place();
         let inner = at(dyad.inner);
@@ -75,8 +74,8 @@ impl Mechanism {
         u.perp(&v).abs().atan2(u.dot(&v).abs())
     }
 
-    /// The squared distance of the outer joints of a dyad. By the law of cosines it is a decreasing function of the
-    /// cosine of the angle between its links, and both have their extrema together.
+    /// Squared distance of the outer joints of a dyad. By the law of cosines it is a decreasing function of the cosine
+    /// of the angle between the links, so both have their extrema at the same inputs.
     pub(crate) fn diagonal<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> Jet<N> {
         let [b, d] = dyad.outer.map(|outer| self.place(pose, outer.point));
         let (x, y) = (d.x - b.x, d.y - b.y);
@@ -105,7 +104,7 @@ impl Mechanism {
         arms.filter_map(|arms| self.four_bar_of(arms)).collect()
     }
 
-    /// The closed form of a dyad, if it has one.
+    /// Four-bar in closed form with the links of a dyad; None if there is none.
     pub(crate) fn closed_form_of(&self, dyad: &RrrDyad) -> Option<DrivenFourBar<'_>> {
         let mut closed = self.closed_steps();
         closed.find(|closed| {
@@ -133,7 +132,7 @@ impl Mechanism {
 
     fn four_bar_of(&self, arms: &[Arm; 2]) -> Option<FourBarLoop> {
         let dyad = self.dyad_of(arms)?;
-        // The body solved first is the base; the frame comes before all.
+        // The body solved first is the base; the frame is before all others.
         let first = self.placed_by(arms[0].outer.body) < self.placed_by(arms[1].outer.body);
         let [on_base, on_crank] = if first { [0, 1] } else { [1, 0] };
         let [base, crank] = [on_base, on_crank].map(|k| arms[k].outer);

@@ -6,30 +6,30 @@ use crate::mechanism::{LinkOrFrame, Mechanism, Pose};
 use crate::position::{BodyPoint, Complex, conjugate, product};
 use crate::{Jet, JetPoint, Point, Vector};
 
-/// A pair and the bodies that it joins.
+/// Pair between bodies, with the bodies that it joins.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Joint {
     /// A hinge of two bodies or more.
     Hinge {
-        /// Its point.
+        /// Point of the hinge.
         point: PointId,
-        /// The bodies hinged there, ascending.
+        /// Bodies hinged at the point, ascending.
         bodies: Vec<BodyId>,
     },
     /// A slide.
     Slide {
-        /// The body with the line, and the one that slides.
+        /// Body with the line, and body that slides.
         bodies: [BodyId; 2],
-        /// The point of the second that keeps its distance from the line.
+        /// Point of the sliding body that keeps its distance from the line.
         point: PointId,
-        /// Two points of the first that give the line.
+        /// Two points of the body with the line; the line runs through them.
         line: [PointId; 2],
     },
     /// Wheels in mesh, `z₁(ω₁ − ω₀) + z₂(ω₂ − ω₀) = 0`.
     Mesh {
         /// The wheels.
         bodies: [BodyId; 2],
-        /// The body both are hinged on.
+        /// Body on which both wheels are hinged.
         carrier: BodyId,
         /// z₁ and z₂; z₂ < 0 if the sense is kept.
         teeth: [f64; 2],
@@ -37,7 +37,7 @@ pub enum Joint {
 }
 
 impl Joint {
-    /// The bodies that it joins.
+    /// Bodies that the pair joins.
     pub fn bodies(&self) -> &[BodyId] {
         match self {
             Self::Hinge { bodies, .. } => bodies,
@@ -47,17 +47,17 @@ impl Joint {
 }
 
 impl Mechanism {
-    /// The body of a link, its own or the one it is fixed to.
+    /// Body of a link: the link's own, or the body to which it is fixed.
     pub fn body_of(&self, link: LinkOrFrame) -> BodyId {
         self.layout.body_of(link)
     }
 
-    /// The points of a body that its links list, in their order.
+    /// Points of a body that its links list, in the order of the lists.
     pub fn points_on(&self, body: BodyId) -> impl Iterator<Item = PointId> {
         self.layout.bodies.of(body).iter().map(|(point, _)| *point)
     }
 
-    /// The pairs between its bodies: hinges in the order of the points, slides, wheels in mesh.
+    /// Pairs between the bodies: hinges in the order of the points, then slides, then wheels in mesh.
     pub fn joints(&self) -> Vec<Joint> {
         let points = self.point_ids().take(self.layout.listed);
         let hinges = points.filter_map(|point| {
@@ -80,13 +80,13 @@ impl Mechanism {
         hinges.chain(slides).chain(meshes).collect()
     }
 
-    /// The angle of a body in a pose, radians, with its derivatives by the input.
+    /// Angle of a body in a pose, radians, with its derivatives with respect to the input.
     pub fn body_angle<const N: usize>(&self, pose: &Pose<N>, body: BodyId) -> Jet<N> {
         pose.state.angle(body)
     }
 
-    /// Motion of the point of a body at a place in a pose, whether drawn or not: the value is the place, and the
-    /// derivatives are those of the body.
+    /// Motion of the point of a body that is at a given place in a pose; the point need not be a drawn one. The value
+    /// is the place, and the derivatives follow from the motion of the body.
     pub fn fixed_to<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -101,7 +101,7 @@ impl Mechanism {
         (place + Complex::constant(self.layout.origin)).into()
     }
 
-    /// Unit vector from one point of a body to another in a pose; exact to all digits even for two close together.
+    /// Unit vector from one point of a body to another in a pose; exact to all digits even if the points are close.
     pub(crate) fn heading<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -115,7 +115,7 @@ impl Mechanism {
         Some(heading).filter(|heading| heading.norm_squared().is_finite())
     }
 
-    /// A direction of a body in a pose, in the coordinates of the frame.
+    /// Direction on a body in a pose, in the coordinates of the frame.
     pub(crate) fn turned<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -138,7 +138,7 @@ impl Mechanism {
         tracers.filter(move |tracer| self.layout.points[*tracer].body == body)
     }
 
-    /// A point of the drawing in the coordinates used while solving, relative to the size.
+    /// Point of the drawing in the coordinates used while solving, divided by the size.
     pub(crate) fn scaled(&self, place: Point) -> Vector {
         (place.coords - self.layout.origin) / self.scale_of_places()
     }
@@ -148,8 +148,8 @@ impl Mechanism {
         (place * self.scale_of_places() + self.layout.origin).into()
     }
 
-    /// Twist of a body: the velocity, by the input, of its point at the origin of [`Self::scaled`], in the same unit,
-    /// and its angular velocity.
+    /// Twist of a body: the velocity, with respect to the input, of its point at the origin of [`Self::scaled`], in the
+    /// same unit, and the angular velocity of the body.
     pub(crate) fn twist<const N: usize>(&self, pose: &Pose<N>, body: BodyId) -> (Vector, f64) {
         let origin: JetPoint<N> = pose.state.bodies[body].origin.into();
         let spin = pose.state.angle(body).derivative(1);
@@ -163,7 +163,7 @@ impl Mechanism {
         self.layout.origin.into()
     }
 
-    /// The unit of [`Self::scaled`]: a mechanism of one point has no size.
+    /// Unit of [`Self::scaled`]. A mechanism of one point has no size, but it has a unit.
     pub(crate) fn scale_of_places(&self) -> f64 {
         let size = self.size();
         if size > 0.0 { size } else { 1.0 }

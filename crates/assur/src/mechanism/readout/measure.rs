@@ -7,8 +7,8 @@ use crate::mechanism::{Mechanism, Pose};
 use crate::tolerance;
 
 impl Mechanism {
-    /// The distance of two points. If they coincide, the derivatives are those just after; zero if the points stay
-    /// together.
+    /// Distance of two points. If the points coincide, derivatives are those just after the pose; they are zero if the
+    /// points stay together.
     pub(in crate::mechanism) fn between_points<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -19,7 +19,7 @@ impl Mechanism {
         if span(ways) > tolerance::NEGLIGIBLE * self.size() {
             return norm(ways);
         }
-        // They part as t u, with u the relative velocity at first: the distance is t |u|.
+        // The points part as t u with the initial relative velocity u: their distance is t |u|.
         let parting: [Jet<N>; 2] = ways.map(|way| {
             Jet::of_derivatives(std::array::from_fn(|order| {
                 let next = order + 1;
@@ -40,8 +40,8 @@ impl Mechanism {
         }))
     }
 
-    /// The angle at the second of three points from the first to the third, counter-clockwise, within half a turn
-    /// either way; 0 if one of these coincides with the second.
+    /// Angle at the second of three points, counter-clockwise from the first to the third, between minus and plus half
+    /// a turn; 0 if the first or third point coincides with the second.
     pub(in crate::mechanism) fn corner<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -55,17 +55,17 @@ impl Mechanism {
         (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
     }
 
-    /// Two points by their names, with a hyphen between them.
+    /// Two points given by their names with a hyphen in between.
     pub(in crate::mechanism) fn two_points(&self, names: &str) -> Option<[PointId; 2]> {
         two(names, |name| self.point(name))
     }
 
-    /// Two links by their names, with a hyphen between them.
+    /// Two links given by their names with a hyphen in between.
     pub(in crate::mechanism) fn two_links(&self, names: &str) -> Option<[LinkId; 2]> {
         two(names, |name| self.link(name))
     }
 
-    /// Three different points by their names, with hyphens between them.
+    /// Three different points given by their names with hyphens in between.
     pub(in crate::mechanism) fn three_points(&self, names: &str) -> Option<[PointId; 3]> {
         let mut parts = names.match_indices('-');
         parts.find_map(|(at, _)| {
@@ -76,7 +76,7 @@ impl Mechanism {
     }
 }
 
-/// Two different objects by their names, with a hyphen between them; names may have hyphens of their own.
+/// Two different objects given by their names with a hyphen in between; a name may contain hyphens.
 fn two<T: PartialEq>(names: &str, named: impl Fn(&str) -> Option<T>) -> Option<[T; 2]> {
     let mut parts = names.match_indices('-');
     parts.find_map(|(at, _)| {
@@ -90,7 +90,7 @@ fn span<const N: usize>([x, y]: [Jet<N>; 2]) -> f64 {
     x.value().hypot(y.value())
 }
 
-/// The same with its derivatives, if it is not zero.
+/// Length of a vector with its derivatives, if the vector is not zero.
 fn norm<const N: usize>([x, y]: [Jet<N>; 2]) -> Jet<N> {
     (x.square() + y.square()).sqrt()
 }

@@ -1,24 +1,23 @@
-//! Angles that follow from others in a constant ratio: of wheels, and of parts
-//! fixed to links.
+//! Angles at a constant ratio to other angles: of wheels, and of parts fixed to links.
 
 use crate::index::LinkId;
 use crate::mechanism::{Layout, Mechanism};
 use crate::position::{Mounting, Step};
 
-/// An angle as a linear function of a link's angle.
+/// Angle as a linear function of the angle of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Multiple {
-    /// The link.
+    /// Link whose angle is the argument.
     pub of: LinkId,
-    /// The angle is `factor` times that link's, plus `offset`.
+    /// Factor of the angle of the link.
     pub factor: f64,
-    /// Radians.
+    /// Angle added to the product, radians.
     pub offset: f64,
 }
 
 impl Mechanism {
-    /// The angle of a link as a constant multiple of another link's, at all inputs: for a wheel or a carrier, of the
-    /// only body that turns it in a train. Of its own if there is none.
+    /// Angle of a link as a constant multiple of another link's angle, at all inputs: for a wheel or a carrier, of the
+    /// only body that turns it in a train. Without such a body, the multiple is of the link's own angle.
     pub fn multiple_of(&self, link: LinkId) -> Multiple {
         self.layout.multiple_of(link, self.mounting())
     }

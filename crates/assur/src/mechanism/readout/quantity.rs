@@ -8,7 +8,7 @@ use crate::index::{LinkId, PointId};
 use crate::mechanism::readout::transmitting::{acute, folded, sense};
 use crate::mechanism::{Mechanism, Pose, RrpDyad, RrrDyad};
 
-/// A value that changes along the motion.
+/// Quantity that changes along the motion.
 ///
 /// ```
 /// use assur::mechanism::Quantity;
@@ -26,21 +26,21 @@ pub enum Quantity {
     X(PointId),
     /// The ordinate of a point.
     Y(PointId),
-    /// The transmission angle of a dyad: between the lines of its two links, acute, radians.
+    /// Transmission angle of an RRR dyad: the acute angle between the lines of its two links, radians.
     Transmission(RrrDyad),
-    /// The pressure angle of a dyad: between its rod and its line, acute, radians; 90° less the transmission angle.
+    /// Pressure angle of an RRP dyad: the acute angle between rod and line, radians; 90° less the transmission angle.
     Pressure(RrpDyad),
     /// The distance of two points, in the unit of the lengths.
     Distance([PointId; 2]),
-    /// The angle at the second of three points between the others, up to half a turn, radians.
+    /// Angle at the second of three points between the other two, at most half a turn, radians.
     Corner([PointId; 3]),
-    /// The angle of two links: that of the second less that of the first, radians.
+    /// Angle between two links: the angle of the second less the angle of the first, radians.
     Between([LinkId; 2]),
 }
 
 impl Quantity {
-    /// All quantities of the position of a mechanism: the angles of the links, then x and y of each point. Those of
-    /// transmission are given by [`Mechanism::transmitting`].
+    /// All quantities of the position of a mechanism: the angles of the links, then x and y of each point. Quantities
+    /// of transmission are given by [`Mechanism::transmitting`].
     pub fn all(mechanism: &Mechanism) -> Vec<Self> {
         let points = mechanism.point_ids();
         let points = points.flat_map(|point| [Self::X(point), Self::Y(point)]);
@@ -48,8 +48,8 @@ impl Quantity {
         angles.chain(points).collect()
     }
 
-    /// The quantity of a name: `rocker.angle`, `C.x`; of a dyad, by its inner joint, `C.transmission`; of points, with
-    /// hyphens, `A-C.distance` and `A-B-C.corner`; of links `crank-rocker.between`.
+    /// Quantity with a given name: `rocker.angle`, `C.x`; `C.transmission` for a dyad with the inner joint C;
+    /// `A-C.distance` and `A-B-C.corner` for points; `crank-rocker.between` for links.
     pub fn named(mechanism: &Mechanism, name: &str) -> Option<Self> {
         let (of, what) = name.rsplit_once('.')?;
         match what {
@@ -66,14 +66,14 @@ impl Quantity {
         }
     }
 
-    /// Its name, with the letter d `order` times before the kind: `C.ddx`.
+    /// Name of the quantity, with the letter d `order` times before the kind: `C.ddx`.
     pub fn name(self, mechanism: &Mechanism, order: usize) -> String {
         let (of, what) = (self.subject(mechanism), self.kind_name());
         let prefix = "d".repeat(order);
         format!("{of}.{prefix}{what}")
     }
 
-    /// The name of its kind: `angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
+    /// Name of the kind: `angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
     pub fn kind_name(self) -> &'static str {
         match self {
             Self::Angle(_) => "angle",
@@ -87,7 +87,7 @@ impl Quantity {
         }
     }
 
-    /// The name of its link or point; for a dyad, of the inner joint; several names have hyphens between them.
+    /// Name of the link or point, for a dyad of the inner joint; several names have hyphens in between.
     pub fn subject(self, mechanism: &Mechanism) -> Cow<'_, str> {
         let points = |points: &[PointId]| {
             let names = points.iter().map(|point| mechanism.point_name(*point));
@@ -117,8 +117,8 @@ impl Quantity {
         matches!(self, Self::Distance(_) | Self::Corner(_) | Self::Between(_))
     }
 
-    /// True for an angle without sense: an acute one between two lines, or one at a corner. It is folded if its sides
-    /// are in line or, for lines, at right angles: its rate jumps there, which does not count as an extremum.
+    /// True for an angle without sense: the acute angle between two lines, or the angle at a corner. It is folded when
+    /// its sides are in line or, for lines, at right angles; its rate jumps there, which does not count as an extremum.
     pub fn is_folded(self) -> bool {
         matches!(
             self,
@@ -126,7 +126,7 @@ impl Quantity {
         )
     }
 
-    /// Its value in a pose, with the derivatives that the pose carries.
+    /// Value of the quantity in a pose, with the derivatives that the pose has.
     pub fn of<const N: usize>(self, mechanism: &Mechanism, pose: &Pose<N>) -> Jet<N> {
         let jet = self.unfolded(mechanism, pose);
         if self.is_folded() {
@@ -136,8 +136,8 @@ impl Quantity {
         }
     }
 
-    /// Factor of the acute angle that is folded: 2 at a corner, folded at every half turn; 1 between lines, folded at
-    /// every quarter.
+    /// Factor between the folded angle and an acute angle: 2 at a corner, folded at every half turn; 1 between lines,
+    /// folded at every quarter turn.
     fn folds(self) -> f64 {
         if matches!(self, Self::Corner(_)) {
             2.0
@@ -151,12 +151,12 @@ impl Quantity {
         acute(angle / self.folds()) * self.folds()
     }
 
-    /// 1 if it grows with the angle before folding, else −1.
+    /// Sense of the quantity: 1 if it grows with the angle before folding, −1 otherwise.
     pub(crate) fn sense<const N: usize>(self, angle: &Jet<N>) -> f64 {
         sense(&(*angle * self.folds().recip()))
     }
 
-    /// The same before folding: a smooth quantity.
+    /// Value of the quantity before folding, which is smooth.
     pub(crate) fn unfolded<const N: usize>(self, mechanism: &Mechanism, pose: &Pose<N>) -> Jet<N> {
         match self {
             Self::Angle(link) => mechanism.angle(pose, link),

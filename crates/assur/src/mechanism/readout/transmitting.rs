@@ -1,5 +1,5 @@
-//! Force transmission of dyads in a pose: the transmission angle of a dyad RRR, the pressure angle of a dyad RRP. Both
-//! are acute angles between two lines, folded at 0 and at 90°, where their rates jump.
+//! Force transmission of dyads in a pose: the transmission angle of an RRR dyad and the pressure angle of an RRP dyad.
+//! Both are acute angles between two lines, folded at 0 and at 90°, where their rates jump.
 
 use crate::tolerance;
 use std::f64::consts::PI;
@@ -10,18 +10,18 @@ use crate::mechanism::{LinkOrFrame, Mechanism, OuterJoint, Pose, Quantity, RrrDy
 use crate::position::{Rrp, Step};
 use crate::{Jet, Vector};
 
-/// An Assur group of two links, two hinges and a slide: a rod, and a slider on a line.
+/// Assur group of two links, two hinges and a slide: a rod, and a slider on a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RrpDyad {
-    /// The link with the two hinges.
+    /// Link with the two hinges.
     pub rod: LinkId,
-    /// The link that slides.
+    /// Link that slides.
     pub slider: LinkId,
-    /// The point at which they are hinged on each other.
+    /// Point at which rod and slider are hinged on each other.
     pub inner: PointId,
-    /// The hinge of the rod on a link solved before.
+    /// Hinge of the rod on a link solved before.
     pub outer: OuterJoint,
-    /// The link with the line.
+    /// Link with the line of the slide.
     pub on: LinkOrFrame,
     step: StepId,
 }
@@ -54,7 +54,7 @@ impl Mechanism {
         })
     }
 
-    /// The angle from one link of a dyad to the other, not folded.
+    /// Angle from one link of a dyad to the other, before folding.
     pub(in crate::mechanism) fn between_links<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -67,7 +67,7 @@ impl Mechanism {
         turned(lines, angles)
     }
 
-    /// The angle from the line of a dyad to its rod, not folded.
+    /// Angle from the line of a dyad to its rod, before folding.
     pub(in crate::mechanism) fn unfolded_pressure_angle<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -111,13 +111,13 @@ fn turned<const N: usize>([u, v]: [Vector; 2], [a, b]: [Jet<N>; 2]) -> Jet<N> {
     grown + (u.perp(&v).atan2(u.dot(&v)) - grown.value())
 }
 
-/// The acute angle between two lines of which one is turned from the other by an angle.
+/// Acute angle between two lines, from their directed angle.
 pub(in crate::mechanism) fn acute(angle: f64) -> f64 {
     let turned = angle.rem_euclid(PI);
     turned.min(PI - turned)
 }
 
-/// 1 if the acute angle grows with the angle between two lines, else −1; at a fold, the value just after it.
+/// Sense of the acute angle: 1 if it grows with the directed angle, −1 otherwise; at a fold, the sense just after it.
 pub(in crate::mechanism) fn sense<const N: usize>(angle: &Jet<N>) -> f64 {
     let (sin, cos) = angle.value().sin_cos();
     if (sin * cos).abs() > tolerance::NEGLIGIBLE {
@@ -131,7 +131,7 @@ pub(in crate::mechanism) fn sense<const N: usize>(angle: &Jet<N>) -> f64 {
     if sin.abs() < cos.abs() { grows } else { -grows }
 }
 
-/// The acute angle with its derivatives.
+/// Acute angle between two lines, with its derivatives, from their directed angle.
 pub(in crate::mechanism) fn folded<const N: usize>(angle: Jet<N>) -> Jet<N> {
     let folded = angle * sense(&angle);
     folded + (acute(angle.value()) - folded.value())

@@ -8,8 +8,8 @@ use crate::sorting::extremes;
 use crate::tolerance;
 
 impl Motion {
-    /// The driver by which a link of [`Mechanism::drivable`] can drive: its present one, a crank, or a slide over its
-    /// present range; none if the link cannot drive, or does not move.
+    /// Specification with which a link of [`Mechanism::drivable`] drives: its present driver, a crank, or a slide over
+    /// its present range. None if the link cannot drive or does not move.
     ///
     /// # Errors
     /// The motion has too many turns to be searched for the range of a slide.
@@ -43,7 +43,7 @@ impl Motion {
     }
 
     /// Minimum and maximum coordinate of a slide along a line of the frame, from its limit positions and the ends of
-    /// the motion; none if it does not move.
+    /// the motion; None if the slide does not move.
     fn slide_range(&self, slide: &SlideSpec) -> Result<Option<[f64; 2]>, TooManyTurns> {
         let mechanism = &self.mechanism;
         let point = mechanism.point(&slide.point);
@@ -59,7 +59,7 @@ impl Motion {
         });
         let limits = turning_points(self, &|input| coordinate(input).ok(), mechanism.size())?;
         let limits = limits.into_iter().map(|limit| limit.value);
-        // At a dead point there is a position, but no derivative.
+        // A dead point has a position but no derivative.
         let ends = self.cycle.arcs().iter().flatten().copied();
         let ends = ends.chain(self.change_points.iter().copied());
         let ends = ends.chain([self.drawn_input]).filter_map(|input| {
@@ -75,7 +75,7 @@ impl Motion {
     /// The linkage with another rate of a further driver, given by its index, from the pose at an input.
     ///
     /// # Errors
-    /// The defects of that linkage.
+    /// The defects of the linkage at the new rate.
     pub fn at_rate(&self, driver: usize, rate: f64, input: f64) -> Result<Changed, Vec<Defect>> {
         let pose = self
             .pose::<1>(input)
@@ -95,11 +95,11 @@ impl Motion {
         })
     }
 
-    /// The linkage with another driver, from the pose at an input or, if that is a dead point of the new driver, from
-    /// one next to it.
+    /// The linkage with another driver, from the pose at an input. If this pose is a dead point of the new driver, the
+    /// linkage starts from a pose next to it.
     ///
     /// # Errors
-    /// The defects of that linkage.
+    /// The defects of the linkage with the new driver.
     pub fn driven_by(&self, driver: &DriverSpec, input: f64) -> Result<Changed, Vec<Defect>> {
         let mut found = Err(Vec::new());
         let offsets = INPUT_STEPS.into_iter().flat_map(|step| [step, -step]);
@@ -131,8 +131,8 @@ impl Motion {
     }
 }
 
-/// Makes a driver the first. If it was a further one, it changes places with the previous first, whose rate becomes the
-/// reciprocal; otherwise the previous first is dropped.
+/// Makes a driver the first. A further driver changes places with the previous first one, whose rate becomes the
+/// reciprocal; otherwise the previous first driver is dropped.
 fn drive_first(spec: &mut LinkageSpec, driver: &DriverSpec) {
     let driven = spec.driven(driver);
     let mut all = spec.drivers.iter();

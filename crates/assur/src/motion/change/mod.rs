@@ -1,5 +1,5 @@
-//! Change of a dimension: the assembly is kept by following it from the pose at hand to the new value in steps. The input
-//! gives way if the loop would open otherwise.
+//! Change of a dimension in one assembly: the assembly is followed in steps from the pose at hand to the new value. The
+//! input gives way if the loop would open otherwise.
 
 mod driver;
 mod path;
@@ -15,7 +15,7 @@ use path::Path;
 pub struct Changed {
     /// Motion of the mechanism, drawn in its new pose.
     pub motion: Motion,
-    /// The input of that pose: the previous one if possible.
+    /// Input of the new pose: the previous input if possible.
     pub input: f64,
     /// True if the input gave way during a part of the change.
     pub gave_way: bool,
@@ -38,26 +38,26 @@ pub enum Refusal {
         last: f64,
         /// Distance of the value from the last possible one.
         by: f64,
-        /// The links that cannot be joined beyond it.
+        /// Links that cannot be joined beyond the last possible value.
         links: Vec<LinkId>,
-        /// The cause.
+        /// Cause of the open loop.
         cause: Cause,
     },
-    /// With this value it is not a mechanism in any assembly.
+    /// The linkage with this value is not a mechanism in any assembly.
     Defects(Vec<Defect>),
 }
 
-/// Tolerance of the last possible value, relative to the range of the dimension. It is cut to these digits.
+/// Resolution of the last possible value, relative to the range of the dimension; the value is rounded to it.
 const RESOLUTION: f64 = 2e-4;
-/// Steps of the input, relative to its span, by which it gives way. The first is the distance it keeps from where the
-/// loop opens.
+/// Steps by which the input gives way, relative to its span. The first is the distance kept from the input at which
+/// the loop opens.
 const INPUT_STEPS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
 
 impl Motion {
     /// The linkage with a dimension set to a value, from the pose at an input.
     ///
     /// # Errors
-    /// The reason, with the last possible value.
+    /// The reason why the value cannot be set, with the last possible value.
     pub fn changed(
         &self,
         dimension: Dimension,
@@ -90,7 +90,7 @@ impl Motion {
         let Some(mut obstacle) = path.obstacle else {
             return self.arrived(&path);
         };
-        // Rounded towards the start, and tried up to three times: the path there may be a different one.
+        // The value is rounded towards the start and tried up to three times: the path to it may be a different one.
         let unit = 10_f64.powf((RESOLUTION * width).log10().ceil());
         let mut last = at(path.length);
         for _ in 0..3 {
@@ -119,7 +119,7 @@ impl Motion {
         })
     }
 
-    /// The linkage with a side of a link set to a value by the opposite corner, with the law of cosines.
+    /// The linkage with a side of a link set to a value: the opposite corner is changed by the law of cosines.
     fn side_changed(
         &self,
         (link, point): (LinkId, usize),
@@ -158,9 +158,8 @@ impl Motion {
 
     /// The linkage with a hinge of the frame moved to a point, or as far towards it as possible, from the pose at an
     /// input.
-    ///
     /// # Errors
-    /// The reason why it cannot be moved at all.
+    /// The reason why the hinge cannot be moved at all.
     pub fn hinge_moved(&self, point: PointId, to: Point, input: f64) -> Result<Changed, Refusal> {
         if !to.coords.iter().all(|x| x.is_finite()) {
             return Err(Refusal::NotFinite);
@@ -181,7 +180,7 @@ impl Motion {
         self.arrived(&Path::follow(start, setting, whole))
     }
 
-    /// The linkage assembled in the pose at an input, or else in the drawn one.
+    /// The linkage assembled in the pose at an input, or in the drawn pose if that fails.
     fn at_hand(&self, input: f64) -> Result<Assembled, Refusal> {
         let inputs = [input, self.drawn_input].into_iter();
         let mut poses = inputs.filter_map(|input| Some((input, self.pose::<1>(input).ok()?)));

@@ -3,23 +3,23 @@
 use super::{INPUT_STEPS, RESOLUTION};
 use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 
-/// Step length below which the input gives way to avoid a failure, ten halvings after the whole range.
+/// Step length below which the input gives way: ten halvings of the whole range.
 const MIN_STEP: f64 = 1.0 / 1024.0;
-/// Maximum number of steps tried; the input gives way in few of them.
+/// Maximum number of steps tried; in few of them the input gives way.
 const MAX_TRIES: usize = 200;
 
-/// The followed part of a path. Lengths are relative to the range of the dimension, so that a shorter change follows the
-/// same path as a longer one.
+/// Followed part of a path. Lengths are relative to the range of the dimension, so that a shorter and a longer change
+/// follow the same path.
 pub(super) struct Path {
     pub(super) here: Assembled,
     pub(super) length: f64,
     pub(super) gave_way: bool,
-    /// The obstacle, if the end was not reached.
+    /// Obstacle met before the end of the path.
     pub(super) obstacle: Option<NoNeighbour>,
 }
 
 impl Path {
-    /// Follows the path to the length `whole`, or as far as possible.
+    /// Follows the path to the length `whole`, or to the first obstacle.
     pub(super) fn follow(start: Assembled, setting: impl Fn(f64) -> Setting, whole: f64) -> Self {
         let mut tries = 0;
         let wanted = start.input();
@@ -61,8 +61,8 @@ impl Path {
     }
 }
 
-/// The neighbour at another input: the one with the largest margin of the step whose loop opened; then farther in the
-/// same sense while the margin grows, in at most eight steps.
+/// Neighbour at another input, with the largest margin of the step whose loop opened. From there up to eight further
+/// steps in the same sense are taken while the margin grows.
 fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assembled> {
     let margin = |one: &Assembled| one.margin(open.step);
     let better = |a: &Assembled, b: &Assembled| margin(a).total_cmp(&margin(b));

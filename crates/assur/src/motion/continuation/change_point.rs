@@ -1,4 +1,4 @@
-//! Change points of a motion that is followed: links come into line and pass through.
+//! Change points of a followed motion: links come into line and pass through.
 
 use super::knots::{Knots, MAX_TURN};
 use super::{Continuation, Prediction};
@@ -6,25 +6,25 @@ use crate::index::StepId;
 use crate::position::{KNOWN, Predictor, SmoothRoot, State};
 use crate::{Jet, tolerance};
 
-/// Distance, relative to the span, within which margins near a change point have too few digits; poses ahead are probed
-/// as far.
+/// Distance from a change point, relative to the span, within which margins lose too many digits; also the distance
+/// at which poses ahead are probed.
 pub(super) const PROBE_DISTANCE: f64 = 1e-5;
-/// Maximum relative deviation of a square from its Taylor series, whose remainder is far smaller so near to its centre; a
-/// larger one shows another singularity nearby.
+/// Maximum relative deviation of a square from its Taylor series. The remainder is far smaller so near to the centre;
+/// a larger deviation indicates another singularity nearby.
 const MAX_DEVIATION: f64 = 0.1;
 
 /// A change point: steps of the plan whose links pass through in line at one input.
 pub(super) struct ChangePoint {
     input: f64,
     steps: Vec<StepId>,
-    /// Roots of the steps whose sign changes; the closed form of a four-bar keeps its sign.
+    /// Roots of the steps whose sign changes; a four-bar in closed form keeps its sign.
     smooth_roots: Vec<SmoothRoot>,
 }
 
 impl Continuation<'_> {
-    /// The change point just ahead; none if there is none, or it is too far to be recognized. Steps that depend on its
-    /// links fail first, so one of its steps is `failed` or precedes it in the plan. From a thousandth of the input's span
-    /// Newton's method for the minimum of a margin converges.
+    /// Change point just ahead; None if none is near enough to be recognized. Steps that depend on its links fail
+    /// first, so one of the steps of the change point is `failed` or precedes it in the plan. Newton's method for the
+    /// minimum of a margin converges from a distance of a thousandth of the input's span.
     pub(super) fn change_point_ahead(&self, failed: StepId, width: f64) -> Option<ChangePoint> {
         if width.abs() > tolerance::NEAR * self.mechanism.span() {
             return None;
@@ -69,7 +69,7 @@ impl Continuation<'_> {
         found
     }
 
-    /// Moves the start just beyond a change point of a four-bar in closed form: so close to it nothing can be certified.
+    /// Moves the start just beyond a change point of a four-bar in closed form, next to which nothing can be certified.
     pub(super) fn leave_change_point(&mut self) {
         let near = PROBE_DISTANCE * self.mechanism.span();
         let around = [self.input - near, self.input + near];
@@ -94,17 +94,17 @@ impl Continuation<'_> {
         self.mechanism.steps()[step].passes_change_point()
     }
 
-    /// The square of which a step takes the root.
+    /// Square whose root a step takes.
     fn square(&self, step: StepId, state: &State<KNOWN>) -> Jet<KNOWN> {
         self.mechanism.steps()[step].square(state.margins[step])
     }
 
-    /// The state at an input, as far as it can be solved with these roots of links in line.
+    /// State at an input with given roots of links in line, up to the first step without a solution.
     fn state_at(&self, input: f64, smooth_roots: &[SmoothRoot]) -> State<KNOWN> {
         let mut state = self.mechanism.blank_state();
         let predicted = Prediction::of(&self.here, &self.orientations, input - self.input);
         let near = predicted.near(smooth_roots);
-        // Steps after one that fails stay blank, with nothing in line.
+        // Steps after a failed one stay blank, with no links in line.
         let _ = self.mechanism.solve(input, &self.signs, near, &mut state);
         state
     }
@@ -125,7 +125,7 @@ impl Continuation<'_> {
             return None;
         }
         let margins = [0, 1].map(|which| {
-            // A margin with a double zero is about a parabola.
+            // Near a double zero the margin is approximately a parabola.
             let margin = self.here.margins[step][which];
             let minimum = |input: f64, [slope, second]: [f64; 2]| {
                 (second > 0.0).then_some(input - slope / second)
@@ -198,9 +198,9 @@ impl Continuation<'_> {
         true
     }
 
-    /// Solves the trial pose beyond a change point, with the signs there, as far from it as the current pose but not
-    /// beyond the input at which the motion may repeat. Returns the pose in line and the trial input; none if the step
-    /// is not certified.
+    /// Solves the trial pose beyond a change point, with the signs valid there, as far from it as the current pose but
+    /// not beyond the input at which the motion may repeat. Returns the pose in line and the trial input; None if the
+    /// step is not certified.
     fn solve_past(&mut self, found: &ChangePoint, sense: f64) -> Option<(Predictor, f64)> {
         let least = PROBE_DISTANCE * self.mechanism.span();
         let [before, left] =

@@ -1,6 +1,6 @@
 //! Folds of a group: two of its assemblies meet, and the driver must turn back. The poses of a group with their inputs
-//! lie on a curve that is smooth there. Along it the fold is the simple root of the rate of the input, as exact as the
-//! equations.
+//! form a curve that is smooth at a fold. The fold is the simple root of the rate of the input along this curve, as
+//! exact as the equations.
 //!
 //! The curve is followed by Keller's pseudo-arclength continuation: a step along the tangent, and Newton's method
 //! across it. Two branches may come very close without meeting; a jump from one to the other changes the sign of the
@@ -17,14 +17,14 @@ use crate::numeric::roots::root;
 use crate::position::{Group, Linearized, Predictor, Step, StepContext};
 use crate::{Jet, tolerance};
 
-/// Maximum number of steps tried along the curve, whose lengths are halved and doubled.
+/// Maximum number of steps tried along the curve; their lengths are halved and doubled.
 pub(super) const MAX_TRIES: usize = 48;
-/// Maximum uncertainty of a point due to rounding, relative to the step: well below the turn of a tangent that is accepted.
+/// Maximum uncertainty of a point due to rounding, relative to the step: far below the accepted turn of a tangent.
 const MAX_UNCERTAINTY: f64 = 0.02;
-/// Minimum cosine of the turn of the tangent in a step: 26°, over which the curve is about an arc of a circle.
+/// Minimum cosine of the turn of the tangent in a step: 26°, over which the curve is nearly an arc of a circle.
 const MIN_COSINE: f64 = 0.9;
 
-/// The curve of poses of a group. Coordinates on it are the unknowns, scaled to unit size, and the scaled input last.
+/// Curve of the poses of a group. The coordinates are the unknowns, scaled to unit size, and the scaled input last.
 struct Curve<'a> {
     motion: &'a Continuation<'a>,
     group: &'a Group,
@@ -39,7 +39,7 @@ struct CurvePoint {
     tangent: DVector<f64>,
     /// Sign of the determinant of the bordered equations.
     determinant_sign: f64,
-    /// The last Newton correction.
+    /// Length of the last Newton correction.
     uncertainty: f64,
 }
 
@@ -85,13 +85,13 @@ impl Continuation<'_> {
             if curve.rate(&next) * sense <= 0.0 {
                 return curve.fold_between(&here, &next, step_len);
             }
-            // Towards a fold the input slows down; away from one it speeds up.
+            // Towards a fold the rate of the input falls; away from a fold it grows.
             let slower = curve.rate(&next).abs() < curve.rate(&here).abs();
             if !slower || (curve.input(&next) - self.input) * sense > window {
                 return None;
             }
             here = next;
-            // After less than a third of the greatest turn, whose 1 − cos is about a ninth, the step may be doubled.
+            // The step may be doubled after a turn below a third of the maximum; 1 − cos of a third is about a ninth.
             if 9.0 * (1.0 - cosine) <= 1.0 - MIN_COSINE {
                 step_len *= 2.0;
             }
@@ -117,7 +117,7 @@ impl Curve<'_> {
     /// The input of the fold between two points a step apart: the root of the rate.
     fn fold_between(&self, here: &CurvePoint, next: &CurvePoint, step_len: f64) -> Option<f64> {
         let [first, last] = [here, next].map(|point| self.rate(point));
-        // Near the fold the input deviates from it by rate² / (2 · slope of the rate): below this it is exact.
+        // Near the fold the input deviates from the fold by rate² / (2 · slope of the rate); smaller rates are exact.
         let negligible = f64::EPSILON * (last - first).abs() / step_len;
         let point = |length: f64| self.corrected(&here.at, &here.tangent, length);
         let rate = |length: f64| {
@@ -128,7 +128,7 @@ impl Curve<'_> {
         Some(self.input(&point(length)?))
     }
 
-    /// The point on the curve in the hyperplane normal to a step along a tangent, at its end.
+    /// Point of the curve in the hyperplane normal to a tangent, at the end of a step along it.
     fn corrected(
         &self,
         from: &DVector<f64>,
@@ -150,7 +150,7 @@ impl Curve<'_> {
             is_rounding.set(residual_is_rounding);
             let mut bordered = slopes.resize_vertically(rows, 0.0);
             bordered.row_mut(rows - 1).tr_copy_from(tangent);
-            // Right-hand sides: the residual, and that of the new tangent.
+            // Right-hand sides for the residual and for the new tangent.
             let mut rhs = DMatrix::zeros(rows, 2);
             rhs.view_mut((0, 0), (rows - 1, 1)).copy_from(&residual);
             rhs[(rows - 1, 0)] = tangent.dot(&(&at - &foot));
@@ -167,7 +167,7 @@ impl Curve<'_> {
         })
         .ok()?;
         let (bordered, solution, is_redundant, uncertainty) = found?;
-        // Of redundant equations others may be dropped at the next point: their determinant keeps no sign.
+        // At the next point different redundant equations may be dropped, so the sign of the determinant means nothing.
         let determinant_sign = if is_redundant {
             1.0
         } else {

@@ -3,7 +3,7 @@
 /// Taylor coefficients of a function at an end, orders 0 to 3.
 pub(super) type Taylor = [f64; 4];
 
-/// The interpolating polynomials of several functions at an input; each end is its input and the coefficients there.
+/// Values at an input of the Hermite polynomials of several functions; an end is its input with the coefficients there.
 pub(super) fn interpolated<'a>(
     [(from, start), (to, end)]: [(f64, &'a [Taylor]); 2],
     input: f64,
@@ -17,8 +17,8 @@ pub(super) fn interpolated<'a>(
     })
 }
 
-/// Weights of the Taylor coefficients of one end, at `u` of the `width` from it: the polynomials that vanish with three
-/// derivatives at the other end.
+/// Weights of the Taylor coefficients of one end, at the fraction `u` of `width` from this end: the polynomials that
+/// vanish with three derivatives at the other end.
 fn weights(u: f64, width: f64) -> [f64; 4] {
     let rest = (1.0 - u).powi(4);
     let x = u * width;

@@ -1,5 +1,5 @@
-//! Knots: samples of a motion, between which the initial guess of Newton's method for groups is interpolated. A sample
-//! that the interpolation between its neighbours reproduces is not kept.
+//! Knots: kept samples of a motion. Between them the initial guess of Newton's method for groups is interpolated. A
+//! sample is dropped if the interpolation between its neighbours reproduces it.
 
 use super::hermite::{Taylor, interpolated};
 use crate::index::{BodyId, List, StepId};
@@ -8,27 +8,27 @@ use crate::position::{Nearby, Orientation, Predictor, Sign, SmoothRoot};
 use crate::sorting::sort_by;
 use crate::{Cycle, Vector, tolerance};
 
-/// Maximum turn of a body from knot to knot, radians, so that its whole turns are counted.
+/// Maximum turn of a body from knot to knot, radians, at which whole turns can be counted.
 pub(super) const MAX_TURN: f64 = 1.0;
-/// Maximum ratio of two intervals that are merged: the error of the interpolation is greatest about the middle, so it is
-/// tested at a knot near there.
+/// Maximum ratio of two merged intervals. The error of the interpolation is greatest near the middle, so it is tested
+/// at a knot near the middle.
 const MAX_INTERVAL_RATIO: f64 = 2.5;
 
 /// Samples in ascending inputs (or descending, while a motion is followed back).
 #[derive(Clone, Debug, Default)]
 pub(in crate::motion) struct Knots {
     list: Vec<Knot>,
-    /// Index for look-up in constant time: the range is cut into as many equal cells as there are knots; the number of
-    /// knots before each cell, and in all. Made by [`Knots::index`].
+    /// Index for look-up in constant time, made by [`Knots::index`]: the range has as many equal cells as there are
+    /// knots. Number of knots before each cell, and in total.
     counts_before: Vec<usize>,
-    /// Cells per unit of input, and the input at which they begin.
+    /// Cells per unit of input, and the input at which the cells begin.
     cells_per_unit: f64,
     first: f64,
     /// Roots at change points.
     smooth_roots: Vec<SmoothRoot>,
-    /// Maximum distance of knots between which a guess is interpolated.
+    /// Maximum distance of neighbouring knots between which a guess is interpolated.
     longest: f64,
-    /// Minimum and maximum of the first margin of each step over all samples, also those not kept.
+    /// Minimum and maximum of the first margin of each step over all samples, including dropped ones.
     margins: List<StepId, [f64; 2]>,
 }
 
@@ -37,12 +37,12 @@ struct Knot {
     input: f64,
     /// Assembly signs from here to the next knot.
     signs: AssemblySigns,
-    /// Bound on the turn of any body from the knot before.
+    /// Bound on the turn of any body from the previous knot.
     turned: f64,
-    /// The first margin of each step; of a group its determinant, scaled by the same power of two in all knots.
+    /// First margin of each step; for a group its determinant, scaled by the same power of two in all knots.
     margins: List<StepId, f64>,
     orientations: List<BodyId, Orientation>,
-    /// The unknowns of groups: x and y of each point in turn.
+    /// Unknowns of the groups: x and y of each point in turn.
     natural: Vec<Taylor>,
 }
 
@@ -54,7 +54,7 @@ impl Knots {
         }
     }
 
-    /// Appends a pose; `turned` bounds the turn of any body since the last one. Knots that have become redundant go.
+    /// Appends a pose; `turned` bounds the turn of any body since the last pose. Redundant knots are dropped.
     pub(in crate::motion) fn push(
         &mut self,
         input: f64,
@@ -87,7 +87,7 @@ impl Knots {
         }
     }
 
-    /// Extends the ranges of the margins by those of other samples.
+    /// Extends the ranges of the margins by the ranges of other samples.
     fn include_margins(&mut self, others: impl Iterator<Item = [f64; 2]>) {
         if self.margins.len() == 0 {
             self.margins = others.collect();
@@ -131,7 +131,7 @@ impl Knots {
         self.index();
     }
 
-    /// Minimum and maximum of the first margin of a step over the motion; of a group, of its determinant.
+    /// Minimum and maximum over the motion of the first margin of a step; for a group, of its determinant.
     pub(in crate::motion) fn margin_range(&self, step: StepId) -> [f64; 2] {
         self.margins[step]
     }
@@ -168,7 +168,7 @@ impl Knots {
         self.list[self.index_at(input)].signs[step]
     }
 
-    /// Adds the root of a change point, and one a period away if that reaches into a full cycle.
+    /// Adds the root of a change point, and its copy one period away if the copy reaches into a full cycle.
     pub(in crate::motion) fn add_smooth_root(&mut self, smooth: SmoothRoot, cycle: &Cycle) {
         if let Some(period) = cycle.period().filter(|_| cycle.is_full()) {
             let images = [-period, period].map(|by| smooth.shifted(by)).into_iter();
@@ -186,8 +186,8 @@ impl Knots {
         let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
             return;
         };
-        // Rounded to whole turns: near a singular pose the two differ in the last digits. An idle wheel may have turned
-        // by a fraction; its angle is computed from the wheel that drives it.
+        // Rounded to whole turns: near a singular pose the two angles differ in the last digits. An idle wheel may have
+        // turned by a fraction; its angle is computed from the wheel that drives it.
         let pairs = last.orientations.iter().zip(first.orientations.iter());
         let gains = pairs.map(|(b, a)| crate::angle::whole_turns(b.angle - a.angle));
         let gains: Vec<f64> = gains.collect();
@@ -211,8 +211,8 @@ impl Knots {
         }
     }
 
-    /// The assembly signs at an input, and the known quantities near it. The guess for the unknowns of groups is written
-    /// to `guess`.
+    /// Assembly signs at an input, and the known quantities near it. Writes the guess for the unknowns of groups into
+    /// `guess`.
     pub(in crate::motion) fn near<'a>(
         &'a self,
         input: f64,
@@ -251,7 +251,7 @@ impl Knots {
         self.counts_before = counts;
     }
 
-    /// The cell of an input: monotone in the input.
+    /// Cell of an input; a greater input never has a lower cell.
     fn cell(&self, input: f64) -> usize {
         let last = self.list.len().saturating_sub(1);
         (((input - self.first) * self.cells_per_unit) as usize).min(last)
@@ -270,15 +270,15 @@ impl Knots {
 }
 
 impl Knot {
-    /// True if interpolating its neighbours reproduces this knot to half of the digits, so that one Newton step from the
-    /// guess is exact.
+    /// True if the interpolation between two neighbours reproduces this knot to half of the digits: one Newton step
+    /// from the guess is then exact.
     fn is_redundant_between(&self, before: &Self, after: &Self, longest: f64) -> bool {
         let widths = [before, after].map(|knot| (knot.input - self.input).abs());
         let even = widths[0] <= MAX_INTERVAL_RATIO * widths[1]
             && widths[1] <= MAX_INTERVAL_RATIO * widths[0];
         let turns_little = self.turned + after.turned <= MAX_TURN;
         let same_signs = [before, after].iter().all(|knot| knot.signs == self.signs);
-        // Over more than a step of a group the guess would be worse than the one it was solved from.
+        // Over an interval longer than a step of a group the guess would be worse than the guess of the continuation.
         let is_short = widths[0] + widths[1] <= longest;
         let reproduced = || {
             let mut guesses = before.interpolated(after, self.input);
@@ -301,7 +301,7 @@ impl Knot {
         )
     }
 
-    /// The points that are the unknowns of groups.
+    /// Points of this knot that are unknowns of groups.
     fn places(&self) -> impl Iterator<Item = Vector> {
         (0..self.natural.len() / 2).map(|k| self.place(k))
     }
@@ -316,7 +316,7 @@ mod tests {
     use super::{Knot, Knots};
     use crate::index::List;
 
-    /// The index gives the same as a linear search: for knots crowded at one end, equal inputs, and a gap.
+    /// The index agrees with a linear search for knots crowded at one end, equal inputs, and a gap.
     #[test]
     fn the_index_finds_knots() {
         let inputs = (0..40).map(|k| 1.0 - 0.5_f64.powi(k));

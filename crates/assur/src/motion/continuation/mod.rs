@@ -1,6 +1,6 @@
 //! Continuation of a motion from the drawn pose until it repeats or ends. A step is taken if it is certified
-//! ([`Enclosure`]), and halved if not. Near what no step can pass the cause is determined: a change point, a dead
-//! point, or a pose too close to a singular one.
+//! ([`Enclosure`]), and halved otherwise. If even the shortest step is not certified, the cause is determined: a change
+//! point, a dead point, or a pose too close to a singular one.
 
 mod change_point;
 mod fold;
@@ -17,15 +17,15 @@ use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, Sta
 use crate::{Jet, tolerance};
 use knots::MAX_TURN;
 
-/// Number of successful steps before longer ones are tried: a step that fails costs as much as one that does not.
+/// Number of successful steps before longer ones are tried: a failed step costs as much as a successful one.
 const STEPS_BEFORE_LONGER: usize = 4;
-/// Fraction of the estimated certifiable step to try: the bounds grow a little on the way.
+/// Tried fraction of the estimated certifiable step: the bounds grow a little on the way.
 const STEP_SAFETY: f64 = 0.8;
 /// Maximum work, in samples times bodies: about half a second. Hunting teeth may need more.
 const MAX_WORK: usize = 250_000;
 
-/// Maximum length of a step. The guess for a group is interpolated over it, so it is shorter there, most of all with
-/// wheels in mesh; dyads need no guess.
+/// Maximum length of a step. The guess for a group is interpolated over a step, so steps are shorter with groups and
+/// shortest with wheels in mesh; dyads need no guess.
 pub(super) fn longest_step(mechanism: &Mechanism) -> f64 {
     let samples = mechanism.steps().iter().map(|step| match step {
         Step::Group(group) if group.has_meshes() => 1.0,
@@ -37,9 +37,9 @@ pub(super) fn longest_step(mechanism: &Mechanism) -> f64 {
 
 /// Result of following a motion.
 pub(super) enum End {
-    /// A full cycle of this number of turns.
+    /// Full cycle, with its number of turns.
     Cycle(usize),
-    /// A dead point, or the end of what was followed.
+    /// Dead point, or end of the followed motion.
     Dead(DeadPoint),
 }
 
@@ -48,15 +48,15 @@ pub(super) struct Continuation<'a> {
     mechanism: &'a Mechanism,
     signs: AssemblySigns,
     input: f64,
-    /// The pose at the input, and the trial pose at the next.
+    /// Pose at the current input, and the trial pose at the next input.
     here: Predictor,
     trial: Predictor,
     enclosure: Enclosure,
-    /// Orientations of the bodies here.
+    /// Orientations of the bodies in the current pose.
     orientations: List<BodyId, Orientation>,
     /// The bodies whose whole turns are tracked.
     tracked: Vec<BodyId>,
-    /// Roots at the change points passed, as exact as the poses near them.
+    /// Roots at the change points already passed, as exact as the poses near them.
     pub(super) smooth_roots: Vec<SmoothRoot>,
     /// The next input at which the motion may repeat.
     repeats: f64,
@@ -64,14 +64,14 @@ pub(super) struct Continuation<'a> {
     work: usize,
 }
 
-/// Prediction of a pose by Taylor series.
+/// Pose predicted by Taylor series.
 struct Prediction<'a> {
     orientations: &'a List<BodyId, Orientation>,
     natural: Vec<f64>,
 }
 
 impl<'a> Prediction<'a> {
-    /// The prediction at `width` from a pose. No body turns by half a turn in a certified step, so orientations are kept.
+    /// Prediction at a step `width` from a pose. A certified step turns no body by half a turn: orientations are kept.
     fn of(here: &Predictor, orientations: &'a List<BodyId, Orientation>, width: f64) -> Self {
         let value = |jet: Jet<4>| {
             let orders = (0..4).rev();
@@ -149,8 +149,8 @@ impl<'a> Continuation<'a> {
         let longest = longest_step(self.mechanism);
         let mut width = longest;
         let mut successes = STEPS_BEFORE_LONGER;
-        // The search for a singular pose of a group is expensive: it begins at short steps, and is repeated only at shorter
-        // ones.
+        // The search for a singular pose of a group is expensive. It begins at short steps and is repeated only at
+        // shorter ones.
         let short = tolerance::COINCIDENT * self.mechanism.span();
         let mut searched_at = short;
         while (target - self.input) * sense > 0.0 {
@@ -161,7 +161,7 @@ impl<'a> Continuation<'a> {
                 target
             };
             let tried = width.min(left);
-            // A long step is not more work itself, but reading quantities over it is.
+            // A long step costs as much as a short one, but reading quantities over it costs more.
             let samples = (tried / cell).ceil() as usize;
             let bodies = self.mechanism.bodies().len();
             let Some(work) = self.work.checked_sub(samples * bodies) else {
@@ -173,7 +173,7 @@ impl<'a> Continuation<'a> {
                 if tried >= short {
                     searched_at = short;
                 }
-                // After a step too long for a dyad the next ones would be too; a group gives its certifiable length.
+                // After a step too long for a dyad the next would fail too; a group gives its certifiable length.
                 successes += 1;
                 if successes >= STEPS_BEFORE_LONGER {
                     let longer = (STEP_SAFETY * self.enclosure.ease()).min(2.0) * tried;
@@ -182,8 +182,8 @@ impl<'a> Continuation<'a> {
                 continue;
             };
             let is_group = self.is_group(step);
-            // The closed form of a dyad gives what is met within so short a step. A group may be drawn close to a singular
-            // pose and leave it.
+            // Within so short a step the closed form of a dyad gives the obstacle. A group may be drawn close to a
+            // singular pose and leave it.
             let shortest = if is_group {
                 tolerance::EXACT
             } else {
@@ -197,7 +197,7 @@ impl<'a> Continuation<'a> {
                 && tried < searched_at
                 && let Some(dead) = {
                     searched_at = tried;
-                    // Each try takes about four Newton steps.
+                    // A tried step along the curve takes about four Newton steps.
                     self.work = self.work.saturating_sub(4 * fold::MAX_TRIES * bodies);
                     self.out_of_range(sense).or_else(|| self.singular(sense))
                 }
@@ -258,7 +258,7 @@ impl<'a> Continuation<'a> {
         self.add_knot(knots, turned);
     }
 
-    /// Adds a knot at this pose.
+    /// Adds a knot at the current pose.
     fn add_knot(&self, knots: &mut Knots, turned: f64) {
         let pose = (&self.here, self.orientations.clone());
         knots.push(self.input, &self.signs, pose, turned);
@@ -271,14 +271,14 @@ impl<'a> Continuation<'a> {
         self.here.orient(&mut self.orientations);
     }
 
-    /// Bound on the turn of the tracked bodies over the step certified last.
+    /// Bound on the turn of the tracked bodies over the last certified step.
     fn turned(&self) -> f64 {
         let tracked = self.tracked.iter();
         let turned = tracked.map(|body| self.enclosure.turned(&self.here, *body));
         turned.fold(0.0, f64::max)
     }
 
-    /// Solves the pose at an input from its prediction.
+    /// Solves the pose at an input from a prediction.
     fn solve<const N: usize>(
         &self,
         input: f64,

@@ -13,10 +13,10 @@ use crate::position::{State, Step};
 use crate::tolerance;
 
 impl Continuation<'_> {
-    /// The nearest fold of a group just ahead. Near a fold the rates of dependent groups grow without bound, so that a
-    /// dependent group may be the first that is not certified.
+    /// Nearest fold of a group just ahead. Near a fold the rates of dependent groups grow without bound, so a dependent
+    /// group may be the first without certificate.
     pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
-        // Steps shorten in proportion to the distance of the fold: when short, they leave it within this window.
+        // Near a fold steps shorten in proportion to its distance: short steps keep it within this window.
         let window = tolerance::DISTINCT * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let steps = self.mechanism.steps().ids();
@@ -59,7 +59,7 @@ impl Continuation<'_> {
 
     /// The dead point of a dyad within the shortest step that could be tried.
     pub(super) fn obstacle(&self, step: StepId, sense: f64) -> DeadPoint {
-        // So near there is just one dead point.
+        // A window so narrow contains only one dead point.
         let window = PROBE_DISTANCE * self.mechanism.span();
         let mut closed = self.mechanism.closed_steps();
         let closed = closed.find(|closed| closed.step == step);
@@ -82,8 +82,8 @@ impl Continuation<'_> {
             });
             self.dead_point_at(last, step, cause)
         });
-        // Guides become parallel between poses, and another step may fail beyond: the rates of links that depend on them
-        // grow without bound.
+        // Guides become parallel between poses, and a step beyond may fail first: the rates of links that depend on the
+        // guides grow without bound.
         let steps = self.mechanism.steps().ids();
         let parallel = steps.filter_map(|step| self.parallel(step, sense));
         let nearest = parallel
@@ -92,8 +92,8 @@ impl Continuation<'_> {
         nearest.unwrap_or_else(|| self.end_here(step, DeadPointKind::NearSingular))
     }
 
-    /// The input just ahead at which the two guides of a step become parallel. There are poses beyond, but on another
-    /// branch. The margin is the square of the sine of the angle between the guides.
+    /// Input just ahead at which the two guides of a step become parallel. Poses beyond it are on another branch. The
+    /// margin is the square of the sine of the angle between the guides.
     fn parallel(&self, step: StepId, sense: f64) -> Option<DeadPoint> {
         let crosses = matches!(self.mechanism.steps()[step], Step::Prp(_) | Step::Rpp(_));
         let margin = self.here.margins[step][0];
@@ -124,7 +124,7 @@ impl Continuation<'_> {
         DeadPoint { input, kind, step }
     }
 
-    /// The end of the motion here.
+    /// End of the motion at the current pose.
     pub(super) fn end_here(&self, step: StepId, kind: DeadPointKind) -> DeadPoint {
         let input = self.input;
         DeadPoint { input, kind, step }

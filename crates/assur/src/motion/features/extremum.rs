@@ -21,7 +21,7 @@ pub struct Extremum {
 }
 
 impl Extremum {
-    /// The extremum of the quantity multiplied by `ratio`: a negative one turns a maximum into a minimum.
+    /// Extremum of the quantity multiplied by `ratio`: a negative ratio turns a maximum into a minimum.
     pub fn scaled(self, ratio: f64) -> Self {
         let kind = match (self.kind, ratio < 0.0) {
             (kind, false) => kind,

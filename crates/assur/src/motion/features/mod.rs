@@ -16,16 +16,16 @@ use samples::{Sample, Samples, closed, grids, searchable};
 /// Zeros and extrema of a quantity over a motion, in ascending inputs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Features {
-    /// Inputs of its zeros.
+    /// Inputs of the zeros.
     pub zeros: Vec<f64>,
-    /// Its local extrema.
+    /// Local extrema of the quantity.
     pub extrema: Vec<Extremum>,
-    /// The value of a constant quantity: 0 if it is rounding alone.
+    /// Value of a constant quantity: 0 if the value is only rounding.
     pub level: Option<f64>,
 }
 
 impl Features {
-    /// The features of a multiple of the quantity.
+    /// Features of the quantity multiplied by a ratio.
     pub fn scaled(&self, ratio: f64) -> Self {
         Self {
             zeros: self.zeros.clone(),
@@ -35,21 +35,21 @@ impl Features {
     }
 }
 
-/// Maximum number of samples that are kept at once, of all quantities together: some ten megabytes.
+/// Maximum number of samples kept at once, of all quantities together: about ten megabytes.
 const MAX_SAMPLES: usize = 1 << 18;
 
-/// A motion that repeats only after more turns than are searched for zeros and extrema.
+/// Error of a motion that repeats only after more turns than are searched for zeros and extrema.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooManyTurns {
-    /// Number of turns of the crank after which it repeats.
+    /// Number of turns of the crank after which the motion repeats.
     pub turns: usize,
-    /// Maximum number of turns that are searched.
+    /// Maximum number of turns searched.
     pub most: usize,
 }
 
 impl Motion {
     /// Zeros and extrema of quantities and of their first two derivatives with respect to time, by [`features`].
-    /// Multiples of one quantity are searched once. The jumps of a folded angle are neither.
+    /// Multiples of one quantity are searched once. A jump of a folded angle is neither a zero nor an extremum.
     ///
     /// # Errors
     /// The motion has too many turns to be searched.
@@ -111,8 +111,8 @@ impl Motion {
         searchable(self.cycle())
     }
 
-    /// The scale of tolerances for a quantity: 1 for an angle, the size of the mechanism for a coordinate, and the
-    /// minimum scale of lengths for a distance, which may be within a small part of the drawing.
+    /// Scale of tolerances for a quantity: 1 for an angle, the size of the mechanism for a coordinate, and for a
+    /// distance, which may lie within a small part of the drawing, the minimum scale of lengths.
     pub(super) fn unit(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::X(_) | Quantity::Y(_) => self.mechanism().size(),
@@ -125,13 +125,13 @@ impl Motion {
         }
     }
 
-    /// The scale of tolerances for lengths within a part of the drawing: the size of the part, but at least a
-    /// thousandth of the drawing, as points are rounded by 10⁻¹² of it.
+    /// Scale of tolerances for lengths within a part of the drawing: the size of the part, but at least a thousandth of
+    /// the drawing, because points are rounded by 10⁻¹² of its size.
     pub(super) fn unit_within(&self, part: f64) -> f64 {
         part.max(1e-3 * self.mechanism().size())
     }
 
-    /// The features of a folded angle from those of the unfolded one: folding may reverse the sense and leaves no zeros.
+    /// Features of a folded angle from those of the unfolded angle: folding may reverse the sense and leaves no zeros.
     fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
         let with_sense = |extremum: Extremum| {
             let pose = self.pose::<3>(extremum.input);
@@ -139,7 +139,7 @@ impl Motion {
             let angle = quantity.unfolded(self.mechanism(), &pose.ok()?);
             Some(extremum.scaled(quantity.sense(&angle)))
         };
-        // While two links turn as one, the rounding of the angle between them crosses zero several times.
+        // While two links turn as one, rounding makes the angle between them cross zero several times.
         let coincide = |one: f64, other: f64| (one - other).abs() < tolerance::COINCIDENT;
         let [value, first, second] = found.map(|mut order| {
             order.zeros.dedup_by(|one, other| coincide(*one, *other));
@@ -166,8 +166,8 @@ impl Motion {
         [value, rate(first), rate(second)]
     }
 
-    /// The quantity of which another is a multiple, and the factor. An angle with an offset has zeros of its own and is
-    /// a multiple of itself alone.
+    /// Quantity of which a given quantity is a multiple, and the factor. An angle with an offset has its own zeros and
+    /// is a multiple of itself only.
     fn multiple(&self, quantity: Quantity) -> (Quantity, f64) {
         let Quantity::Angle(link) = quantity else {
             return (quantity, 1.0);
@@ -185,8 +185,8 @@ impl Motion {
 /// the quantities at a crank angle φ₁ from the line of the frame, `units` the scale of tolerances for each (1 for an
 /// angle, a length of the mechanism for a coordinate).
 ///
-/// Each is a root of the quantity or of the next derivative, found by safeguarded Newton steps with exact derivatives. A
-/// constant quantity has a level instead.
+/// Each zero or extremum is a root of the quantity or of its next derivative, found by safeguarded Newton steps with
+/// exact derivatives. A constant quantity has a level instead.
 ///
 /// # Errors
 /// The cycle has too many turns to be searched.
@@ -230,7 +230,7 @@ fn features_over(
         .collect()
 }
 
-/// The extrema of one quantity, from two derivatives.
+/// Extrema of one quantity, from its first two derivatives.
 ///
 /// # Errors
 /// The motion has too many turns to be searched.
@@ -281,7 +281,7 @@ fn features_of(
 /// Variation of a function over the motion.
 enum Variation {
     Varies,
-    /// Its value, if there are any samples.
+    /// Constant value; None without samples.
     Constant(Option<f64>),
 }
 
@@ -289,13 +289,13 @@ enum Variation {
 #[derive(Clone, Copy)]
 struct Tolerance {
     absolute: f64,
-    /// Relative to its largest value.
+    /// Variation relative to the largest value of the function.
     relative: f64,
 }
 
 impl Tolerance {
-    /// The tolerance of a quantity (order 0) or a derivative of it with a scale. The rounding of a point far from the
-    /// origin is proportional to its distance, but the tolerance is not.
+    /// Tolerance of a quantity (order 0) with a scale, or of its derivative. The rounding of a point far from the
+    /// origin grows with its distance, but the tolerance does not.
     fn of(order: usize, scale: f64) -> Self {
         Self {
             absolute: tolerance::COINCIDENT * scale,

@@ -4,7 +4,7 @@ use super::samples::{Sample, Samples};
 use crate::sorting::sort_by;
 use crate::{Cycle, tolerance};
 
-/// The samples at which the derivative `order`, 0 or 1, of the function vanishes, within the cycle and in ascending
+/// Samples at which the derivative `order`, 0 or 1, of the function vanishes, within the cycle and in ascending
 /// order.
 pub(super) fn ordered_roots(
     cycle: &Cycle,
@@ -21,7 +21,7 @@ pub(super) fn ordered_roots(
             wrapped
         }
     };
-    // A pose that a deltoid leaves indeterminate splits its motion: rates may jump there.
+    // A pose left indeterminate by a deltoid splits the motion: rates may jump there.
     let cells = arcs.iter().flat_map(|samples| samples.windows(2));
     let cells = cells.filter_map(|pair| match pair {
         [Some(a), Some(b)] => Some(roots(sample, order, *a, *b)),
@@ -29,7 +29,7 @@ pub(super) fn ordered_roots(
     });
     let mut ordered: Vec<Sample> = cells.flatten().collect();
     sort_by(&mut ordered, |a, b| a.input.total_cmp(&b.input));
-    // Near a root rounding changes the sign several times; not near 0, where numbers are densest.
+    // Near a root rounding changes the sign several times, except near the input 0, where numbers are densest.
     ordered
         .dedup_by(|later, one| later.input - one.input <= tolerance::CONVERGED * later.input.abs());
     let [start, end] = cycle.axis();
@@ -46,7 +46,7 @@ pub(super) fn ordered_roots(
 }
 
 /// Roots of the derivative `order` between two neighbouring samples: none, one at a change of sign, or two around an
-/// extremum of the derivative within the cell.
+/// extremum of the derivative between the samples.
 fn roots(
     sample: &dyn Fn(f64) -> Option<Sample>,
     order: usize,
@@ -70,8 +70,8 @@ fn roots(
     }
 }
 
-/// The root of `f` in the bracket from `a` to `b`: Newton's method with `slope`, which comes with each sample, safeguarded
-/// by bisection. A sample takes all quantities at once, so [`crate::numeric::roots`], without slopes, would take longer.
+/// Root of `f` in the bracket from `a` to `b`: Newton's method with `slope`, safeguarded by bisection. A sample gives
+/// the slope and all quantities at once; [`crate::numeric::roots`], which uses no slopes, would take longer.
 fn bracketed(
     sample: &dyn Fn(f64) -> Option<Sample>,
     a: Sample,
@@ -91,7 +91,7 @@ fn bracketed(
             .into_iter()
             .skip(usize::from(step % 3 == 2))
             .find(inside);
-        // No number lies between two neighbours: the root is found.
+        // No number lies between two neighbouring numbers: the root is found.
         let Some(next) = input.map(sample) else { break };
         let next = next?;
         if f(&next) * f(&low) > 0.0 {
@@ -105,7 +105,7 @@ fn bracketed(
             break;
         }
     }
-    // At a jump `f` is nowhere small: the root is where the sign changes.
+    // At a jump `f` is small nowhere: the root is where the sign changes.
     let outside = best.input < low.input || best.input > high.input;
     Some(if outside { nearer(low, high) } else { best })
 }

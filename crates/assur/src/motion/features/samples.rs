@@ -14,7 +14,7 @@ pub(super) struct Sample {
     pub(super) f: [f64; 3],
 }
 
-/// Samples over an arc; none without a pose.
+/// Samples over an arc; None at an input without a pose.
 pub(super) type Samples = Vec<Option<Sample>>;
 
 impl Sample {
@@ -30,9 +30,9 @@ impl Sample {
     }
 }
 
-/// The sample inputs of each arc: even, and graded towards the inputs that `in_line` gives within it. There the crank
-/// is in line with the outer hinges of a dyad: near a change point, or if the hinges nearly meet, the motion changes
-/// within any small angle. A full cycle is centred on 0, near which floating-point numbers are densest.
+/// Sample inputs of each arc: even, and graded towards the inputs that `in_line` gives. There the crank is in line with
+/// the outer hinges of a dyad. Near a change point, or if the hinges nearly meet, the motion changes there within any
+/// small angle. A full cycle is centred on 0, near which floating-point numbers are densest.
 pub(super) fn grids(
     cycle: &Cycle,
     in_line: &dyn Fn([f64; 2]) -> Vec<f64>,
@@ -42,7 +42,7 @@ pub(super) fn grids(
         // The range of a driven slide counts as one turn.
         let turn = if cycle.turns() { TAU } else { to - from };
         let cell = turn / SAMPLES_PER_TURN as f64;
-        // An even count: the start of a full cycle, in the middle, is a sample.
+        // With an even count the start of a full cycle, in the middle, is a sample.
         let count = 2.0 * (0.5 * (to - from) / cell).ceil();
         let mut inputs: Vec<f64> = (0..=count as usize)
             .map(|i| from + (to - from) * (i as f64 / count))
@@ -66,8 +66,8 @@ pub(super) fn grids(
     Ok(cycle.arcs().iter().copied().map(graded).collect())
 }
 
-/// Refuses a full cycle of more turns than are searched. The arc of a motion that turns back has as many as were
-/// followed.
+/// Refuses a full cycle of more turns than are searched. The arc of a motion that turns back may have any number of
+/// turns that were followed.
 pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
     let [start, end] = cycle.axis();
     let turns = ((end - start) / TAU).round() as usize;
@@ -80,9 +80,9 @@ pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
     Ok(())
 }
 
-/// Closes the samples of a full cycle; others stay as they are. Samples of a derivative remain centred on the start and
-/// end with the values of the first. Those of the function itself are reordered from start to end, with the start
-/// repeated at the end: an angle that turns fully continues from its value a cycle before.
+/// Closes the samples of a full cycle; other samples are unchanged. Samples of a derivative stay centred on the start
+/// and end with the values of the first one. Samples of the function itself run from start to end, with the start
+/// repeated at the end: an angle that turns fully continues from its value one cycle before.
 pub(super) fn closed(
     cycle: &Cycle,
     mut samples: Samples,
@@ -99,9 +99,9 @@ pub(super) fn closed(
         return samples;
     }
     let [start, end] = cycle.axis();
-    // The first and the last are a cycle apart.
+    // The first and the last sample are one cycle apart.
     let samples = samples.get(1..).unwrap_or_default();
-    // Without a pose, where a deltoid is indeterminate, the next sample is taken.
+    // Where a deltoid is indeterminate there is no pose, and the next sample is taken.
     let growth = (samples.iter().flatten())
         .take_while(|sample| sample.input < start)
         .find_map(|sample| Some(at(sample.input + (end - start))?.f[0] - sample.f[0]));
@@ -113,7 +113,7 @@ pub(super) fn closed(
     let middle = samples
         .iter()
         .position(|sample| sample.is_some_and(|sample| sample.input >= start));
-    // Without a middle all are before it.
+    // Without a middle, all samples are before it.
     let (before, after) = samples.split_at(middle.unwrap_or(samples.len()));
     let moved = before.iter().map(|sample| sample.and_then(a_cycle_later));
     // Inputs before the start may already belong to the next cycle; the end itself has its own value.

@@ -1,5 +1,5 @@
-//! The longest arc within a band on flanks: the quantity enters on one monotone piece and leaves on another of the same
-//! sense, or on the same.
+//! Longest arc within a band on flanks: the quantity enters the band on one monotone piece and leaves it on another
+//! piece of the same sense, or on the same piece.
 
 use super::{Dwell, OutputProfile};
 use crate::mechanism::Pose;
@@ -21,7 +21,7 @@ struct Flank<'a> {
 #[derive(Clone, Copy)]
 struct Passage {
     arc: [f64; 2],
-    /// Rate at entry minus rate at exit: positive if the arc grows with the level of the band.
+    /// Rate at entry less rate at exit: positive if the arc grows with the level of the band.
     rate_difference: f64,
 }
 
@@ -55,8 +55,8 @@ impl OutputProfile<'_> {
         let level = |k: usize| low + (high - low) * (k as f64 + 0.5) / LEVELS as f64;
         let mut best: Option<Dwell> = None;
         let ends = [0, LEVELS - 1].map(|k| Some((k, flank.passage(level(k))?)));
-        // Entry and exit increase with the level: no arc of a level between two is longer than from the entry at the
-        // lower to the exit at the upper.
+        // Entry and exit increase with the level. So no arc for a level between two others is longer than the arc from
+        // the entry at the lower to the exit at the upper level.
         let mut open = vec![(ends[0]?, ends[1]?)];
         while let Some(((a, below), (b, above))) = open.pop() {
             let longest = best.map_or(shortest, |best| best.length());
@@ -83,7 +83,7 @@ impl OutputProfile<'_> {
 }
 
 impl Flank<'_> {
-    /// The passage with the lower edge of the band, in the sense of the motion, at a level.
+    /// Passage through the band whose lower edge, in the sense of the motion, is at a given level.
     fn passage(&self, level: f64) -> Option<Passage> {
         let Self { profile, sense, .. } = self;
         let from = profile.input_at(self.pieces[0], sense * level)?;

@@ -1,4 +1,4 @@
-//! A group's equations over the complex numbers: positions z and their conjugates w are independent unknowns, and every
+//! Equations of a group over the complex numbers: positions z and their conjugates w are independent unknowns, and each
 //! equation is linear in z and in w. A real assembly has w = z̄.
 
 use nalgebra::Complex;
@@ -12,7 +12,7 @@ pub(super) type C = Complex<f64>;
 pub(super) const ZERO: C = C::new(0.0, 0.0);
 pub(super) const ONE: C = C::new(1.0, 0.0);
 
-/// k + Σ a z.
+/// Affine form k + Σ a z.
 #[derive(Clone, Debug)]
 pub(super) struct Affine {
     pub(super) constant: C,
@@ -31,7 +31,7 @@ impl Affine {
         sum(self.constant, self.by.iter().zip(z).map(|(by, z)| by * z))
     }
 
-    /// Its value, and that of its conjugate at the conjugates.
+    /// Value of the form, and value of the conjugate form at the conjugates.
     fn both(&self, z: &[C], w: &[C]) -> [C; 2] {
         let terms = self.by.iter().zip(z).zip(w);
         let start = [self.constant, self.constant.conj()];
@@ -40,7 +40,7 @@ impl Affine {
         })
     }
 
-    /// The form with one unknown eliminated, by its expression in the others.
+    /// Form from which an unknown is eliminated by its expression in the others.
     fn without(&self, unknown: usize, expression: &Self) -> Self {
         let mut rest = self.clone();
         let by = rest.by.remove(unknown);
@@ -57,10 +57,10 @@ impl Affine {
     }
 }
 
-/// A form that varies with the input, and its derivative by it.
+/// Form that varies with the input, and its derivative with respect to the input.
 pub(super) type Varying = [Affine; 2];
 
-/// The form with one unknown eliminated, by its expression in the others.
+/// Varying form from which an unknown is eliminated by its expression in the others.
 fn without([form, rate]: &Varying, unknown: usize, [value, value_rate]: &Varying) -> Varying {
     let mut rest = rate.without(unknown, value);
     rest.add(form.by[unknown], value_rate);
@@ -71,7 +71,7 @@ fn sum(start: C, terms: impl Iterator<Item = C>) -> C {
     terms.fold(start, |sum, term| sum + term)
 }
 
-/// A bilinear equation: of forms, or of forms with their derivatives by the input.
+/// Bilinear equation of forms, or of forms with their derivatives with respect to the input.
 #[derive(Clone, Debug)]
 pub(super) enum Bilinear<F = Affine, W = f64> {
     /// A form has length 1.
@@ -92,11 +92,11 @@ impl<F, W: Copy> Bilinear<F, W> {
     }
 }
 
-/// An equation with its derivative by the input.
+/// Bilinear equation with its derivative with respect to the input.
 pub(super) type VaryingBilinear = Bilinear<Varying, [f64; 2]>;
 
 impl VaryingBilinear {
-    /// The equation, and the derivatives of its forms.
+    /// Equation, and the equation of the derivatives of its forms.
     fn parts(self) -> [Bilinear; 2] {
         match self {
             Self::Unit([one, rate]) => [one, rate].map(Bilinear::Unit),
@@ -121,7 +121,7 @@ impl Bilinear {
         [one].into_iter().chain(other)
     }
 
-    /// True if both say that the same form, up to a turn, has length 1.
+    /// True if both equations require length 1 of the same form, up to a turn.
     fn repeats(&self, other: &Self) -> bool {
         let (Self::Unit(one), Self::Unit(other)) = (self, other) else {
             return false;
@@ -141,12 +141,12 @@ impl Bilinear {
 }
 
 impl Affine {
-    /// Its coefficients in homogeneous unknowns: the first is that of the homogenizing one.
+    /// Coefficients of the form in homogeneous unknowns, with the homogenizing unknown first.
     fn coefficients(&self) -> impl Iterator<Item = C> {
         [self.constant].into_iter().chain(self.by.iter().copied())
     }
 
-    /// Its value in homogeneous unknowns, and that of its conjugate in theirs.
+    /// Value of the form in homogeneous unknowns, and value of the conjugate form in homogeneous conjugates.
     fn homogeneous(&self, z: &[C], w: &[C]) -> [C; 2] {
         let terms = self.coefficients().zip(z).zip(w);
         terms.fold([ZERO; 2], |[value, conjugate], ((by, z), w)| {
@@ -156,7 +156,7 @@ impl Affine {
 }
 
 impl Bilinear {
-    /// The residual in homogeneous unknowns; writes its derivatives by them, then by the conjugates.
+    /// Residual in homogeneous unknowns; writes its derivatives with respect to the unknowns, then to the conjugates.
     pub(super) fn homogeneous(&self, z: &[C], w: &[C], by: &mut [C]) -> C {
         let (by_z, by_w) = by.split_at_mut(z.len());
         let by = by_z.iter_mut().zip(by_w.iter_mut());
@@ -196,7 +196,7 @@ impl Bilinear {
 }
 
 impl Bilinear {
-    /// The derivative of the residual by the input with the unknowns fixed, by the derivatives of its forms.
+    /// Derivative of the residual with respect to the input at fixed unknowns, from the derivatives of its forms.
     pub(super) fn rate(&self, rates: &Self, z: &[C], w: &[C]) -> C {
         let of = |form: &Affine| form.both(z, w);
         match (self, rates) {
@@ -220,23 +220,23 @@ impl Bilinear {
     }
 }
 
-/// A square system: as many equations as unknowns and conjugates.
+/// Square system, with as many equations as unknowns and conjugates.
 #[derive(Clone, Debug)]
 pub(super) struct System {
     pub(super) unknowns: usize,
     pub(super) equations: Vec<Bilinear>,
-    /// The derivatives of the forms of each by the input.
+    /// Derivatives of the forms of each equation with respect to the input.
     pub(super) rates: Vec<Bilinear>,
-    /// Index of each among the equations that were given; none if unknowns were eliminated.
+    /// Index of each equation among the given equations; None if unknowns were eliminated.
     pub(super) sources: Option<Vec<usize>>,
-    /// The group's unknowns by those of the system, and the indices of the latter.
+    /// Unknowns of the group as forms in the unknowns of the system, and the indices of the latter.
     own: Vec<Affine>,
     kept: Vec<usize>,
 }
 
 impl System {
-    /// The system with those unknowns eliminated that follow from forms equal to zero. None if these forms are dependent,
-    /// or the number of equations is not that of unknowns.
+    /// System from which the unknowns that follow from zero forms are eliminated. None if these forms are dependent, or
+    /// the numbers of equations and of unknowns differ.
     pub(super) fn new(
         unknowns: usize,
         equations: Vec<VaryingBilinear>,

@@ -5,7 +5,7 @@ use crate::numeric::newton::{MAX_STEPS, is_exact, newton};
 use crate::tolerance;
 
 impl System {
-    /// The derivative of the unknowns and conjugates of a solution by the input; none if it is singular.
+    /// Derivative by the input of the unknowns and conjugates of a solution; None if the solution is singular.
     pub(super) fn rate(&self, at: &[C]) -> Option<Vec<C>> {
         let (z, w) = at.split_at(self.unknowns);
         let mut workspace = Workspace::new(self.unknowns);

@@ -1,9 +1,9 @@
 //! All assemblies of a group of hinges, by the Dixon determinant of its loops.
 //!
-//! With m complex unknowns, 2m directions vₖ have length 1, and m linear equations hold between them, the loops
-//! Σ c vₖ + c₀ = 0; their conjugates hold between the 1/vₖ. One direction, v₁ = λ, is hidden: it counts as a constant. For
-//! each set U of m others one combination of the loops contains only the directions of U, and one combination of the
-//! conjugate loops only those not in the complement V, of m − 1 directions:
+//! With m complex unknowns, 2m directions vₖ have length 1, and m linear equations relate them, the loops
+//! Σ c vₖ + c₀ = 0; the conjugate equations relate the 1/vₖ. One direction, v₁ = λ, is hidden: it counts as a constant.
+//! For each set U of m other directions, one combination of the loops contains only directions of U. One combination of
+//! the conjugate loops contains only directions outside the complement V of U, a set of m − 1 directions:
 //!
 //! > (a₀ + λ a₁) X_U + Σ_{k ∈ U} aₖ Y_{U∖k} = 0,
 //! > (ā₁ + λ ā₀) Y_V + λ Σ_{k ∈ U} āₖ X_{V∪k} = 0,
@@ -11,7 +11,7 @@
 //! where X_U and Y_V are the products of 1/vₖ over the set. (Wampler, Solving the kinematics of planar mechanisms by Dixon
 //! determinant and a complex-plane formulation, J. Mech. Des. 123, 2001.)
 //!
-//! If λ has length 1, the second is λ times the conjugate of the first, with X̄_U for Y_V. So with X_U = p + iq,
+//! If λ has length 1, the second equation is λ times the conjugate of the first, with X̄_U for Y_V. With X_U = p + iq,
 //! Y_V = p − iq and λ = ρ(1 + it)/(1 − it), ρ any number of length 1, the real and the imaginary part of
 //!
 //! > (a₀(1 − it) + ρ a₁(1 + it)) X_U + (1 − it) Σ_{k ∈ U} aₖ X̄_{V∪k} = 0
@@ -282,7 +282,7 @@ impl Pencil {
         Some(all)
     }
 
-    /// All directions, the hidden one first; none of a spurious root.
+    /// All directions, the hidden direction first; None for a spurious root.
     fn directions(&self, lambda: C, vector: &[C]) -> Option<Vec<C>> {
         let all = (1_u32 << self.others) - 1;
         let x = |at: usize| vector[2 * at] + C::i() * vector[2 * at + 1];
@@ -309,7 +309,7 @@ fn add([real, imaginary]: &mut [Vec<f64>; 2], at: usize, by: C, sense: f64) {
     imaginary[2 * at + 1] += sense * by.re;
 }
 
-/// The combination of loops without a set of directions: c₀, c of the hidden direction, c of the others.
+/// Combination of loops that lacks a set of directions: c₀, c of the hidden direction, c of the other directions.
 fn combination(rows: &[Vec<C>], without: u32, others: u32) -> Vec<C> {
     let columns: Vec<usize> = (0..others)
         .filter(|k| without & (1 << k) != 0)

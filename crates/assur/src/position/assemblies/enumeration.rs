@@ -6,9 +6,9 @@ use super::solutions::{REAL, Solutions, conjugate, distance, distance_to_conjuga
 use super::{ComplexPair, Method, dixon, homotopy};
 use crate::tolerance;
 
-/// Maximum number of random path sets; each has all paths, so a lost solution is found by the next.
+/// Maximum number of random path sets; each set has all paths, so the next set finds a solution lost by one set.
 const MAX_PATH_SETS: u64 = 6;
-/// Number of hidden directions that have to find the same solutions, if the general number of solutions is not known.
+/// Number of hidden directions that must give the same solutions, if the general number of solutions is unknown.
 const AGREEING_DIRECTIONS: usize = 2;
 
 impl System {
@@ -53,7 +53,7 @@ impl System {
         solutions
     }
 
-    /// The squared distance of a solution from its conjugate, with its derivative by the input; none if it is singular.
+    /// Squared distance of a solution from its conjugate, with its derivative by the input; None if singular.
     pub(super) fn complex_pair(&self, at: &[C]) -> Option<ComplexPair> {
         let rate = self.rate(at)?;
         let imaginary = |all: &[C]| -> Vec<C> {
@@ -74,9 +74,9 @@ impl System {
     /// Adds the solutions by Dixon's determinant of the loops. Returns the number of hidden directions tried: 0 if the
     /// group has other pairs than hinges.
     ///
-    /// One hidden direction may lose solutions to rounding, and those that have this direction in common. Further
-    /// directions are hidden until the number of solutions is that of general dimensions, which is known for up to three
-    /// unknowns; for more, until two directions find all solutions, the second no new one.
+    /// One hidden direction may lose solutions to rounding, and solutions that have this direction in common. Further
+    /// directions are hidden until the number of solutions is the number for general dimensions, known for up to three
+    /// unknowns. For more unknowns the search ends when two directions find all solutions, the second no new one.
     pub(super) fn add_by_dixon(&self, found: &mut Vec<Vec<C>>) -> usize {
         let mut agreed = 0;
         for hidden in 0..2 * self.unknowns {
@@ -105,7 +105,7 @@ impl System {
         2 * self.unknowns
     }
 
-    /// Adds the solutions by homotopy paths, until a set of paths adds none: a path may jump to a close one, and its
+    /// Adds the solutions by homotopy paths, until a set of paths adds none. A path may jump to a close one; its
     /// solution is then found by another set.
     fn add_by_paths(&self, found: &mut Vec<Vec<C>>) {
         for seed in 0..MAX_PATH_SETS {

@@ -8,7 +8,7 @@ use super::bilinear::{C, ONE, System, ZERO};
 use crate::numeric::newton::newton;
 use crate::tolerance;
 
-/// Maximum step of the homotopy parameter: a path is predicted in ten steps at least, with an error of order 5.
+/// Maximum step of the homotopy parameter: a path has at least ten steps, predicted with an error of order 5.
 const MAX_STEP: f64 = 0.1;
 /// Maximum number of corrector steps: from 10⁻³ quadratic convergence reaches 10⁻¹² in two, and the third confirms it.
 const MAX_CORRECTOR_STEPS: usize = 3;
@@ -35,7 +35,7 @@ struct Homotopy<'a> {
     factors: Vec<[Vec<C>; 2]>,
     /// Linear forms of the positions and of the conjugates that are 1.
     patches: [Vec<C>; 2],
-    /// A random complex factor of the start system, by which paths avoid singular points.
+    /// Random complex factor of the start system; with it paths avoid singular points.
     gamma: C,
 }
 
@@ -137,7 +137,7 @@ impl Homotopy<'_> {
         Some(moved(step, &mean))
     }
 
-    /// Newton's method at s; none if it does not converge, or from afar.
+    /// Newton's method at s; None if it does not converge, or a correction is large.
     fn corrected(&self, mut x: Vec<C>, s: f64) -> Option<Vec<C>> {
         let step = || {
             let (residual, jacobian, _) = self.at(&x, s);

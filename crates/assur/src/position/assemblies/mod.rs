@@ -31,9 +31,9 @@ pub enum Method {
 /// An assembly of a group.
 #[derive(Clone, Debug)]
 pub(crate) struct GroupAssembly {
-    /// Its unknowns.
+    /// Unknowns of the group in this assembly.
     pub(crate) unknowns: Vec<Vector>,
-    /// Turns of bodies with a driven angle between them; they select the whole turns of the angles.
+    /// Turns of bodies with a driven angle in between; they determine the whole turns of the angles.
     pub(crate) turns: Vec<(BodyId, Vector)>,
 }
 
@@ -42,16 +42,16 @@ pub(crate) struct GroupAssembly {
 pub(crate) struct GroupAssemblies {
     /// The real assemblies.
     pub(crate) real: Vec<GroupAssembly>,
-    /// True if they need no Newton steps: tracked assemblies without derivatives.
+    /// True if the assemblies need no Newton steps: tracked assemblies without derivatives.
     pub(crate) solved: bool,
-    /// Number of complex assemblies, the real ones included.
+    /// Number of complex assemblies, including the real ones.
     pub(crate) complex: usize,
     /// The assemblies that are not real.
     pub(crate) complex_pairs: Vec<ComplexPair>,
 }
 
-/// An assembly of a complex conjugate pair: the squared distance from its conjugate, about proportional to the distance of
-/// the input from that at which both meet and become real, with its derivative by the input.
+/// Assembly of a complex conjugate pair: the squared distance from its conjugate, with its derivative by the input.
+/// This square is nearly proportional to the distance from the input at which both assemblies meet and become real.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ComplexPair {
     pub(crate) square: f64,
@@ -59,7 +59,7 @@ pub(crate) struct ComplexPair {
 }
 
 impl Group {
-    /// True if all its assemblies can be found: it has no gear meshes and no redundant equations.
+    /// True if all assemblies of the group can be found: it has no gear meshes and no redundant equations.
     pub(crate) fn is_algebraic(&self) -> bool {
         !self.is_redundant()
             && self
@@ -68,7 +68,7 @@ impl Group {
                 .all(|constraint| constraint.drive.is_some())
     }
 
-    /// The ranges of the pairs driven within it, with their drive laws.
+    /// Ranges of the pairs driven within the group, with their drive laws.
     pub(crate) fn ranges(&self) -> impl Iterator<Item = (DriveLaw, [f64; 2])> {
         let drives = self
             .angle_constraints
@@ -77,8 +77,8 @@ impl Group {
         drives.filter_map(|drive| Some((drive.law, drive.range?)))
     }
 
-    /// All its assemblies with the inputs solved, tracked from the last ones if possible. None if its equations are not
-    /// algebraic, or the work exceeds the rest of `budget`, from which it is subtracted.
+    /// All assemblies of the group with solved inputs, tracked from the last ones if possible. None if its equations
+    /// are not algebraic, or the work exceeds the rest of `budget`, from which the work is subtracted.
     ///
     /// # Errors
     /// A driven coordinate is out of its range.
@@ -132,7 +132,7 @@ impl Group {
         let assemblies = GroupAssemblies {
             solved,
             complex: solutions.count(),
-            // One for each of both conjugates.
+            // Each of both conjugates has one entry.
             complex_pairs: pairs.flat_map(|one| [one; 2]).collect(),
             real: real.collect(),
         };
@@ -142,7 +142,7 @@ impl Group {
         Ok(Some(assemblies))
     }
 
-    /// The last system with the constants of the present inputs; none if more than constants differ.
+    /// The last system with the constants of the present inputs; None if not only constants differ.
     fn refreshed<const N: usize>(&self, mut system: System, state: &State<N>) -> Option<System> {
         let sources = system.sources.as_ref().filter(|_| N == 1)?;
         let value = |form: usize| number(state.work.values[form][0]);

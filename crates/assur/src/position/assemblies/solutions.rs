@@ -40,7 +40,7 @@ impl Solutions {
         self.complex_pairs.chunks_exact(2 * self.size)
     }
 
-    /// Number of complex solutions, the real ones included.
+    /// Number of complex solutions, including the real ones.
     pub(super) fn count(&self) -> usize {
         self.real().len() + 2 * self.complex_pairs().len()
     }

@@ -4,10 +4,10 @@ use super::bilinear::System;
 use super::solutions::Solutions;
 use crate::{Vector, tolerance};
 
-/// Maximum distance of the parameters from those of a branch, relative to the links, to track from it: farther away the
-/// extrapolation is a poor guess.
+/// Maximum distance of the parameters from the parameters of a branch, relative to the links, for tracking from this
+/// branch. At greater distances the extrapolation is a poor guess.
 pub(super) const MAX_DISTANCE: f64 = 0.25;
-/// Maximum extrapolation, in distances between the last two samples: errors of theirs grow with its square.
+/// Maximum extrapolation, in distances between the last two samples; errors of samples grow with its square.
 const MAX_EXTRAPOLATION: f64 = 4.0;
 /// Maximum number of branches, to bound the memory; the nearest is sought among them at each input.
 const MAX_BRANCHES: usize = 64;
@@ -16,9 +16,9 @@ const MAX_BRANCHES: usize = 64;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tracker {
     pub(super) branches: Vec<Branch>,
-    /// The greatest number of complex assemblies found: that of general parameters.
+    /// Greatest number of complex assemblies found, which is the number for general parameters.
     pub(super) general_count: usize,
-    /// True if independent parameters have this number.
+    /// True if independent parameters gave this number.
     pub(super) agreed: bool,
     /// The equations of the last parameters.
     pub(super) system: Option<System>,
@@ -30,7 +30,7 @@ pub(super) struct Branch {
     pub(super) last: Sample,
     /// Up to two earlier samples, the newer first, with the same assemblies in the same order.
     pub(super) before: Vec<Sample>,
-    /// True if it has been used at the present input.
+    /// True if the branch is already used at the present input.
     pub(super) used: bool,
 }
 
@@ -43,7 +43,7 @@ pub(super) struct Sample {
 /// Extrapolation of the last samples of a branch.
 pub(super) struct Extrapolation<'a> {
     pub(super) branch: &'a Branch,
-    /// Distance from the last sample, in distances between the last two.
+    /// Distance from the last sample, in distances between the last two samples.
     distance: f64,
     /// Weight of each sample, the last one first.
     weights: [f64; 3],
@@ -168,7 +168,7 @@ impl Branch {
     }
 }
 
-/// The largest distance between corresponding parameters.
+/// Maximum distance between corresponding parameters.
 fn distance(a: &[Vector], b: &[Vector]) -> f64 {
     let all = a.iter().zip(b).map(|(a, b)| (a - b).norm_squared());
     all.fold(0.0, f64::max).sqrt()

@@ -1,8 +1,8 @@
-//! Tracking of the assemblies of a group from input to input, each by Newton's method from its extrapolation. They are
-//! complete if they are distinct and their number is that of general parameters; in any doubt all are computed again.
+//! Tracking of the assemblies of a group from input to input, each by Newton's method from its extrapolation. The set
+//! is complete if it has the general number of distinct assemblies; in any doubt all are computed again.
 //!
-//! Two real assemblies that meet continue as a pair of conjugate ones, and conversely. The square of half their difference
-//! passes zero almost linearly, so two samples before the meeting predict the difference after it.
+//! Two real assemblies that meet continue as a pair of conjugate ones, and conversely. The square of half their
+//! difference passes zero almost linearly, so two samples before the meeting predict the difference after it.
 
 use super::bilinear::{C, System};
 use super::complex_newton::Workspace;
@@ -54,7 +54,7 @@ impl Group {
         Some(solutions)
     }
 
-    /// The parameters of its equations: the inputs in its forms, and the coordinates of driven pairs.
+    /// Parameters of the group's equations: the inputs in its forms, and the coordinates of driven pairs.
     pub(super) fn parameters<const N: usize>(&self, state: &State<N>) -> Vec<Vector> {
         let known = state.work.known_values.iter().copied();
         let driven = state.work.known_angles.iter();
@@ -62,7 +62,7 @@ impl Group {
         known.chain(driven).collect()
     }
 
-    /// All assemblies from their extrapolation, if they are distinct; true if none became real or complex.
+    /// All assemblies from their extrapolations, if they are distinct; true if none became real or complex.
     fn track<const N: usize>(
         &self,
         extrapolation: &Extrapolation<'_>,
@@ -143,8 +143,8 @@ impl Group {
         all.are_distinct().then_some((all, false))
     }
 
-    /// Adds the two assemblies with a mean and a half difference whose square has grown by a factor: real if the factor is
-    /// positive, else conjugate.
+    /// Adds two assemblies from their mean and their half difference, whose square is multiplied by a factor: real
+    /// assemblies if the factor is positive, conjugate ones otherwise.
     fn add_pair<const N: usize>(
         &self,
         all: &mut Solutions,
@@ -176,7 +176,7 @@ impl Group {
         Some(())
     }
 
-    /// Newton's method for a real assembly, from unknowns in their units and in place; none if it does not converge.
+    /// Refines a real assembly by Newton's method, in place, with unknowns in their units. None if it diverges.
     fn polish_real<const N: usize>(
         &self,
         at: &mut [C],
@@ -201,7 +201,7 @@ impl Group {
     }
 }
 
-/// Of solutions that converged to the same one, keeps that with the shortest distance from its extrapolation.
+/// Drops duplicates: of solutions that converged to the same point, the one closest to its extrapolation is kept.
 fn drop_duplicates(distances: &mut [Option<f64>], all: &[C], distance: fn(&[C], &[C]) -> f64) {
     let size = all.len() / distances.len().max(1);
     let at = |k: usize| &all[k * size..][..size];

@@ -19,8 +19,8 @@ pub(crate) struct Rpp {
 }
 
 impl Solvable for Rpp {
-    /// Both angles follow from that of the solved line. The track's point on j is the intersection of the track with a
-    /// parallel to the line of the inner slide.
+    /// Both angles follow from the angle of the solved line. The track's point on j is the intersection of the track
+    /// with a parallel to the line of the inner slide.
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

@@ -54,7 +54,7 @@ impl Solvable for Rpr {
         })?;
         let along = Complex::new(run, Jet::constant(-apart));
         let mut direction = (between * along).scaled(square.recip());
-        // With d perpendicular to u the derivatives are those of a smooth root.
+        // If d is perpendicular to u, the derivatives are those of a smooth root.
         let is_across = run.value().powi(2) < CLOSE_SQUARED * square.value();
         if square.value() < CLOSE_SQUARED * state.scale && !is_across {
             // u × d = h.
@@ -117,7 +117,7 @@ impl Solvable for Rpr {
 }
 
 impl Side {
-    /// The side whose line passes through a point of the link.
+    /// Side whose line passes through a given point of the link.
     pub(crate) fn new(
         body: BodyId,
         outer: BodyPoint,

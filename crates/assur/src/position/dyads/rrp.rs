@@ -11,7 +11,7 @@ use crate::position::{
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rrp {
     pub(crate) arm: Arm,
-    /// The track of j; its point is C.
+    /// Track of j, with C as its point.
     pub(crate) track: Track,
 }
 
@@ -47,8 +47,8 @@ impl Solvable for Rrp {
         let (length, line) = (arm.length(), track.line.body);
         let at = from.track_point(track);
         let b = cell.point(from, arm.outer);
-        // From B to the point of the line's body that is at C at the start of the step, and the component of that vector
-        // across the line, which the arm must exceed.
+        // Vector from B to the point of the line's body that is at C at the start of the step, and its component across
+        // the line, which the length of the arm must exceed.
         let to_c = cell.point_at(from, line, at).minus(&b);
         let [direction, rate] =
             [0, 1].map(|order| product(from.bodies[line].turn[order], track.heading));

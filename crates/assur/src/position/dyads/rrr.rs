@@ -12,8 +12,8 @@ use crate::{Jet, Vector, tolerance};
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rrr {
     pub(crate) arms: [Arm; 2],
-    /// The four-bar of which they are coupler and rocker, in this order, if i is hinged on the driven crank and j on the
-    /// frame. Its sign stays the same at change points.
+    /// Four-bar with i as coupler and j as rocker, if i is hinged on the driven crank and j on the frame. Its sign
+    /// stays the same at change points.
     pub(crate) four_bar: Option<CrankFourBar>,
 }
 
@@ -68,7 +68,7 @@ impl<const N: usize> Triangle<N> {
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
         let mut to_c = to_c.scaled(self.square.recip());
         let scale = self.sum * self.sum;
-        // In line the derivatives are those of a smooth root.
+        // In line, the derivatives are those of a smooth root.
         let is_in_line = root.value().powi(2) < CLOSE_SQUARED * self.square.value() * scale;
         if self.square.value() < CLOSE_SQUARED * scale && !is_in_line {
             to_c = Complex::of_constant_length(to_c.value(), self.diagonal, along);
@@ -77,8 +77,8 @@ impl<const N: usize> Triangle<N> {
         state.lay(j, self.d, self.leg(j, to_c - self.diagonal));
     }
 
-    /// A leg of the triangle with the length of its arm. If the other arm is much longer, only the direction of the vector
-    /// is exact.
+    /// Leg of the triangle, scaled to the length of its arm. If the other arm is much longer, only the direction of the
+    /// vector is exact.
     #[inline(always)]
     fn leg(&self, arm: &Arm, along: Complex<N>) -> Complex<N> {
         if arm.length() < CLOSE * self.sum {
@@ -89,8 +89,8 @@ impl<const N: usize> Triangle<N> {
     }
 }
 
-/// The scales of P and Q. The base r has a rounding error δ proportional to s = l₂ + l₃: near r = s it is s δ in P, and near
-/// r = |l₂ − l₃|, which may be much shorter, |l₂ − l₃| δ + δ² in Q.
+/// Scales of P and Q. The base r has a rounding error δ proportional to s = l₂ + l₃. Near r = s this error gives s δ in
+/// P; near r = |l₂ − l₃|, which may be much shorter, it gives |l₂ − l₃| δ + δ² in Q.
 fn scales(sum: f64, difference: f64) -> [f64; 2] {
     [sum, difference.abs() + tolerance::CONVERGED * sum].map(|length| sum * length)
 }

@@ -97,7 +97,7 @@ fn places_and_derivatives() {
     let tracks = [track(2, at(0, 0.0, 0.0)), track(3, at(1, 0.0, -2.0))];
     let prp = Step::from(Prp { tracks });
     let [c, x, on_i] = [at(3, 4.0, 0.0), at(3, 0.0, 0.0), at(2, 5.0, 0.0)];
-    // Second derivatives of some are not given.
+    // NaN stands for second derivatives that are not compared.
     let n = f64::NAN;
     let cases = [
         (&rrr, Plus, c, [1.8, 3.4, -0.36, -0.48, n, n]),

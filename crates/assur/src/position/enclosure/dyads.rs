@@ -7,7 +7,7 @@ use crate::Vector;
 use crate::index::BodyId;
 use crate::position::{Arm, Predictor, Track, product};
 
-/// A body with a greater bound on its turn, half of what a step may have, is bounded by its triangle as well; radians.
+/// Bound on a turn, radians, above which the triangle bounds the body too; half of the bound of a step.
 const LARGE_TURN: f64 = 0.5;
 
 impl Enclosure {
@@ -54,7 +54,7 @@ impl Enclosure {
         true
     }
 
-    /// Bound on the turn of a vector over the step, provided that it cannot vanish.
+    /// Bound on the turn of a vector over the step, if the vector cannot vanish.
     fn max_direction_turn(&self, vector: &PointBound) -> f64 {
         let end = vector.at + vector.rate * self.width;
         let straight = vector.at.perp(&end).atan2(vector.at.dot(&end)).abs();
@@ -63,7 +63,7 @@ impl Enclosure {
         straight + (radius / (least + radius)).asin()
     }
 
-    /// Bound on the second derivative of the point where two lines cross, each fixed to a body; none if they may become
+    /// Bound on the second derivative of the crossing of two lines, each fixed to a body; None if the lines may become
     /// parallel.
     ///
     /// With the points Q₁, Q₂ of the bodies that are at the crossing at the start of the step, and the displacements σ
@@ -104,7 +104,7 @@ impl Enclosure {
         acceleration.is_finite().then_some(acceleration)
     }
 
-    /// Sets the bounds of a body that slides along a line, by the bound on the second derivative of its point.
+    /// Sets the bounds of a body that slides along a line, from the bound on the second derivative of its point.
     pub(crate) fn set_slider(&mut self, track: &Track, acceleration: f64) {
         let angular_acceleration = self.angular_acceleration(track.line.body);
         self.set(
@@ -123,7 +123,7 @@ fn angle_range([side, other]: [f64; 2], base: [f64; 2]) -> f64 {
         cosine.clamp(-1.0, 1.0).acos()
     };
     let [least, most] = base;
-    // The angle is greatest where the other side is perpendicular to the base.
+    // The angle is maximum where the other side is perpendicular to the base.
     let widest = (sum * difference).max(0.0).sqrt().max(least).min(most);
     let angles = [least, widest, most].map(angle);
     let range = angles.into_iter().fold([PI, 0.0], |[low, high], angle| {
@@ -136,7 +136,7 @@ fn angle_range([side, other]: [f64; 2], base: [f64; 2]) -> f64 {
 mod tests {
     use super::angle_range;
 
-    /// The range is that of a sampling of all base lengths.
+    /// The range equals the range over a sampling of all base lengths.
     #[test]
     fn angles_of_triangles() {
         for [side, other] in [[2.0, 3.0], [3.0, 2.0], [1.0, 1.0], [5.0, 0.1]] {

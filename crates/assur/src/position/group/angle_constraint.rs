@@ -1,5 +1,5 @@
 //! Gear meshes and driven pairs on links of a group: the terms of their equations that follow from solved bodies and
-//! from the input. The angles of wheels count whole turns.
+//! from the input. The angles of wheels include whole turns.
 
 use crate::Jet;
 use crate::index::BodyId;
@@ -7,11 +7,11 @@ use crate::position::{Cause, DriveLaw, Orientation, State, StepContext};
 
 use super::equation::MAX_FORMS;
 
-/// A linear equation between the angles of bodies, some of which are unknown: Σ nᵢ θᵢ is constant in a gear mesh. A
-/// driven pair prescribes the angle between its two bodies, or the displacement along its line.
+/// Linear equation between the angles of bodies, some of them unknown: Σ nᵢ θᵢ is constant in a gear mesh. A driven
+/// pair prescribes the angle between its two bodies, or the displacement along its line.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct AngleConstraint {
-    /// The bodies of the group, in the order of their turns in the equation.
+    /// Bodies of the group, in the order of their turns in the equation.
     pub(crate) turning: Vec<BodyId>,
     /// The solved bodies with their factors.
     pub(crate) known: Vec<(BodyId, f64)>,
@@ -23,15 +23,15 @@ pub(crate) struct AngleConstraint {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Drive {
     pub(crate) law: DriveLaw,
-    /// Least and greatest coordinate of a slide.
+    /// Minimum and maximum coordinate of a slide.
     pub(crate) range: Option<[f64; 2]>,
 }
 
 impl Drive {
-    /// The coordinate.
+    /// Driven coordinate at an input.
     ///
     /// # Errors
-    /// It is out of its range.
+    /// The coordinate is out of its range.
     fn at<const N: usize>(&self, input: Jet<N>) -> Result<Jet<N>, Cause> {
         let coordinate = self.law.at(input);
         let within = |[from, to]: [f64; 2]| (from..=to).contains(&coordinate.value());
@@ -46,9 +46,9 @@ impl Drive {
 /// The known part of an angle constraint while its group is solved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::position) struct KnownAngle<const N: usize> {
-    /// Sum over the solved bodies, less the constant and the driven coordinate; of a driven slide a length.
+    /// Sum over the solved bodies, less the constant and the driven coordinate; a length for a driven slide.
     pub(in crate::position) angle: Jet<N>,
-    /// Orientations of the unknown bodies nearby, less than half a turn away.
+    /// Nearby orientations of the unknown bodies, less than half a turn away.
     pub(in crate::position) near: [Orientation; MAX_FORMS],
 }
 
@@ -92,7 +92,7 @@ impl AngleConstraint {
         });
         if let Some(drive) = &self.drive {
             angle = angle - drive.at(input)?;
-            // Of the driven angles that differ by whole turns, the one nearby.
+            // Of driven angles that differ by whole turns, the nearest is taken.
             if let [link, base] = self.turning[..] {
                 let [link, base] = [link, base].map(|body| near.orientations[body].angle);
                 angle = angle + -crate::angle::whole_turns(link - base + angle.value());

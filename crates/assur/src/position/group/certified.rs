@@ -1,11 +1,11 @@
 //! Bounds of the motion of a group of higher class over a step of the input.
 //!
-//! Its equations are quadratic in the unknowns X and in its inputs, except those of gear meshes, whose angles have bounded
-//! second derivatives as well. On the tangent X₀ + t X₀′ the residual is at most t²/2 times a bound (`defect`), and the
-//! Jacobian J differs from J₀, at the start of the step, by bounds along the tangent and with the distance from it. With
-//! A = J₀⁻¹ and ‖A (J − J₀)‖ ≤ q ≤ ½ over a ball with the radius of twice the first correction, the ball contains just
-//! one solution (Kantorovich), which depends continuously on the input, and J is regular: the determinant keeps its sign,
-//! so that the step has no singular pose, no other assembly and no point at infinity.
+//! Its equations are quadratic in the unknowns X and in its inputs, except equations of gear meshes; their angles have
+//! bounded second derivatives as well. On the tangent X₀ + t X₀′ the residual is at most t²/2 times a bound (`defect`).
+//! The Jacobian J differs from its value J₀ at the start of the step by bounds along the tangent and with the distance
+//! from it. Let A = J₀⁻¹ and ‖A (J − J₀)‖ ≤ q ≤ ½ over a ball with twice the first correction as radius. Then the ball
+//! contains exactly one solution (Kantorovich), continuous in the input, and J is regular: the determinant keeps its
+//! sign, so that the step has no singular pose, no other assembly and no point at infinity.
 
 use super::equation::{Equation, MAX_FORMS};
 use super::{Group, KnownTerm};
@@ -22,24 +22,24 @@ struct FormBound {
     rate: Vector,
     /// Bound on the second derivative with the unknowns fixed.
     acceleration: f64,
-    /// Bound on the change when no unknown changes by more than its unit.
+    /// Bound on the change of the form when no unknown changes by more than its unit.
     sensitivity: f64,
 }
 
 impl FormBound {
-    /// Bound on its change along the tangent.
+    /// Bound on the change of the form along the tangent.
     fn tangent_change(&self, step_len: f64) -> f64 {
         step_len * self.rate.norm() + 0.5 * step_len * step_len * self.acceleration
     }
 
-    /// Bound on its change within a radius of the unknowns around the tangent.
+    /// Bound on the change of the form within a radius of the unknowns around the tangent.
     fn change(&self, step_len: f64, radius: f64) -> f64 {
         self.tangent_change(step_len) + self.sensitivity * radius
     }
 }
 
 impl Group {
-    /// See [`super::Solvable::enclose`].
+    /// Certifies a step of the group, as in [`super::Solvable::enclose`].
     pub(in crate::position) fn certified(
         &self,
         step: StepId,
@@ -55,7 +55,7 @@ impl Group {
             cell.bounds.sums[row] = self.tangent_bounds(equation, cell);
         }
         let [defect, along, across] = self.weighted(cell);
-        // The ball has the radius of twice the first correction.
+        // The radius of the ball is twice the first correction.
         let radius = cell.step_len * cell.step_len * defect;
         let change = along + across * radius;
         if change.is_nan() || change > MAX_JACOBIAN_CHANGE || !self.turns_are_bounded(cell, radius)
@@ -86,8 +86,8 @@ impl Group {
         acceleration.is_finite()
     }
 
-    /// Bounds for an equation of the residual on the tangent, divided by t²/2, of the change of the Jacobian along the
-    /// tangent, and of that change per distance from the tangent.
+    /// Bounds for an equation: of the residual on the tangent, divided by t²/2; of the change of the Jacobian along the
+    /// tangent; and of this change per distance from the tangent.
     fn tangent_bounds(&self, equation: &Equation, cell: &Enclosure) -> [f64; 3] {
         let step_len = cell.step_len;
         let half_square = 0.5 * step_len * step_len;
@@ -232,7 +232,7 @@ impl Group {
         cell.bounds.sums.resize(self.equations.len(), [0.0; 3]);
     }
 
-    /// Inverts the Jacobian, column by column, with zeros for a redundant equation that is left out; false if it is
+    /// Inverts the Jacobian, column by column, with zeros for a dropped redundant equation; false if the Jacobian is
     /// singular.
     fn invert(&self, cell: &mut Enclosure) -> bool {
         let [rows, size] = [self.equations.len(), 2 * self.unknowns];
@@ -262,7 +262,7 @@ impl Group {
         inverse.iter().all(|value| value.is_finite())
     }
 
-    /// Bounds on the unknowns, each in its unit, by bounds of the first `L` sums of the equations: ‖|J⁻¹| s‖.
+    /// Bounds on the unknowns, each in its unit, from bounds of the first `L` sums of the equations: ‖|J⁻¹| s‖.
     fn weighted<const L: usize>(&self, cell: &Enclosure) -> [f64; L] {
         let Bounds { inverse, sums, .. } = &cell.bounds;
         let size = 2 * self.unknowns;
@@ -293,7 +293,7 @@ impl Group {
         }
     }
 
-    /// True if no turn of a meshing wheel changes by more than ½, as the bounds of their angles assume.
+    /// True if no turn of a meshing wheel changes by more than ½, which the bounds of the angles assume.
     fn turns_are_bounded(&self, cell: &Enclosure, radius: f64) -> bool {
         let meshed = self.equations.iter().filter_map(|equation| match equation {
             Equation::Angle { turns, .. } => Some(turns),
@@ -304,7 +304,7 @@ impl Group {
         turns.all(|(form, _)| self.form_bound(cell, *form).change(cell.step_len, radius) <= 0.5)
     }
 
-    /// True if its unknowns at the end of a step are within the certified radius of the tangent, but for rounding.
+    /// True if the unknowns at the end of a step are within the certified radius of the tangent, except for rounding.
     pub(crate) fn is_certified(
         &self,
         from: &Predictor,

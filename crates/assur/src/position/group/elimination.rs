@@ -1,6 +1,6 @@
-//! Gaussian elimination of a sparse matrix with a plan for its pattern: pivots, their order, and fill-in. Structural
-//! zeros are never touched. Of a matrix with more rows than columns, which has dependent equations, as many rows as
-//! columns become pivot rows; the others are left out.
+//! Gaussian elimination of a sparse matrix, planned for its pattern: pivots, their order, and fill-in. Structural zeros
+//! are never touched. A matrix with more rows than columns has dependent equations: as many rows as columns become
+//! pivot rows, and the others are left out.
 
 /// A pivot and the rows and columns it acts on, as ranges of [`Elimination::lists`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,11 +9,11 @@ struct Pivot {
     column: usize,
     /// Index into the matrix.
     at: usize,
-    /// Rows below it with a nonzero in its column.
+    /// Rows below the pivot with a nonzero in its column.
     below: [usize; 2],
-    /// Columns right of it with a nonzero in its row.
+    /// Columns right of the pivot with a nonzero in its row.
     right: [usize; 2],
-    /// Rows of the earlier pivots that reduced its row.
+    /// Rows of the earlier pivots that reduced the row of this pivot.
     before: [usize; 2],
     /// Power of two that scales the planned pivot to between 1 and 2.
     scale: f64,
@@ -26,7 +26,7 @@ struct Line {
     at: usize,
 }
 
-/// The plan of an elimination; without pivots it is not planned yet.
+/// Plan of an elimination; not planned yet if it has no pivots.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Elimination {
     /// Numbers of rows and of columns.
@@ -36,12 +36,12 @@ pub(crate) struct Elimination {
     lists: Vec<Line>,
     /// The sign of the determinant relative to the product of the pivots.
     sign: f64,
-    /// Exponent of the power of two by which determinants are scaled: the product of many pivots in units of length may
+    /// Exponent of the power of two that scales determinants: the product of many pivots in units of length may
     /// overflow or underflow.
     exponent: i32,
     /// Structural nonzeros during the elimination.
     filled: Vec<bool>,
-    /// The nonzeros that are zero before the elimination.
+    /// Nonzeros that are zero before the elimination.
     fill_in: Vec<usize>,
     /// Rows and columns without a pivot.
     rows: Vec<usize>,
@@ -50,7 +50,7 @@ pub(crate) struct Elimination {
 
 /// Minimum size of a pivot relative to the largest entry in its column, when the elimination is planned.
 const MIN_PLANNED_PIVOT: f64 = 0.25;
-/// The same when the plan is used: it bounds the growth of rounding errors to 100 a pivot.
+/// Minimum relative size of a pivot when the plan is used: it bounds the growth of rounding errors to 100 per pivot.
 const MIN_PIVOT: f64 = 1e-2;
 
 impl Elimination {
@@ -72,9 +72,9 @@ impl Elimination {
         self.filled.reserve(height * size);
     }
 
-    /// Plans and does the elimination of a matrix, row by row in `matrix`: of the pivots that are large enough the one
-    /// with the least fill-in is next (Markowitz). Returns the determinant as a multiple of 2^[`Self::exponent`]; none
-    /// if the matrix is singular.
+    /// Plans and performs the elimination of a matrix, stored row by row in `matrix`. The next pivot is the one with
+    /// the least fill-in among those large enough (Markowitz). Returns the determinant as a multiple of
+    /// 2^[`Self::exponent`]; None if the matrix is singular.
     pub(crate) fn plan(&mut self, pattern: &[bool], matrix: &mut [f64]) -> Option<f64> {
         let size = self.size;
         self.pivots.clear();
@@ -90,7 +90,7 @@ impl Elimination {
         let mut determinant = 1.0;
         while !self.columns.is_empty() {
             let [i, j] = self.next_pivot(matrix)?;
-            // Moving it to the front exchanges i + j neighbouring lines.
+            // Moving the pivot to the front exchanges i + j neighbouring lines.
             if (i + j) % 2 == 1 {
                 self.sign = -self.sign;
             }
@@ -171,23 +171,23 @@ impl Elimination {
         best.map(|(pivot, ..)| pivot)
     }
 
-    /// True if it was planned.
+    /// True if the elimination is planned.
     pub(crate) fn is_planned(&self) -> bool {
         !self.pivots.is_empty()
     }
 
-    /// True if a row is left out, as dependent on the pivot rows.
+    /// True if a row is left out because it depends on the pivot rows.
     pub(crate) fn leaves_out(&self, row: usize) -> bool {
         self.rows.contains(&row)
     }
 
-    /// Exponent of the power of two by which its determinants are scaled.
+    /// Exponent of the power of two that scales the determinants.
     pub(crate) fn exponent(&self) -> i32 {
         self.exponent
     }
 
-    /// Eliminates a matrix, of which only the entries of the pattern are set, as planned. Returns the determinant as a
-    /// multiple of 2^[`Self::exponent`]; none without a plan, or if a pivot is small in its column.
+    /// Eliminates a matrix as planned; only entries of the pattern are set. Returns the determinant as a multiple of
+    /// 2^[`Self::exponent`]; None without a plan, or if a pivot is small in its column.
     pub(crate) fn factor(&self, matrix: &mut [f64]) -> Option<f64> {
         if self.pivots.is_empty() {
             return None;
@@ -202,8 +202,8 @@ impl Elimination {
         Some(determinant)
     }
 
-    /// Eliminates with one pivot; stores its reciprocal in its place, and the multipliers below. None if a multiplier
-    /// exceeds 1/`min_pivot`.
+    /// Eliminates with one pivot; stores its reciprocal in its place, and the multipliers below it. None if a
+    /// multiplier exceeds 1/`min_pivot`.
     #[inline(always)]
     fn eliminate(&self, pivot: &Pivot, matrix: &mut [f64], min_pivot: f64) -> Option<f64> {
         let value = matrix[pivot.at];
@@ -252,7 +252,7 @@ impl Elimination {
     }
 }
 
-/// Least and greatest exponent whose power of two and its reciprocal are normal numbers.
+/// Minimum and maximum exponent for which the power of two and its reciprocal are normal numbers.
 const EXPONENT_RANGE: [i32; 2] = [-1022, 1022];
 
 /// Exponent of the greatest power of two not above the absolute value.
@@ -261,7 +261,7 @@ fn exponent(value: f64) -> i32 {
     (biased as i32 - 1023).clamp(EXPONENT_RANGE[0], EXPONENT_RANGE[1])
 }
 
-/// The normal power of two nearest to that of an exponent.
+/// Normal power of two nearest to the power with a given exponent.
 pub(crate) fn power_of_two(exponent: i32) -> f64 {
     let biased = 1023 + exponent.clamp(EXPONENT_RANGE[0], EXPONENT_RANGE[1]);
     f64::from_bits((biased as u64) << 52)
@@ -347,8 +347,8 @@ mod tests {
         assert_eq!(power_of_two(exponent(0.0)), f64::MIN_POSITIVE);
     }
 
-    /// Rows in extreme units of length: the determinant of 4 pivots overflows or underflows, and its multiple is that in
-    /// other units.
+    /// Rows in extreme units of length: the determinant of 4 pivots overflows or underflows, and its scaled value
+    /// equals the value in other units.
     #[test]
     fn determinants_in_extreme_units() {
         let mut plain = Elimination::default();

@@ -116,7 +116,7 @@ impl Equation {
         }
     }
 
-    /// The Taylor coefficient of an order; of angles only those of derivatives.
+    /// Taylor coefficient of an order of the equation; for angles, only derivatives have one.
     pub(in crate::position) fn coefficient<const N: usize>(
         &self,
         values: &[Complex<N>],
@@ -160,8 +160,8 @@ impl Equation {
         }
     }
 
-    /// The derivatives by its forms: each is the vector whose scalar product with a change of the form is the change of
-    /// the equation.
+    /// Derivatives of the equation by its forms. Each is the vector whose scalar product with a change of the form is
+    /// the change of the equation.
     #[inline(always)]
     pub(in crate::position) fn gradients<const N: usize>(
         &self,

@@ -1,4 +1,4 @@
-//! Values of the forms of a group, its Jacobian and the derivatives of its unknowns.
+//! Values of the forms of a group, its Jacobian, and the derivatives of its unknowns.
 
 use super::elimination::{Elimination, power_of_two};
 use super::equation::MAX_FORMS;
@@ -8,7 +8,7 @@ use crate::position::{Cause, State, StepContext};
 use crate::{Jet, Vector};
 
 impl Group {
-    /// Substitutes the solved bodies into its forms.
+    /// Substitutes the solved bodies into the forms of the group.
     ///
     /// # Errors
     /// A driven coordinate is out of its range.
@@ -44,7 +44,7 @@ impl Group {
         }
     }
 
-    /// Bounds on the second derivatives of all forms with the unknowns fixed, by those of the inputs.
+    /// Bounds on the second derivatives of all forms at fixed unknowns, from the bounds of the inputs.
     pub(super) fn bound_accelerations(&self, inputs: &[f64], forms: &mut Vec<f64>) {
         forms.clear();
         forms.resize(self.constants.len(), 0.0);
@@ -77,8 +77,8 @@ impl Group {
         }
     }
 
-    /// Eliminates the Jacobian in the planned order or, if a pivot is too small there, in an order of its own. Returns
-    /// the determinant, to be scaled by [`Self::scaled_determinant`]; none if it is singular.
+    /// Eliminates the Jacobian in the planned order or, if a pivot is too small there, in a new order. Returns the
+    /// determinant, to be scaled by [`Self::scaled_determinant`]; None if the Jacobian is singular.
     pub(super) fn factorize<const N: usize>(&self, work: &mut Work<N>) -> Option<f64> {
         self.jacobian(work);
         let planned = self.elimination.factor(&mut work.jacobian);
@@ -90,8 +90,8 @@ impl Group {
         })
     }
 
-    /// The determinant of the last elimination as a multiple of a power of two, and the exponent of that power: the same
-    /// one in all poses of a planned group.
+    /// Determinant of the last elimination as a multiple of a power of two, and the exponent of this power, which is
+    /// equal in all poses of a planned group.
     pub(super) fn scaled_determinant<const N: usize>(
         &self,
         work: &Work<N>,
@@ -112,7 +112,7 @@ impl Group {
         [Jet::constant(scaled), Jet::constant(f64::from(exponent))]
     }
 
-    /// The elimination of the last Jacobian: that of the group, or one planned for the pose.
+    /// Elimination of the last Jacobian: the elimination of the group, or one planned for the pose.
     pub(super) fn last_elimination<'a>(
         &'a self,
         used_plan: bool,
@@ -143,9 +143,9 @@ impl Group {
         }
     }
 
-    /// The Taylor coefficients of an order from the lower ones: each equation is linear in them.
+    /// Taylor coefficients of an order from the coefficients of lower orders; each equation is linear in them.
     pub(super) fn differentiate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
-        // The first was solved for with the last correction.
+        // The first order was solved together with the last correction.
         if order == 1 {
             for (unknown, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
                 unknown[order] = Vector::new(-step[0][1], -step[1][1]);

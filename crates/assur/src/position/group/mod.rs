@@ -1,8 +1,8 @@
 //! An Assur group of any class, by Newton's method in natural coordinates.
 //!
-//! The unknowns are positions of joints and directions of links as complex numbers; links are rigid, so every other
-//! position is a linear form of them with constant complex coefficients (class4 paper, (3)–(5)). The equations are
-//! quadratic, those of gear meshes linear in angles. Derivatives follow order by order from the Jacobian at the
+//! The unknowns are positions of joints and directions of links as complex numbers. Links are rigid, so every other
+//! position is a linear form of the unknowns with constant complex coefficients (class4 paper, (3)–(5)). The equations
+//! are quadratic, and for gear meshes linear in angles. Derivatives follow order by order from the Jacobian at the
 //! solution: J x⁽ᵏ⁾ = −(residual of the lower orders).
 
 mod angle_constraint;
@@ -37,14 +37,14 @@ pub(crate) enum KnownTerm {
     Direction(BodyPoint),
 }
 
-/// A body of a group, by forms.
+/// Body of a group, given by forms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BodyForms {
     pub(crate) body: BodyId,
-    /// The forms of its origin and its turn.
+    /// Forms of the origin and of the turn of the body.
     pub(crate) forms: [usize; 2],
-    /// Local position of the first of the two points that determine its turn, if they are close together: rounding then
-    /// changes the length of the turn, which is normalized about this point.
+    /// Local position of the first of two close points that determine the turn of the body. Rounding changes the length
+    /// of such a turn, which is normalized about this point.
     pub(crate) close: Option<Vector>,
 }
 
@@ -52,12 +52,12 @@ pub(crate) struct BodyForms {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Group {
     pub(crate) inputs: Vec<KnownTerm>,
-    /// Number of complex unknowns, and index of the first among those of all groups.
+    /// Number of complex unknowns, and index of the first one among the unknowns of all groups.
     pub(in crate::position) unknowns: usize,
     first_unknown: usize,
     /// Constant terms of all forms.
     pub(in crate::position) constants: Vec<Vector>,
-    /// Number of forms in equations; they come first, the outputs after them.
+    /// Number of forms in equations; these forms are first, the outputs after them.
     pub(in crate::position) equation_forms: usize,
     /// The terms of all forms in one list: inputs, unknowns of forms in equations, unknowns of outputs.
     pub(in crate::position) input_terms: Vec<Term>,
@@ -69,7 +69,7 @@ pub(crate) struct Group {
     pub(in crate::position) units: Vec<f64>,
     /// Bound on the change of each form when no unknown changes by more than its unit.
     pub(in crate::position) sensitivities: Vec<f64>,
-    /// Factor that makes a length of the residual of each equation; 0 for angles.
+    /// Factor of each equation that turns its residual into a length; 0 for angles.
     pub(in crate::position) lengths: Vec<f64>,
     /// The body that each equation constrains.
     pub(in crate::position) constrained: Vec<BodyId>,
@@ -100,8 +100,8 @@ struct Entry {
 }
 
 impl Group {
-    /// A group of equations, each with its length and the body that it constrains; forms of equations come first.
-    /// None if the equations are fewer than the unknowns. If they are more, some are redundant.
+    /// Group of equations, each with its length and the body that it constrains; forms of equations come first. None if
+    /// the equations are fewer than the unknowns. If they are more, some equations are redundant.
     pub(crate) fn new(
         first_unknown: usize,
         units: Vec<f64>,
@@ -181,23 +181,23 @@ impl Group {
         })
     }
 
-    /// True if gears mesh or a pair is driven within it.
+    /// True if gears mesh or a pair is driven within the group.
     pub(crate) fn has_meshes(&self) -> bool {
         !self.angle_constraints.is_empty()
     }
 
-    /// True if it has unknowns. If not, its bodies follow from its inputs, and its equations are only checked.
+    /// True if the group has unknowns. Otherwise bodies follow from its inputs, and equations are only checked.
     pub(crate) fn has_unknowns(&self) -> bool {
         self.unknowns > 0
     }
 
-    /// True if it has more equations than unknowns.
+    /// True if the group has more equations than unknowns.
     pub(crate) fn is_redundant(&self) -> bool {
         self.equations.len() > 2 * self.unknowns
     }
 
-    /// Solves from the pose nearby; sets the margins of the step to the Jacobian's determinant and its exponent, and
-    /// `state.corrections`.
+    /// Solves the group from a nearby pose. Sets the margins of the step to the Jacobian's determinant and its
+    /// exponent, and sets `state.corrections`.
     #[inline(never)]
     fn solve_near<const N: usize>(
         &self,
@@ -214,7 +214,7 @@ impl Group {
         self.write_solution(state, near)
     }
 
-    /// Places its bodies by the unknowns nearby, which are a solution.
+    /// Places the bodies of the group by the nearby unknowns, which are a solution.
     pub(crate) fn put_solved<const N: usize>(
         &self,
         state: &mut State<N>,
@@ -226,7 +226,7 @@ impl Group {
         self.write_solution(state, context.near)
     }
 
-    /// The solved bodies whose angles, with whole turns, occur in its angle constraints.
+    /// Solved bodies whose angles, with whole turns, are in the group's angle constraints.
     pub(crate) fn turned_by(&self) -> impl Iterator<Item = BodyId> {
         let constraints = self.angle_constraints.iter();
         let known = constraints.flat_map(|constraint| &constraint.known);
@@ -238,7 +238,7 @@ impl Group {
         self.elimination.clone_from(&state.work.own_plan);
     }
 
-    /// Sets the unknowns to their values nearby.
+    /// Sets the unknowns to their nearby values.
     pub(in crate::position) fn guess<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) {
         let own = near.natural[2 * self.first_unknown..].chunks_exact(2);
         for (unknown, guess) in work.unknowns.iter_mut().zip(own) {
@@ -246,7 +246,7 @@ impl Group {
         }
     }
 
-    /// Writes its unknowns into those of all groups, real and imaginary parts.
+    /// Writes the group's unknowns into the unknowns of all groups, real and imaginary parts.
     pub(crate) fn set(&self, natural: &mut [f64], own: &[Vector]) {
         let parts = natural[2 * self.first_unknown..].chunks_exact_mut(2);
         for (parts, own) in parts.zip(own) {
@@ -254,12 +254,12 @@ impl Group {
         }
     }
 
-    /// Its unknowns among those of all groups.
+    /// Unknowns of the group among the unknowns of all groups.
     pub(in crate::position) fn own<'a, T>(&self, natural: &'a [T]) -> impl Iterator<Item = &'a T> {
         natural[self.first_unknown..].iter().take(self.unknowns)
     }
 
-    /// Exponent of the power of two by which its determinants are scaled.
+    /// Exponent of the power of two that scales the group's determinants.
     pub(crate) fn exponent(&self) -> i32 {
         self.elimination.exponent()
     }
@@ -308,7 +308,7 @@ impl Solvable for Group {
         self.solve_near(state, context)
     }
 
-    /// Angles are set, and values that are not finite found, together with the unknowns.
+    /// Places the bodies; angles are set, and values that are not finite found, together with the unknowns.
     #[inline(always)]
     fn put<const N: usize>(
         &self,

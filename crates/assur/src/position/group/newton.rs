@@ -1,5 +1,5 @@
 //! Newton's method for the equations of a group, until the step is negligible relative to the group or the residuals are
-//! rounding. The loop is its own: most of the time of a motion is spent in it, and it does not apply its last step.
+//! rounding. It has its own loop, which takes most of the time of a motion and does not apply its last step.
 
 use super::work::Work;
 use super::{Group, Term};
@@ -24,7 +24,7 @@ impl Group {
             if let Some(correction) = state.corrections.get_mut(step_number) {
                 *correction = correction.max(change);
             }
-            // The last step is not applied, since it is rounding: the Jacobian is that of the solution.
+            // The last step is only rounding and is not applied: the Jacobian is the Jacobian of the solution.
             if change <= tolerance::CONVERGED
                 || change >= 0.5 * last && self.residual_is_rounding(work)
             {
@@ -50,7 +50,7 @@ impl Group {
     ) -> Result<f64, Cause> {
         let work = &mut state.work;
         self.evaluate_forms(work);
-        // The first derivative is solved for with the correction; that of the last step is used.
+        // The first derivative is solved together with the correction; the one from the last step is used.
         for (residual, equation) in work.residual.iter_mut().zip(&self.equations) {
             let rate = if N > 1 {
                 equation.coefficient(&work.values, &work.known_angles, 1)
@@ -60,7 +60,7 @@ impl Group {
             *residual = [equation.residual(&work.values, &work.known_angles), rate];
         }
         let determinant = self.factorize(work).ok_or(Cause::DeadPoint)?;
-        // Of dependent equations the pivots may be others in another pose: then only the size counts.
+        // Of dependent equations, pivoting may choose others in another pose: then only the absolute value counts.
         let determinant = if self.is_redundant() {
             determinant.abs()
         } else {
@@ -88,7 +88,7 @@ impl Group {
         }
     }
 
-    /// The largest change of an unknown in its unit; each change comes with a rate.
+    /// Maximum change of an unknown in its unit; each change comes with a rate.
     fn step_size(&self, step: &[[f64; 2]]) -> f64 {
         let changes = step.chunks_exact(2).zip(&self.units);
         changes.fold(0.0, |most, (change, unit)| {
@@ -101,8 +101,8 @@ impl Group {
         })
     }
 
-    /// True if all residuals are rounding. A short link between points far from the origin has few digits of its
-    /// direction. Redundant equations that are left out are checked by [`Self::locked`].
+    /// True if all residuals are only rounding. The direction of a short link between points far from the origin has
+    /// few digits. Redundant equations that are left out are checked by [`Self::locked`].
     pub(in crate::position) fn residual_is_rounding<const N: usize>(
         &self,
         work: &mut Work<N>,
@@ -145,7 +145,7 @@ impl Group {
         is_rounding
     }
 
-    /// The redundant equation with the largest residual when the others hold; none if all hold.
+    /// Redundant equation with the largest residual when the others hold; None if all hold.
     fn locked<const N: usize>(&self, work: &Work<N>) -> Option<Cause> {
         if !self.is_redundant() {
             return None;
@@ -157,7 +157,7 @@ impl Group {
         (by > tolerance::COINCIDENT * size).then_some(Cause::Locked { body, by })
     }
 
-    /// The scale of its residuals: its largest unit or, without unknowns, the longest of its links.
+    /// Scale of the group's residuals: its largest unit or, without unknowns, the length of its longest link.
     fn size(&self) -> f64 {
         let sizes = if self.has_unknowns() {
             &self.units
@@ -167,7 +167,7 @@ impl Group {
         sizes.iter().fold(0.0, |most, size| f64::max(most, *size))
     }
 
-    /// The residuals of the equations as lengths; that of an angle times the size of the group.
+    /// Residuals of the equations as lengths; the residual of an angle is multiplied by the size of the group.
     fn residuals<const N: usize>(&self, work: &Work<N>) -> impl Iterator<Item = f64> {
         let size = self.size();
         let equations = self.equations.iter().zip(&self.lengths);
@@ -176,7 +176,7 @@ impl Group {
         })
     }
 
-    /// The largest distance between the two positions of a joint in the pose nearby.
+    /// Maximum distance between the two positions of a joint in a nearby pose.
     fn closure_error<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) -> f64 {
         self.guess(work, near);
         self.evaluate_forms(work);

@@ -17,20 +17,20 @@ pub(crate) struct Work<const N: usize> {
     pub(in crate::position) unknowns: Vec<Complex<N>>,
     /// Values of the forms in equations without the unknowns.
     pub(in crate::position) known_values: Vec<Vector>,
-    /// All forms; without the unknowns in orders that are not solved yet.
+    /// Values of all forms; orders not solved yet lack the unknowns.
     pub(in crate::position) values: Vec<Complex<N>>,
     /// The derivatives of the equations by their forms, [`MAX_FORMS`] of each equation.
     pub(in crate::position) gradients: Vec<Vector>,
-    /// Residuals, and the Newton step; with each the same for the first derivative.
+    /// Residuals, later the Newton step; each with the residual or step of the first derivative.
     pub(in crate::position) residual: Vec<[f64; 2]>,
     pub(in crate::position) step: Vec<[f64; 2]>,
     /// The linear system of a higher derivative.
     pub(in crate::position) rhs: Vec<[f64; 1]>,
     pub(in crate::position) solution: Vec<[f64; 1]>,
     pub(in crate::position) jacobian: Vec<f64>,
-    /// Sum of the absolute terms of each form, to which its rounding error is proportional.
+    /// Sum of the absolute terms of each form; the rounding error of the form is proportional to it.
     pub(in crate::position) magnitudes: Vec<f64>,
-    /// True if the Jacobian was eliminated in the order planned for the group; else in that of `own_plan`.
+    /// True if the Jacobian was eliminated in the order planned for the group; otherwise in the order of `own_plan`.
     pub(in crate::position) used_plan: bool,
     pub(in crate::position) own_plan: Elimination,
 }

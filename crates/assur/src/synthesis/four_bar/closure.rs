@@ -1,4 +1,4 @@
-//! Closure of the loop by the coupler: the gap that output and input leave for it, for least squares.
+//! Closure of the loop by the coupler: the gap that output and input leave for the coupler, for least squares.
 
 use crate::sorting::sort_by;
 
@@ -18,8 +18,8 @@ pub(super) struct Direction {
 /// Residual of the contour at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closure {
-    /// φ₁ = arg r, the coupler's angle with the least residual, in (−π, π] from the frame's direction, plus φ₀. If the
-    /// gap is zero any angle will do; then φ₀.
+    /// φ₁ = arg r: angle of the coupler with the least residual, within (−π, π] from the frame's direction, plus φ₀. If
+    /// the gap is zero, any angle gives it, and φ₀ is taken.
     pub coupler: f64,
     /// |r| − z₁: gap less coupler, in lengths of the frame; its square is J.
     pub residual: f64,

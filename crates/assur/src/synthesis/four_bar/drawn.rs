@@ -30,7 +30,7 @@ pub struct Drawn {
 pub enum DraftError {
     /// The lengths make no linkage.
     Lengths(Vec<Invalid>),
-    /// It can be assembled neither at the input of any position nor in the middle of its first arc.
+    /// The linkage can be assembled neither at the input of any position nor in the middle of its first arc.
     Position(Unsolved),
 }
 
@@ -58,7 +58,7 @@ impl Solution {
     /// output.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why the linkage cannot be drawn.
     pub fn spec(&self, task: &Task) -> Result<LinkageSpec, DraftError> {
         let frame = task.frame();
         let linkage = self.proportions.four_bar(frame.length);
@@ -89,7 +89,7 @@ impl Solution {
     /// The pose at the input of a position, in the assembly with the output nearer to the wanted one.
     ///
     /// # Errors
-    /// Why it cannot be assembled there.
+    /// The reason why the linkage cannot be assembled there.
     pub(super) fn pose(
         &self,
         task: &Task,

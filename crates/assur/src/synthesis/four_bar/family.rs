@@ -25,7 +25,7 @@ pub enum TwoPositions {
     Family(Family),
     /// Any output and input: the positions are mirror images in the frame.
     Any,
-    /// None: no positive lengths are on this line.
+    /// No linkage: no positive lengths are on this line.
     None(Line),
 }
 

@@ -18,7 +18,7 @@ use super::{Proportions, Solution, Task};
 use crate::numeric::newton::descended;
 use crate::numeric::{linear, max_abs, polynomial};
 
-/// Reasons why positions with free starts have no finite number of exact linkages.
+/// Reasons why positions with free starting angles do not give finitely many exact linkages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StartsError {
     /// Fewer than five positions: a family of solutions with this many degrees of freedom.
@@ -55,7 +55,7 @@ pub fn five_positions(task: &Task) -> Result<Vec<Solution>, StartsError> {
 /// Proportions with the starting angles of output and input.
 pub(super) type Started = (Proportions, [f64; 2]);
 
-/// The same for five positions of a task.
+/// Proportions with starting angles for five positions of a task.
 pub(super) fn of(task: &Task, five: [usize; 5]) -> Result<Vec<Started>, StartsError> {
     let turns = five.map(|k| {
         let at = task.direction(k, [0.0; 2]);
@@ -65,7 +65,7 @@ pub(super) fn of(task: &Task, five: [usize; 5]) -> Result<Vec<Started>, StartsEr
         let c = a * b.conj();
         [1.0, -a.re, a.im, -b.re, b.im, c.re, -c.im]
     });
-    // An orthonormal basis, so that no root t is far off.
+    // Orthonormal basis, which keeps the roots t moderate.
     let [x, y] = linear::null_plane(&rows).ok_or(StartsError::Degenerate)?;
     let parts = |v: &[f64; 7]| [1, 3, 5].map(|k| Complex::new(v[k], v[k + 1]));
     let ([x2, x3, xm], [y2, y3, ym]) = (parts(&x), parts(&y));

@@ -50,7 +50,7 @@ impl Options {
     /// Solutions with starting angles as given or free.
     ///
     /// # Errors
-    /// Why there are none.
+    /// The reason why there are no solutions.
     pub fn new(task: &Task, free: bool) -> Result<Self, NoOptions> {
         if free {
             return match five_positions(task) {

@@ -7,13 +7,13 @@ use crate::sorting::sort_by_key;
 /// Requirements on a solution besides its positions; `false` or none is no requirement.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Requirements {
-    /// It passes through all positions without a break.
+    /// The solution passes through all positions without a break.
     pub continuous: bool,
-    /// It meets them in the given order.
+    /// The solution meets the positions in the given order.
     pub in_order: bool,
-    /// Its input turns fully.
+    /// The input turns fully.
     pub turns: bool,
-    /// It is of this Grashof type.
+    /// Required Grashof type.
     pub grashof: Option<Grashof>,
     /// Minimum transmission angle between the first and the last position.
     pub transmission: Option<f64>,
@@ -21,10 +21,10 @@ pub struct Requirements {
     pub size_ratio: Option<f64>,
 }
 
-/// Requirements a solution can fail.
+/// Requirement that a solution can fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Requirement {
-    /// Its lengths make no linkage.
+    /// The lengths make no linkage.
     Linkage,
     /// See [`Requirements::continuous`].
     Continuous,
@@ -73,13 +73,13 @@ impl Requirements {
 /// Criteria of the ranking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Criterion {
-    /// The least of the greatest residuals first.
+    /// Smallest worst residual first.
     Closure,
     /// The greatest transmission angle between the positions first.
     Transmission,
     /// The greatest transmission angle over the whole motion first.
     TransmissionOverall,
-    /// The least ratio of lengths first.
+    /// Smallest ratio of lengths first.
     SizeRatio,
 }
 
@@ -91,7 +91,7 @@ pub fn rank(solutions: &mut [Solution], requirements: &Requirements, criterion: 
     });
 }
 
-/// Less is better.
+/// Ranking cost of a solution; lower is better.
 fn cost(solution: &Solution, criterion: Criterion) -> f64 {
     match (criterion, &solution.verdict) {
         (Criterion::Closure, _) => solution.worst_residual(),

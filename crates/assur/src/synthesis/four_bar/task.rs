@@ -157,7 +157,7 @@ impl Task {
         }
     }
 
-    /// These directions at all positions.
+    /// Directions of output and input at all positions, relative to the direction of the frame.
     pub(super) fn directions(&self, starts: [f64; 2]) -> impl Iterator<Item = Direction> + '_ {
         (0..self.positions.len()).map(move |index| self.direction(index, starts))
     }

@@ -11,11 +11,11 @@ use crate::{Assembly, Cycle, FourBar, Grashof, Invalid};
 /// Properties of a linkage that is to take up positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
-    /// Whether it moves through all positions.
+    /// Passage of the linkage through all positions.
     pub passage: Passage,
-    /// The assembly in which it does; none if it does not.
+    /// Assembly in which the linkage moves through all positions; None if it does not.
     pub assembly: Option<Assembly>,
-    /// Order in which it meets them.
+    /// Order in which the positions are met.
     pub order: Order,
     /// Grashof type.
     pub grashof: Grashof,
@@ -29,32 +29,32 @@ pub struct Verdict {
     pub size_ratio: f64,
 }
 
-/// Whether a linkage driven by its input moves through all positions.
+/// Passage of a linkage, driven by its input, through all positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Passage {
-    /// It does.
+    /// The linkage moves through all positions.
     Continuous,
     /// The motions of the positions cross at a change point, where all links are in line; beyond it either motion may
     /// follow.
     ThroughChangePoint,
-    /// Between the positions the input comes to a dead point and would have to turn back (a branch defect).
+    /// Between positions the input reaches a dead point and would have to turn back (a branch defect).
     AcrossDeadPoint,
     /// The linkage would have to be taken apart (a circuit defect).
     OtherCircuit,
-    /// First position at whose input it cannot be assembled.
+    /// First position at whose input the linkage cannot be assembled.
     Unreached(usize),
 }
 
-/// Whether positions are met in the given order while the input moves in one direction.
+/// Order of the positions while the input moves in one direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// As φ₃ grows.
+    /// Given order as φ₃ grows.
     Growing,
-    /// As φ₃ falls.
+    /// Given order as φ₃ falls.
     Falling,
     /// In both directions of φ₃: a single position, or two of an input that turns fully.
     Either,
-    /// In another order, or not all of them.
+    /// Another order, or not all positions.
     Mixed,
 }
 

@@ -9,21 +9,21 @@ use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::plan::willis;
 use crate::position::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, conjugate};
 
-/// A condition in forms: one equation or two.
+/// Condition in linear forms: one equation or two.
 pub(in crate::mechanism) enum Condition {
-    /// The unit length of a direction; and the length of the link along it.
+    /// Unit length of a direction, with the length of the link in this direction.
     Unit(Form, f64),
     Zero(Form),
-    /// The displacement along a direction of length 1; and the index of the angle constraint that gives its length.
+    /// Displacement along a direction of length 1, with the index of the angle constraint that gives its length.
     Along {
         direction: Form,
         way: Form,
         mesh: usize,
     },
-    /// The turns of bodies with the coefficients of their angles; and the index of the angle constraint that gives the
-    /// sum.
+    /// Turns of bodies with the coefficients of their angles, and the index of the angle constraint that gives the sum
+    /// of the angles.
     AngleConstraint(Vec<(Form, f64)>, usize),
-    /// A vector parallel to a direction. `length` is the factor that makes the residual a length: 1, or 0 if both are
+    /// Vector parallel to a direction. The factor `length` makes the residual a length: 1, or 0 if both forms are
     /// directions.
     Line {
         direction: Form,
@@ -87,7 +87,7 @@ impl Plan<'_> {
     /// Adds the condition of wheels in mesh.
     pub(in crate::mechanism) fn mesh(&mut self, gear: &Gear) {
         let equation = willis::Equation::of(gear);
-        // In units of a turn of the larger wheel.
+        // The unit is a turn of the larger wheel.
         let scale = gear.by_link.teeth[0].max(gear.by_link.teeth[1]).recip();
         let terms = equation.terms();
         let terms: Vec<_> = terms.map(|(body, by)| (body, by as f64 * scale)).collect();
@@ -156,7 +156,7 @@ impl Plan<'_> {
         Some(())
     }
 
-    /// The group; None if there are fewer equations than unknowns.
+    /// The finished group; None if it has fewer equations than unknowns.
     pub(in crate::mechanism) fn finished(self, offset: usize) -> Option<(Group, Vec<Vector>)> {
         let mut forms: Vec<Form> = Vec::new();
         let mut index = |form: Form| {

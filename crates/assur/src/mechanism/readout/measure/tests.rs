@@ -7,7 +7,7 @@ use crate::{Assembly, FourBar};
 
 const LENGTHS: [f64; 4] = [0.37, 0.85, 0.55, 0.85];
 
-/// A crank-rocker with a point G of the frame where the crank's end is at φ = 0.
+/// Crank-rocker with a point G of the frame at the end of the crank for φ = 0.
 fn motion() -> Motion {
     let linkage = FourBar::new(LENGTHS).unwrap();
     let pose = linkage.pose::<1>(Assembly::First, 1.0).unwrap();
@@ -34,8 +34,8 @@ fn near(found: f64, expected: f64, what: &str) {
     );
 }
 
-/// The diagonal of a four-bar by the law of cosines, the angle opposite to it by the same law again, both with their
-/// derivatives; the angle at the crank's pivot is the input.
+/// Diagonal of a four-bar and the angle opposite to it agree with the law of cosines, both with their derivatives. The
+/// angle at the pivot of the crank is the input.
 #[test]
 fn laws_of_cosines() {
     let [l1, l2, l3, l4] = LENGTHS;
@@ -86,7 +86,7 @@ fn laws_of_cosines() {
     }
 }
 
-/// If points meet, or a corner opens to half a turn, values are finite and those just after it.
+/// If points meet, or a corner opens to half a turn, values are finite and equal those just after the pose.
 #[test]
 fn where_points_meet() {
     let l1 = LENGTHS[0];
@@ -98,7 +98,7 @@ fn where_points_meet() {
         let jet = quantity.of(mechanism, &pose);
         [0, 1, 2, 3].map(|order| jet.derivative(order))
     };
-    // B is 2 l₁ |sin(φ/2)| off G.
+    // The distance of B from G is 2 l₁ |sin(φ/2)|.
     let met = told("B-G.distance", 0.0);
     for (found, expected) in met.into_iter().zip([0.0, l1, 0.0, -l1 / 4.0]) {
         near(found, expected, "meeting");
@@ -115,7 +115,7 @@ fn where_points_meet() {
     }
 }
 
-/// Features of the diagonal: its extrema are l₄ ∓ l₁, with the crank along the frame.
+/// Features of the diagonal: the extrema are l₄ ∓ l₁, with the crank along the frame.
 #[test]
 fn features_of_the_diagonal() {
     let [l1, _, _, l4] = LENGTHS;
@@ -140,8 +140,8 @@ fn features_of_the_diagonal() {
     assert!(value.zeros.is_empty());
 }
 
-/// The angle of two links. That of coupler and rocker follows from the diagonal by the law of cosines, up to whole
-/// turns; that of crank and rocker, in either order, is the difference of their angles, with its derivatives.
+/// Angle between two links. Between coupler and rocker it follows from the diagonal by the law of cosines, up to whole
+/// turns; between crank and rocker, in either order, it is the difference of their angles, with its derivatives.
 #[test]
 fn links_between() {
     let [l1, l2, l3, l4] = LENGTHS;
@@ -157,10 +157,10 @@ fn links_between() {
         let pose = motion.pose::<3>(phi).unwrap();
         let jet = |quantity: Quantity| quantity.of(mechanism, &pose);
         let square = l1 * l1 + l4 * l4 - 2.0 * l1 * l4 * phi.cos();
-        // Both go to C, so the angle of their directions is that at C.
+        // Both links run to C, so the angle between their directions is the angle at C.
         let cos = (l2 * l2 + l3 * l3 - square) / (2.0 * l2 * l3);
         near(jet(of_links).value().cos(), cos, &format!("at C, {k}"));
-        // The derivative of that law.
+        // The rate follows from the derivative of the law of cosines.
         let rate = -jet(of_links).value().sin() * jet(of_links).derivative(1);
         near(rate, -l1 * l4 * phi.sin() / (l2 * l3), &format!("rate {k}"));
         for order in [0, 1, 2] {
@@ -171,7 +171,7 @@ fn links_between() {
     }
 }
 
-/// Names are read as they are written; anything else is no quantity.
+/// A written name is read as the same quantity; any other text is no quantity.
 #[test]
 fn names() {
     let motion = motion();

@@ -54,14 +54,14 @@ impl Alternative {
 /// A printed condition at given angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Condition {
-    /// Its number in the paper: 13, 14, 25, 29, 30 or 33 to 38. (24) repeats (13).
+    /// Number of the condition in the paper: 13, 14, 25, 29, 30 or 33 to 38. (24) repeats (13).
     pub number: u8,
     /// The unknown concerned, z₂ or z₃ as a function of z₁; none for (13).
     pub about: Option<Unknown>,
     /// The two numbers whose signs are compared: P and Q; in (33) to (38) the two fractions in the printed order; in
     /// (13) sin(φ₃ − φ₂) twice. A fraction may be infinite if e₁ is parallel to e₂ or e₃.
     pub values: [f64; 2],
-    /// True if it holds as printed.
+    /// True if the condition holds as printed.
     pub holds: bool,
     /// True if its intended conclusion holds. (13): z₁ determines z₂ and z₃. (29), (30): the length is positive for
     /// some z₁ > 0. Others: it is not negative for some z₁ ≥ 0.
@@ -71,7 +71,7 @@ pub struct Condition {
 /// A theorem at given angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Theorem {
-    /// 1 to 5.
+    /// Number of the theorem, 1 to 5.
     pub number: u8,
     /// True if its conditions hold, as printed.
     pub conditions: bool,

@@ -9,7 +9,7 @@ use crate::tolerance;
 /// The z₁ > 0 for which z₂ > 0 and z₃ > 0 close the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Truth {
-    /// All z₁ strictly between these; `to` is none if there is no maximum.
+    /// All z₁ strictly between two bounds; `to` is None without an upper bound.
     Between {
         /// The minimum, or zero.
         from: f64,
