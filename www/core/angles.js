@@ -1,4 +1,4 @@
-// Degrees live at the screen and in the state, radians in the engine.
+// Conversion between degrees, for the screen and the state, and radians, for the engine.
 
 /** @param {number} degrees */
 export function radians(degrees) {

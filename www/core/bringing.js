@@ -1,19 +1,19 @@
-// Parts of the page that are loaded when they are asked for: one that did not arrive is asked for again, but not in every frame.
+// Parts of the page that are loaded on demand. A part that failed to load is requested again, but not in every frame.
 
-/** After a failure a part is asked for again no sooner, in milliseconds. */
+/** Shortest time between a failure and the next request, in milliseconds. */
 const PAUSE = 5000;
 
 export class Bringing {
   #failed;
   #changed;
   #now;
-  /** @type {Map<string, number>} when a part may be asked for again; Infinity while it is on its way or once it is there */
+  /** @type {Map<string, number>} time of the next request for a part; Infinity while it loads and once it is there */
   #due = new Map();
 
   /**
-   * @param {() => void} changed called when a part has arrived, or may be asked for again
-   * @param {() => void} failed called when one has not arrived
-   * @param {() => number} [now] milliseconds
+   * @param {() => void} changed called when a part has arrived or may be requested again
+   * @param {() => void} failed called when a part has failed to arrive
+   * @param {() => number} [now] clock, in milliseconds
    */
   constructor(changed, failed, now = () => performance.now()) {
     this.#changed = changed;
@@ -25,7 +25,7 @@ export class Bringing {
   /**
    * Loads a part, unless it is there, on its way or has just failed.
    * @param {string} name
-   * @param {() => Promise<void>} load puts it in its place
+   * @param {() => Promise<void>} load loads the part and puts it in its place
    */
   async bring(name, load) {
     if (this.#now() < (this.#due.get(name) ?? 0)) return;
@@ -39,7 +39,7 @@ export class Bringing {
     }
   }
 
-  /** What has failed is asked for with the next state that is shown. */
+  /** Forgets failures: the next state that is shown requests those parts again. */
   #again() {
     for (const [name, due] of this.#due) if (due !== Infinity) this.#due.delete(name);
     this.#changed();

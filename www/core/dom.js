@@ -15,14 +15,14 @@ export function byId(id, kind) {
 /**
  * @template {keyof HTMLElementTagNameMap} K
  * @param {K} tag
- * @param {Readonly<Record<string, string | ((event: Event) => unknown)>>} [attributes] with listeners under names as `onclick`
+ * @param {Readonly<Record<string, string | ((event: Event) => unknown)>>} [attributes] functions are listeners, under names such as `onclick`
  * @param {readonly (Node | string)[]} [children]
  * @returns {HTMLElementTagNameMap[K]}
  */
 export function make(tag, attributes = {}, children = []) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    // A hosted page forbids what is written into the attribute: it could be markup of somebody else.
+    // The policy of a hosted page forbids listeners and styles in attributes: they could be foreign markup.
     if (typeof value === "function") element.addEventListener(name.slice(2), value);
     else if (name === "style") element.style.cssText = value;
     else element.setAttribute(name, value);
@@ -46,9 +46,9 @@ export function makeSvg(tag, attributes = {}, children = []) {
 }
 
 /**
- * Adds the style sheet of a part that is loaded later; without it everything still works.
+ * Adds the style sheet of a part that is loaded later; everything still works without it.
  * @param {string} name its path in the page
- * @returns {Promise<unknown>} when it is there, or will not be
+ * @returns {Promise<unknown>} resolves when the style sheet has loaded or failed to load
  */
 export function addStyle(name) {
   const sheet = make("link", { rel: "stylesheet", href: import.meta.resolve(`assur/${name}`) });
@@ -59,7 +59,7 @@ export function addStyle(name) {
 }
 
 /**
- * Writes a text only where it differs: the browser then lays out nothing anew.
+ * Writes a text only if it differs, so that the browser does not repeat its layout.
  * @param {Element} element
  * @param {string} text
  */
@@ -68,7 +68,7 @@ export function write(element, text) {
 }
 
 /**
- * Sets a data attribute only where it differs.
+ * Sets a data attribute only if it differs.
  * @param {HTMLElement} element
  * @param {string} name
  * @param {string} value

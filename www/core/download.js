@@ -1,4 +1,4 @@
-// A file given to the reader.
+// Download of a file to the reader's machine.
 import { byId } from "assur/core/dom.js";
 
 let address = "";

@@ -1,11 +1,11 @@
-// Files of the page that are no scripts, by their bare names.
+// Files of the page other than scripts, fetched by their bare names.
 
 const PACKED = "application/gzip";
 
 /**
  * @param {string} name in the import map
  * @param {string} [type] its media type
- * @returns {Promise<Response>} the file, which the one-file page has packed
+ * @returns {Promise<Response>} the file; the one-file page has it compressed
  */
 export async function fetched(name, type = "application/json") {
   const response = await fetch(import.meta.resolve(name));

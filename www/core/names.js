@@ -1,9 +1,9 @@
-// What links are called in the reader's language: by the words of the field, else by the names that they have. How entries of
-// a list are numbered, and assemblies of a linkage.
+// Names of links in the reader's language: words of the field, or else the links' own names. Numbers of the entries of a list
+// and of the assemblies of a linkage.
 
 /**
- * A number at the end of the name stands where the word has a place {n} for it, else behind the word. Without a number the
- * word stands alone, without the hyphen or space that joins the two.
+ * Name of a link in the reader's language. Its number goes to the place {n} of the word, or else behind the word. Without a
+ * number the word stands alone, without the hyphen or space that joins the two.
  * @param {string} link
  * @param {import("assur/core/words.js").Words} words
  */
@@ -16,9 +16,9 @@ export function called(link, words) {
 }
 
 /**
- * @param {string} formula of a structure, or a term of it: `I(frame,crank) → II₂(rod,slider)`, links that are solved as one joined by `+`
+ * @param {string} formula structural formula or a term of one: `I(frame,crank) → II₂(rod,slider)`; `+` joins links that are solved as one
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} the same with what the links are called
+ * @returns {string} the formula with the names of its links in the reader's language
  */
 export function calledIn(formula, words) {
   return formula.replace(/(?<=[(,+])[^(),+]+(?=[,)+])/g, (link) => called(link, words));
@@ -39,7 +39,7 @@ export function between(points) {
  * @param {string} link
  * @param {readonly string[]} points
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} what a dimension of a link is called: by the link and points of it
+ * @returns {string} name of a dimension of a link: the link and the points of the dimension
  */
 export function calledBy(link, points, words) {
   return [called(link, words), between(points)].filter(Boolean).join(", ");
@@ -47,19 +47,19 @@ export function calledBy(link, points, words) {
 
 /**
  * @param {string} point
- * @param {readonly string[]} line two points of it
- * @returns {string} from the point to the line
+ * @param {readonly string[]} line two points on it
+ * @returns {string} symbol of the way from the point to the line
  */
 export function toLine(point, line) {
   return `${point} → ${between(line)}`;
 }
 
 /**
- * Which of the assemblies at the drawn input moves, and of how many: of those that are known there may be more.
+ * Number of the moving assembly at the drawn input, with the count of all, or of the known ones if there may be more.
  * @param {Pick<import("assur/engine.js").MotionSummary, "assembled" | "home">} summary
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} empty where that is unknown
+ * @returns {string} empty if it is unknown
  */
 export function numbered({ assembled, home }, coordinate, words) {
   if (!assembled) return "";
@@ -67,13 +67,13 @@ export function numbered({ assembled, home }, coordinate, words) {
   return words.text(assembled.whole ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
 }
 
-/** @typedef {(index: number) => string} Numbering of the entries of a list in a document, by their place from 0 */
+/** @typedef {(index: number) => string} Numbering number of an entry of a list for readers, by its index from 0 */
 
 /** @type {Map<string, Numbering>} by the name of the list */
 const NUMBERINGS = new Map();
 
 /**
- * A kind of document says how readers number the entries of a list of its own.
+ * Sets how readers number the entries of a list of one kind of document.
  * @param {string} list
  * @param {Numbering} numbering
  */
@@ -84,7 +84,7 @@ export function numberEntries(list, numbering) {
 /**
  * @param {string} list
  * @param {number} index from 0
- * @returns {string} the number of the entry for readers, who count from 1 where no kind says otherwise
+ * @returns {string} the number of the entry for readers, from 1 unless a kind of document says otherwise
  */
 export function entryNumber(list, index) {
   return NUMBERINGS.get(list)?.(index) ?? String(index + 1);

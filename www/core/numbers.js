@@ -1,4 +1,4 @@
-// Numbers as the reader writes them.
+// Numbers in the reader's notation: reading and writing.
 import { degrees } from "assur/core/angles.js";
 
 const NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i;
@@ -9,7 +9,7 @@ const CYRILLIC_E = /[еЕ]/g;
 /** An exponent as browsers write it. */
 const EXPONENT = /[EЕ]([\u2212\d]+)$/;
 
-/** Beyond these sizes a number is written with a power of ten: nobody counts noughts. */
+/** Sizes beyond which a number is written with a power of ten. */
 const HUGE = 1e9;
 const TINY = 1e-6;
 
@@ -26,9 +26,9 @@ export function parseNumber(text) {
 }
 
 /**
- * @param {number} decimals of a number that stands still
+ * @param {number} decimals decimals of a number at rest
  * @param {boolean} playing
- * @returns {number} how many of them can be read while it changes: a half, so that of one in a drawing none is left
+ * @returns {number} decimals that can be read in motion: half of them, so that a single decimal in a drawing is dropped
  */
 export function readable(decimals, playing) {
   return playing ? Math.floor(decimals / 2) : decimals;
@@ -42,7 +42,7 @@ export function powerOfTen(exponent) {
   return `10${String(exponent).replace("-", "⁻").replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)])}`;
 }
 
-/** Languages in which browsers do not know how to write numbers, and one that writes them alike. */
+/** Languages whose numbers browsers cannot write, each with one that writes them alike. */
 const ALIKE = Object.freeze(new Map([["kk", "ru"]]));
 
 /** Writes numbers with the decimal sign of one language. */
@@ -64,7 +64,7 @@ export class Numbers {
   }
 
   /**
-   * The form of a noun beside a number, as the language has them: one, few, many, other.
+   * Plural form of a noun beside a number, by the rules of the language: one, few, many, other.
    * @param {number} count
    */
   form(count) {
@@ -72,7 +72,7 @@ export class Numbers {
   }
 
   /**
-   * With this many decimals, always.
+   * A number with exactly the given decimals.
    * @param {number} value
    * @param {number} decimals
    */
@@ -81,7 +81,7 @@ export class Numbers {
   }
 
   /**
-   * With at most this many decimals.
+   * A number with at most the given decimals.
    * @param {number} value
    * @param {number} decimals
    */
@@ -90,16 +90,16 @@ export class Numbers {
   }
 
   /**
-   * In degrees, with their sign.
+   * An angle in degrees, with the degree sign.
    * @param {number} radians
-   * @param {number} decimals the most that are shown
+   * @param {number} decimals at most
    */
   angle(radians, decimals) {
     return `${this.upTo(degrees(radians), decimals)}°`;
   }
 
   /**
-   * With the digits that show its size, for sentences.
+   * A number with four significant digits, for sentences.
    * @param {number} value
    */
   short(value) {
@@ -108,7 +108,7 @@ export class Numbers {
   }
 
   /**
-   * With at most six digits, for a field.
+   * A number with at most six significant digits, for a field.
    * @param {number} value
    */
   brief(value) {
@@ -116,7 +116,7 @@ export class Numbers {
   }
 
   /**
-   * As it would be typed into a field: nothing a person typed gets lost.
+   * A number with all the digits that a person may have typed into a field.
    * @param {number} value
    */
   exact(value) {

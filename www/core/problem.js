@@ -1,8 +1,8 @@
-// What was refused, and why: codes with parameters, which become sentences where they are shown.
+// Refusals with their reasons: codes with parameters, which become sentences where they are shown.
 
 /** @typedef {Readonly<{ code: string, field?: string, [parameter: string]: string | number | undefined }>} Problem */
 
-/** The engine did not do what was asked, and says why. */
+/** Refusal of a request by the engine, with its reasons. */
 export class Refusal extends Error {
   /** @param {readonly Problem[]} problems */
   constructor(problems) {
@@ -12,7 +12,7 @@ export class Refusal extends Error {
 }
 
 /**
- * What the engine refuses comes back as problems; anything else is a fault and goes on up.
+ * Does work and returns a refusal by the engine as problems; any other exception is a fault and is thrown on.
  * @template T
  * @param {() => T} work
  * @returns {{ value: T, problems: readonly Problem[] } | { value: null, problems: readonly Problem[] }}

@@ -1,7 +1,7 @@
-// When a pointer that was pressed is released.
+// Release of a pressed pointer.
 
 /**
- * The window's own `blur` counts as well: that of an element, which may lose the focus while a pointer is down, does not bubble to it.
+ * Reports the release. `blur` of the window counts as a release; `blur` of an element, which may come during a press, does not bubble.
  * @param {() => void} then called when a pointer is released, or its release goes to a context menu, another frame or another window
  */
 export function whenReleased(then) {

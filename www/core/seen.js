@@ -1,12 +1,12 @@
-// What was shown last, so that nothing is written anew that is the same.
+// Comparison with the values shown last: what is unchanged is not written again.
 
 export class Seen {
   /** @type {readonly unknown[]} */
   #parts = [];
 
   /**
-   * @param {...unknown} parts all that what is shown is made of
-   * @returns {boolean} whether they are those of the last time; they are kept for the next
+   * @param {...unknown} parts all values that the view depends on
+   * @returns {boolean} whether they equal those of the last call; they are kept for the next
    */
   same(...parts) {
     const before = this.#parts;

@@ -1,9 +1,9 @@
-// Whether the page comes from a site, which has notes beside it; the page that is one file has none.
+// Origin of the page: a site has notes for teachers beside it, the one-file page has none.
 
 /**
  * @param {string} lesson
  * @param {string} lang
- * @returns {string} where the notes for teachers are
+ * @returns {string} address of the notes for teachers
  */
 export function notesOf(lesson, lang) {
   return `docs/${lesson}.${lang}.html`;

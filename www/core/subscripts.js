@@ -1,12 +1,12 @@
-// Formulas written in a line, x_PQ, with what belongs below the line below it; texts in which *words* are emphasised.
+// Formulas in a line of text, such as x_PQ, written with subscripts; texts with *emphasised* words.
 import { make } from "assur/core/dom.js";
 
-/** The name of a point that a symbol can carry. */
+/** Name of a point that is short enough for a subscript. */
 const LETTER = /^\p{L}\d{0,2}$/u;
 
 /**
  * @param {string} symbol
- * @param {readonly string[]} points whose names it has below the line, if they are letters
+ * @param {readonly string[]} points whose names become its subscript, if they are letters
  */
 export function lettered(symbol, points) {
   return points.every((point) => LETTER.test(point)) ? `${symbol}_${points.join("")}` : symbol;
@@ -14,7 +14,7 @@ export function lettered(symbol, points) {
 
 /**
  * @param {string} text
- * @returns {(Node | string)[]} the same, what follows each _ as a subscript
+ * @returns {(Node | string)[]} the text with the letters after each _ as a subscript
  */
 export function withSubscripts(text) {
   const parts = text.split(/_([\p{L}\d]+)/u);
@@ -22,7 +22,7 @@ export function withSubscripts(text) {
 }
 
 /**
- * Writes a text with its subscripts, only where it differs.
+ * Writes a text with its subscripts, only if it differs.
  * @param {Element} element
  * @param {string} text
  */
@@ -34,7 +34,7 @@ export function writeSubscripted(element, text) {
 
 /**
  * @param {string} text
- * @returns {(Node | string)[]} the same, what stands between two * emphasised
+ * @returns {(Node | string)[]} the text with words between two * emphasised
  */
 export function marked(text) {
   const parts = text.split(/\*([^*]+)\*/);

@@ -1,4 +1,4 @@
-// How quantities are spelled: φ₃′, ω₅, ẋ.
+// Symbols of quantities: φ₃′, ω₅, ẋ.
 import { called } from "assur/core/names.js";
 
 const STROKES = Object.freeze(["", "′", "″"]);
@@ -14,29 +14,29 @@ const LETTERS = Object.freeze({
   pressure: Object.freeze(["α", "α\u0307", "α\u0308"]),
 });
 
-/** What is measured, by the ends of its names. */
+/** Last parts of the names of measured quantities. */
 export const MEASURES = Object.freeze(["distance", "corner", "between"]);
 
-/** What is said with the points or links that it is of. */
+/** Quantities whose symbol includes their points or links. */
 const OF_POINTS = Object.freeze(["transmission", "pressure", ...MEASURES]);
 
-/** What is a length: all else is an angle. */
+/** Quantities that are lengths; all others are angles. */
 const LENGTHS = Object.freeze(["x", "y", "distance", "radius", "centre_x", "centre_y"]);
 
 /**
- * @param {string} what a quantity is
+ * @param {string} what last part of the name of a quantity
  * @returns {boolean} whether it is a length
  */
 export function isLength(what) {
   return LENGTHS.includes(what);
 }
 
-/** The wheels of a mixer, by their names. Their angles are ψ₄, ψ₅: φ₅ is the diagonal of its contour (Smelyagin and Prikhodko, (3)). */
+/** Names of the wheels of a mixer. Their angles are ψ₄, ψ₅: φ₅ is the diagonal of its contour (Smelyagin and Prikhodko, (3)). */
 const WHEEL = /^wheel\d+$/;
 
 /**
- * @param {string} of a link
- * @param {string | null | undefined} number its own
+ * @param {string} of name of a link
+ * @param {string | null | undefined} number number of the link
  * @returns {string} the letter of its angle
  */
 export function letterOfAngle(of, number) {
@@ -44,17 +44,17 @@ export function letterOfAngle(of, number) {
 }
 
 /**
- * The symbol of a quantity or of its derivative, as φ₃′, ω₅, ẋ; without a number an angle goes by its link or its joint.
- * @param {{ name: string, number?: string | null }} quantity by its name, as `rocker.angle`, `C2.x`
+ * Symbol of a quantity or of its derivative, such as φ₃′, ω₅, ẋ; an angle without a number is named by its link or joint.
+ * @param {{ name: string, number?: string | null }} quantity its name, such as `rocker.angle`, `C2.x`
  * @param {number} order
- * @param {boolean} physical whether derivatives are by time
+ * @param {boolean} physical whether derivatives are with respect to time
  * @param {import("assur/core/words.js").Words} words
  */
 export function symbol({ name, number }, order, physical, words) {
   const dot = name.lastIndexOf(".");
   const [of, what] = [name.slice(0, dot), name.slice(dot + 1)];
   const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
-  // A quantity of another kind of mechanism, as a lesson may still name one.
+  // A lesson may still name a quantity of another kind of mechanism.
   if (!letters) return name + STROKES[order];
   const index = number ? subscript(number) : "";
   const letter = what === "angle" ? letterOfAngle(of, number) : letters[0];
@@ -64,9 +64,9 @@ export function symbol({ name, number }, order, physical, words) {
 
 /**
  * @param {string} of names of points, or of links, with hyphens between them
- * @param {string} what it is that is of them
+ * @param {string} what last part of the name of the quantity
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} what they are called together
+ * @returns {string} their names joined
  */
 export function calledWhole(of, what, words) {
   return what === "between" ? of.split("-").map((link) => called(link, words)).join("-") : subscript(of);
@@ -75,8 +75,8 @@ export function calledWhole(of, what, words) {
 /**
  * @param {string} name of a quantity
  * @param {number} order of its derivative
- * @returns {string} by what its read-out goes in ids, and as lessons name those that they withhold: `rocker.angle″`, `C.x′`; a name alone could be
- * that of a link and of a point, or of another read-out
+ * @returns {string} id of its read-out, also in the lists of read-outs that lessons withhold: `rocker.angle″`, `C.x′`; the name alone
+ * could be that of a link, a point or another read-out
  */
 export function readoutOf(name, order) {
   return name + STROKES[order];
@@ -84,7 +84,7 @@ export function readoutOf(name, order) {
 
 /**
  * @param {string} text
- * @returns {string} the same with its digits written low
+ * @returns {string} the text with its digits as subscripts
  */
 export function subscript(text) {
   return text.replace(/\d/g, (digit) => String.fromCharCode(0x2080 + Number(digit)));

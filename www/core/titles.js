@@ -1,4 +1,4 @@
-// What documents are called and where they come from: those of the catalogue have words for it in every language.
+// Titles and sources of documents; those of the catalogue are in every language.
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -9,7 +9,7 @@
  * @param {Parameters<Engine["presetOf"]>[0]} state
  * @param {Engine} engine
  * @param {Words} words
- * @returns {string} what the gallery calls it, else its own title, else what its kind is called
+ * @returns {string} its name in the gallery, or else its own title, or else the name of its kind
  */
 export function titleOf(state, engine, words) {
   const preset = engine.presetOf(state);
@@ -22,7 +22,7 @@ export function titleOf(state, engine, words) {
  * @param {import("assur/state/state.js").Documents["linkage"]} linkage
  * @param {Engine} engine
  * @param {Words} words
- * @returns {string} the note of the catalogue on where it comes from; one that is not the catalogue's as it is
+ * @returns {string} its source: that of the catalogue in the reader's language, any other as it is
  */
 export function sourceOf({ origin, source }, engine, words) {
   const { source: noted } = /** @type {{ source?: string }} */ (engine.preset(origin ?? "")?.document ?? {});

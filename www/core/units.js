@@ -1,9 +1,9 @@
-// What things are measured in, beside their numbers.
+// Units of quantities, written beside their numbers.
 
 /**
  * The unit of a derivative.
- * @param {string} of what is derived, in this unit; nothing where it has none
- * @param {string} by what it is derived by
+ * @param {string} of unit of the quantity, empty if it has none
+ * @param {string} by unit of the variable
  * @param {number} order
  */
 export function derived(of, by, order) {
@@ -14,17 +14,17 @@ export function derived(of, by, order) {
 }
 
 /**
- * @param {Readonly<{ kind: string, order: number, physical: boolean }>} quantity an angle or a length, or a derivative of one, by time where it is physical
- * @param {"angle" | "length" | "time"} moves by which derivatives are otherwise
+ * @param {Readonly<{ kind: string, order: number, physical: boolean }>} quantity an angle, a length or a derivative of one, with respect to time if physical
+ * @param {"angle" | "length" | "time"} moves kind of the input, with respect to which other derivatives are
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} its unit; an angle in radians
+ * @returns {string} its unit; angles are in radians
  */
 export function unitOfRate({ kind, order, physical }, moves, words) {
   const angle = words.text("unit.rad");
   const input = moves === "angle" ? angle : words.unit;
   const by = physical ? words.text("unit.s") : input;
   const of = kind === "angle" ? angle : words.unit;
-  // A turn of a crank is no unit to a length: the analogue of a velocity is a length.
+  // The angle of a crank adds no unit to a length: the analogue of velocity is a length.
   const bare = order === 0 || (of !== angle && by === angle);
   return bare ? of : derived(of, by, order);
 }
@@ -32,7 +32,7 @@ export function unitOfRate({ kind, order, physical }, moves, words) {
 /**
  * @param {string} number
  * @param {string} unit
- * @returns {string} one after the other, as they are printed, on one line
+ * @returns {string} the number with its unit as printed, without a line break between them
  */
 export function measured(number, unit) {
   return unit === "" || unit.startsWith("°") ? number + unit : `${number}\u00a0${unit}`;

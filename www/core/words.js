@@ -1,12 +1,12 @@
-// Every word of the page comes from lang/*.json, those of a lesson from its folder; this file only looks them up.
+// Texts of the page, from lang/*.json and from the folders of lessons; this file only looks them up.
 import { fetched } from "assur/core/fetched.js";
 import { Numbers } from "assur/core/numbers.js";
 import { measured } from "assur/core/units.js";
 
-/** The languages there are string tables for. */
+/** Languages that have string tables. */
 export const LANGUAGES = Object.freeze(["en", "ru", "uk", "kk"]);
 
-/** Units that stand behind numbers in the texts. */
+/** Units that follow numbers in the texts. */
 const UNITS = "\\{unit\\}|%|px|rpm|об/(?:мин|хв)|айн/мин|(?:min|мин|хв)⁻¹|[NН]·[mм]|m?m|cm|s|kB|MB|м?м(?:/с)?|см|с|[кМ]Б|п[иі]кс";
 
 /** Spaces at which a line may not break: before a unit, at an equals sign before a number, before a dash, after `fig.`, an initial and a Cyrillic word of one letter. */
@@ -23,13 +23,13 @@ const HELD = new RegExp(
   "gu",
 );
 
-/** A unit with what stands between it and what it is of: a comma, a space, brackets. */
+/** A unit with the comma, space or brackets that join it to its quantity. */
 const UNIT = /,?[ \u00a0](\{unit\}|\(\{unit\}\))/g;
 
 /** @type {Map<string, Promise<ReadonlyMap<string, string>>>} */
 const tables = new Map();
 
-/** The words and numbers of one language, and the unit that lengths are in. */
+/** Words and numbers of one language, and the unit of lengths. */
 export class Words {
   /** @type {ReadonlyMap<string, string>} */
   #table;
@@ -37,20 +37,20 @@ export class Words {
   /**
    * @param {string} lang
    * @param {ReadonlyMap<string, string>} table
-   * @param {import("assur/types/file.js").LengthUnit} [lengths] what lengths are in
+   * @param {import("assur/types/file.js").LengthUnit} [lengths] unit of lengths
    */
   constructor(lang, table, lengths = "none") {
     this.lang = lang;
     this.numbers = new Numbers(lang);
     this.#table = table;
     this.lengths = lengths;
-    /** What is written beside lengths; nothing where they have no unit. */
+    /** Unit written beside lengths; empty if they have none. */
     this.unit = lengths === "none" ? "" : this.text(`unit.${lengths}`);
   }
 
   /**
    * @param {import("assur/types/file.js").LengthUnit} lengths
-   * @returns {Words} the same with lengths in that unit
+   * @returns {Words} the same words with lengths in that unit
    */
   measured(lengths) {
     return lengths === this.lengths ? this : new Words(this.lang, this.#table, lengths);
@@ -58,7 +58,7 @@ export class Words {
 
   /**
    * @param {string} number
-   * @returns {string} the same as a length
+   * @returns {string} the number with the unit of lengths
    */
   length(number) {
     return measured(number, this.unit);
@@ -66,7 +66,7 @@ export class Words {
 
   /**
    * @param {string} lang
-   * @param {readonly string[]} [places] of the tables in the page, the language standing for *; what a later one says goes before
+   * @param {readonly string[]} [places] paths of the tables in the page, * standing for the language; a later table overrides an earlier one
    * @returns {Promise<Words>}
    */
   static async load(lang, places = ["lang/*"]) {
@@ -77,24 +77,24 @@ export class Words {
 
   /**
    * @param {string} key
-   * @param {Readonly<Record<string, string>>} [given] what stands in the {places} of the text; {unit} is that of lengths where it is not given
-   * @returns {string} the text, or the key where there is none
+   * @param {Readonly<Record<string, string>>} [given] values for the {places} of the text; {unit} is the unit of lengths unless it is given
+   * @returns {string} the text, or the key if there is none
    */
   text(key, given = {}) {
     const text = this.#table.get(key);
     if (text === undefined) return key;
     /** @type {Record<string, string>} */
     const places = { unit: this.unit, ...given };
-    // What has no unit is followed by none.
+    // A missing unit is omitted with its comma, space or brackets.
     const bare = places.unit ? text : text.replace(UNIT, "");
     return bare.replace(/\{(\w+)\}/g, (place, name) => (Object.hasOwn(places, name) ? places[name] : place));
   }
 
   /**
-   * A text that says how many: its forms stand under `key.one`, `key.few`, `key.many`, `key.other`, as the language has them.
-   * A browser without the language's plural rules goes by those of another, whose forms the table may lack: every table has `other`.
+   * Text with a count. Its plural forms are `key.one`, `key.few`, `key.many`, `key.other`, as the language requires.
+   * A browser without the plural rules of the language uses those of another, whose forms the table may lack, but not `other`.
    * @param {string} key
-   * @param {number} count stands in the place {count}
+   * @param {number} count value of the place {count}
    * @param {Readonly<Record<string, string>>} [places]
    */
   counted(key, count, places = {}) {
@@ -108,7 +108,7 @@ export class Words {
   }
 
   /**
-   * Writes the texts that never change into the page, where its elements name them; `data-n` is the {n} of a text.
+   * Writes the constant texts into the elements of the page that name their keys; `data-n` is the {n} of a text.
    * @param {ParentNode} root
    */
   fill(root) {
@@ -139,7 +139,7 @@ async function fetchTable(name) {
 
 /**
  * @param {string} text
- * @returns {string} the same with non-breaking spaces within what is read as one
+ * @returns {string} the text with non-breaking spaces within phrases that are read as one
  */
 export function unbroken(text) {
   return text.replace(HELD, "\u00a0");
