@@ -80,7 +80,7 @@ impl Assembled {
     }
 
     /// Mechanism of a specification with a setting that differs from its drawing, joined at an input on the given
-    /// sides, or as drawn where no side is given.
+    /// sides, or as drawn where no sign joins the links on its side.
     fn joined(
         before: &Layout,
         mut spec: LinkageSpec,
