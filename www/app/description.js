@@ -184,7 +184,7 @@ function plots(snapshot, { panels, against }) {
  * @param {readonly import("assur/engine.js").Mark[]} marks of one curve
  * @param {Snapshot["coordinate"]} coordinate
  * @param {Words} words
- * @returns {string[]} its least and its greatest value
+ * @returns {string[]} the least and greatest value of the curve
  */
 function peaks(panel, marks, coordinate, words) {
   return /** @type {const} */ (["min", "max"]).flatMap((kind) => {
