@@ -117,7 +117,7 @@ export class Varying {
   }
 
   /**
-   * @param {readonly Range[] | null} ranges null: those that there are
+   * @param {readonly Range[] | null} ranges ranges to set; null keeps the present ones
    * @param {Range[]} more
    */
   #put(ranges, ...more) {

@@ -171,7 +171,7 @@ export class Writer {
   /**
    * Makes a change of the steps that is a step of undo.
    * @param {(lesson: Written, index: number) => Written} change
-   * @param {number} number of steps by which the form then moves
+   * @param {number} by number of steps by which the form then moves
    */
   #step(change, by) {
     this.#page.history.step(() => {
