@@ -1,4 +1,4 @@
-// What is open as a document of another kind: a button in the menu for each that can be made of it.
+// Conversion of the document into another kind: a button in the menu for each possible kind.
 import { byId, make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow } from "assur/state/change.js";
@@ -6,7 +6,7 @@ import { inputNow } from "assur/state/change.js";
 export class Becoming {
   #page;
   #entries = byId("menu-entries", HTMLElement);
-  /** @type {Map<string, HTMLButtonElement>} by the kind */
+  /** @type {Map<string, HTMLButtonElement>} by kind */
   #buttons = new Map();
 
   /** @param {import("assur/app/page.js").Page} page */

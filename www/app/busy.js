@@ -1,4 +1,4 @@
-// What is on its way shows that it is: a line below the header, and the page tells assistive software that it is busy.
+// Display of loading: a line below the header, and a busy state of the page for assistive software.
 import { byId } from "assur/core/dom.js";
 
 let waiting = 0;
@@ -6,7 +6,7 @@ let waiting = 0;
 /**
  * @template T
  * @param {Promise<T>} coming
- * @returns {Promise<T>} the same
+ * @returns {Promise<T>} the same promise
  */
 export async function awaited(coming) {
   tell(1);
@@ -17,7 +17,7 @@ export async function awaited(coming) {
   }
 }
 
-/** @param {1 | -1} more that are waited for */
+/** @param {1 | -1} more change of the number of pending loads */
 function tell(more) {
   waiting += more;
   byId("app", HTMLElement).ariaBusy = waiting > 0 ? "true" : null;

@@ -1,4 +1,4 @@
-// What buttons of the header and keys do, by name.
+// Commands of the header's buttons and of keys, by name.
 import { awaited } from "assur/app/busy.js";
 import { takeFile } from "assur/app/opening.js";
 import { copyLink, filePicker, saveFile } from "assur/app/share.js";
@@ -15,7 +15,7 @@ import { furtherOf, withFurther, withMechanism, withView } from "assur/state/sta
  * @typedef {Readonly<Record<string, () => void>>} Commands
  */
 
-/** Characters of a link from which on programs that send messages may cut it. */
+/** Length of a link, in characters, from which programs that send messages may cut it. */
 const LONG_LINK = 8000;
 
 /**
@@ -27,13 +27,13 @@ export function commands(page) {
 }
 
 /**
- * What brings mechanisms in and out.
+ * Commands that open, save, share and print mechanisms, and open parts of the page.
  * @param {Page} page
  * @returns {Commands}
  */
 function fileCommands(page) {
   const { engine, model, notices, store } = page;
-  // The last mechanism that the engine took, with all else as it is.
+  // The last document that the engine took, with the current lesson, comparison and picture.
   const now = () => withFurther(model.good, furtherOf(store.get()));
   const copy = async () => {
     const { link, copied } = await copyLink(now(), page.address);
@@ -42,7 +42,7 @@ function fileCommands(page) {
     notices.tell([...done, ...(link.length >= LONG_LINK ? CUT : [])]);
   };
   /**
-   * Does what is loaded when it is first asked for.
+   * Loads a part on first use and acts with it.
    * @template Part
    * @param {() => Promise<Part>} load
    * @param {(part: Part) => void} act
@@ -67,7 +67,7 @@ function fileCommands(page) {
 }
 
 /**
- * What moves the mechanism and changes it.
+ * Commands that move and change the mechanism.
  * @param {Page} page
  * @returns {Commands}
  */
@@ -75,7 +75,7 @@ function motionCommands(page) {
   const { store, model, drafts, history, engine } = page;
   const assemble = (/** @type {1 | 2} */ number) => {
     const { value: change } = attempt(() => engine.assemble(number, inputNow(page)));
-    // What has no such assembly stays as it is.
+    // A mechanism without this assembly stays as it is.
     if (change) history.step(() => take(change, page));
   };
   const hasten = (/** @type {1 | -1} */ by) => {
@@ -86,7 +86,7 @@ function motionCommands(page) {
     });
   };
 
-  // The preset that the mechanism was last; of an opened one that was none, the first.
+  // The last preset of the mechanism, or the first of the catalogue if there was none.
   const [first] = engine.catalogue;
   let preset = first;
   const note = (/** @type {import("assur/state/state.js").State} */ state) => {

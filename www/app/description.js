@@ -1,4 +1,4 @@
-// The description of drawing and plots for screen readers: the state at rest, in sentences.
+// Description of drawing and plots for screen readers: the state at rest, in sentences.
 import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
@@ -19,7 +19,7 @@ import { moves } from "assur/state/model.js";
  * @typedef {{ readonly panels: readonly Panel[], readonly against: import("assur/engine.js").Field | null }} Charted
  */
 
-/** Milliseconds of rest before an announcement: nobody listens to every value of a drag. */
+/** Milliseconds of rest before an announcement: the values passed in a drag are not announced. */
 const PAUSE = 500;
 
 export class Description {
@@ -34,7 +34,7 @@ export class Description {
 
   /**
    * @param {Charted} chart
-   * @param {boolean} asked whether the first rest is a reader's doing, of which it hears
+   * @param {boolean} asked whether the reader caused the first rest, which is then announced
    */
   constructor(chart, asked) {
     this.#chart = chart;
@@ -52,7 +52,7 @@ export class Description {
   }
 
   /**
-   * Nothing stays said of a pose that is no longer shown.
+   * Removes the description of a pose that is no longer shown.
    * @param {import("assur/state/model.js").AnySnapshot} snapshot
    */
   #fallSilent(snapshot) {
@@ -67,7 +67,7 @@ export class Description {
     const { state, words, revision, problems, place } = snapshot;
     write(this.#plots, plots(snapshot, this.#chart));
     if (state.view.playing) return;
-    // Problems are announced as they arise, by an element of their own.
+    // Problems are announced by an element of their own when they arise.
     const failed = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
     const here = positions(snapshot);
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
@@ -96,7 +96,7 @@ function valueText({ what }, value, words) {
 }
 
 /**
- * The input and what is listed.
+ * The input and the listed quantities.
  * @param {Snapshot} snapshot
  */
 function pose(snapshot) {
@@ -110,7 +110,7 @@ function pose(snapshot) {
 }
 
 /**
- * What is compared with it: its output, and how the other one differs.
+ * The output of the compared mechanism, and its difference.
  * @param {Snapshot} snapshot
  */
 function beside({ summary: { listed, outputs }, readouts, compared, compares, words, withheld }) {
@@ -129,7 +129,7 @@ function beside({ summary: { listed, outputs }, readouts, compared, compares, wo
 /** @param {Snapshot} snapshot */
 function drawing(snapshot) {
   const { summary, coordinate, words } = snapshot;
-  // What is no linkage has a description of its own.
+  // Anything but a linkage is described without its structure.
   if (!("formula" in summary)) return pose(snapshot);
   const assembly = numbered(summary, coordinate, words);
   if (!assembly) return pose(snapshot);
@@ -141,7 +141,7 @@ function drawing(snapshot) {
 }
 
 /**
- * The special positions that the driver is at.
+ * Special positions at the current input.
  * @param {Snapshot} snapshot
  */
 function positions({ summary, coordinate, input, words }) {
@@ -184,7 +184,7 @@ function plots(snapshot, { panels, against }) {
  * @param {readonly import("assur/engine.js").Mark[]} marks of one curve
  * @param {Snapshot["coordinate"]} coordinate
  * @param {Words} words
- * @returns {string[]} its least and its greatest value
+ * @returns {string[]} the least and greatest value of the curve
  */
 function peaks(panel, marks, coordinate, words) {
   return /** @type {const} */ (["min", "max"]).flatMap((kind) => {
@@ -199,7 +199,7 @@ function peaks(panel, marks, coordinate, words) {
 /**
  * @param {Listed} listed
  * @param {Words} words
- * @returns {string} whose it is; of a point which coordinate
+ * @returns {string} name of its point or link, with the coordinate of a point
  */
 function listedName(listed, words) {
   const { what } = listed;

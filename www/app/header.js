@@ -1,7 +1,7 @@
-// The buttons of the header: undo, redo, the menu, projector mode and, in it, the folded rail.
+// Buttons of the header: undo, redo, the menu, projector mode and, in that mode, the folded settings.
 import { byId, setData } from "assur/core/dom.js";
 
-/** Buttons that do what a command of their name does. */
+/** Buttons with the command of the same name. */
 const BUTTONS = Object.freeze(["undo", "redo", "gallery", "new-drawing", "write-lesson", "open", "save", "copy", "export", "print", "reset", "projector"]);
 
 export class Header {
@@ -22,13 +22,13 @@ export class Header {
     byId("draw", HTMLButtonElement).addEventListener("click", commands.draw);
     for (const name of BUTTONS) byId(name, HTMLButtonElement).addEventListener("click", commands[name]);
     this.#settings.addEventListener("click", () => this.fold(this.#settings.ariaExpanded !== "true"));
-    // The menu closes when something in it, or anything else, is pressed.
+    // The menu closes on a click anywhere, also on one of its entries.
     addEventListener("click", ({ target }) => {
       if (target instanceof Node && !this.#menu.querySelector("summary")?.contains(target)) this.#closeMenu();
     });
   }
 
-  /** @param {boolean} open whether the settings stand beside the drawing, in projector mode */
+  /** @param {boolean} open whether projector mode shows the settings beside the drawing */
   fold(open) {
     this.#settings.setAttribute("aria-expanded", String(open));
     setData(byId("app", HTMLElement), "rail", open ? "open" : "folded");
@@ -40,7 +40,7 @@ export class Header {
     this.#closeMenu();
   }
 
-  /** The focus goes from an entry to the menu's button, else it would be lost. */
+  /** Moves the focus from an entry to the menu's button, so that it is not lost. */
   #closeMenu() {
     if (this.#menu.contains(document.activeElement)) this.#menu.querySelector("summary")?.focus();
     this.#menu.open = false;
@@ -51,7 +51,7 @@ export class Header {
     this.#projector.setAttribute("aria-pressed", String(state.view.projector));
     this.#without.hidden = !state.picture;
     const { canUndo, canRedo } = this.#history;
-    // A button that can do no more gives the focus to its twin, else it would be lost.
+    // A button that becomes disabled gives the focus to its twin, so that it is not lost.
     const focused = document.activeElement;
     this.#undo.disabled = !canUndo;
     this.#redo.disabled = !canRedo;

@@ -1,11 +1,11 @@
-// The one table of keys: for the handler, the help and screen readers.
+// The one table of keys, for the handler, the help and screen readers.
 import { byId, make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {Readonly<{ command: string, name: string, combos: readonly string[], control?: string, again?: boolean }>} Key
- * `combos` are written as in aria-keyshortcuts; `name` is the key of the words; `control` the element that does the
- * same; `again`: a key held down does it again and again.
+ * `combos` are written as in aria-keyshortcuts; `name` is the key of a text; `control` is the element with the same
+ * effect; `again`: holding the key down repeats the command.
  */
 
 /** @type {readonly Key[]} */
@@ -36,10 +36,10 @@ export const KEYS = Object.freeze([
   { command: "close", name: "key.close", combos: ["Escape"] },
 ]);
 
-/** How keys are written where not by their name. */
+/** Written forms of keys that differ from their names. */
 const SIGNS = Object.freeze({ ArrowLeft: "←", ArrowRight: "→", Plus: "+", "-": "−", Control: "Ctrl", Escape: "Esc" });
 
-/** On the scrubber up and down are forward and back. */
+/** Keys of the scrubber that also move forward and back. */
 const SCRUBBER = Object.freeze({ ArrowUp: "ArrowRight", ArrowDown: "ArrowLeft" });
 
 const OWN = Object.freeze({
@@ -60,7 +60,7 @@ export function listen(commands) {
     const combo = combination(event, target.id === "scrubber");
     const key = KEYS.find(({ combos }) => combos.includes(combo));
     if (!key || document.querySelector("dialog[open]") || own(target, combo)) return;
-    // Escape has other uses too; the rest of the table is ours alone.
+    // Escape has other uses, too; all other keys of the table are handled here alone.
     if (key.command !== "close") event.preventDefault();
     if (!event.repeat || key.again) commands[key.command]();
   });
@@ -71,7 +71,7 @@ export function listen(commands) {
 
 /**
  * @param {Words} words
- * @returns {{ name: string, keys: (Node | string)[] }[]} the table for readers
+ * @returns {{ name: string, keys: (Node | string)[] }[]} table of keys for readers
  */
 export function combinations(words) {
   return KEYS.map(({ name, combos }) => {
@@ -95,25 +95,25 @@ function sign(part, words) {
 /**
  * @param {KeyboardEvent} event
  * @param {boolean} scrubber
- * @returns {string} as in the table
+ * @returns {string} combination as in the table
  */
 function combination(event, scrubber) {
   const shift = event.shiftKey ? "Shift+" : "";
   const control = event.ctrlKey || event.metaKey ? "Control+" : "";
   const { key, code } = event;
-  // The letter is that of the key's place where the layout has none of the Latin alphabet.
+  // A layout without Latin letters has the letter of the key's position.
   if (/^[a-z]$/i.test(key)) return control + shift + key.toUpperCase();
   if (/^Key[A-Z]$/.test(code) && !/^[ -~]$/.test(key)) return control + shift + code.slice(3);
   if (key === " ") return `${control}${shift}Space`;
   if (key === "+") return `${control}Plus`;
-  // Signs are what they are, with whatever keys they are typed.
+  // A sign is taken as typed, with whatever keys.
   if (key.length === 1) return control + key;
   const arrow = scrubber ? Object.entries(SCRUBBER).find(([name]) => name === key)?.[1] : undefined;
   return control + shift + (arrow ?? key);
 }
 
 /**
- * Whether the element with the focus uses these keys itself.
+ * Whether the focused element uses this combination itself.
  * @param {Element} target
  * @param {string} combo
  */

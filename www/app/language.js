@@ -4,7 +4,7 @@ import { LANGUAGES, Words } from "assur/core/words.js";
 import { withView } from "assur/state/state.js";
 import { keep, kept } from "assur/state/storage.js";
 
-/** Under what the language that was chosen is kept. */
+/** Name under which the chosen language is kept. */
 const NAME = "lang";
 
 /** @returns {string | null} the language that the reader chose last */
@@ -14,7 +14,7 @@ export function chosenLanguage() {
 }
 
 /**
- * The select of languages and the state's language are one; words come when they are loaded.
+ * Keeps the select of languages and the state's language equal; the page changes once the words are loaded.
  * @param {import("assur/app/page.js").Page} page
  */
 export function chooseLanguage(page) {
@@ -22,7 +22,7 @@ export function chooseLanguage(page) {
   const select = byId("lang", HTMLSelectElement);
   for (const lang of LANGUAGES) select.append(make("option", { value: lang, lang, "data-t": `lang.${lang}` }));
   select.value = store.get().view.lang;
-  /** The language that the reader has chosen: it is kept once its words are there. */
+  /** The language chosen by the reader, kept once its words are loaded. */
   let chosen = "";
   select.addEventListener("change", () => {
     chosen = select.value;
@@ -32,10 +32,10 @@ export function chooseLanguage(page) {
     if (lang === previous.view.lang) return;
     select.value = lang;
     const words = await Words.load(lang).catch(() => null);
-    // Another choice may have been made while these words were on their way.
+    // Another choice may have been made during the load.
     if (store.get().view.lang !== lang) return;
     if (words) page.hear(words);
-    // Back to the language that the page speaks.
+    // The words did not load: the state returns to the language of the page.
     else store.update((state) => withView(state, { lang: page.words.lang }));
     // In a frame of another page nothing is kept.
     if (words && lang === chosen && !habits.embedding) keep(NAME, lang);

@@ -1,6 +1,6 @@
-// The one animation loop. Time enters the page here and nowhere else.
+// The one animation loop, the only source of time in the page.
 
-/** A longer pause between two frames counts as this one, in seconds. */
+/** Longest step of time, in seconds, even after a longer pause between two frames. */
 const LONGEST_STEP = 0.1;
 
 export class Loop {
@@ -11,8 +11,8 @@ export class Loop {
   #last = null;
 
   /**
-   * @param {(dt: number) => boolean} step moves the time on by dt seconds; true while there is motion
-   * @param {() => void} render draws what there is
+   * @param {(dt: number) => boolean} step advances time by dt seconds; true while there is motion
+   * @param {() => void} render draws the page
    */
   constructor(step, render) {
     this.#step = step;
@@ -20,7 +20,7 @@ export class Loop {
     document.addEventListener("visibilitychange", () => (document.hidden ? this.#stop() : this.request()));
   }
 
-  /** Asks for one frame; as long as there is motion, more follow. */
+  /** Requests one frame; more follow as long as there is motion. */
   request() {
     if (this.#handle === 0 && !document.hidden) this.#handle = requestAnimationFrame(this.#frame);
   }

@@ -1,10 +1,10 @@
-// What happened to a link or a file, as a sentence that stays until it is closed.
+// Notices on links, files and parts of the page: sentences that stay until they are closed.
 import { lossOf, sentence } from "assur/controls/problems.js";
 import { byId, make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/app/opening.js").Failure} Failure
- * @typedef {"copied" | "copied_without" | "result"} Done what was brought where it can be pasted: a link, one without the picture, the result of a lesson
+ * @typedef {"copied" | "copied_without" | "result"} Done something copied to the clipboard: a link, a link without the picture, the result of a lesson
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
@@ -17,13 +17,13 @@ export const BROKE = Object.freeze([{ kind: "part", problems: [{ code: "part_bro
 /** @type {readonly Failure[]} the plots could not be drawn */
 export const NO_PLOTS = Object.freeze([{ kind: "part", problems: [{ code: "no_plots" }] }]);
 
-/** @type {readonly Failure[]} what is shown is too long for a link */
+/** @type {readonly Failure[]} the state is too long for a link */
 export const LONG = Object.freeze([{ kind: "link", problems: [{ code: "link_too_long" }] }]);
 
-/** @type {readonly Failure[]} the link is so long that programs which send it may cut it */
+/** @type {readonly Failure[]} the link is long enough to be cut by programs that send it */
 export const CUT = Object.freeze([{ kind: "link", problems: [{ code: "link_may_be_cut" }] }]);
 
-/** @type {Readonly<Record<"picture" | "state" | "lesson" | "tab", readonly Failure[]>>} the browser does not keep the picture behind the drawing, the state, answers in a lesson, or keeps another tab's */
+/** @type {Readonly<Record<"picture" | "state" | "lesson" | "tab", readonly Failure[]>>} the browser does not keep the picture behind the drawing, the state or answers in a lesson, or keeps the state of another tab */
 export const UNKEPT = Object.freeze({
   picture: [{ kind: "picture", problems: [{ code: "picture_unkept" }] }],
   state: [{ kind: "store", problems: [{ code: "state_unkept" }] }],
@@ -37,7 +37,7 @@ export class Notices {
   #changed;
   /** @type {readonly (Failure | Done)[]} */
   #told = [];
-  /** @type {readonly unknown[]} what is shown, and in which language */
+  /** @type {readonly unknown[]} shown notices and their language */
   #shown = [];
 
   /** @param {() => void} changed */
@@ -70,7 +70,7 @@ export class Notices {
 /**
  * @param {Failure | Done} one
  * @param {Words} words
- * @returns {string} the sentence that says it
+ * @returns {string} its sentence
  */
 export function lineOf(one, words) {
   if (isDone(one)) return words.text(`notice.${one}`);

@@ -1,4 +1,4 @@
-// Where the first state comes from, and taking in others later: an address, what was kept, a file, what another program made.
+// Sources of states: an address, the browser's storage, a file, another program's file or text.
 import { Refusal, attempt } from "assur/core/problem.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { fromAddress, fromFile } from "assur/state/codec.js";
@@ -11,24 +11,24 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import" | "link" | "picture" | "store", problems: readonly Problem[], name?: string }>} Failure
- * Of kind `import` it is what was lost on the way; all else was opened.
+ * A failure of kind `import` lists what was lost on the way; everything else was opened.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
  * @typedef {Readonly<{ calm: boolean, lang: string, embedding?: import("assur/embed/embed.js").Embedding | null }>} Habits
- * What the reader is used to: no motion unasked, and the language, chosen here or else the browser's, of a state that says none; in a
- * frame of another page what that wants.
+ * Habits of the reader: no unrequested motion; the language of states without one, chosen here or else the browser's; in a frame
+ * of another page, also the wishes of that page.
  */
 
-/** What ends the names of files of Linkage. */
+/** Extension of files of Linkage. */
 const EXTENSION = /\.linkage2$/i;
 
-/** Bytes of a file. */
+/** Limit of the size of a file, in bytes. */
 const LARGEST_FILE = 20_000_000;
 
-/** Of these files it is said what can be opened. */
+/** Problems of a file after which the notice lists what can be opened. */
 const OTHERS = Object.freeze(["not_json", "no_mechanism", "is_picture"]);
 
-/** Characters of a title. */
+/** Limit of the length of a title, in characters. */
 const LONGEST_TITLE = 400;
 
 /**
@@ -55,7 +55,7 @@ async function take(kind, unwrap, engine, { calm, lang, embedding }) {
  * @param {string} address
  * @param {Engine} engine
  * @param {Habits} habits
- * @returns {Promise<Taken | null>} null where the address holds none
+ * @returns {Promise<Taken | null>} null if the address holds no state
  */
 export async function takeAddress(address, engine, habits) {
   const hash = addressed(address);
@@ -69,7 +69,7 @@ export async function takeAddress(address, engine, habits) {
 
 /**
  * @param {File} file
- * @returns {Problem | null} why it is not even read
+ * @returns {Problem | null} reason not to read the file at all
  */
 function unfit({ size, type }) {
   if (type.startsWith("image/")) return { code: "is_picture" };
@@ -101,7 +101,7 @@ export async function takeFile(file, engine, habits) {
 }
 
 /**
- * What another program made, from a file or as a link or text that was pasted.
+ * Takes the work of another program, from a file or from a pasted link or text.
  * @param {string} text
  * @param {string | null} name of the file
  * @param {Engine} engine
@@ -125,7 +125,7 @@ export async function takeForeign(text, name, engine, habits) {
 }
 
 /**
- * The address, else what was kept, else the first preset; what could not be read is said. In a frame nothing is kept.
+ * The state of the address, or else of the storage, or else the first preset, with the failures on the way. A frame has no storage.
  * @param {Engine} engine
  * @param {Habits} habits
  * @returns {Promise<Opening>}
@@ -139,13 +139,13 @@ export async function open(engine, habits) {
   const bare = () => fromFile(text ?? "");
   const kept = () => withImage(bare());
   const pictured = Boolean(Object(attempt(bare).value).picture);
-  /** @param {State} state that is the one that was kept; its image may not have been */
+  /** @param {State} state the kept state; its image may be missing */
   const said = (state) => {
     if (pictured && !state.picture) failures.push({ kind: "picture", problems: [{ code: "picture_lost" }] });
     return { state, failures };
   };
   if (address?.state) {
-    // The picture that was kept is put behind the very same drawing: no address has it.
+    // No address has a picture: the kept one is put behind the same drawing.
     const { state } = address;
     const { state: last } = pictured ? await take("kept", kept, engine, habits) : { state: null };
     const same = last?.kind === state.kind && JSON.stringify(last.document) === JSON.stringify(state.document);

@@ -1,20 +1,20 @@
-// What is read beside the drawing, while a pointer makes another mechanism in every frame: it is written as often as leaves the hand most
-// of the time.
+// Pacing of views beside the drawing while a drag makes a new mechanism in every frame: they are written as often as leaves most of the
+// time to the drag.
 import { whenReleased } from "assur/core/released.js";
 
-/** What takes no longer than this, in milliseconds, has its place in every frame. */
+/** Longest writing time, in milliseconds, that fits into every frame. */
 const BRIEF = 3;
-/** What takes longer rests so many times as long as it took. */
+/** Pause after a longer writing, as a multiple of its time. */
 const REST = 12;
 
 export class Pace {
-  /** Of which mechanism it was written last. */
+  /** Revision of the mechanism written last. */
   #revision = 0;
-  /** Whether it took long. */
+  /** Whether the last writing took long. */
   #long = false;
-  /** Until when it rests, in milliseconds. */
+  /** End of the pause, in milliseconds. */
   #rests = 0;
-  /** @type {{ revision: number, write: () => void } | null} what is written when the frame is over */
+  /** @type {{ revision: number, write: () => void } | null} writing due after the frame */
   #due = null;
   /** Whether a pointer is down. */
   static #pressed = false;
@@ -27,13 +27,13 @@ export class Pace {
   /**
    * @param {number} revision of the mechanism
    * @param {() => void} write
-   * @returns {boolean} whether it is written now, or when this frame is over; if not, it has to be tried again
+   * @returns {boolean} whether it is written now or after this frame; if false, it has to be tried again
    */
   keep(revision, write) {
     if (Pace.#pressed && revision !== this.#revision) {
       if (performance.now() < this.#rests) return false;
       if (this.#long) {
-        // What is in hand is on the screen first.
+        // The dragged drawing reaches the screen first.
         if (!this.#due) setTimeout(() => this.#end());
         this.#due = { revision, write };
         return true;

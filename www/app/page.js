@@ -1,4 +1,4 @@
-// The page put together: what all of it shares, and what happens in a frame.
+// The page put together: its shared objects, and the work of a frame.
 import { commands as makeCommands } from "assur/app/commands.js";
 import { Header } from "assur/app/header.js";
 import { listen } from "assur/app/keys.js";
@@ -28,7 +28,7 @@ import { Store } from "assur/state/store.js";
 
 /** @typedef {import("assur/state/state.js").State} State */
 
-/** Numbers that change faster than this cannot be read; in seconds. */
+/** Shortest time between changes of numbers that can be read, in seconds. */
 const WRITING_PERIOD = 0.2;
 
 export class Page {
@@ -36,9 +36,9 @@ export class Page {
   #player = new Player();
   #views;
   #toLesson;
-  /** Seconds since numbers were written: at first they are due. */
+  /** Seconds since numbers were written; they are due at the start. */
   #unwritten = WRITING_PERIOD;
-  /** @type {HTMLElement | null} what is printed instead of the worksheet of what is shown */
+  /** @type {HTMLElement | null} element printed instead of the worksheet of the shown state */
   sheet = null;
 
   /**
@@ -61,7 +61,7 @@ export class Page {
     this.theme = new Theme(engine.roles, redraw);
     this.notices = new Notices(redraw);
     this.notices.tell(failures);
-    // Canvases have a size once they are shown.
+    // Canvases have a size only when they are shown.
     byId("app", HTMLElement).hidden = false;
     this.mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, this.theme);
     this.chart = new ChartView(byId("charts", HTMLCanvasElement), engine, this.theme, () => this.notices.tell(NO_PLOTS));
@@ -95,7 +95,7 @@ export class Page {
     listen(embedding?.commands(keys) ?? keys);
     this.store.subscribe(redraw);
     persist(this.store, this.address, (state) => this.model.takes(state), !embedding, (...what) => this.notices.tell(what.flatMap((one) => UNKEPT[one])));
-    // The address that was entered: by now another may have been written over it.
+    // The event has the address that was entered: another may have been written over it by now.
     receive(this);
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, this.ofNow())));
     chooseLanguage(this);
@@ -103,12 +103,12 @@ export class Page {
     speak(this.words);
   }
 
-  /** Draws it for the first time. */
+  /** Draws the page for the first time. */
   show() {
     byId("boot", HTMLElement).hidden = true;
     this.#render();
     this.redraw();
-    // The canvases learn their sizes, and are drawn, at the end of the first frame.
+    // The canvases get their sizes, and are drawn, at the end of the first frame.
     requestAnimationFrame(() => requestAnimationFrame(() => {
       setData(document.documentElement, "ready", "true");
       performance.mark("ready");
@@ -117,7 +117,7 @@ export class Page {
     }));
   }
 
-  /** What the browser prints by itself has to be there before; the gallery is what is opened most. */
+  /** Loads the worksheet, needed before the browser prints by itself, and the gallery, which is opened most often. */
   async #prepare() {
     this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
     import("assur/gallery/gallery.js").catch(() => null);
@@ -126,7 +126,7 @@ export class Page {
     performance.mark("printable");
   }
 
-  /** @returns {import("assur/app/opening.js").Habits} for what says nothing of a language: the one that is read now */
+  /** @returns {import("assur/app/opening.js").Habits} habits with the page's current language, for states without one */
   ofNow() {
     return { ...this.habits, lang: this.store.get().view.lang };
   }
@@ -136,9 +136,9 @@ export class Page {
   }
 
   /**
-   * Makes something of the page with drawing and numbers of one and the same pose.
+   * Does work while drawing and numbers show the same pose.
    * @template T
-   * @param {readonly string[]} hidden read-outs that are not written meanwhile
+   * @param {readonly string[]} hidden ids of read-outs hidden during the work
    * @param {() => T} work
    * @returns {T}
    */
@@ -171,12 +171,12 @@ export class Page {
   }
 
   /**
-   * Shows another document instead of the one there is, in one step of undo. An open lesson stays open.
+   * Replaces the document by another, in one step of undo. An open lesson stays open.
    * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
-   * @param {readonly import("assur/state/change.js").Edit[]} edits what the engine makes other in it
-   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look how it is looked at, by what the engine says of it
-   * if it takes it
+   * @param {readonly import("assur/state/change.js").Edit[]} edits changes that the engine makes to it
+   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look its view, by the engine's summary, which
+   * is null if the engine refuses it
    */
   choose(kind, document, edits = [], look = () => ({})) {
     const { store, model, address } = this;
@@ -184,14 +184,14 @@ export class Page {
     const before = model.good;
     this.#player.begin();
     choose(kind, document, edits, look, this);
-    // What the engine does not take is in no address.
+    // A document refused by the engine is in no address.
     model.follow(store.get());
     address.enter(before, model.good);
   }
 
   /**
-   * Puts the driver to a place by hand; it stays there.
-   * @param {number} place as readers count
+   * Puts the driver to a place by hand, where it stays.
+   * @param {number} place in the reader's unit
    */
   drive(place) {
     this.drafts.drop(INPUT);
@@ -199,26 +199,26 @@ export class Page {
   }
 
   /**
-   * Moves the driver by hand in small steps, as large as its coordinate says.
-   * @param {number} count of them; back where negative
+   * Moves the driver by hand in small steps of its coordinate.
+   * @param {number} count of steps; negative for back
    */
   step(count) {
     const { coordinate } = this.model;
     this.drive(coordinate.of(this.store.get()) + count * coordinate.step);
   }
 
-  /** Brings the open lesson where the eye is, and the focus to it. */
+  /** Scrolls the open lesson into view and focuses it. */
   attend() {
     this.#toLesson();
   }
 
-  /** @param {Words} words the language from now on */
+  /** @param {Words} words words of the new language */
   hear(words) {
     this.#say(words);
     this.redraw();
   }
 
-  /** @param {Words} words with whatever unit */
+  /** @param {Words} words words with any unit */
   #say(words) {
     const measured = words.measured(this.engine.lengths);
     if (measured === this.words) return;
@@ -235,7 +235,7 @@ export class Page {
 
   #render() {
     this.model.follow(this.store.get());
-    // What was plotted may have gone with a part of the mechanism.
+    // The plotted quantity may have gone with a part of the mechanism.
     if (this.model.astray) {
       this.store.update((state) => withView(state, PARTS));
       this.model.follow(this.store.get());

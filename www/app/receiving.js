@@ -1,15 +1,15 @@
-// What is dropped on the page or pasted into it: files, and links and texts of other programs.
+// Content dropped on the page or pasted into it: files, and links and texts of other programs.
 import { takeFile, takeForeign } from "assur/app/opening.js";
 
 /** @typedef {import("assur/app/page.js").Page} Page */
 
-/** What is dragged is taken where it has one of these. */
+/** Types of dragged content that the page takes. */
 const TYPES = Object.freeze(["Files", "text/uri-list", "text/plain"]);
 
-/** @param {Page} page that takes what comes */
+/** @param {Page} page page that takes the content */
 export function receive(page) {
   addEventListener("paste", (event) => {
-    // What is pasted into a field is the field's.
+    // A field keeps what is pasted into it.
     if (event.defaultPrevented || writes(event.target) || document.querySelector("dialog[open]")) return;
     if (bring(event.clipboardData, page, false)) event.preventDefault();
   });
@@ -25,8 +25,8 @@ export function receive(page) {
 /**
  * @param {DataTransfer | null} data
  * @param {Page} page
- * @param {boolean} meant whether a text that is none of another program's is said to be none
- * @returns {boolean} whether there was something to take
+ * @param {boolean} meant whether a text of no known program is reported
+ * @returns {boolean} whether there was any content to take
  */
 function bring(data, page, meant) {
   const { engine } = page;
@@ -44,7 +44,7 @@ function bring(data, page, meant) {
 
 /**
  * @param {EventTarget | null} target
- * @returns {boolean} whether it takes text
+ * @returns {boolean} whether the target takes text
  */
 function writes(target) {
   if (target instanceof HTMLInputElement) return !["range", "radio", "checkbox", "button"].includes(target.type);

@@ -1,9 +1,9 @@
-// The views of the page, one after the other: one that breaks stops none of the others.
+// Rendering of the page's views one by one: a view that breaks does not stop the others.
 
 /** @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot */
 
 export class Rendering {
-  /** @type {WeakMap<object, number>} views that broke, by the revision of the mechanism they broke at: they are tried again with another */
+  /** @type {WeakMap<object, number>} broken views with the revision of the mechanism at which they broke: another revision tries them again */
   #broken = new WeakMap();
   #broke;
 

@@ -19,7 +19,7 @@ export async function copyLink(state, address) {
     await navigator.clipboard.writeText(link);
     return { link, copied: true };
   } catch {
-    // Not every browser lets a page write there: the reader copies by hand.
+    // Browsers may forbid writing to the clipboard: the reader copies by hand.
     const field = byId("link-text", HTMLInputElement);
     field.value = link;
     byId("link", HTMLDialogElement).showModal();
@@ -37,8 +37,8 @@ export function saveFile(state, name) {
 }
 
 /**
- * @param {(file: File) => void} opened
- * @returns {() => void} asks for a file
+ * @param {(file: File) => void} opened takes the chosen file
+ * @returns {() => void} opens the file picker
  */
 export function filePicker(opened) {
   const input = byId("file", HTMLInputElement);

@@ -1,4 +1,4 @@
-// The name of the mechanism in the header, with what it is good for, and what is called by it.
+// Title of the mechanism in the header with its use as tooltip, and the elements named after it.
 import { byId, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { titleOf } from "assur/core/titles.js";

@@ -1,4 +1,4 @@
-// All that shows the state. What only one kind of mechanism has comes with its kind, sentences for screen readers with the
+// All views of the state. Those of one kind of document are loaded with the kind, sentences for screen readers at the
 // first rest.
 import { Becoming } from "assur/app/becoming.js";
 import { awaited } from "assur/app/busy.js";
@@ -26,11 +26,11 @@ import { moves } from "assur/state/model.js";
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
  * @typedef {{ render(snapshot: AnySnapshot): void }} View
- * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView of what moves
- * @typedef {(page: Page) => readonly View[]} Make what of the page only one kind of mechanism has; its views are given what is of it
+ * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView view of a document that moves
+ * @typedef {(page: Page) => readonly View[]} Make makes the views of one kind of document; they get only its snapshots
  */
 
-/** @type {Readonly<Record<"all_assemblies" | "polygons" | "curvature", (page: Page) => Promise<MotionView>>>} what is loaded when a switch asks for it */
+/** @type {Readonly<Record<"all_assemblies" | "polygons" | "curvature", (page: Page) => Promise<MotionView>>>} views loaded when their switch is on */
 const PANELS = Object.freeze({
   all_assemblies: async (page) => new (await import("assur/assemblies/panel.js")).Assemblies(page),
   polygons: async (page) => new (await import("assur/polygons/panel.js")).Polygons(page),
@@ -38,7 +38,7 @@ const PANELS = Object.freeze({
 });
 const PANEL_NAMES = Object.freeze(/** @type {(keyof typeof PANELS)[]} */ (Object.keys(PANELS)));
 
-/** @type {Readonly<Record<"drawing", (page: Page) => Promise<View>>>} the same of what need not move */
+/** @type {Readonly<Record<"drawing", (page: Page) => Promise<View>>>} the same, also for a document that does not move */
 const TOOLS = Object.freeze({
   drawing: async (page) => new (await import("assur/drawing/drawing.js")).Drawing(page),
 });
@@ -46,7 +46,7 @@ const TOOL_NAMES = Object.freeze(/** @type {(keyof typeof TOOLS)[]} */ (Object.k
 
 export class Views {
   #page;
-  /** @type {readonly View[]} what a hand is at, drawn in every frame */
+  /** @type {readonly View[]} views under the pointer, drawn in every frame */
   #held;
   #rendering;
   /** @type {View[]} */
@@ -56,18 +56,18 @@ export class Views {
   #paces = { plots: new Pace(), others: new Pace() };
   /** @type {MotionView[]} */
   #moving;
-  /** The kind of what is drawn. */
+  /** Kind of the drawn document. */
   #kind = "";
-  /** @type {Map<string, readonly View[]>} those of the kinds that were loaded */
+  /** @type {Map<string, readonly View[]>} views of the loaded kinds */
   #own = new Map();
   #bringing;
-  /** Whether the first rest is a reader's doing. */
+  /** Whether the reader caused the first rest. */
   #opened;
 
   /**
    * @param {Page} page
-   * @param {readonly View[]} held what a hand is at
-   * @param {readonly View[]} views that the page has itself
+   * @param {readonly View[]} held views under the pointer
+   * @param {readonly View[]} views of the page itself
    */
   constructor(page, held, views) {
     const { store, engine, theme, chart } = page;
@@ -113,7 +113,7 @@ export class Views {
   }
 
   /**
-   * Shows what is of this kind, and nothing of another.
+   * Shows the elements of one kind of document and hides those of others.
    * @param {string} kind
    */
   #turn(kind) {
@@ -144,7 +144,7 @@ export class Views {
    * @template T
    * @param {keyof typeof PANELS | keyof typeof TOOLS} name
    * @param {(page: Page) => Promise<T>} load
-   * @param {T[]} views to which it comes
+   * @param {T[]} views list that the loaded view joins
    */
   #bringLater(name, load, views) {
     this.#bringing.bring(name, async () => {
@@ -152,7 +152,7 @@ export class Views {
     });
   }
 
-  /** Most visits begin in motion, and need no sentences for screen readers. */
+  /** Loads the sentences for screen readers at the first rest: most visits begin in motion. */
   #describe() {
     this.#bringing.bring("description", async () => {
       const { Description } = await import("assur/app/description.js");

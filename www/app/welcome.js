@@ -1,15 +1,15 @@
-// What the page is and which lessons there are, for who sees it for the first time.
+// Introduction to the page and its lessons on a first visit.
 import { LOST } from "assur/app/notices.js";
 import { byId, make } from "assur/core/dom.js";
 import { LESSONS } from "assur/lessons/index.js";
 import { addressed } from "assur/state/address.js";
 import { keep, kept } from "assur/state/storage.js";
 
-/** What is kept once it was closed. */
+/** Name under which the closed introduction is noted. */
 const NAME = "welcome";
 
 /**
- * Shows it unless it was closed once, or the page was opened to show something: by a link, in a frame of another page.
+ * Shows the introduction, unless it was closed once or the page was opened by a link or in a frame to show something.
  * @param {import("assur/app/page.js").Page} page
  */
 export function welcome(page) {
@@ -33,7 +33,7 @@ export function welcome(page) {
     close();
     byId("gallery", HTMLButtonElement).focus();
   });
-  // Who has opened a lesson knows where they are.
+  // A reader with an open lesson needs no introduction.
   page.store.subscribe(({ view: { lesson } }) => {
     if (lesson && !place.hidden) close();
   });

@@ -1,9 +1,9 @@
-// Reads the flat display lists of the engine into things a canvas can paint.
+// Reading of the engine's flat display lists into shapes and labels for a canvas.
 
 /**
- * @typedef {Float32Array | Float64Array} List of numbers, as the engine hands it over
+ * @typedef {Float32Array | Float64Array} List of numbers, as the engine returns it
  * @typedef {{ record: List, role: string, look: number, path: Path2D, loops?: List[] }} Shape
- * Where it stands in the list; of polygons also the corners of each.
+ * `record` is its part of the list; polygons also have the corners of each in `loops`.
  * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label
  * @typedef {{ body: number, shapes: Shape[], labels: Label[] }} Layer
  */
@@ -16,12 +16,12 @@ const TEXT = 4;
 
 /**
  * @param {List} list
- * @param {number} start where the list begins in the array
+ * @param {number} start index in the array at which the list begins
  * @param {readonly string[]} roles
  * @param {readonly string[]} labels
  * @param {() => Path2D} newPath an empty path
- * @param {readonly Layer[]} [before] read earlier with the same roles and kind of path; shapes that are as they were are
- * taken over, with all that was made for painting them
+ * @param {readonly Layer[]} [before] result of an earlier list with the same roles and kind of path; unchanged shapes are
+ * taken over, with all that was made to paint them
  * @returns {Layer[]} in the order of painting
  */
 export function readDisplayList(list, start, roles, labels, newPath, before = []) {
@@ -55,10 +55,10 @@ export function readDisplayList(list, start, roles, labels, newPath, before = []
 }
 
 /**
- * @param {List} record records tell their own length: one that begins alike is the same
+ * @param {List} record earlier record; records hold their own length, so a match of all its values is enough
  * @param {List} list
  * @param {number} at
- * @returns {boolean} whether the record stands there, too
+ * @returns {boolean} whether the list has the same record there
  */
 function stands(record, list, at) {
   return record.every((value, i) => value === list[at + i]);
@@ -90,7 +90,7 @@ function readShape(list, at, roles, newPath) {
  * @param {Shape} shape
  * @param {List} list
  * @param {number} at
- * @returns {number} where the next record begins
+ * @returns {number} index of the next record
  */
 function addPolygons(shape, list, at) {
   const count = list[at];

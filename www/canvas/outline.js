@@ -1,7 +1,7 @@
-// The line along a polygon as a band to fill. To stroke the teeth of a wheel anew in every frame takes a browser without
-// a graphics processor several times as long as to fill what was outlined once.
+// The line along a polygon as a band to fill. Stroking the teeth of a wheel in every frame takes a browser without a graphics
+// processor several times as long as filling an outline made once.
 
-/** Keeps the tips of the sharpest corners short: 1 + cos of what the line turns by there counts as at least this. */
+/** Shortens the tips of sharp corners: lower limit of 1 + cos of the line's turn at a corner. */
 const SHARPEST = 0.3;
 
 /**
@@ -15,7 +15,7 @@ export function outlined(loops, width) {
   for (const loop of loops) {
     const corners = distinct(loop);
     add(band, moved(corners, width / 2));
-    // The other way round, so that inside it the band ends.
+    // The reverse direction ends the band at its inner edge.
     add(band, moved(corners.reverse(), width / 2));
   }
   return band;
@@ -23,7 +23,7 @@ export function outlined(loops, width) {
 
 /**
  * @param {import("assur/canvas/display-list.js").List} loop
- * @returns {[number, number][]} its corners, without those that repeat the one before
+ * @returns {[number, number][]} its corners without repeated ones
  */
 function distinct(loop) {
   /** @type {[number, number][]} */
@@ -38,7 +38,7 @@ function distinct(loop) {
 /**
  * @param {readonly (readonly [number, number])[]} corners
  * @param {number} distance
- * @returns {[number, number][]} the corners of the polygon whose sides are moved to their right
+ * @returns {[number, number][]} the corners of the polygon with its sides moved to their right
  */
 function moved(corners, distance) {
   const sides = corners.map(([x, y], i) => {

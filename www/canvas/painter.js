@@ -1,4 +1,4 @@
-// Paints what a display list holds. Knows looks and colours, nothing of what is drawn.
+// Painting of a display list. It knows looks and colours, but not the meaning of the shapes.
 import { outlined } from "assur/canvas/outline.js";
 import { textWidth } from "assur/canvas/text-width.js";
 
@@ -15,19 +15,19 @@ import { textWidth } from "assur/canvas/text-width.js";
  *   setLineDash(dash: readonly number[]): void,
  *   setTransform(a: number, b: number, c: number, d: number, e: number, f: number): void,
  * }} Context
- * What our painting uses of a canvas's context. Canvases have it, and so has the Svg of export/svg.js.
+ * The part of a canvas's context that painting uses; the Svg of export/svg.js has it, too.
  *
  * @typedef {{ readonly context: Context, readonly ratio: number }} Target
- * What is painted on: a context and its device pixels per CSS pixel.
+ * Target of painting: a context and its device pixels per CSS pixel.
  *
  * @typedef {Readonly<{ left: number, right: number, top: number, bottom: number }>} Box
  *
  * @typedef {Readonly<{ fill?: number, paper?: boolean, stroke?: number, opacity?: number, dash?: readonly number[] }>} Look
- * How a shape is painted: opacity of its filling, whether paper fills it, width of its line in pixels and the
+ * Look of a shape: opacity of its filling, whether the filling has the paper's colour, width of its line in pixels, and the
  * line's opacity and dashes.
  */
 
-/** @type {readonly Look[]} in the order of the display list's numbers */
+/** @type {readonly Look[]} by the numbers in the display list */
 const LOOKS = [
   { fill: 1 }, // solid
   { fill: 0.16, stroke: 1.5 }, // pale
@@ -39,20 +39,20 @@ const LOOKS = [
 ];
 
 const TEXT_SIZE = 15;
-/** How much smaller text is on a small drawing. */
+/** Factor of the text size on a small drawing. */
 const SMALL = 0.85;
-/** A Greek symbol with an index, which stands low: names of points and links are written as they are. */
+/** A Greek symbol with a subscript: names of points and links are written as they are. */
 const INDEXED = /^(\p{Script=Greek})_(\p{L})$/u;
-/** The index: how much smaller it is, and how far it stands below, in heights of the text. */
+/** The subscript: its size relative to the text, and its distance below, in heights of the text. */
 const LOW = Object.freeze({ size: 0.75, below: 0.25 });
-/** Width of the halo around it. */
+/** Width of the halo around the text, in pixels. */
 const HALO = 4;
 /** @type {number[]} */
 const NO_DASH = [];
 
 export class Painter {
   #theme;
-  /** @type {WeakMap<Shape, { width: number, band: Path2D }>} the lines of polygons, as wide as they were painted last */
+  /** @type {WeakMap<Shape, { width: number, band: Path2D }>} lines of polygons in the width painted last */
   #bands = new WeakMap();
 
   /** @param {import("assur/canvas/theme.js").Theme} theme */
@@ -84,9 +84,9 @@ export class Painter {
    * @param {readonly Layer[]} layers
    * @param {Transform} view
    * @param {readonly (readonly number[])[]} poses
-   * @param {(label: string) => string} write what stands for a label
-   * @param {import("assur/canvas/places.js").Places} places where labels stand
-   * @param {boolean} small whether there is little room: what finds no place is left out
+   * @param {(label: string) => string} write gives the text of a label
+   * @param {import("assur/canvas/places.js").Places} places places of the labels
+   * @param {boolean} small whether the drawing is small: a label without a free place is then omitted
    */
   labels({ context, ratio }, layers, view, poses, write, places, small) {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -117,10 +117,10 @@ export class Painter {
   }
 
   /**
-   * @param {Context} context with the font
+   * @param {Context} context with the font set
    * @param {string} text
    * @param {string} colour
-   * @param {number} x its middle
+   * @param {number} x middle of the text
    * @param {number} y
    */
   #write(context, text, colour, x, y) {
@@ -149,7 +149,7 @@ export class Painter {
       context.fill(path, "evenodd");
     }
     const pixel = this.#theme.weight / scale;
-    // Only of pixels a band is cheaper than a line: a picture made of lines keeps them.
+    // A band is cheaper than a line only on pixels: a vector picture keeps its lines.
     if (stroke && loops && dash === NO_DASH && "canvas" in context) {
       context.globalAlpha = opacity;
       context.fillStyle = colour;

@@ -1,4 +1,4 @@
-// Where the labels of a drawing stand: each where the drawing wants it, or, where another label is, on another side of its point.
+// Places of the labels of a drawing: each where the drawing wants it or, if another label is there, on another side of its point.
 
 /**
  * @typedef {import("assur/canvas/painter.js").Box} Box
@@ -6,8 +6,8 @@
  */
 
 /**
- * Where about its point a label may stand, by factors of how far it is off it along x and y: where it is wanted comes first,
- * then the other sides, then farther off.
+ * Possible places of a label, as factors of its distance from its point along x and y: the wanted place comes first, then the
+ * other sides, then places farther away.
  */
 const SIDES = Object.freeze([1, 2].flatMap((far) => [
   [far, far],
@@ -16,20 +16,20 @@ const SIDES = Object.freeze([1, 2].flatMap((far) => [
   [-far, far],
 ]));
 
-/** So much more room than it takes, in heights, there must be for a label to go back: else it would jump to and fro in motion. */
+/** Extra room, in heights, that a label needs to return to its wanted place: it would flicker in motion without it. */
 const ROOM = 1.5;
 
 export class Places {
-  /** @type {Box[]} those of the labels that were placed since the beginning */
+  /** @type {Box[]} boxes of the labels placed since `begin` */
   #taken = [];
-  /** @type {Map<string, number>} the sides of the labels that are not where they are wanted */
+  /** @type {Map<string, number>} sides of the labels that are not in their wanted places */
   #moved = new Map();
   /** @type {Sheet} */
   #sheet = { width: 0, height: 0 };
 
   /**
-   * All labels are going to be placed.
-   * @param {Sheet} sheet that they stay on, if their points are
+   * Begins a new placement of all labels.
+   * @param {Sheet} sheet on which labels stay if their points are on it
    */
   begin(sheet) {
     this.#taken = [];
@@ -37,12 +37,12 @@ export class Places {
   }
 
   /**
-   * Takes a place for a label. In motion it stays on its side for as long as it can.
+   * Takes a place for a label. In motion it stays on its side as long as it can.
    * @param {string} label
-   * @param {{ x: number, y: number, dx: number, dy: number }} wanted a point, and how far from it its middle shall be
+   * @param {{ x: number, y: number, dx: number, dy: number }} wanted its point, and the wanted distance of its middle from the point
    * @param {number} width
    * @param {number} height
-   * @returns {{ x: number, y: number, free: boolean }} its middle; where no side is free, that which is wanted
+   * @returns {{ x: number, y: number, free: boolean }} its middle; the wanted one if no side is free
    */
   take(label, { x, y, dx, dy }, width, height) {
     const sheet = this.#sheet;
@@ -71,9 +71,9 @@ export class Places {
 /**
  * @param {number} point
  * @param {number} wanted
- * @param {number} half of what shall be there
+ * @param {number} half half of the label's size
  * @param {number} length of the sheet
- * @returns {number} the place nearest to the wanted one on the sheet; of a point farther off the sheet, that which is wanted
+ * @returns {number} the place on the sheet nearest to the wanted one, or the wanted one for a point off the sheet
  */
 function within(point, wanted, half, length) {
   return point < -half || point > length + half || length < 2 * half ? wanted : Math.min(Math.max(wanted, half), length - half);

@@ -1,4 +1,4 @@
-// A canvas that is as sharp as the screen: its backing store follows its size and the device-pixel ratio.
+// A canvas as sharp as the screen: its backing store follows its size and the device-pixel ratio.
 
 export class Surface {
   /** Size in CSS pixels. */
@@ -10,7 +10,7 @@ export class Surface {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {() => void} redraw called when its size changed
+   * @param {() => void} redraw called when its size or resolution has changed
    * @param {CanvasRenderingContext2DSettings} [settings]
    */
   constructor(canvas, redraw, settings) {
@@ -23,7 +23,7 @@ export class Surface {
     this.#watchRatio();
   }
 
-  /** Blank, with one unit of the context being one CSS pixel. */
+  /** Clears the canvas and makes a unit of the context one CSS pixel. */
   clear() {
     const { context, canvas } = this;
     context.setTransform(1, 0, 0, 1, 0, 0);
@@ -31,14 +31,14 @@ export class Surface {
     this.toPixels();
   }
 
-  /** One unit of the context is one CSS pixel. */
+  /** Makes a unit of the context one CSS pixel. */
   toPixels() {
     this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
   }
 
   /**
-   * Makes it as large as it is shown, with what comes next: it is not to be seen blank.
-   * @returns {boolean} whether there is anything to paint on
+   * Resizes the canvas to its shown size. The next painting must follow at once, or the canvas would be seen blank.
+   * @returns {boolean} whether there is a visible area to paint on
    */
   begin() {
     if (!this.visible) return false;
@@ -63,7 +63,7 @@ export class Surface {
     this.#redraw();
   }
 
-  /** A window moved to another screen keeps its size: only the resolution tells. */
+  /** Watches the resolution: a window moved to another screen keeps its size. */
   #watchRatio() {
     matchMedia(`(resolution: ${globalThis.devicePixelRatio}dppx)`).addEventListener(
       "change",

@@ -1,17 +1,17 @@
-// How wide a text is on a canvas. Measuring takes a browser as long as drawing; most texts are numbers of a few forms.
+// Width of a text on a canvas. A browser takes as long to measure as to draw; most texts are numbers of a few forms.
 
-/** So many are remembered; then all are measured anew. */
+/** Limit of the number of remembered widths, at which all are forgotten. */
 const MOST = 400;
 
-/** @type {Map<string, number>} by font and form */
+/** @type {Map<string, number>} widths by font and form of the text */
 const known = new Map();
 
 /**
- * Digits count as alike in width, as they are in all fonts that are made for tables and screens.
- * @param {import("assur/canvas/painter.js").Context} context with the font
- * @param {string} font the same: a context takes long to tell it
+ * Width of a text. All digits count as equally wide, as they are in fonts for tables and screens.
+ * @param {import("assur/canvas/painter.js").Context} context with the font set
+ * @param {string} font the same font: reading it from a context is slow
  * @param {string} text
- * @returns {number} in the unit of the font's size
+ * @returns {number} width in the unit of the font's size
  */
 export function textWidth(context, font, text) {
   const key = `${font} ${text.replace(/\d/g, "0")}`;

@@ -1,8 +1,8 @@
-// Colours of the roles, sizes of text and lines, read from the style sheet: light or dark, projector or not.
+// Colours of the roles and sizes of text and lines, read from the style sheet: light or dark, projector or not.
 
 /** @typedef {Readonly<Record<string, string>>} Colours */
 
-/** What the style sheet asks for. */
+/** Media queries of the style sheet. */
 const WATCHED = Object.freeze(["(prefers-color-scheme: dark)", "(min-width: 640px)", "(min-width: 1200px)", "(min-width: 1600px)"]);
 
 /** Size of the page's text on most screens, in pixels. */
@@ -16,14 +16,14 @@ export class Theme {
   colours = {};
   /** @type {[number, number, number][]} red, green, blue in the order of the roles */
   palette = [];
-  /** @type {Colours} by role, darkened (lightened on dark paper) enough to write small text with */
+  /** @type {Colours} by role, dark enough (light enough on dark paper) for small text */
   inks = {};
   /** The colour of the paper under the drawing. */
   ground = "";
   font = "sans-serif";
-  /** How much larger than usual text is, on large screens. */
+  /** Size of text relative to the usual size; larger on large screens. */
   scale = 1;
-  /** How much thicker than usual lines are. */
+  /** Thickness of lines relative to the usual one. */
   weight = 1;
   /** Counts the changes. */
   revision = 0;
@@ -31,7 +31,7 @@ export class Theme {
   /**
    * @param {readonly string[]} roles
    * @param {() => void} changed
-   * @param {Element} [element] whose colours and text these are
+   * @param {Element} [element] source of colours and text
    */
   constructor(roles, changed, element = document.documentElement) {
     this.#element = element;
@@ -45,7 +45,7 @@ export class Theme {
     }
   }
 
-  /** @param {boolean} on whether all is to be seen from the last row: large, thick, in high contrast */
+  /** @param {boolean} on whether the page is for a projector: large, thick and in high contrast */
   project(on) {
     const root = document.documentElement;
     if (root.dataset.projector === String(on)) return;

@@ -4,7 +4,7 @@
 export class Transform {
   /**
    * @param {number} scale pixels per unit of length
-   * @param {number} left where the model's origin is on the screen
+   * @param {number} left screen position of the model's origin
    * @param {number} top
    */
   constructor(scale, left, top) {
@@ -15,7 +15,7 @@ export class Transform {
   }
 
   /**
-   * The largest picture of the bounds that leaves a margin in a rectangle of the screen.
+   * The largest view of the bounds in a rectangle of the screen with a margin.
    * @param {readonly number[]} bounds xmin, ymin, xmax, ymax
    * @param {number} width
    * @param {number} height
@@ -30,7 +30,7 @@ export class Transform {
   }
 
   /**
-   * The picture larger by a factor, with the point at (left, top) of the screen staying there.
+   * The view magnified about the point (left, top) of the screen.
    * @param {number} factor
    * @param {number} left
    * @param {number} top
@@ -41,7 +41,7 @@ export class Transform {
   }
 
   /**
-   * The picture moved on the screen.
+   * The view moved on the screen.
    * @param {number} right pixels
    * @param {number} down pixels
    */
@@ -68,7 +68,7 @@ export class Transform {
   }
 
   /**
-   * Makes a canvas draw in the coordinates of a body that stands at (x, y), turned by an angle.
+   * Sets a canvas to the coordinates of a body at (x, y), turned by an angle.
    * @param {import("assur/canvas/painter.js").Context} context
    * @param {number} ratio device pixels per screen pixel
    * @param {number} x
@@ -84,16 +84,16 @@ export class Transform {
   }
 }
 
-/** The reader's zoom: what comes upon the fit. It knows no pixels, so it holds in a canvas of any size. */
+/** The reader's zoom, applied to the fitted view. It has no pixels and so holds in a canvas of any size. */
 export class Zoom {
-  /** Nothing but the fit. */
+  /** The fitted view itself. */
   static NONE = new Zoom(1, 0, 0);
   static LEAST = 1 / 64;
   static MOST = 64;
 
   /**
-   * @param {number} factor by which all is larger than fitted
-   * @param {number} x how far the middle of the canvas is from where the fit has it, in lengths of the model
+   * @param {number} factor magnification of the fitted view
+   * @param {number} x offset of the middle of the canvas from its fitted place, in lengths of the model
    * @param {number} y
    */
   constructor(factor, x, y) {
@@ -104,7 +104,7 @@ export class Zoom {
   }
 
   /**
-   * The zoom that makes a view out of the fit, brought within the limits; the middle of the canvas stays inside the bounds.
+   * The zoom from the fitted view to another one, within the limits; the middle of the canvas stays inside the bounds.
    * @param {Transform} fit
    * @param {Transform} view
    * @param {readonly number[]} bounds xmin, ymin, xmax, ymax
@@ -122,7 +122,7 @@ export class Zoom {
    * @param {Transform} fit
    * @param {number} width of the canvas
    * @param {number} height
-   * @returns {Transform} the view: fit and zoom together
+   * @returns {Transform} the zoomed view
    */
   upon(fit, width, height) {
     const [x, y] = [this.x * fit.scale, this.y * fit.scale];

@@ -1,4 +1,4 @@
-// A list of the document in the rail: a card for each entry, one more, one less.
+// A list of the document in the panel: a card for each entry, with buttons to add and remove one.
 import { make } from "assur/core/dom.js";
 import { numberEntries } from "assur/core/names.js";
 import { edited } from "assur/state/state.js";
@@ -45,8 +45,8 @@ import { edited } from "assur/state/state.js";
  *   another: (snapshot: Snapshot<K>) => E,
  *   without?: (index: number, document: Documents<K>) => Partial<Documents<K>>,
  * }>} ListKind
- * A list of the documents of a kind: by which number the first entry goes as readers count, how a number is written, how many there
- * may be, the keys of what its buttons are called; `without`: the fields of the document that change with an entry removed, where it is more than the list.
+ * A list in documents of one kind: number of the first entry for readers, the written form of a number, limits of the number of entries,
+ * keys of the buttons' names; `without`: the fields of the document changed by the removal of an entry, if they are more than the list.
  */
 
 /**
@@ -57,9 +57,9 @@ export class CardList {
   #kind;
   #store;
   #drafts;
-  /** The button for one more. */
+  /** The button that adds an entry. */
   add;
-  /** Where the cards are. */
+  /** The element with the cards. */
   cards;
   /** @type {{ show: Show<K, E>, element: HTMLElement, remove: HTMLButtonElement }[]} */
   #cards = [];
@@ -105,7 +105,7 @@ export class CardList {
       if (entries[index]) card.show(entries[index], snapshot, wrong);
     }
     this.add.disabled = entries.length >= most;
-    // A button that is there no more gives the focus away, else it would be lost.
+    // A button that disappears passes the focus on, so that it is not lost.
     if (focused === this.add && this.add.disabled) this.#cards[entries.length - 1].remove.focus();
     if (this.#cards.some(({ remove }) => remove === focused && remove.offsetParent === null)) this.add.focus();
   }
@@ -139,13 +139,13 @@ export class CardList {
   /**
    * @param {Documents<K>} document
    * @param {(entries: readonly E[]) => readonly E[]} change
-   * @returns {Partial<Documents<K>>} the list after it
+   * @returns {Partial<Documents<K>>} the changed list
    */
   #with(document, change) {
     return /** @type {Partial<Documents<K>>} */ ({ [this.#kind.name]: change(this.#of(document)) });
   }
 
-  /** @param {(document: Documents<K>) => Partial<Documents<K>>} change of how many there are */
+  /** @param {(document: Documents<K>) => Partial<Documents<K>>} change of the number of entries */
   #change(change) {
     this.#drafts.dropAll([this.#kind.name]);
     this.#edit(change);

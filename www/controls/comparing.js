@@ -1,4 +1,4 @@
-// The mechanism is kept as A, to see beside it what it becomes; both are exchanged, A is taken away.
+// Comparison with an earlier mechanism: buttons to keep the mechanism as A, exchange A and B, and remove A.
 import { byId, make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { withFurther, withMechanism } from "assur/state/state.js";
@@ -15,14 +15,14 @@ function mechanism({ kind, document }) {
 
 /**
  * @param {State} state
- * @returns {State} with A and B exchanged
+ * @returns {State} the state with A and B exchanged
  */
 function exchanged(state) {
   const { compared } = state;
   return compared ? withFurther(withMechanism(state, compared.kind, compared.document), { compared: mechanism(state) }) : state;
 }
 
-/** What a press makes of the state, by the name of its button. */
+/** Changes of the state by the names of the buttons. */
 const ACTS = Object.freeze({
   freeze: (/** @type {State} */ state) => withFurther(state, { compared: mechanism(state) }),
   swap: exchanged,
@@ -42,7 +42,7 @@ export class Comparing {
       const button = make("button", { id: `compare-${name}`, class: "control", type: "button", "data-t": `compare.${name}` });
       button.addEventListener("click", () => {
         history.step(() => store.update(ACTS[name]));
-        // A button that is gone gives the focus away, else it would be lost.
+        // A button that disappears passes the focus on, so that it is not lost.
         if (name === "remove") this.#buttons.freeze.focus();
       });
       return [name, button];

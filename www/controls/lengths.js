@@ -1,9 +1,9 @@
-// What the lengths of the document are in. Another unit is another name beside its numbers, which stay.
+// Choice of the unit of lengths. Another unit changes the name beside the numbers, but not the numbers.
 import { byId, make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { withDocument } from "assur/state/state.js";
 
-/** Those there are, with the words `unit.…`. */
+/** Units of lengths, with the words `unit.…`. */
 const UNITS = Object.freeze(/** @type {const} */ (["m", "cm", "mm", "in", "none"]));
 
 export class LengthUnits {

@@ -1,4 +1,4 @@
-// What is measured between points or links of the drawing: chosen by lists or by presses in the drawing, listed, taken away.
+// Measures between points or links: chosen in lists or by presses on the drawing, listed, removed.
 import { byId, make, setData } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
@@ -8,26 +8,26 @@ import { PARTS, withView } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/model.js").Snapshot} Snapshot */
 
-/** How many parts each measure is between, and what these are. */
+/** Number and kind of the parts of each measure. */
 const BETWEEN = Object.freeze({
   distance: Object.freeze({ count: 2, links: false }),
   corner: Object.freeze({ count: 3, links: false }),
   between: Object.freeze({ count: 2, links: true }),
 });
 
-/** So many measures there may be. */
+/** Limit of the number of measures. */
 const MOST = 8;
 
-/** So near a point or a link a press takes it, in pixels. */
+/** Greatest distance at which a press takes a point or a link, in pixels. */
 const REACH = 26;
 
-/** What stands before the end of a measure's name, or before that of a derivative of it: `.`, `.d`, `.dd`. */
+/** The separator before the end of a measure's name or of its derivative's: `.`, `.d`, `.dd`. */
 const ORDERS = new RegExp(`\\.d{0,2}(?=(?:${MEASURES.join("|")})$)`);
 
 /**
  * @param {import("assur/state/state.js").State} state
  * @param {string} name of a measure
- * @returns the state without it: what is plotted of it is so no more
+ * @returns the state without the measure and its plots
  */
 function without(state, name) {
   const { measures, plot, against } = state.view;
@@ -51,7 +51,7 @@ export class Measures {
   #shown = new Seen();
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {string[] | null} the parts that were pressed, while they are */
+  /** @type {string[] | null} parts pressed so far, while parts are being pressed */
   #picked = null;
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -59,7 +59,7 @@ export class Measures {
     this.#page = page;
     for (const select of this.#parts) select.addEventListener("change", () => this.#choose());
     this.#what.addEventListener("change", () => {
-      // Of points the lists have links from now on, or the other way round; the pointer may be lent to another.
+      // The lists change from points to links or back, so that pressed parts no longer fit.
       if (this.#picked) this.#picking(false);
       this.#offer();
     });
@@ -82,7 +82,7 @@ export class Measures {
     this.#list.replaceChildren(...measures.map((name, index) => this.#row(name, index, words)));
     words.fill(this.#section);
     this.#choose();
-    // A button that is there no more gives the focus away, else it would be lost.
+    // A button that disappears passes the focus on, so that it is not lost.
     if (focused) (this.#list.querySelector("button") ?? this.#what).focus();
   }
 
@@ -105,7 +105,7 @@ export class Measures {
 
   /**
    * @param {keyof typeof BETWEEN} what
-   * @returns {readonly string[]} the points or links that it can be between
+   * @returns {readonly string[]} points or links for the measure
    */
   #offered(what) {
     const summary = this.#snapshot?.summary;
@@ -113,7 +113,7 @@ export class Measures {
     return BETWEEN[what].links ? Object.keys(summary.roles) : summary.points;
   }
 
-  /** The lists have what the chosen measure can be between. */
+  /** Fills the lists for the chosen measure. */
   #offer() {
     const snapshot = this.#snapshot;
     if (!snapshot) return;
@@ -137,7 +137,7 @@ export class Measures {
     return /** @type {keyof typeof BETWEEN} */ (this.#what.value);
   }
 
-  /** What is chosen by the lists may be measured or not. */
+  /** Enables the button according to the choice in the lists. */
   #choose() {
     const { count } = BETWEEN[this.#chosen];
     this.#parts[2].hidden = count < 3;
@@ -165,9 +165,9 @@ export class Measures {
     });
   }
 
-  /** @param {boolean} on whether presses in the drawing choose what is measured from now on */
+  /** @param {boolean} on whether presses on the drawing now choose the parts of a measure */
   #picking(on) {
-    // The tools for drawing have the pointer while they are out.
+    // The drawing tools have the pointer while they are shown.
     const drawing = this.#snapshot?.state.view.drawing ?? false;
     if (on && drawing) return;
     this.#picked = on ? [] : null;
@@ -186,7 +186,7 @@ export class Measures {
     this.#page.mechanism.ring("");
   }
 
-  /** Nothing is dragged. */
+  /** Starts no drag. */
   grab() {
     return null;
   }
@@ -207,7 +207,7 @@ export class Measures {
 
   /**
    * @param {import("assur/stage/pointer.js").Place} at
-   * @returns {string | null} the point that is next to a place, if one is near
+   * @returns {string | null} the nearest point within reach of a place
    */
   #near({ x, y }) {
     const snapshot = this.#snapshot;
@@ -228,7 +228,7 @@ export class Measures {
   }
   /**
    * @param {import("assur/stage/pointer.js").Place} at
-   * @returns {string | null} the link that is next to a place, if one is near
+   * @returns {string | null} the nearest link within reach of a place
    */
   #link({ x, y }) {
     const snapshot = this.#snapshot;

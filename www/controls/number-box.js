@@ -1,15 +1,15 @@
-// A text field that holds a number: takes a decimal comma, keeps what is typed while it is wrong.
+// A text field for a number: takes a decimal comma, and keeps typed text while it is no valid number.
 import { make } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";
 
 /**
  * @typedef {Readonly<{ brief: string, full: string }>} Written
- * A value as it is read at a glance, and with all its digits for who is about to change it.
+ * A value in its brief form, and with all its digits for editing.
  */
 
 /**
  * @param {Parameters<typeof make>[1]} attributes
- * @returns {HTMLInputElement} to type a number into
+ * @returns {HTMLInputElement} field for a number
  */
 export function numberField(attributes) {
   return make("input", { class: "control number", type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", ...attributes });
@@ -19,9 +19,9 @@ export class NumberBox {
   #input;
   #field;
   #drafts;
-  /** Whether the text was typed by a person and not written out again since. */
+  /** Whether a person typed the text, which has not been rewritten since. */
   #typed = false;
-  /** @type {number | null} the value that came of what was typed */
+  /** @type {number | null} value that resulted from the typed text */
   #meant = null;
   /** @type {Written} */
   #written = { brief: "", full: "" };
@@ -30,7 +30,7 @@ export class NumberBox {
    * @param {HTMLInputElement} input
    * @param {string} field
    * @param {import("assur/state/drafts.js").Drafts} drafts
-   * @param {(value: number) => number | void} set takes the number and returns what the state holds then, if that is another
+   * @param {(value: number) => number | void} set takes the number and returns the value in the state if it differs
    */
   constructor(input, field, drafts, set) {
     this.#input = input;
@@ -78,12 +78,12 @@ export class NumberBox {
     }
   }
 
-  /** @param {string} text of a value that is refused, and stands here all the same */
+  /** @param {string} text of a refused value, to be shown all the same */
   hold(text) {
     this.#input.value = text;
   }
 
-  /** Whether a person is about to type here. */
+  /** Whether the field has the focus and nothing has been typed yet. */
   get busy() {
     return document.activeElement === this.#input && !this.#typed;
   }

@@ -1,4 +1,4 @@
-// One quantity of the document in the rail: its symbol and name, a slider where it has one, a number field.
+// A number of the document in the panel: its symbol and name, a slider if it has one, a number field.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { make } from "assur/core/dom.js";
 import { withSubscripts } from "assur/core/subscripts.js";
@@ -18,10 +18,10 @@ import { withSubscripts } from "assur/core/subscripts.js";
  *   decimals?: number,
  *   counted?: string,
  * }>} RowKind
- * What follows a _ in the symbol stands below the line. `id` of the elements and `key` of the words are those of the field where they are not given; `n` is the {n} of the words,
- * `name` that of those beside the symbol, without what the symbol says.
- * `decimals`: the most of them that are shown until somebody is about to change the number; six digits where it is not given.
- * `counted`: the key of the words for a number of what the slider counts.
+ * Letters after a _ in the symbol are a subscript. `id` of the elements and `key` of the words are by default the field; `n` is the {n} of the
+ * words, `name` the {n} of the words beside the symbol, which do not repeat the symbol.
+ * `decimals`: greatest number of decimals until somebody edits the number; by default it has six significant digits.
+ * `counted`: key of the words for a number of the things that the slider counts.
  */
 
 export class NumberRow {
@@ -32,7 +32,7 @@ export class NumberRow {
   #slider = null;
   /** @type {SliderRange | undefined} */
   #range;
-  /** @type {(value: number) => string} as it is read at a glance */
+  /** @type {(value: number) => string} gives the brief form */
   #brief = String;
 
   /**
@@ -49,7 +49,7 @@ export class NumberRow {
     this.#box = new NumberBox(input, field, drafts, set);
     const name = make("label", { class: "name", for: input.id }, [
       make("b", {}, withSubscripts(symbol)),
-      // What the symbol says itself needs no words.
+      // A name that the symbol contains needs no words.
       ...(symbol.endsWith(`_${beside}`) ? [] : [" ", make("span", { "data-t": `name.${key}`, "data-n": beside })]),
     ]);
     this.element = make("div", { class: "row", "data-field": field, style: `--accent: var(--role-${role})` }, [name, input]);
@@ -68,7 +68,7 @@ export class NumberRow {
   }
 
   /**
-   * Another range of the slider, from the next value shown on.
+   * Sets another range of the slider, from the next shown value on.
    * @param {number} min
    * @param {number} max
    */
@@ -88,8 +88,8 @@ export class NumberRow {
     this.#brief = (value) => (decimals === undefined ? numbers.brief(value) : numbers.upTo(value, decimals)) + unit;
     this.#box.show(value, { brief: this.#brief(value), full: numbers.exact(value) + unit }, invalid);
     if (!range || !this.#slider) return;
-    // A value beyond the slider's range widens it, so that the slider shows it.
-    // One that is refused stays where it was put.
+    // A value beyond the slider's range widens it, so that the slider shows the value.
+    // A refused value leaves the slider where it was put.
     if (this.#drafts.has(this.field)) return;
     const [min, max] = [Math.min(range.min, value), Math.max(range.max, value)];
     if (Number(this.#slider.min) !== min) this.#slider.min = String(min);

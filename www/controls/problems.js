@@ -16,18 +16,18 @@ const ENTRY = /^(\w+)\[(\d+)\]\.(\w+)$/;
 const DIMENSION = /^(links|slides|points)\[(\d+)\]\.(\w+?)(?:_deg)?((?:\[\d+\])*)$/;
 /** A length of another mechanism: `l1` and `module` of a mixer, the frame of a synthesis. */
 const LENGTH = /^(?:l\d|module|frame|tracers\[\d+\]\.[xy])$/;
-/** The words for the dimensions of links. */
+/** Words for the dimensions of links. */
 const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: "field.links.length", side: "field.links.side", corner: "field.links.corner" }));
 /** A number of a list, such as `bodies.inertia[2]`, or of a list of pairs. */
 const NUMBER = /^([\w.]+)\[(\d+)\](?:\[\d\])?$/;
 
-/** The sentences for lengths that cannot be. */
+/** Sentences for impossible lengths. */
 const OF_LENGTHS = Object.freeze(/** @type {Record<string, string>} */ ({ too_large: "problem.too_large_length", too_small: "problem.too_small_length" }));
 
-/** What stands for a link in a problem. */
+/** Parameters of a problem that name a link. */
 const LINKS = Object.freeze(["link", "shaft", "to", "mesh"]);
 
-/** What stands for a length in a problem, unless it is of a rate or an angle. */
+/** Parameters of a problem that are lengths, except in problems of a rate or an angle. */
 const LENGTHS = Object.freeze(["by", "last"]);
 const RATE = /\.rate$/;
 /** An angle: `links[2].corner_deg[2]`, `wheels[0].centre_line_deg`. */
@@ -58,7 +58,7 @@ function length({ field = "" }, value, words) {
  * @param {string} field
  * @param {Words} words
  * @param {Document | undefined} document that has the field
- * @returns {string} its name, with the number of the entry of a list, the name of the shaft, link or point
+ * @returns {string} its name, with the number of a list's entry or the name of a shaft, link or point
  */
 export function fieldName(field, words, document) {
   const [, of, at, dimension, places] = DIMENSION.exec(field) ?? [];
@@ -81,9 +81,9 @@ export function fieldName(field, words, document) {
 /**
  * @param {{ readonly name: string, readonly points: readonly string[] }} link
  * @param {string} dimension
- * @param {readonly string[]} places of the points that it is of, as the field has them
+ * @param {readonly string[]} places indices of its points, as in the field
  * @param {Words} words
- * @returns {string} what a dimension of a link is called: by the link, with three points or more by those that it is of, too
+ * @returns {string} name of a dimension of a link: the link and, if it has three points or more, the dimension's points
  */
 function ofLink({ name, points }, dimension, places, words) {
   const isSide = dimension === "length" && points.length > 2;
@@ -96,7 +96,7 @@ function ofLink({ name, points }, dimension, places, words) {
  * @param {Problem} problem
  * @param {Words} words
  * @param {Document} [document]
- * @param {(place: number) => number} [onto] the same angle, in degrees, on the scale that readers have before them
+ * @param {(place: number) => number} [onto] brings an angle in degrees onto the reader's scale
  * @returns {string}
  */
 export function sentence(problem, words, document, onto) {
@@ -106,7 +106,7 @@ export function sentence(problem, words, document, onto) {
 /**
  * @param {Problem} problem
  * @param {Document} [document]
- * @returns {string} of its sentence, by what it is of
+ * @returns {string} key of its sentence, which depends on the field
  */
 function keyOf({ code, field = "" }, document) {
   const isLength = ["length", "side"].includes(DIMENSION.exec(field)?.[3] ?? "");
@@ -115,7 +115,7 @@ function keyOf({ code, field = "" }, document) {
 }
 
 /**
- * @param {Problem} loss what could not be taken over from another program
+ * @param {Problem} loss part that could not be imported from another program
  * @param {Words} words
  * @returns {string}
  */

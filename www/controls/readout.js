@@ -1,14 +1,14 @@
-// Writing a read-out, and withholding one that a lesson asks for.
+// Read-outs: writing one, and hiding one that a lesson asks for.
 import { make, write } from "assur/core/dom.js";
 
 /**
  * @param {HTMLElement} output
  * @param {string | readonly (Node | string)[]} said
- * @param {number | undefined} value behind it
+ * @param {number | undefined} value behind the text
  */
 export function writeReadout(output, said, value) {
   output.removeAttribute("data-asked");
-  // A text that is the same may have been made of several elements.
+  // An equal text may consist of several elements.
   if (typeof said === "string" && output.childElementCount === 0) write(output, said);
   else output.replaceChildren(...(typeof said === "string" ? [said] : said));
   if (value === undefined) output.removeAttribute("data-value");

@@ -1,4 +1,4 @@
-// The scrubber as it is seen: its bar, how far the crank has come, the knob. Drawn, because a change of style in every
+// The visible scrubber: its bar, the part up to the input, the knob. It is painted, because a change of style in every
 // frame costs a browser several times as much.
 import { Surface } from "assur/canvas/surface.js";
 
@@ -9,7 +9,7 @@ const KNOB = 22;
 const RIM = 4;
 const BAR = 6;
 
-/** How strong the arcs are that can be assembled, on the bar of a scrubber where not all can. */
+/** Opacity of the arcs that can be assembled, on a bar where not all can. */
 const OPEN = 0.35;
 
 export class Scrubber {
@@ -29,8 +29,8 @@ export class Scrubber {
   }
 
   /**
-   * @param {number} part of the way along the axis, 0 to 1
-   * @param {readonly (readonly [number, number])[] | null} arcs the parts where it can be assembled, if not all of them
+   * @param {number} part share of the axis up to the input, 0 to 1
+   * @param {readonly (readonly [number, number])[] | null} arcs shares of the axis that can be assembled, if not all of it
    */
   show(part, arcs) {
     this.#part = part;

@@ -1,12 +1,12 @@
-// A section of the rail that only one kind has.
+// A section of the panel for one kind of document.
 import { byId, make } from "assur/core/dom.js";
 
 /**
  * @param {import("assur/state/state.js").Kind} kind
  * @param {string} key of its heading
- * @param {string} field by which a lesson asks for it
+ * @param {string} field name by which a lesson includes it
  * @param {readonly HTMLElement[]} content
- * @returns {HTMLElement} in its place
+ * @returns {HTMLElement} the section, in its place
  */
 export function section(kind, key, field, content) {
   const made = make("section", { "data-of": kind, "data-field": field }, [make("h2", { "data-t": key }), ...content]);

@@ -1,4 +1,4 @@
-// The status line: what kind of mechanism it is and what it does over a turn, an entry for each thing that is said.
+// The status line: kind and properties of the mechanism, an entry for each.
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData } from "assur/core/dom.js";
 
@@ -9,11 +9,11 @@ import { byId, make, setData } from "assur/core/dom.js";
 /**
  * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S
  * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, late?: boolean, say: (snapshot: S) => Entry | null }>} Item
- * `title`: the key of its words; `say`: what it says, null where there is nothing to say; `late`: it takes some time, and is said once
+ * `title`: key of its title; `say`: gives its content, null if there is none; `late`: it takes some time and is computed only when
  * nothing has changed for a moment.
  */
 
-/** Nothing changes for a moment: so many milliseconds. */
+/** Time without a change before late entries are computed, in milliseconds. */
 const MOMENT = 150;
 
 /** @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S */
@@ -23,14 +23,14 @@ export class StatusLine {
   #entries;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #moment;
-  /** The symbol of the input in the titles. */
+  /** Symbol of the input in the titles. */
   #symbol = "";
   #shown = "";
   /** @type {ReadonlySet<string> | null} */
   #withheld = null;
 
   /**
-   * @param {string} kind whose entries they are
+   * @param {string} kind of the documents that have the entries
    * @param {readonly Item<S>[]} items
    */
   constructor(kind, items) {
@@ -43,7 +43,7 @@ export class StatusLine {
   }
 
   /**
-   * Titles say {n}: their own number, or the symbol of the input.
+   * Writes the titles. The {n} of a title is its own number, or the symbol of the input.
    * @param {string} symbol
    * @param {import("assur/core/words.js").Words} words
    */
@@ -59,7 +59,7 @@ export class StatusLine {
   render(snapshot) {
     const { words, revision, stale, withheld, coordinate } = snapshot;
     setData(this.#list, "faded", String(stale));
-    // What is not the state's own mechanism keeps the words it had.
+    // A state that was refused leaves the entries of the last mechanism.
     if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
     const shown = `${revision} ${words.lang}`;
     if (shown === this.#shown && withheld === this.#withheld) return;
@@ -72,7 +72,7 @@ export class StatusLine {
   }
 
   /**
-   * @param {boolean} late whether the entries that take some time, or the others
+   * @param {boolean} late whether to write the late entries or the others
    * @param {S} snapshot
    */
   #write(late, snapshot) {

@@ -1,4 +1,4 @@
-// What is laid over drawing and plots: a box to tick for each.
+// Switches of the overlays on drawing and plots: a checkbox for each.
 import { byId } from "assur/core/dom.js";
 import { SWITCHES, withView } from "assur/state/state.js";
 

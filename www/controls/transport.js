@@ -13,7 +13,7 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** The choice of speed with which the crank turns by ω₁. */
+/** Entry of the speeds at which the crank turns by ω₁. */
 const TRUE_TIME = "true_time";
 
 export const SPEEDS = Object.freeze([0.1, 0.25, 0.5, 1, 2, 4]);
@@ -30,13 +30,13 @@ export class Transport {
     { button: byId("step-forward", HTMLButtonElement), sense: /** @type {const} */ (1) },
   ]);
   #box;
-  /** @type {View | null} the view the controls show */
+  /** @type {View | null} view shown by the controls */
   #view = null;
-  /** @type {import("assur/engine.js").Cycle | null} the cycle the scrubber was made for */
+  /** @type {import("assur/engine.js").Cycle | null} cycle shown by the scrubber */
   #cycle = null;
-  /** Where its axis begins, as readers count. */
+  /** Start of its axis, in the reader's unit. */
   #start = 0;
-  /** @type {[number, number][] | null} the parts of the scrubber where it can be assembled, if not all of them */
+  /** @type {[number, number][] | null} shares of the axis that can be assembled, if not all of it */
   #arcs = null;
   #lang = "";
 
@@ -101,7 +101,7 @@ export class Transport {
   }
 
   /**
-   * A speed from a link may be none of the list: it joins it.
+   * Shows a speed; one from a link that is not in the list is added to it.
    * @param {View} view
    * @param {Words} words
    */
@@ -131,7 +131,7 @@ export class Transport {
     for (const option of this.#speed.options) {
       const times = { value: words.numbers.upTo(Number(option.value), 2) };
       option.textContent = option.value === TRUE_TIME ? words.text(`transport.true_time.${moves}`) : words.text("transport.times", times);
-      // Time itself is real already.
+      // A document whose input is time already plays in real time.
       if (option.value === TRUE_TIME) option.hidden = moves === "time";
     }
   }
@@ -148,9 +148,9 @@ export class Transport {
   }
 
   /**
-   * The scrubber shows the whole axis; where nothing can be assembled its track is broken.
+   * Sets the scrubber to the whole axis; its bar has gaps where nothing can be assembled.
    * @param {Snapshot} snapshot
-   * @param {number} first as readers count
+   * @param {number} first start of the axis, in the reader's unit
    */
   #fit({ summary: { cycle }, coordinate, words }, first) {
     this.#cycle = cycle;
@@ -159,7 +159,7 @@ export class Transport {
     this.#scrubber.min = String(first);
     this.#scrubber.max = String(coordinate.last(first));
     const part = (/** @type {number} */ input) => (input - start) / (end - start);
-    // A run goes through all its times, also where it has an end.
+    // A run goes through all its times, even if it has an end.
     this.#arcs = full || coordinate.moves === "time" ? null : arcs.map(([from, to]) => [part(from), part(to)]);
     const { moves, step } = coordinate;
     write(this.#symbol, coordinate.symbol);

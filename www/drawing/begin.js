@@ -1,4 +1,4 @@
-// Where drawing begins: on an empty sheet, or on what is there.
+// Start of drawing: on an empty sheet, or on the open document.
 import { edit } from "assur/drawing/edit.js";
 import { withView } from "assur/state/state.js";
 
@@ -14,11 +14,11 @@ export function toggleDrawing(page) {
   model.follow(store.get());
   const { summary } = model;
   if (!(summary.moves ? summary.traceable : "links" in store.get().document)) return;
-  // What does not move yet has no other view.
+  // A draft can only be shown with the drawing tools.
   const on = !summary.moves || !store.get().view.drawing;
   history.step(() => {
     store.update((state) => withView(state, { drawing: on, playing: on ? false : state.view.playing }));
-    // What is no linkage by its kind becomes one.
+    // A document of another kind becomes a linkage.
     if (on && !("links" in store.get().document)) edit(page, { edit: "move", points: [], by: [0, 0] });
   });
 }

@@ -1,4 +1,4 @@
-// Drawing: tools over the drawing, the pointer that uses them, and the panel beside it. Loaded when it is asked for.
+// Drawing: tools over the drawing, the pointer that uses them, and the panel beside it. Loaded on demand.
 import { step, unsay } from "assur/drawing/edit.js";
 import { Hand } from "assur/drawing/hand.js";
 import { paint } from "assur/drawing/marks.js";
@@ -16,10 +16,10 @@ import { inputNow } from "assur/state/change.js";
  * @typedef {import("assur/state/state.js").Documents["linkage"]} Document
  */
 
-/** What is copied, where the clipboard is another's: pasted in the same page. */
+/** Key of a copied part in the text of the clipboard. */
 const FORMAT = "assur.drawing";
 
-/** Something that is pasted stands so far beside what it was copied of, in squares of the grid. */
+/** Offset of a pasted part from its original, in squares of the grid. */
 const BESIDE = 4;
 
 export class Drawing {
@@ -30,7 +30,7 @@ export class Drawing {
   #palette;
   #rail;
   #on = false;
-  /** What was shown last began as an empty sheet. */
+  /** Whether the document shown last was an empty sheet. */
   #empty = false;
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -63,7 +63,7 @@ export class Drawing {
     if (!on) return;
     this.#work.picture.follow();
     const document = /** @type {Document} */ (state.document);
-    // An empty sheet is drawn on with bars first.
+    // An empty sheet starts with the tool for bars.
     const empty = document.points.length === 0;
     if (empty && !this.#empty) this.#palette.take("bars");
     this.#empty = empty;
@@ -90,7 +90,7 @@ export class Drawing {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    // A document of another kind may have come that is not drawn yet.
+    // A document of another kind may have been opened, which is not drawn yet.
     const drawn = this.#on && "links" in this.#document();
     if (!drawn || event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;
@@ -116,7 +116,7 @@ export class Drawing {
     return /** @type {Document} */ (this.#page.store.get().document);
   }
 
-  /** What is selected, without traced points, which go with their links. */
+  /** The selected points without traced points, which go with their links. */
   #joints() {
     const document = this.#document();
     const points = new Set(document.points.map(({ name }) => name));
@@ -145,7 +145,7 @@ export class Drawing {
     if (part) this.#paste(part);
   }
 
-  /** @returns {Document | null} what is selected, as a drawing */
+  /** @returns {Document | null} the selected part as a drawing */
   #part() {
     if (this.#selection.empty) return null;
     const { points, links } = this.#selection;
@@ -165,13 +165,13 @@ export class Drawing {
   }
 
   /**
-   * The arrow keys move what is selected by a step of the grid, else the pointer of the keyboard, which Enter presses.
+   * Moves the selection, or else the keyboard's pointer, by a step of the grid. Enter presses at that pointer.
    * @param {KeyboardEvent} event
    */
   #arrow({ key }) {
     const [right, up] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key] ?? [0, 0];
     if (this.#work.tool !== "select" || this.#selection.empty) {
-      // Enter is to press there, and no tool again.
+      // Enter is for the drawing, not for the focused tool.
       const canvas = byId("mechanism", HTMLCanvasElement);
       canvas.tabIndex = -1;
       canvas.focus({ preventScroll: true });
@@ -183,7 +183,7 @@ export class Drawing {
   }
 
   /**
-   * A picture that is dropped or pasted stands behind the drawing.
+   * Puts a picture that is dropped or pasted behind the drawing.
    * @param {Event} event
    * @param {DataTransfer | null} data
    */
@@ -219,7 +219,7 @@ export class Drawing {
 
 /**
  * @param {string} text of the clipboard
- * @returns {Document | null} what was copied of a drawing; the engine says whether it is one
+ * @returns {Document | null} the copied part of a drawing; the engine checks it
  */
 function pasted(text) {
   try {

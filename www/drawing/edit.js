@@ -1,4 +1,4 @@
-// Edits of what is drawn: the engine says what becomes of it, and whether it moves then.
+// Edits of a drawing: the engine makes the changed document and decides whether it moves.
 import { attempt } from "assur/core/problem.js";
 import { inputNow } from "assur/state/change.js";
 import { PARTS, withMechanism, withView } from "assur/state/state.js";
@@ -10,11 +10,11 @@ import { PARTS, withMechanism, withView } from "assur/state/state.js";
  * @typedef {{ kind: "draft" | "linkage", document: import("assur/state/state.js").Documents["linkage"], point: string | null, link: string | null, held: boolean }} Drawn
  */
 
-/** Where it stands why an edit is not done. */
+/** Name of the field that shows the reason of a refused edit. */
 const FIELD = "edit";
 
 /**
- * Edits what is open, or says why it cannot be done.
+ * Edits the open document, or shows the reason of a refusal.
  * @param {Page} page
  * @param {Edit} wanted
  * @returns {Drawn | null}
@@ -36,13 +36,13 @@ export function edit(page, wanted) {
     store.update((state) => withView(state, PARTS));
     model.follow(store.get());
   }
-  // It is drawn where it is: the driver stands there.
+  // The edit was made in the drawn pose: the driver goes there.
   if (model.sound && model.summary.moves) store.update((state) => model.coordinate.put(state, model.coordinate.place(model.home)));
   return drawn;
 }
 
 /**
- * The same as a step of its own.
+ * The edit as a step of its own.
  * @param {Page} page
  * @param {Edit} wanted
  * @returns {Drawn | null}
@@ -57,7 +57,7 @@ export function step(page, wanted) {
 }
 
 /**
- * Says what is not done, until the next edit.
+ * Shows the reason of a refusal until the next edit.
  * @param {Page} page
  * @param {string} code of a problem
  */

@@ -1,4 +1,4 @@
-// The hand that draws: where it presses, with what is there; what it drags.
+// The pointer in drawing: the target of a press, and the objects of a drag.
 import { attempt } from "assur/core/problem.js";
 import { edit } from "assur/drawing/edit.js";
 import { inputNow } from "assur/state/change.js";
@@ -13,13 +13,13 @@ import { side } from "assur/stage/paper.js";
  * @typedef {{ to(at: Place, free: boolean): void, end(): void }} Drag
  */
 
-/** So near a joint or a link it is meant, in pixels: by a mouse, by a finger. */
+/** Greatest distance at which a press takes a joint or a link, in pixels: by a mouse, by a finger. */
 const REACH = Object.freeze({ joint: [16, 26], link: [7, 14] });
 
-/** What is pressed by a key. */
+/** Event of a press by the keyboard. */
 const KEYED = Object.freeze({ pointerType: "mouse", altKey: false, shiftKey: false });
 
-/** A square of the paper has so many steps of the grid, by the first digit of its side. */
+/** Steps of the grid in a square of the paper, by the first digit of its side. */
 const STEPS = Object.freeze({ 1: 5, 2: 4, 5: 5 });
 
 export class Hand {
@@ -27,18 +27,18 @@ export class Hand {
   #work;
   #selection;
   #changed;
-  /** @type {[Point, Point] | null} the frame that is drawn around what is selected */
+  /** @type {[Point, Point] | null} frame drawn for a selection */
   frame = null;
-  /** @type {Point | null} where the pointer is over the paper */
+  /** @type {Point | null} place of the pointer over the paper */
   over = null;
-  /** Whether that is the keyboard's. */
+  /** Whether that pointer is the keyboard's. */
   keyed = false;
 
   /**
    * @param {import("assur/app/page.js").Page} page
    * @param {import("assur/drawing/tools.js").Work} work
    * @param {import("assur/drawing/selection.js").Selection} selection
-   * @param {() => void} changed called where only what is painted over the drawing is other
+   * @param {() => void} changed called when only the painting over the drawing changes
    */
   constructor(page, work, selection, changed) {
     this.#page = page;
@@ -66,7 +66,7 @@ export class Hand {
   }
 
   /**
-   * The keyboard's pointer goes by a step of the grid; it begins in the middle of what is seen.
+   * Moves the keyboard's pointer by a step of the grid; it starts in the middle of the visible area.
    * @param {number} right steps
    * @param {number} up
    */
@@ -80,7 +80,7 @@ export class Hand {
     this.#changed();
   }
 
-  /** Presses where the keyboard's pointer is. */
+  /** Presses at the keyboard's pointer. */
   pressHere() {
     if (!this.over) return;
     const [x, y] = this.#view.toScreen(...this.over);
@@ -88,7 +88,7 @@ export class Hand {
   }
 
   /**
-   * A press that went nowhere.
+   * Handles a press without a drag.
    * @param {Place} at
    * @param {Pressed} event
    */
@@ -101,7 +101,7 @@ export class Hand {
   }
 
   /**
-   * What begins to be dragged; null where it is the paper.
+   * The drag that begins at a place; null on the paper.
    * @param {Place} at
    * @param {PointerEvent} event
    * @returns {Drag | null}
@@ -117,12 +117,12 @@ export class Hand {
       const own = this.#selection.links.has(link) ? this.#selection.all(this.#document()) : this.#document().links.find(({ name }) => name === link)?.points ?? [];
       return this.#carry(own, at);
     }
-    // A finger on paper moves the paper.
+    // A finger on the paper pans it.
     return touch ? null : this.#surround(at, event.shiftKey);
   }
 
   /**
-   * One point is dragged; left upon another one it is joined with it.
+   * Drags one point; dropped on another point, it is joined to that.
    * @param {string} point
    * @param {Place} from
    * @param {boolean} touch
@@ -141,18 +141,18 @@ export class Hand {
         onto = near && this.#isPoint(near.name) && this.#isPoint(point) ? near.name : "";
         const [x, y] = near ? [near.x, near.y] : this.#snapped(place, free);
         this.#page.mechanism.ring(onto || point);
-        // What is locked may have kept it away from there.
+        // Locks may have kept the point away from there.
         if (edit(this.#page, { edit: "place", point, at: [x, y] })?.held) onto = "";
       },
       end: () => {
-        // The same step: what was dragged there is joined there.
+        // Dragging and joining are one step of undo.
         if (onto && edit(this.#page, { edit: "join", points: [point, onto] })) this.#selection.set([onto], []);
       },
     };
   }
 
   /**
-   * Points are dragged together.
+   * Drags points together.
    * @param {readonly string[]} points
    * @param {Place} from
    * @returns {Drag}
@@ -168,7 +168,7 @@ export class Hand {
         const before = this.#page.mechanism.joints().find(({ name }) => name === first);
         const after = edit(this.#page, { edit: "move", points: [...points], by })?.document.points.find(({ name }) => name === first);
         if (!after) return;
-        // What is locked may have kept it from going all of the way.
+        // Locks may have shortened the movement.
         const went = before ? [after.at[0] - before.x, after.at[1] - before.y] : by;
         last[0] += went[0];
         last[1] += went[1];
@@ -178,7 +178,7 @@ export class Hand {
   }
 
   /**
-   * The picture behind the drawing is dragged.
+   * Drags the picture behind the drawing.
    * @param {Place} from
    * @returns {Drag}
    */
@@ -195,7 +195,7 @@ export class Hand {
   }
 
   /**
-   * A frame is drawn around what is to be selected.
+   * Draws a frame around parts to select.
    * @param {Place} from
    * @param {boolean} more
    * @returns {Drag}
@@ -241,15 +241,15 @@ export class Hand {
   /**
    * @param {Place} at
    * @param {Pressed} event
-   * @returns {Target} what is there
+   * @returns {Target} the target at a place
    */
   #target(at, event) {
     const touch = event.pointerType === "touch";
-    // A picture is marked where its own places are.
+    // Marks on a picture ignore grid and joints.
     if (this.#work.tool === "picture") return { point: null, link: null, wheel: null, at: this.#snapped(at, true) };
     const joint = this.#joint(at, touch);
     if (joint) return { point: joint.name, link: this.#linkOf(joint.name), wheel: this.#wheelOn(joint.name), at: [joint.x, joint.y] };
-    // With Alt neither the grid nor a link below holds the place.
+    // With Alt neither the grid nor a link below attracts the place.
     const below = event.altKey ? { link: null, wheel: null } : this.#link(at, touch);
     return { point: null, ...below, at: this.#snapped(at, event.altKey) };
   }
@@ -257,7 +257,7 @@ export class Hand {
   /**
    * @param {Place} at
    * @param {boolean} touch
-   * @param {string} [but] that one
+   * @param {string} [but] joint to leave out
    */
   #joint(at, touch, but = "") {
     return this.#page.mechanism.near(at, REACH.joint[Number(touch)], but);
@@ -265,7 +265,7 @@ export class Hand {
 
   /**
    * @param {string} point
-   * @returns {string | null} the only link that has it
+   * @returns {string | null} the link of the point, if it has only one
    */
   #linkOf(point) {
     const having = this.#document().links?.filter(({ points }) => points.includes(point)) ?? [];
@@ -274,7 +274,7 @@ export class Hand {
 
   /**
    * @param {string} point
-   * @returns {string | null} the wheel that was put on it last, beside other links
+   * @returns {string | null} the last wheel added at the point, if it has other links, too
    */
   #wheelOn(point) {
     const { links = [], slides = [] } = this.#document();
@@ -298,8 +298,8 @@ export class Hand {
 
   /**
    * @param {Place} at
-   * @param {boolean} free whether the grid is left
-   * @returns {[number, number]} the place in the model, on the grid
+   * @param {boolean} free whether the grid is ignored
+   * @returns {[number, number]} the place in the model, on the grid unless that is ignored
    */
   #snapped(at, free) {
     const [x, y] = this.#view.toModel(at.x, at.y);
@@ -309,7 +309,7 @@ export class Hand {
 }
 
 /**
- * @param {number} scale pixels of a unit
+ * @param {number} scale pixels per unit of length
  * @returns {number} the step of the grid
  */
 function grid(scale) {
@@ -321,7 +321,7 @@ function grid(scale) {
 /**
  * @param {number} value
  * @param {number} step
- * @returns {number} the nearest number of the grid, written with as few digits as it has
+ * @returns {number} the nearest multiple of the step, without rounding error in its decimals
  */
 function round(value, step) {
   return Number((Math.round(value / step) * step).toPrecision(12));

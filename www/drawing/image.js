@@ -1,26 +1,26 @@
-// An image that stands behind a drawing: of whatever file, as the text that states hold, and its pixels.
+// An image behind a drawing: read from a file, as text for the state and as pixels.
 
 /**
  * @typedef {Readonly<{ text: string, pixels: HTMLCanvasElement }>} Image
  */
 
-/** A photograph that is larger is made smaller: pixels of its longer side. Where that is not enough, these. */
+/** Longer side of a large photograph after shrinking, in pixels, and smaller ones for an image that is still too long. */
 const LONGEST_SIDE = 2000;
 const SIDES = Object.freeze([LONGEST_SIDE, 1400, 1000, 700]);
 const QUALITY = 0.85;
 
-/** Characters that a state takes, the same as in assur-file. */
+/** Limit of the image's text in a state, in characters; the same as in assur-file. */
 const LONGEST = 2_000_000;
 
-/** What a state takes as it is. */
+/** Types of images that a state takes as they are. */
 const TAKEN = /^data:image\/(png|jpeg|webp|gif|svg\+xml);base64,/;
 
-/** Of what has no size of its own, as drawings without one. */
+/** Side of an image without a size of its own, such as some vector drawings, in pixels. */
 const SIDE = 1000;
 
 /**
  * @param {File} file
- * @returns {Promise<Image | null>} it where it is a picture: as it is, or made smaller
+ * @returns {Promise<Image | null>} the image as it is or made smaller, or null if it is no picture
  */
 export async function imageOf(file) {
   try {
@@ -49,7 +49,7 @@ export async function pixelsOf(text) {
 
 /**
  * @param {HTMLImageElement} image
- * @returns {string | undefined} it as a photograph that a state takes
+ * @returns {string | undefined} the image as a photograph short enough for a state
  */
 function photograph(image) {
   for (const side of SIDES) {
@@ -62,7 +62,7 @@ function photograph(image) {
 /**
  * @param {HTMLImageElement} image
  * @param {number} longest pixels of its longer side
- * @param {string} [ground] what is behind it
+ * @param {string} [ground] colour behind the image
  * @returns {HTMLCanvasElement}
  */
 function painted(image, longest, ground) {
@@ -82,7 +82,7 @@ function painted(image, longest, ground) {
 }
 
 /**
- * @param {string} text of an image: nothing of it runs or is fetched where it is shown as a picture
+ * @param {string} text of an image; an image element runs no scripts and fetches nothing
  * @returns {Promise<HTMLImageElement>}
  */
 async function loaded(text) {
@@ -94,7 +94,7 @@ async function loaded(text) {
 
 /**
  * @param {File} file
- * @returns {Promise<string>} it as a text
+ * @returns {Promise<string>} the file as a data URL
  */
 function address(file) {
   return new Promise((resolve, reject) => {

@@ -1,4 +1,4 @@
-// What is painted over a drawing while it is drawn: what is selected, what was pressed, the next bar.
+// Marks painted over a drawing during drawing: the selection, pressed places, the next bar.
 import { level } from "assur/drawing/tools.js";
 
 /**
@@ -11,7 +11,7 @@ const RING = 10;
 const OVER = 12;
 /** Radius of the ring around a link of one point: a wheel or a block. */
 const WHEEL = 22;
-/** Width of the mark of what is locked, and how far from its point that of an angle is. */
+/** Width of the mark of a lock, and distance of an angle's mark from its point, in pixels. */
 const LOCK = 9;
 const AWAY = 24;
 const DASHES = Object.freeze([6, 5]);
@@ -50,7 +50,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   for (const lock of locks) {
     const at = lock.flatMap((name) => [places.get(name) ?? []]);
     if (at.some((place) => place.length < 2)) continue;
-    // Of a length in its middle, of an angle beside its point, between the sides.
+    // The mark of a length is in its middle, the mark of an angle beside its point and between the sides.
     const [from, to] = [at[0], at[at.length - 1]];
     const middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
     padlock(context, at.length === 2 ? middle : toward(at[1], middle, AWAY * theme.weight), theme);
@@ -58,7 +58,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   const last = work.pressed.at(-1);
   if (hand.over && last) {
     const from = (last.point && places.get(last.point)) || view.toScreen(...last.at);
-    // A guide is level or plumb where it nearly is.
+    // A guide that is nearly horizontal or vertical becomes so.
     const to = work.tool === "slide" ? level(last.at, hand.over) : hand.over;
     context.setLineDash([...DASHES]);
     context.beginPath();
@@ -89,7 +89,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
  * @param {readonly number[]} from
  * @param {readonly number[]} to
  * @param {number} way pixels
- * @returns {number[]} the place so far on the way; on it a place has no direction, it is above it
+ * @returns {number[]} the place at that distance towards the other one, or above the first if they coincide
  */
 function toward([x, y], [left, top], way) {
   const length = Math.hypot(left - x, top - y);

@@ -1,4 +1,4 @@
-// The tools for drawing as buttons over it, and what the one in hand waits for.
+// The drawing tools as buttons over the drawing, and the prompt of the tool in use.
 import { numberField } from "assur/controls/number-box.js";
 import { byId, make, makeSvg, write } from "assur/core/dom.js";
 import { PictureOptions } from "assur/drawing/picture-options.js";
@@ -68,12 +68,12 @@ export class Palette {
     page.words.fill(this.element);
   }
 
-  /** How much of the top of the drawing it takes, in pixels. */
+  /** Height at the top of the drawing that it covers, in pixels. */
   get height() {
     return this.#row.offsetTop + this.#row.offsetHeight;
   }
 
-  /** @param {string} name of the tool that is taken up */
+  /** @param {string} name of the tool to use */
   take(name) {
     this.#work.take(name);
     this.#shown = new Seen();
@@ -81,7 +81,7 @@ export class Palette {
 
   /**
    * @param {KeyboardEvent} event
-   * @returns {boolean} whether its key takes up a tool
+   * @returns {boolean} whether the key chose a tool
    */
   byKey({ code }) {
     const tool = TOOLS.find(({ key }) => code === `Key${key}` || code === `Digit${key}`);

@@ -1,11 +1,11 @@
-// What can be done with the picture behind the drawing: beside the tools, while its tool is in hand.
+// Options of the picture behind the drawing, shown beside the tools while its tool is in use.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { make } from "assur/core/dom.js";
 import { refuse, unsay } from "assur/drawing/edit.js";
 
 /** @typedef {keyof import("assur/drawing/picture.js").Base} Part */
 
-/** How much of the paper a picture may cover. */
+/** Limits of the picture's opacity. */
 const OPACITY = Object.freeze({ least: 0.1, most: 1 });
 
 /** @type {readonly Part[]} */
@@ -49,7 +49,7 @@ export class PictureOptions {
     this.element = make("span", { id: "draw-picture-options", class: "draw-wheels" }, [choose, this.#file, this.#there, this.#base]);
   }
 
-  /** @param {File} file that is to stand behind the drawing */
+  /** @param {File} file to put behind the drawing */
   async take(file) {
     const { mechanism } = this.#page;
     const problem = await this.#picture.take(file, mechanism.view, mechanism.size);
@@ -75,7 +75,7 @@ export class PictureOptions {
   /**
    * @param {Part} part
    * @param {number} value
-   * @returns {number} what it is then
+   * @returns {number} the resulting value
    */
   #lay(part, value) {
     const { base } = this.#picture;

@@ -1,5 +1,5 @@
-// A picture behind the drawing: a photograph or a scan that links are drawn over. It is part of the state, saved in files and undone like all
-// else, and no part of the mechanism: links and saved pictures do not have it.
+// A picture behind the drawing: a photograph or scan over which links are drawn. It belongs to the state, is saved in files and undone like
+// the rest, but it is no part of the mechanism: links and exported pictures do not have it.
 import { degrees, radians } from "assur/core/angles.js";
 import { refuse } from "assur/drawing/edit.js";
 import { imageOf, pixelsOf } from "assur/drawing/image.js";
@@ -7,28 +7,28 @@ import { withFurther } from "assur/state/state.js";
 
 /**
  * @typedef {readonly [number, number]} Place in the model, or on the picture, in its pixels
- * @typedef {Readonly<{ x: number, y: number, length: number, angle: number }>} Base the line between the two marked places: where it begins, its
- * length, its angle to the x axis in degrees
+ * @typedef {Readonly<{ x: number, y: number, length: number, angle: number }>} Base the line between the two marked places: its start, its
+ * length and its angle to the x axis in degrees
  * @typedef {import("assur/state/state.js").Picture} Picture
  */
 
-/** What a file may have, in bytes. */
+/** Limit of the size of a file, in bytes. */
 const LARGEST = 64e6;
 
-/** The share of the view that a new picture takes, and its opacity. */
+/** Share of the view that a new picture takes, and its opacity. */
 const SHARE = 0.85;
 const OPACITY = 0.5;
 
-/** Numbers of its place and size are no greater. */
+/** Limit of coordinates and size. */
 const FARTHEST = 1e9;
 
 export class BackPicture {
   #page;
-  /** The image that the pixels are of. */
+  /** The image to which the pixels belong. */
   #image = "";
-  /** @type {HTMLCanvasElement | null} until they are there, and of what is no picture, none */
+  /** @type {HTMLCanvasElement | null} null until they are loaded, and if the image is no picture */
   #pixels = null;
-  /** @type {Place[]} the places that are marked, on the picture */
+  /** @type {Place[]} marked places on the picture */
   #marks = [];
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -52,7 +52,7 @@ export class BackPicture {
     this.#put({ opacity });
   }
 
-  /** Has the pixels of the state's picture, now or as soon as they are there; says it where there are none. */
+  /** Loads the pixels of the state's picture, and reports an image that is no picture. */
   async follow() {
     const image = this.#picture?.image ?? "";
     if (image === this.#image) return;
@@ -66,11 +66,11 @@ export class BackPicture {
   }
 
   /**
-   * Takes a picture, in the middle of what is seen.
+   * Puts a picture in the middle of the visible area.
    * @param {File} file
    * @param {import("assur/canvas/transform.js").Transform} view
-   * @param {import("assur/stage/figure.js").Size} size of what is seen, in pixels
-   * @returns {Promise<string | null>} the code of what is wrong with it
+   * @param {import("assur/stage/figure.js").Size} size of the visible area, in pixels
+   * @returns {Promise<string | null>} code of a problem with the file
    */
   async take(file, view, { width, height }) {
     if (file.size > LARGEST) return "picture_too_large";
@@ -95,7 +95,7 @@ export class BackPicture {
     if (at) this.#put({ at: [at[0] + x, at[1] + y] });
   }
 
-  /** @param {Place} at in the model; a third one begins anew */
+  /** @param {Place} at place in the model; a third mark replaces the first two */
   mark(at) {
     const frame = this.#frame;
     if (!frame) return;
@@ -105,7 +105,7 @@ export class BackPicture {
     const place = /** @type {Place} */ ([(right * dx + up * dy) / square, (up * dx - right * dy) / square]);
     if (this.#marks.length === 2) this.#marks = [];
     const [first] = this.#marks;
-    // Two marks in one place are no line.
+    // Two marks in one place make no line.
     if (first && first[0] === place[0] && first[1] === place[1]) return;
     this.#marks.push(place);
   }
@@ -115,7 +115,7 @@ export class BackPicture {
     const frame = this.#frame;
     if (!frame) return [];
     const { origin, right: [right, up] } = frame;
-    // The picture counts downwards.
+    // The picture's rows count downwards.
     return this.#marks.map(([x, y]) => [origin[0] + right * x + up * y, origin[1] + up * x - right * y]);
   }
 
@@ -128,9 +128,9 @@ export class BackPicture {
   }
 
   /**
-   * Lays the picture so that the line between its marks is this one.
+   * Places the picture so that the line between its marks becomes the given one.
    * @param {Base} base
-   * @returns {boolean} whether there are marks, and the line is one
+   * @returns {boolean} whether there are two marks and the line is valid
    */
   lay({ x, y, length, angle }) {
     const now = this.base;
@@ -172,7 +172,7 @@ export class BackPicture {
     context.restore();
   }
 
-  /** @returns {{ pixels: HTMLCanvasElement, origin: Place, right: Place } | null} its pixels, where its upper left corner is in the model, a pixel to its right */
+  /** @returns {{ pixels: HTMLCanvasElement, origin: Place, right: Place } | null} its pixels, and in the model its upper left corner and the vector of one pixel to the right */
   get #frame() {
     const [picture, pixels] = [this.#picture, this.#pixels];
     if (!picture || !pixels || picture.image !== this.#image) return null;
@@ -193,7 +193,7 @@ export class BackPicture {
 
   /**
    * @param {Partial<Picture>} change
-   * @returns {boolean} whether it can be so
+   * @returns {boolean} whether the change is possible
    */
   #put(change) {
     const picture = this.#picture && { ...this.#picture, ...change };

@@ -1,4 +1,4 @@
-// The panel beside a drawing: why the drawing does not move and what would let it, the selection, points in numbers.
+// The panel beside a drawing: reasons why it does not move and remedies, the selection, points in numbers.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
@@ -13,10 +13,10 @@ import { placeTraced } from "assur/state/change.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** What a lock of so many points is put on, and taken off, by. */
+/** Names of the acts that lock and unlock, by the number of points. */
 const LOCKS = Object.freeze(/** @type {Record<number, string>} */ ({ 2: "lock_length", 3: "lock_angle" }));
 
-/** An input this near that of the drawing is that of the drawing, in radians or the unit of lengths: places are those that were typed. */
+/** Tolerance within which an input is the drawn one, in radians or the unit of lengths: places are then those that were typed. */
 const DRAWN = 1e-9;
 
 export class DrawingRail {
@@ -28,18 +28,18 @@ export class DrawingRail {
   #element;
   /** @type {{ name: string, label: HTMLElement, inputs: HTMLInputElement[], boxes: NumberBox[] }[]} */
   #rows = [];
-  /** @type {(() => void)[]} write anew what stands of the link that is selected */
+  /** @type {(() => void)[]} rewrite the numbers of the selected link */
   #numbers = [];
   #seen = { told: new Seen(), chosen: new Seen(), points: new Seen() };
-  /** @type {ReadonlyMap<string, readonly [number, number]>} where the points are now */
+  /** @type {ReadonlyMap<string, readonly [number, number]>} current places of the points */
   #places = new Map();
-  /** The point that numbers are typed for. */
+  /** The point whose numbers are typed. */
   #last = "";
 
   /**
    * @param {import("assur/app/page.js").Page} page
    * @param {import("assur/drawing/selection.js").Selection} selection
-   * @param {Readonly<Record<"remove" | "duplicate" | "mirror", () => void>>} acts on what is selected
+   * @param {Readonly<Record<"remove" | "duplicate" | "mirror", () => void>>} acts acts on the selection
    */
   constructor(page, selection, acts) {
     this.#page = page;
@@ -60,21 +60,21 @@ export class DrawingRail {
   }
 
   /**
-   * Begins to type the place of the point that was drawn last.
-   * @returns {boolean} whether there is one
+   * Focuses the coordinates of the point drawn last.
+   * @returns {boolean} false, so that the pressed key still reaches the field
    */
   type() {
     const row = this.#rows.find(({ name }) => name === this.#last) ?? this.#rows.at(-1);
     if (!row) return false;
     byId("draw-numbers", HTMLDetailsElement).open = true;
     row.inputs[0].focus();
-    // What is being pressed goes into the field, which has the focus now.
+    // The pressed key goes into the field, which has the focus now.
     return false;
   }
 
   /**
-   * Locks the length or the angle of what is selected, or lets go of it.
-   * @returns {boolean} whether it has one
+   * Locks or unlocks the length or the angle of the selection.
+   * @returns {boolean} whether the selection has one
    */
   lock() {
     const { points, links } = this.#selection;
@@ -98,7 +98,7 @@ export class DrawingRail {
   }
 
   /**
-   * Where it is drawn the points are as they were given, elsewhere where the motion has them.
+   * Places of the points: in the drawn pose as they were given, elsewhere as in the motion.
    * @param {Pick<Snapshot, "summary" | "frameInput">} snapshot
    * @param {Document} document
    */
@@ -112,7 +112,7 @@ export class DrawingRail {
   }
 
   /**
-   * What can be done with what is selected.
+   * Shows the acts on the selection.
    * @param {Document} document
    * @param {Words} words
    */
@@ -162,7 +162,7 @@ export class DrawingRail {
     const focused = this.#chosen.contains(page.activeElement) ? page.activeElement?.id : undefined;
     this.#chosen.replaceChildren(...content);
     words.fill(this.#chosen);
-    // What is pressed once more is there again.
+    // A rebuilt button keeps the focus.
     if (focused) page.getElementById(focused)?.focus();
   }
 
@@ -184,7 +184,7 @@ export class DrawingRail {
   }
 
   /**
-   * Length and angle of a link of two points.
+   * Fields for the length and the angle of a link with two points.
    * @param {string} link
    * @param {Words} words
    */
@@ -201,7 +201,7 @@ export class DrawingRail {
   }
 
   /**
-   * Where a link carries a traced point: along it from its first point, and to the left of that.
+   * Fields for the place of a traced point on its link: along the link from its first point, and to the left.
    * @param {string} point
    * @param {Words} words
    */
@@ -214,7 +214,7 @@ export class DrawingRail {
 
   /**
    * @param {string} link
-   * @returns {(readonly [number, number])[]} where its first two points are
+   * @returns {(readonly [number, number])[]} places of its first two points
    */
   #ends(link) {
     const { links } = /** @type {Document} */ (this.#page.store.get().document);
@@ -226,7 +226,7 @@ export class DrawingRail {
   }
 
   /**
-   * A number of what is selected, with its name.
+   * A number of the selection, with its name.
    * @param {string} what
    * @param {Words} words
    * @param {() => number} value
@@ -244,7 +244,7 @@ export class DrawingRail {
   }
 
   /**
-   * The points with their coordinates.
+   * Shows the points with their coordinates.
    * @param {Document} document
    * @param {Words} words
    */
@@ -281,7 +281,7 @@ export class DrawingRail {
    * @param {string} name of a point
    * @param {number} axis
    * @param {number} value
-   * @returns {number} what the drawing holds then
+   * @returns {number} the resulting value in the drawing
    */
   #place(name, axis, value) {
     const [x, y] = this.#places.get(name) ?? [0, 0];
@@ -290,7 +290,7 @@ export class DrawingRail {
     return this.#places.get(name)?.[axis] ?? value;
   }
 
-  /** After an edit it is drawn where it is. */
+  /** Takes the places of the document: after an edit the driver is at the drawn input. */
   #keep() {
     const { points } = /** @type {Document} */ (this.#page.store.get().document);
     this.#places = new Map(points.map((point) => [point.name, point.at]));
@@ -307,7 +307,7 @@ function written(value, { numbers }) {
 
 /**
  * @param {Document} document
- * @returns {string} what of it the acts on what is selected depend on
+ * @returns {string} key of the parts on which the acts on the selection depend
  */
 function structure({ links, frame, locks }) {
   return JSON.stringify([frame, locks, links.map(({ name, points, centre_of_mass }) => [name, points, centre_of_mass])]);
@@ -315,15 +315,15 @@ function structure({ links, frame, locks }) {
 
 /**
  * @param {Document} document
- * @param {string[]} points that are selected
- * @param {readonly string[]} links that are selected
+ * @param {string[]} points selected points
+ * @param {readonly string[]} links selected links
  * @returns {string[] | null} the points whose distance, or angle at the second of them, can be locked
  */
 function lockable(document, points, links) {
   const chosen = document.links.filter(({ name }) => links.includes(name));
   const ends = points.length === 0 && chosen.length === 1 ? chosen[0].points.slice(0, 2) : points;
   const own = ends.every((name) => document.points.some((point) => point.name === name));
-  // A frame around points takes the links between them as well.
+  // A frame around points also selects the links between them.
   const alone = points.length === 0 || chosen.every((link) => link.points.every((point) => points.includes(point)));
   return own && alone && ends.length in LOCKS ? ends : null;
 }
@@ -331,7 +331,7 @@ function lockable(document, points, links) {
 /**
  * @param {readonly string[]} one lock
  * @param {readonly string[]} other
- * @returns {boolean} whether both are one: of the same points, an angle at the same one
+ * @returns {boolean} whether both lock the same: equal points, an angle also with the same vertex
  */
 function same(one, other) {
   const is = (/** @type {readonly string[]} */ points) => points.join("\n") === other.join("\n");

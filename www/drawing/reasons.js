@@ -1,4 +1,4 @@
-// Why a drawing does not move, and what would let it, in the panel beside it.
+// Reasons why a drawing does not move, with remedies, in the panel beside it.
 import { sentence } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";

@@ -1,4 +1,4 @@
-// What is selected of a drawing: points and links, by their names.
+// The selected parts of a drawing: points and links, by name.
 
 /**
  * @typedef {Pick<import("assur/state/state.js").Documents["linkage"], "points" | "links" | "tracers">} Parts
@@ -21,8 +21,8 @@ export class Selection {
 
   /**
    * @param {string | null} point
-   * @param {string | null} link where there is no point
-   * @param {boolean} more whether to what is selected, or instead of it
+   * @param {string | null} link used if there is no point
+   * @param {boolean} more whether to add to the selection instead of replacing it
    */
   choose(point, link, more) {
     const [points, links] = more ? [this.points, this.links] : [new Set(), new Set()];
@@ -39,7 +39,7 @@ export class Selection {
     this.links = new Set(links);
   }
 
-  /** @param {Parts} parts of the drawing: of what is not there nothing stays selected */
+  /** @param {Parts} parts parts of the drawing; missing parts are deselected */
   keep({ points, links, tracers = [] }) {
     const named = new Set([...points, ...tracers].map(({ name }) => name));
     const linked = new Set(links.map(({ name }) => name));
@@ -49,7 +49,7 @@ export class Selection {
 
   /**
    * @param {Parts} parts of the drawing
-   * @returns {string[]} all points that are selected, and those of links that are
+   * @returns {string[]} all selected points, and the points of selected links
    */
   all({ links }) {
     const of = links.filter(({ name }) => this.links.has(name)).flatMap(({ points }) => points);
@@ -60,7 +60,7 @@ export class Selection {
 /**
  * @param {ReadonlySet<string>} names
  * @param {string} name
- * @returns {ReadonlySet<string>} with the name, or without it if it was there
+ * @returns {ReadonlySet<string>} the set with the name added, or removed if it was there
  */
 function other(names, name) {
   return names.has(name) ? new Set([...names].filter((one) => one !== name)) : new Set([...names, name]);

@@ -1,4 +1,4 @@
-// The style sheet of what is needed for drawing only. Who imports this waits until it is there.
+// The style sheet for drawing. Importing this module waits until it is loaded.
 import { addStyle } from "assur/core/dom.js";
 
 await addStyle("drawing/style.css");

@@ -1,4 +1,4 @@
-// The tools for drawing: what each does with a place that is pressed. A tool remembers what was pressed before.
+// The drawing tools: the effect of a press with each. Presses are remembered until a tool has enough of them.
 import { edit, refuse } from "assur/drawing/edit.js";
 import { BackPicture } from "assur/drawing/picture.js";
 
@@ -6,16 +6,16 @@ import { BackPicture } from "assur/drawing/picture.js";
  * @typedef {import("assur/types/edit.js").End} End
  * @typedef {import("assur/types/edit.js").Outer} Outer
  * @typedef {readonly [number, number]} Place in the model
- * @typedef {{ point: string | null, link: string | null, wheel: string | null, at: Place }} Target what is pressed: a point, else a link, else paper; `wheel`: the
- * wheel on which that is, a ring by its rim, whatever lies over it
- * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: its letter with Alt; `prompts`: what
- * it waits for in turn, of a dyad by the pair
+ * @typedef {{ point: string | null, link: string | null, wheel: string | null, at: Place }} Target pressed target: a point, else a link, else paper; `wheel`: the
+ * wheel at that place (an internal gear by its rim), whatever lies over it
+ * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: its letter with Alt; `prompts`: names of
+ * its prompts in turn, for a dyad by the pair
  */
 
-/** A line that is so near to level or plumb is so. */
+/** Greatest slope at which a line becomes horizontal or vertical. */
 const LEVEL = Math.tan(Math.PI / 24);
 
-/** The pairs of the five dyads: the outer ones and the one between. */
+/** The pairs of the five dyads: first outer, inner, last outer. */
 export const DYADS = Object.freeze(["RRR", "RRP", "RPR", "PRP", "RPP"]);
 
 /** @type {readonly Tool[]} */
@@ -36,21 +36,21 @@ export const TOOLS = Object.freeze([
   { name: "remove", key: "X", icon: "M6 6l12 12M18 6 6 18", prompts: ["remove_1"] },
 ]);
 
-/** What a tool is given to do its work. */
+/** State and means of the tools. */
 export class Work {
   #page;
-  /** The tool in hand. */
+  /** The tool in use. */
   tool = "select";
-  /** The dyad that is added. */
+  /** The dyad to add. */
   dyad = DYADS[0];
-  /** Of wheels that come into mesh. */
+  /** Numbers of teeth of wheels to be meshed. */
   teeth = /** @type {[number, number]} */ ([20, 40]);
   internal = false;
-  /** What is behind the drawing. */
+  /** The picture behind the drawing. */
   picture;
-  /** @type {Target[]} what was pressed and is not used up */
+  /** @type {Target[]} presses not yet used */
   pressed = [];
-  /** Whether the last point of the bars is one that they have made themselves, and which the frame has not. */
+  /** Whether the last point of the bars was made by them and is not on the frame. */
   #loose = false;
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -59,25 +59,25 @@ export class Work {
     this.picture = new BackPicture(page);
   }
 
-  /** @param {string} tool taken up; what was begun with another one is left */
+  /** @param {string} tool tool to use; what was begun with another tool is dropped */
   take(tool) {
     this.tool = tool;
     this.rest();
   }
 
-  /** What the tool in hand waits for, of its prompts. */
+  /** Index of the current prompt of the tool in use. */
   get stage() {
     if (this.tool !== "picture") return this.pressed.length;
     return this.picture.there ? 1 + (this.picture.marks.length % 2) : 0;
   }
 
-  /** Begins anew. */
+  /** Drops what was begun. */
   rest() {
     this.pressed = [];
     this.#loose = false;
   }
 
-  /** @param {Target} target that is pressed */
+  /** @param {Target} target pressed target */
   press(target) {
     const act = ACTS[this.tool];
     if (act) act(this, target);
@@ -91,13 +91,13 @@ export class Work {
     return edit(this.#page, wanted);
   }
 
-  /** @param {string} code of what is wrong with what was pressed */
+  /** @param {string} code of a problem with the press */
   refuse(code) {
     refuse(this.#page, code);
   }
 
   /**
-   * A link that is pressed slides with its first point, from which the guide goes.
+   * A pressed link slides with its first point, where the guide starts.
    * @param {Target} target
    * @returns {Target}
    */
@@ -110,7 +110,7 @@ export class Work {
   }
 
   /**
-   * Takes what was pressed until there is enough.
+   * Collects presses until there are enough.
    * @param {Target} target
    * @param {number} count
    * @returns {readonly Target[] | null}
@@ -124,7 +124,7 @@ export class Work {
   }
 
   /**
-   * One bar after the other. On paper the first end is on the frame; the last one becomes so where it is pressed twice.
+   * Draws bar after bar. A first end on paper is on the frame; pressing the last end again puts that on the frame, too.
    * @param {Target} target
    */
   bars(target) {
@@ -140,7 +140,7 @@ export class Work {
     }
     const made = this.do({ edit: "bar", ends: [end(from), end(target)] });
     if (!made) return;
-    // Where something is, the bars are joined to it and end.
+    // At an existing point the bars are joined to it and end.
     this.pressed = target.point || !made.point ? [] : [{ ...target, point: made.point, link: null, wheel: null }];
     this.#loose = !target.point && !target.link;
   }
@@ -216,7 +216,7 @@ const ACTS = Object.freeze({
   },
   picture: ({ picture }, { at }) => picture.mark(at),
   remove: (work, { point, link, wheel }) => {
-    // A wheel goes alone, and leaves its hinge to the other links.
+    // A wheel is removed alone and leaves its hinge to the other links.
     const gone = (point && wheel) || (point ? null : link);
     if (gone) work.do({ edit: "remove", points: [], links: [gone] });
     else if (point) work.do({ edit: "remove", points: [point], links: [] });
@@ -245,7 +245,7 @@ function outerPair(letter, target) {
 /**
  * @param {Place} from
  * @param {Place} to
- * @returns {[number, number]} the same place, or one level with the first or plumb above it
+ * @returns {[number, number]} the second place, moved level with the first or vertically above or below it if nearly so
  */
 export function level([x, y], [right, up]) {
   const [dx, dy] = [right - x, up - y];

@@ -1,4 +1,4 @@
-// What a lecturer's question is: its sort, the quantity that is asked for, the option that is right.
+// Controls for a lecturer's question: its kind, the quantity asked for, the right option.
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { measured } from "assur/core/units.js";
@@ -54,7 +54,7 @@ export class Asking {
    * @param {Snapshot} snapshot
    * @param {Written} lesson
    * @param {number} index
-   * @returns {string} the sort of the question
+   * @returns {string} the kind of the question
    */
   render(snapshot, lesson, index) {
     const { question } = lesson.steps[index];
@@ -73,7 +73,7 @@ export class Asking {
 
   /**
    * @param {Snapshot} snapshot
-   * @param {string} wanted which is listed whether it is there or not
+   * @param {string} wanted quantity to list even if the mechanism lacks it
    */
   #list(snapshot, wanted) {
     const { summary, readouts, state } = snapshot;
@@ -97,7 +97,7 @@ export class Asking {
   }
 
   /**
-   * Says what the answer is where the engine knows it.
+   * Writes the answer if the engine knows it.
    * @param {Written} lesson
    * @param {number} index
    * @param {string} sort

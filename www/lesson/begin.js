@@ -1,4 +1,4 @@
-// A lesson opened from elsewhere than its tab: with the mechanism of its step. One that is begun by a lecturer.
+// Start of a lesson from outside its tab, with the mechanism of its step; start of a lecturer's own lesson.
 import { OWN, readLesson } from "assur/lesson/offer.js";
 import { Progress } from "assur/lesson/progress.js";
 import { open } from "assur/lesson/show.js";
@@ -6,10 +6,10 @@ import { shownNow } from "assur/lesson/steps.js";
 import { withFurther, withView } from "assur/state/state.js";
 
 /**
- * Opens a lesson, with what its step shows.
+ * Opens a lesson and the mechanism of its step.
  * @param {import("assur/app/page.js").Page} page
  * @param {import("assur/lesson/offer.js").Entry} entry
- * @param {number} [step] from 1; else the first that was not answered rightly
+ * @param {number} [step] number of the step, from 1; by default the first step still open
  */
 export async function begin(page, entry, step) {
   const { lesson: { steps }, presets } = await readLesson(entry);
@@ -21,7 +21,7 @@ export async function begin(page, entry, step) {
 }
 
 /**
- * The form by which a lecturer writes; where there is no lesson yet, one of a step that shows what there is.
+ * Opens the form for lecturers; without a lesson it begins one with a step that shows the present state.
  * @param {import("assur/app/page.js").Page} page
  */
 export function writeLesson(page) {

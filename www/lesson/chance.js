@@ -1,16 +1,16 @@
-// Numbers that look drawn by lot and are the same for the same name, in every browser and for ever: tests pin them.
+// Pseudorandom numbers that depend on a name alone, in every browser and for ever: tests pin them.
 
-/** Of the hash FNV-1a of 32 bits. */
+/** Constants of the 32-bit hash FNV-1a. */
 const BASIS = 0x811c9dc5;
 const PRIME = 0x01000193;
 
-/** Digits of a value that was counted up by steps. */
+/** Significant digits of a value reached by steps. */
 const DIGITS = 12;
 
 /**
  * @param {string} text
  * @param {number} [seed]
- * @returns {number} a whole number of 32 bits
+ * @returns {number} a whole number with 32 bits
  */
 export function hash(text, seed = 0) {
   let state = BASIS ^ seed;
@@ -20,7 +20,7 @@ export function hash(text, seed = 0) {
 
 /**
  * @param {number} state
- * @returns {number} of 32 bits, each of which depends on all before
+ * @returns {number} 32 bits, each of which depends on all bits of the state
  */
 function mixed(state) {
   let bits = state;
@@ -31,7 +31,7 @@ function mixed(state) {
 
 /**
  * @param {number} seed
- * @returns {() => number} numbers from 0 to below 1, one after the other
+ * @returns {() => number} gives the next number, from 0 to below 1
  */
 export function generator(seed) {
   let state = seed;
@@ -43,7 +43,7 @@ export function generator(seed) {
 
 /**
  * @param {string} name as it is typed
- * @returns {string} the same for all ways to type it
+ * @returns {string} key of the name, equal for all ways to type it
  */
 export function nameKey(name) {
   return name.normalize("NFKC").trim().replace(/\s+/g, " ").toLowerCase();
@@ -52,7 +52,7 @@ export function nameKey(name) {
 /**
  * @param {string} name of a reader
  * @param {number} step of a lesson
- * @returns {() => number} the reader's own numbers in it
+ * @returns {() => number} gives the reader's own numbers in the step
  */
 export function ownNumbers(name, step) {
   return generator(hash(`${step} ${nameKey(name)}`));
@@ -61,7 +61,7 @@ export function ownNumbers(name, step) {
 /**
  * @param {{ readonly from: number, readonly to: number, readonly step: number }} range
  * @param {number} share from 0 to below 1
- * @returns {number} one of the values of a range
+ * @returns {number} one of the values of the range
  */
 export function valueIn({ from, to, step }, share) {
   // The last value may be off by rounding.
@@ -71,7 +71,7 @@ export function valueIn({ from, to, step }, share) {
 
 /**
  * @param {unknown} value of JSON
- * @returns {string} of sixteen characters that identifies it
+ * @returns {string} sixteen characters that identify the value
  */
 export function digest(value) {
   const text = canonical(value);
@@ -80,7 +80,7 @@ export function digest(value) {
 
 /**
  * @param {unknown} value
- * @returns {string} the same in whatever order its keys stand
+ * @returns {string} the value as text, independent of the order of keys
  */
 function canonical(value) {
   if (Array.isArray(value)) return `[${value.map(canonical).join()}]`;

@@ -1,16 +1,16 @@
-// The result of a lesson as a line of text: who answered what. Its check sum finds slips of copying; it proves nothing.
+// The result of a lesson as a line of text: a name with its answers. Its check sum finds copying errors, but proves nothing.
 import { hash } from "assur/lesson/chance.js";
 
 /**
- * @typedef {Readonly<{ given: string, tries: number, shown: boolean }>} Answer what was answered last, how many answers were judged, whether the right one was shown
- * @typedef {Readonly<{ lesson: string, name: string, answers: readonly (Answer | null)[] }>} Result the digest of the lesson, and by step what was answered, null
- * where nothing is asked
+ * @typedef {Readonly<{ given: string, tries: number, shown: boolean }>} Answer last answer, number of judged answers, whether the right one was shown
+ * @typedef {Readonly<{ lesson: string, name: string, answers: readonly (Answer | null)[] }>} Result digest of the lesson, and the answers by step, null
+ * for a step without a question
  */
 
-/** Of codes with tries, and of the older ones without. */
+/** Versions of codes: with numbers of tries, and the older one without. */
 const [VERSION, WITHOUT_TRIES] = ["assur2", "assur1"];
 
-/** Longer ones are none of ours. */
+/** Limits of the length of a code and of an answer, in characters. */
 const LONGEST = 20_000;
 const LONGEST_ANSWER = 200;
 
@@ -32,7 +32,7 @@ function checkSum(packed) {
 
 /**
  * @param {string} text
- * @returns {Result | null} null where it is no code, or damaged
+ * @returns {Result | null} null if it is no code or damaged
  */
 export function fromCode(text) {
   const [version, packed, sum, ...more] = text.trim().split(".");
@@ -60,7 +60,7 @@ function isShort(value) {
 
 /**
  * @param {unknown} value
- * @returns {Answer | undefined} undefined if it is none
+ * @returns {Answer | undefined} undefined if the value is no answer
  */
 function answerIn(value) {
   if (!Array.isArray(value) || value.length !== 3) return undefined;

@@ -1,9 +1,9 @@
-// Fields of a document as lessons name them: a dimension by the link or point that has it, a number by its place.
+// Fields of a document as lessons name them: a dimension by its link or point, a number by its place.
 
 /**
- * @param {string} name of a field; of a dimension of a link or point by its name, as `FK.length`, `H.x`
+ * @param {string} name name of a field; a dimension goes by its link or point, such as `FK.length`, `H.x`
  * @param {import("assur/state/state.js").State["document"]} document
- * @returns {string} as the controls have it: `links[5].length`
+ * @returns {string} the field's name in the controls, such as `links[5].length`
  */
 export function fieldOf(name, document) {
   const [, of, part] = /^(.+)\.(length|x|y)$/.exec(name) ?? [];
@@ -19,9 +19,9 @@ export function fieldOf(name, document) {
 /**
  * @template T
  * @param {T} document
- * @param {string} field of a number that it has, such as `wheels[0].z`
+ * @param {string} field field of a number in it, such as `wheels[0].z`
  * @param {number} value
- * @returns {T} with that number
+ * @returns {T} the document with that number
  */
 export function withNumber(document, field, value) {
   return /** @type {T} */ (put(document, field.split(/[.[\]]+/).filter((key) => key !== ""), value));

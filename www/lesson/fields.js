@@ -1,4 +1,4 @@
-// The fields of the form by which a lecturer writes a lesson: what stands in each, and what typing into it changes.
+// Fields of the form for a lecturer's lesson: the content of each, and the change made by typing into it.
 import { parseNumber } from "assur/core/numbers.js";
 import { changed, withStep } from "assur/lesson/steps.js";
 
@@ -11,7 +11,7 @@ import { changed, withStep } from "assur/lesson/steps.js";
  *   get: (lesson: Written, step: Step) => string | number | null | undefined,
  *   put: (lesson: Written, index: number, value: any) => Written,
  * }>} Field
- * `sorts`: of the questions that have it; `rows`: of a text of several lines; `most`: characters; `numeric`: what is typed is a number.
+ * `sorts`: kinds of questions with the field; `rows`: lines of a longer text; `most`: limit of characters; `numeric`: whether it holds a number.
  */
 
 /**
@@ -69,12 +69,12 @@ export const FIELDS = Object.freeze(/** @type {Field[]} */ ([
 
 /**
  * @param {Field} field
- * @param {string} text that is typed into it
- * @returns {{ value: string | number | undefined } | null} null where it is to be a number and is none
+ * @param {string} text typed text
+ * @returns {{ value: string | number | undefined } | null} null if it should be a number but is not
  */
 export function valueTyped({ id, numeric }, text) {
   if (!numeric) return { value: text };
-  // Where a quantity is asked for may be left open.
+  // The input at which a quantity is asked for is optional.
   if (id === "at" && text.trim() === "") return { value: undefined };
   const value = parseNumber(text);
   return value === null ? null : { value };
@@ -83,7 +83,7 @@ export function valueTyped({ id, numeric }, text) {
 /**
  * @param {Written} lesson
  * @param {number} index
- * @param {string} quantity that is asked for, or to be brought to a value
+ * @param {string} quantity quantity asked for, or to be brought to a value
  */
 export function withQuantity(lesson, index, quantity) {
   return withPart("number", withPart("reach", lesson, index, { quantity }), index, { quantity });
@@ -92,7 +92,7 @@ export function withQuantity(lesson, index, quantity) {
 /**
  * @param {Written} lesson
  * @param {number} index
- * @param {number} answer which option is right
+ * @param {number} answer index of the right option
  */
 export function withRight(lesson, index, answer) {
   return withPart("choice", lesson, index, { answer });
@@ -101,7 +101,7 @@ export function withRight(lesson, index, answer) {
 /**
  * @param {Written} lesson
  * @param {number} index
- * @param {boolean} shown whether the page shows the quantity while it is asked for
+ * @param {boolean} shown whether the page shows the quantity during the question
  */
 export function withShown(lesson, index, shown) {
   return withPart("number", lesson, index, { shown: shown || undefined });

@@ -1,4 +1,4 @@
-// A lesson of ours, from its folder: what its steps show and ask, in the words of the reader's language.
+// A lesson of the page from its folder: its steps and questions in the reader's language.
 import { LOST } from "assur/app/notices.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { notesOf, served } from "assur/core/served.js";
@@ -24,8 +24,8 @@ import { holds, open } from "assur/lesson/show.js";
  *   name?: string, preset: string, set?: Readonly<Record<string, number>>, drive?: string, play?: boolean, overlays?: readonly string[], plot?: string,
  *   at?: (summary: Summaries[K]) => number | undefined,
  * }>} Show
- * What a button opens instead of the document there is: a preset, with dimensions `set` (by their names, as in `controls`) or another link
- * to `drive` it, the crank's angle in it or its motion, what is laid over the drawing, and what is plotted. The words of the button are `ID.show.NAME`, or "Show it".
+ * Document opened by a button: a preset, with dimensions `set` (by their names, as in `controls`) or another link to `drive`, the
+ * crank's angle `at` or its motion, the overlays and the plot. The text of the button is `ID.show.NAME`, or else "Show it".
  */
 
 /**
@@ -35,9 +35,9 @@ import { holds, open } from "assur/lesson/show.js";
  *   within?: number, unit?: string, round?: boolean, whole?: boolean, choices?: readonly string[],
  *   places?: (summary: Summaries[K]) => Readonly<Record<string, number>>, hides?: readonly string[],
  * }>} Question
- * `answer`: what the engine says of the mechanism as it is; undefined where it says nothing. One of the `choices`, or a number
- * to be met `within` a tolerance; `round`: 360° more or less is the same; `whole`: it counts, and `ID.right` has plural forms;
- * `hides`: the read-outs that give the answer away; the page withholds them until it is answered or shown.
+ * `answer`: the engine's answer for the current mechanism, undefined if it has none: one of the `choices`, or a number to be met
+ * `within` a tolerance; `round`: a difference of 360° does not count; `whole`: it is a count, and `ID.right` has plural forms;
+ * `hides`: ids of read-outs that give the answer away, hidden by the page until it is answered or shown.
  */
 
 /**
@@ -46,15 +46,15 @@ import { holds, open } from "assur/lesson/show.js";
  *   kind?: K, id: string, formula?: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, relations?: readonly string[],
  *   controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[], figure?: (engine: Engine) => Figure,
  * }>} Step
- * `kind`: of the documents that it shows and asks about, where it is not the lesson's; `formula`: one with a number in it is written with
- * the reader's decimal sign; `relations`: items of the paper in its main line, as they hold. In the step itself stand its `controls`, by their fields, its `readouts`,
- * by what follows `out-` in their ids, the parts of the page that it `lends`, by their ids, and a `figure` of its own.
+ * `kind`: kind of the step's documents, if not the lesson's; `formula`: a function if it contains a number, which is written with the reader's
+ * decimal sign; `relations`: items of the paper for the main line, in their valid form. The step contains its `controls`, by their fields, its
+ * `readouts`, by their ids without `out-`, the parts of the page that it `lends`, by their ids, and a `figure` of its own.
  */
 
 /**
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{ kind: K, steps: readonly (Step<K> | { [J in Kind]: Step<J> & { kind: J } }[Kind])[] }>} Lesson
- * What `lesson.js` of a lesson's folder exports as `LESSON`. Progress is kept by the ids of steps.
+ * Export `LESSON` of a lesson's `lesson.js`. Progress is kept by the ids of steps.
  */
 
 /**
@@ -62,10 +62,10 @@ import { holds, open } from "assur/lesson/show.js";
  * @typedef {Readonly<Record<string, Whole>>} OwnPresets the presets of a lesson's folder, by name
  */
 
-/** An answer just within its tolerance is not to be lost by rounding, relative to the exact value. */
+/** Allowance for rounding at the edge of the tolerance, relative to the exact value. */
 const ROUNDING = 1e-9;
 
-/** A lesson of ours for the panel. */
+/** A lesson from a folder, for the panel. */
 export class FolderLesson {
   #lesson;
   #presets;
@@ -78,7 +78,7 @@ export class FolderLesson {
    * @param {{ kind: Kind, steps: readonly Step[] }} lesson
    * @param {OwnPresets} presets
    * @param {import("assur/app/page.js").Page} page
-   * @param {import("assur/lesson/offer.js").Entry} [next] the lesson after it
+   * @param {import("assur/lesson/offer.js").Entry} [next] the next lesson
    * @param {readonly import("assur/lesson/paper.js").Item[]} [items] of its paper
    * @param {boolean} [notes] whether there are notes for teachers
    */
@@ -93,7 +93,7 @@ export class FolderLesson {
   }
 
   /**
-   * @param {Words} words of the page, and those of the lesson
+   * @param {Words} words words of the page and of the lesson
    * @returns {readonly Told[]}
    */
   tell(words) {
@@ -101,7 +101,7 @@ export class FolderLesson {
   }
 
   /**
-   * The end of the lesson: what was learnt, and what comes next.
+   * The end of the lesson: a summary and the next lesson.
    * @param {Words} words
    * @returns {Told}
    */
@@ -159,7 +159,7 @@ export class FolderLesson {
  * @param {Step} step
  * @param {Snapshot} snapshot
  * @param {Words} words
- * @returns {string} what is said to a right answer
+ * @returns {string} comment on a right answer
  */
 function right({ id, question }, { summary }, words) {
   const exact = question.answer(summary);
@@ -185,7 +185,7 @@ function answered({ id, question }, { summary }, words) {
  * @param {Question} question
  * @param {string} given
  * @param {Snapshot} snapshot
- * @param {Kind} asked the kind of document that the question is about
+ * @param {Kind} asked kind of document in the question
  * @returns {Verdict}
  */
 function judge({ answer, choices, within = 0, round = false }, given, { summary, stale, kind }, asked) {
@@ -203,8 +203,8 @@ function judge({ answer, choices, within = 0, round = false }, given, { summary,
  * @param {string} given
  * @param {number} exact
  * @param {number} within
- * @param {boolean} round whether 360° more or less is the same
- * @returns {Verdict} on an answer that is a number
+ * @param {boolean} round whether a difference of 360° does not count
+ * @returns {Verdict} verdict on a number as answer
  */
 export function judged(given, exact, within, round) {
   const value = parseNumber(given);

@@ -1,4 +1,4 @@
-// What a mechanism is made of, in numbers, as it is printed beside its drawing: with these alone it can be solved on paper.
+// Numbers of a mechanism as printed beside its drawing; they suffice to solve it on paper.
 import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
@@ -10,26 +10,26 @@ import { lettered } from "assur/core/subscripts.js";
  * @typedef {Extract<State["document"], { links: readonly unknown[] }>} Linkage
  */
 
-/** Numbers of a gear train that say nothing until it is loaded. */
+/** Numbers of a gear train that matter only if it is loaded. */
 const LOADED = /^(magnets|bodies|members|load|span_s)\b/;
-/** Numbers that a linkage tells by its points, and the tolerance of its dwell, which is none of it. */
+/** Numbers of a linkage that its points already give, and the tolerance of its dwell, which is not part of it. */
 const BY_POINTS = /^(links|points)\[|^band$/;
-/** With as many positions as there are lengths to choose, each is met whatever its weight. */
+/** Number of positions from which their weights matter: fewer positions are met exactly. */
 const WEIGHED = 4;
-/** A number of a shaft: it has a factor where it is tied, a speed where it is not. */
+/** A number of a shaft: a factor if the shaft is tied to another, a speed otherwise. */
 const DRIVE = /^drives\[(\d)\]\.(\w+)$/;
 
-/** The words for what is given by points, by its symbol. */
+/** Words for numbers of points, by symbol. */
 const BY_SYMBOL = Object.freeze({ l: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
 
-/** Decimals of a number: it may be that of a drawing. */
+/** Decimals of a number, which may come from a drawing. */
 const DECIMALS = 6;
 
 /**
  * @param {State} state
  * @param {import("assur/engine.js").Engine} engine
- * @param {Words} words with the unit of its lengths
- * @returns {readonly string[]} every number with what it is called; what follows a _ stands below the line
+ * @param {Words} words words with the unit of its lengths
+ * @returns {readonly string[]} every number with its name; letters after a _ are a subscript
  */
 export function given(state, engine, words) {
   const { document } = state;
@@ -42,7 +42,7 @@ export function given(state, engine, words) {
 /**
  * @param {string} field
  * @param {State["document"]} document
- * @returns {boolean} whether its number says something of the mechanism
+ * @returns {boolean} whether its number describes the mechanism
  */
 function isGiven(field, document) {
   if ("links" in document) return !BY_POINTS.test(field);
@@ -56,7 +56,7 @@ function isGiven(field, document) {
 /**
  * @param {Linkage} linkage
  * @param {Words} words
- * @returns {string[]} distances of the points of each link, places of those of the frame and of what is traced, teeth
+ * @returns {string[]} distances of the points of each link, places of frame points and traced points, numbers of teeth
  */
 function ofPoints({ points, links, frame, gears = [], tracers = [] }, words) {
   const written = (/** @type {number} */ value) => words.numbers.upTo(value, DECIMALS);
@@ -66,7 +66,7 @@ function ofPoints({ points, links, frame, gears = [], tracers = [] }, words) {
     const symbol = lettered(plain, of);
     return symbol === plain ? words.text(BY_SYMBOL[plain], { of: of.join("-"), value: length(value) }) : `${symbol} = ${length(value)}`;
   };
-  /** @type {Set<string>} of points that several links share the distance is said once */
+  /** @type {Set<string>} each distance once, even if several links share its points */
   const lengths = new Set();
   for (const { points: own, shape, length: fixed } of links) {
     const places = own.map((name, i) => shape?.[i] ?? drawn.get(name) ?? [0, 0]);

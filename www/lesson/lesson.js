@@ -1,4 +1,4 @@
-// The lesson, in the place of the settings: which of the two is shown. What a lesson needs is loaded when it is first opened.
+// The place of a lesson or of the settings, one of which is shown. Parts of a lesson are loaded when one is first opened.
 import { awaited } from "assur/app/busy.js";
 import { byId, setData, write } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
@@ -17,20 +17,20 @@ export class Lesson {
   #page;
   /** @type {import("assur/lesson/panel.js").LessonPanel | null} */
   #panel = null;
-  /** Lesson and language it has, or is waiting for. */
+  /** The wanted lesson with its language, loaded or still loading. */
   #wanted = "";
   /** The lesson of the panel. */
   #shown = "";
-  /** @type {import("assur/state/state.js").Written | undefined} what a lecturer has written of which the panel is */
+  /** @type {import("assur/state/state.js").Written | undefined} the lecturer's lesson of the panel */
   #written;
-  /** @type {import("assur/lesson/writer.js").Writer | null} the form of a lecturer */
+  /** @type {import("assur/lesson/writer.js").Writer | null} form for lecturers */
   #writer = null;
-  /** Whether the lecturer's own lesson is written, and not read. */
+  /** Whether the lecturer's own lesson is being written instead of read. */
   #writing = false;
   #open = false;
-  /** @type {import("assur/state/state.js").View["lesson"]} lesson and step to come back to */
+  /** @type {import("assur/state/state.js").View["lesson"]} lesson and step to return to */
   #last = null;
-  /** Whether the reader has just opened it, and is to see it: by a key or not. */
+  /** Whether the reader has just opened the lesson, so that it is scrolled into view and, if opened by a key, focused. */
   #called = { seen: false, focused: false };
 
   /**
@@ -41,33 +41,33 @@ export class Lesson {
     this.#tabs.forEach((tab, i) => tab.addEventListener("click", () => this.#turn(i === 1)));
   }
 
-  /** Opens it and takes the focus there, or closes it. */
+  /** Opens and focuses the lesson, or closes it. */
   toggle() {
     this.#called.focused = !this.#open;
     if (this.#open && this.#place.contains(document.activeElement)) this.#tabs[1].focus();
     this.#turn(!this.#open);
   }
 
-  /** Brings the open lesson where the eye is, and the focus there. */
+  /** Scrolls the open lesson into view and focuses it. */
   call() {
     this.#called = { seen: true, focused: true };
     this.#page.redraw();
   }
 
-  /** @returns {readonly import("assur/lesson/panel.js").Told[]} those of the open lesson */
+  /** @returns {readonly import("assur/lesson/panel.js").Told[]} steps of the open lesson */
   steps() {
     return (this.#open && this.#panel?.steps()) || [];
   }
 
   /**
-   * @param {string} step the id of one of these
-   * @returns {HTMLElement[]} what the lesson's paper prints of it
+   * @param {string} step the id of one of these steps
+   * @returns {HTMLElement[]} the step's items of the lesson's paper
    */
   onPaper(step) {
     return this.#panel?.onPaper(step) ?? [];
   }
 
-  /** @param {boolean} writing whether the lecturer's own lesson is written, or read */
+  /** @param {boolean} writing whether the lecturer's own lesson is being written instead of read */
   write(writing) {
     this.#writing = writing;
     this.#called.focused = true;
@@ -114,11 +114,11 @@ export class Lesson {
     this.#place.hidden = !open;
     if (!open) this.#panel?.close();
     this.#tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(open === (i === 1))));
-    // What did not arrive is asked for again.
+    // A part that failed to load is requested again.
     if (!this.#panel && !this.#writer) this.#wanted = "";
   }
 
-  /** What is shown is so no more. */
+  /** Ends the lesson that is shown. */
   #leave() {
     this.#panel?.end();
     this.#panel = this.#writer = null;
@@ -128,7 +128,7 @@ export class Lesson {
   /**
    * @param {Entry} entry
    * @param {boolean} writing
-   * @param {Words} words of the page, in the language that is wanted
+   * @param {Words} words words of the page, in the wanted language
    */
   async #load(entry, writing, words) {
     const wanted = wantedOf(entry, writing, words);
@@ -200,7 +200,7 @@ export class Lesson {
  * @param {Pick<Entry, "id">} entry
  * @param {boolean} writing
  * @param {Words} words
- * @returns {string} by which it is known that another is wanted
+ * @returns {string} key of the wanted lesson, form and language
  */
 function wantedOf({ id }, writing, { lang }) {
   return `${writing ? "write " : ""}${id} ${lang}`;

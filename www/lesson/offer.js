@@ -1,14 +1,14 @@
-// Which lessons there are, and which is offered with a document. The list is written by the build from the folders of www/lessons.
+// The list of lessons, and the lesson offered with a document. The build writes the list from the folders of www/lessons.
 import { fetched } from "assur/core/fetched.js";
 import { LESSONS, SCRIPTS } from "assur/lessons/index.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<{ id: string, about: readonly string[], presets: boolean, paper: boolean, notes: boolean }>} Entry
- * A lesson: the name of its folder, or that of a lesson that a lecturer has written, the origins or the kinds of documents that it is about, whether it has presets of its own, a paper, and notes for teachers.
+ * A lesson: the name of its folder or of the lecturer's lesson, the origins or kinds of its documents, and whether it has presets, a paper and notes for teachers.
  */
 
-/** What links call the lesson that is in the state itself: no folder has this name. */
+/** Id of the lesson in the state itself; no folder has this name. */
 export const OWN = "own";
 
 /** @type {Entry} */
@@ -16,7 +16,7 @@ const WRITTEN = Object.freeze({ id: OWN, about: [], presets: false, paper: false
 
 /**
  * @param {State} state
- * @returns {Entry | undefined} the lesson that is open; none where the state opens none, or one that there is not
+ * @returns {Entry | undefined} the open lesson, or undefined if the state opens none or one that does not exist
  */
 export function opened({ view: { lesson }, lesson: written }) {
   if (lesson?.id === OWN) return written && WRITTEN;
@@ -25,7 +25,7 @@ export function opened({ view: { lesson }, lesson: written }) {
 
 /**
  * @param {State} state
- * @returns {Entry | undefined} the lesson that is open, else the one that a lecturer has written, else the first about what the document came from, else about its kind
+ * @returns {Entry | undefined} the open lesson, or else the lecturer's, or else the first lesson on the document's origin, or else on its kind
  */
 export function offered(state) {
   return opened(state) ?? (state.lesson && WRITTEN) ?? first(originOf(state)) ?? first(state.kind);
@@ -33,7 +33,7 @@ export function offered(state) {
 
 /**
  * @param {string} id of a lesson
- * @returns {Entry | undefined} the lesson after it
+ * @returns {Entry | undefined} the next lesson
  */
 export function next(id) {
   return LESSONS[LESSONS.findIndex((lesson) => lesson.id === id) + 1];
@@ -46,7 +46,7 @@ function first(subject) {
 
 /**
  * @param {Pick<State, "document">} state
- * @returns {string} the mechanism of the catalogue that its document came from, empty if from none
+ * @returns {string} mechanism of the catalogue from which the document came, empty if none
  */
 export function originOf({ document }) {
   return ("origin" in document && document.origin) || "";
@@ -55,7 +55,7 @@ export function originOf({ document }) {
 /**
  * @param {Entry} entry
  * @returns {Promise<{ lesson: { kind: import("assur/state/state.js").Kind, steps: readonly import("assur/lesson/folder.js").Step[] }, presets: import("assur/lesson/folder.js").OwnPresets }>}
- * its steps and the presets of its own
+ * steps of the lesson and its own presets
  */
 export async function readLesson({ id, presets }) {
   const [{ LESSON: lesson }, own] = await Promise.all([SCRIPTS[id](), presets ? fileOf(id, "presets.json") : {}]);
@@ -63,7 +63,7 @@ export async function readLesson({ id, presets }) {
 }
 
 /**
- * @param {Record<string, { kind?: string, from?: string, document: object }>} own presets of a lesson as its folder has them: whole, or as changes to an earlier one
+ * @param {Record<string, { kind?: string, from?: string, document: object }>} own presets as in the lesson's folder: whole, or as changes to an earlier one
  * @returns {import("assur/lesson/folder.js").OwnPresets}
  */
 export function wholePresets(own) {
@@ -78,7 +78,7 @@ export function wholePresets(own) {
 
 /**
  * @param {Entry} entry
- * @returns {Promise<readonly import("assur/lesson/paper.js").Item[]>} the items of its paper; none where it has no paper
+ * @returns {Promise<readonly import("assur/lesson/paper.js").Item[]>} items of its paper, empty without a paper
  */
 export async function readPaper({ id, paper }) {
   return paper ? fileOf(id, "paper.json") : [];

@@ -1,4 +1,4 @@
-// The mechanism of a lesson's step: the one that its buttons showed last, with the changes made by its own controls.
+// The mechanism of a lesson's step: the one shown last by the step's buttons, with the changes made by the step's controls.
 import { digest } from "assur/lesson/chance.js";
 import { READERS } from "assur/lesson/steps.js";
 
@@ -7,7 +7,7 @@ import { READERS } from "assur/lesson/steps.js";
  * @typedef {import("assur/lesson/panel.js").Shown} Shown
  */
 
-/** Events after which a document may change: the target of the last one says whether a control of the step has changed it. */
+/** Events that may change a document: the target of the last one decides whether a control of the step has made the change. */
 const ACTS = Object.freeze(["pointerdown", "pointermove", "pointerup", "click", "input", "change", "keydown", "wheel", "paste", "drop", "hashchange"]);
 
 export class OwnMechanism {
@@ -25,7 +25,7 @@ export class OwnMechanism {
 
   /**
    * @param {Pick<import("assur/app/page.js").Page, "store" | "history" | "choose">} page
-   * @param {HTMLElement} controls the element that holds the controls of the step
+   * @param {HTMLElement} controls element with the controls of the step
    */
   constructor(page, controls) {
     this.#page = page;
@@ -36,13 +36,13 @@ export class OwnMechanism {
     for (const act of ACTS) addEventListener(act, note, { capture: true, signal });
   }
 
-  /** Follows the page no longer. */
+  /** Stops following the page. */
   close() {
     this.#ended.abort();
   }
 
   /**
-   * Begins a step, whose mechanism may be on the page already: by a link, or kept over a reload.
+   * Begins a step, whose mechanism may already be on the page from a link or before a reload.
    * @param {readonly Shown[]} shows buttons of the step
    * @param {string} kept digest of the step's mechanism as it was when the page was left
    */
@@ -54,7 +54,7 @@ export class OwnMechanism {
     if ((kept !== "" && digest(state.document) === kept) || shows.some((one) => one.opened?.(state))) this.#add(state);
   }
 
-  /** The digest of the step's mechanism as it was last, empty if it has not been shown. */
+  /** Digest of the step's last mechanism, empty if none has been shown. */
   get digest() {
     return this.#last ? digest(this.#last.document) : "";
   }
@@ -62,7 +62,7 @@ export class OwnMechanism {
   /**
    * Shows a mechanism of the step.
    * @param {Shown["open"]} open
-   * @param {Partial<State["view"]>} [view] what else it is looked at with
+   * @param {Partial<State["view"]>} [view] further fields of the view
    */
   open(open, view) {
     const { store } = this.#page;
@@ -77,12 +77,12 @@ export class OwnMechanism {
     if (state.document !== before || this.#shows.some((one) => one.opened?.(state))) this.#add(state);
   }
 
-  /** Whether the page shows the mechanism of the step; any mechanism is one of a step that shows none. */
+  /** Whether the page shows the step's mechanism; a step that shows none accepts any. */
   get there() {
     return this.#shows.length === 0 || this.#own.has(this.#page.store.get().document);
   }
 
-  /** Shows the mechanism of the step again, in one step of undo. */
+  /** Shows the step's mechanism again, in one step of undo. */
   bringBack() {
     const last = this.#last;
     if (!last) {

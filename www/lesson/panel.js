@@ -1,4 +1,4 @@
-// A lesson step by step: a text, something to show, a question with a checked answer. Loaded when a lesson is opened.
+// A lesson step by step: a text, something to show, a question with a checked answer. Loaded with the first lesson.
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { marked, withSubscripts, writeSubscripted } from "assur/core/subscripts.js";
@@ -16,34 +16,34 @@ import { withView } from "assur/state/state.js";
  *
  * @typedef {"right" | "not_yet" | "unread" | "unanswered" | "none" | "stale"} Verdict
  * @typedef {import("assur/state/state.js").View} View
- * @typedef {Readonly<{ verdict: Verdict | "shown", brought: boolean, document: State["document"] }>} Judged `brought`: another mechanism was on the page and
- * that of the step was shown again; `document`: the one that the verdict is about
+ * @typedef {Readonly<{ verdict: Verdict | "shown", brought: boolean, document: State["document"] }>} Judged `brought`: whether another mechanism was on the page
+ * and the step's was shown again; `document`: the one that the verdict is about
  *
- * @typedef {Readonly<{ id: string, text: string, open: (view?: Partial<View>) => void, opened?: (state: State) => boolean, href?: string }>} Shown a button, and what it opens
- * instead of the document there is; `opened`: whether a state holds it; `href`: of a page beside this one, to which it is a link
+ * @typedef {Readonly<{ id: string, text: string, open: (view?: Partial<View>) => void, opened?: (state: State) => boolean, href?: string }>} Shown a button with the document that
+ * it opens; `opened`: whether a state holds that document; `href`: address of a page to which it links instead
  * @typedef {Readonly<{
  *   text: string, unit: string, options: readonly Readonly<{ value: string, text: string }>[] | null, hides: readonly string[],
  *   judge: (given: string, snapshot: Snapshot) => Verdict, hint: () => string, right: (snapshot: Snapshot) => string,
  *   answer: (snapshot: Snapshot) => string | null, ofPage: boolean, reached?: (snapshot: Snapshot) => boolean,
  * }>} Question
- * `options`: of a choice, else a number is typed; `hides`: the read-outs that give the answer, which the page withholds until the reader has answered or
- * given up; `answer`: the right answer in words, null if there is none; `ofPage`: the mechanism on the page is asked about, which must be the step's; `reached`:
- * nothing is typed, the question is answered as soon as this holds.
- * @typedef {{ readonly element: HTMLElement, render(snapshot: Snapshot, words: Words): void }} Figure what a step draws of its own; it is made anew with the words
+ * `options`: those of a choice, null for a number to type; `hides`: ids of read-outs that give the answer away, hidden until the reader has answered or
+ * given up; `answer`: the right answer in words, null if there is none; `ofPage`: whether the question is on the mechanism of the page, which must be
+ * the step's; `reached`: nothing is typed, and the question is answered as soon as this is true.
+ * @typedef {{ readonly element: HTMLElement, render(snapshot: Snapshot, words: Words): void }} Figure figure of a step, made again for other words
  * @typedef {Readonly<{
  *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], from: number | null, question: Question | null,
  *   tools: import("assur/lesson/tools.js").Wanted & { figure?: (engine: import("assur/engine.js").Engine) => Figure },
- * }>} Told a step in words; progress is kept by its id; `from`: the index of the step whose mechanism it shows, null if it
+ * }>} Told a step in words; progress is kept by its id; `from`: index of the step whose mechanism it shows, null if it
  * shows none
  * @typedef {{
  *   readonly id: string, readonly name: string, readonly paper?: import("assur/lesson/paper.js").Printed, tell(words: Words): readonly Told[],
  *   frame?(step: HTMLElement[], progress: Progress, renew: () => Progress): HTMLElement[], answered?(): void,
  * }} Source
- * The source of a lesson: its name in links, the name by which its progress is kept, what its paper prints, its steps, the frame around them. `answered` hears of
- * every new answer; `renew` gives the progress that is kept by another name.
+ * Source of a lesson: its id in links, the name under which its progress is kept, its paper, its steps, the frame around them. `answered` is called
+ * after every new answer; `renew` takes the progress kept under another name.
  */
 
-/** The id of what closes a lesson and is no step of it. */
+/** Id of the end of a lesson, which is no step. */
 export const END = "end";
 
 export class LessonPanel {
@@ -56,15 +56,15 @@ export class LessonPanel {
   #words;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {Map<string, Judged>} by steps */
+  /** @type {Map<string, Judged>} verdicts by step */
   #judged = new Map();
   #shown = new Seen();
   #left = () => this.#leave();
-  /** Whether the reader has just turned to another step, whose beginning is to be seen. */
+  /** Whether the reader has just turned to another step, so that its beginning is scrolled into view. */
   #turned = false;
-  /** The id of the step whose mechanism is followed. */
+  /** Id of the step whose mechanism is followed. */
   #begun = "";
-  /** @type {readonly ((given: string) => void)[]} write an answer into what it is given in */
+  /** @type {readonly ((given: string) => void)[]} write an answer into its fields */
   #fills = [];
 
   #back = make("button", { id: "lesson-back", class: "control icon", type: "button", onclick: () => this.#go(-1) }, ["‹"]);
@@ -92,7 +92,7 @@ export class LessonPanel {
    * @param {HTMLElement} place
    * @param {import("assur/app/page.js").Page} page
    * @param {Source} source
-   * @param {Words} words of the page, and those of the lesson
+   * @param {Words} words words of the page and of the lesson
    */
   constructor(place, page, source, words) {
     this.#page = page;
@@ -114,13 +114,13 @@ export class LessonPanel {
     place.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
 
-  /** Keeps which mechanism is the step's: the page may be left. */
+  /** Keeps the digest of the step's mechanism, as the page may be left. */
   #leave() {
     if (this.#begun) this.#progress.leave(this.#begun, this.#own.digest);
   }
 
   /**
-   * Takes the progress that is kept by another name. All that can be pressed stays where it is: a press elsewhere ends the typing of a name.
+   * Takes the progress kept under another name. Buttons stay in place, because pressing one may end the typing of a name.
    * @returns {Progress}
    */
   #renew() {
@@ -137,7 +137,7 @@ export class LessonPanel {
     return this.#progress;
   }
 
-  /** Shuts the lesson for good. */
+  /** Ends the lesson for good. */
   end() {
     this.#leave();
     this.close();
@@ -145,7 +145,7 @@ export class LessonPanel {
     this.#own.close();
   }
 
-  /** Gives back what the page has lent, and withholds nothing. */
+  /** Returns borrowed parts to the page, and shows hidden read-outs. */
   close() {
     this.#tools.close();
     this.#shown = new Seen();
@@ -158,20 +158,20 @@ export class LessonPanel {
     this.#steps = this.#source.tell(words);
   }
 
-  /** @returns {readonly Told[]} without what closes the lesson */
+  /** @returns {readonly Told[]} steps without the end of the lesson */
   steps() {
     return this.#steps.filter(({ id }) => id !== END);
   }
 
   /**
    * @param {string} step the id of a step
-   * @returns {HTMLElement[]} what the lesson's paper prints of it
+   * @returns {HTMLElement[]} the step's items of the lesson's paper
    */
   onPaper(step) {
     return this.#paper?.onPaper(step, this.#words) ?? [];
   }
 
-  /** Where a reader who opened it by a key goes on. */
+  /** Focuses the title, for a reader who opened the lesson by a key. */
   focus() {
     this.#title.focus();
   }
@@ -181,7 +181,7 @@ export class LessonPanel {
     this.#snapshot = snapshot;
     const number = this.#number(snapshot.state);
     const step = this.#steps[number - 1];
-    // A verdict on another mechanism holds no longer.
+    // A verdict on another mechanism is outdated.
     const judged = this.#judged.get(step.id);
     const outdated = judged !== undefined && judged.document !== snapshot.state.document;
     if (outdated) this.#judged.delete(step.id);
@@ -196,7 +196,7 @@ export class LessonPanel {
   }
 
   /**
-   * A link may hold a step that the lesson has no more: the last is open.
+   * Number of the open step; a link to a step that no longer exists opens the last one.
    * @param {State} state
    */
   #number({ view }) {
@@ -208,14 +208,14 @@ export class LessonPanel {
   }
 
   /**
-   * Goes to another step, and shows its mechanism: what the reader had is a step of undo away.
+   * Goes to another step and shows its mechanism; the reader's own is one step of undo away.
    * @param {number} by
    */
   #go(by) {
     const { store } = this.#page;
     const { lesson } = store.get().view;
     const number = this.#number(store.get());
-    // Pressed twice before it is drawn, a button may lead farther than there are steps.
+    // A button pressed twice in one frame may lead past the last step.
     const next = Math.min(Math.max(number + by, 1), this.#steps.length);
     if (!lesson || next === number) return;
     const step = this.#steps[next - 1];
@@ -226,7 +226,7 @@ export class LessonPanel {
     else this.#own.open(step.shows[0].open, view);
   }
 
-  /** @param {Told} step whose mechanism is followed from now on */
+  /** @param {Told} step step whose mechanism is followed */
   #begin({ id, shows }) {
     if (id === this.#begun) return;
     this.#own.begin(shows, this.#progress.mechanism(id));
@@ -241,7 +241,7 @@ export class LessonPanel {
     this.#back.ariaLabel = this.#back.title = words.text("lesson.back");
     this.#on.title = words.text("lesson.on");
     write(this.#on, `${words.text("lesson.next")} ›`);
-    // A button that leads no farther gives the focus to its twin, else it would be lost.
+    // A button that becomes disabled gives the focus to its twin, so that it is not lost.
     const focused = document.activeElement;
     this.#back.disabled = number === 1;
     this.#on.disabled = number === this.#steps.length;
@@ -277,7 +277,7 @@ export class LessonPanel {
     this.#turned = false;
   }
 
-  /** Withholds read-outs that give the answer away until it is answered or shown. */
+  /** Hides read-outs that give the answer away until it is answered or shown. */
   #withhold() {
     const step = this.#step;
     const solved = this.#progress.isSolved(step.id);
@@ -286,7 +286,7 @@ export class LessonPanel {
     this.#reveal.hidden = solved || reached !== undefined;
   }
 
-  /** @param {readonly string[]} readouts that are not to be written */
+  /** @param {readonly string[]} readouts ids of read-outs to hide */
   #setWithheld(readouts) {
     const { model } = this.#page;
     if (readouts.join() === [...model.withheld].join()) return;
@@ -296,7 +296,7 @@ export class LessonPanel {
 
   /**
    * @param {Question} question
-   * @returns {HTMLElement[]} what the answer is given in
+   * @returns {HTMLElement[]} fields for the answer
    */
   #inputs({ options, unit, reached }) {
     this.#fills = [];
@@ -324,7 +324,7 @@ export class LessonPanel {
     });
   }
 
-  /** Writes what was answered. */
+  /** Writes the given answer into its fields. */
   #fill() {
     const given = this.#progress.given(this.#step.id);
     for (const fill of this.#fills) fill(given);
@@ -341,7 +341,7 @@ export class LessonPanel {
     this.#judge({ verdict, brought });
   }
 
-  /** Shows the right answer at the question, which then counts as shown. */
+  /** Shows the right answer at the question, and notes that it was shown. */
   #showAnswer() {
     const { id, question } = this.#step;
     if (!question) return;
@@ -354,7 +354,7 @@ export class LessonPanel {
 
   /**
    * @param {Question} question
-   * @returns {boolean} whether another mechanism was on the page than the one that is asked about
+   * @returns {boolean} whether the page showed another mechanism than the one in the question
    */
   #bringOwn({ ofPage }) {
     if (!ofPage || this.#own.there) return false;
@@ -362,7 +362,7 @@ export class LessonPanel {
     return true;
   }
 
-  /** @returns {Snapshot} of the page as it is, drawn or not */
+  /** @returns {Snapshot} snapshot of the current state, drawn or not */
   #now() {
     const { model, store } = this.#page;
     model.follow(store.get());
@@ -377,13 +377,13 @@ export class LessonPanel {
     this.#said.scrollIntoView({ block: "nearest" });
   }
 
-  /** Writes how many steps are done. */
+  /** Writes the number of finished steps. */
   #count() {
     const number = this.#step.id === END ? null : this.#steps.indexOf(this.#step) + 1;
     write(this.#walked, progressSaid(number, this.steps().length, this.#progress, this.#words));
   }
 
-  /** Writes progress and what is said of the answer. */
+  /** Writes the progress and the comment on the answer. */
   #say() {
     const step = this.#step;
     this.#count();

@@ -1,4 +1,4 @@
-// The style sheet of what a paper prints. Who imports this waits until it is there.
+// The style sheet for items of a paper. Importing this module waits until it is loaded.
 import { addStyle } from "assur/core/dom.js";
 
 await addStyle("lesson/paper.css");

@@ -1,4 +1,4 @@
-// What the paper of a lesson prints, item by item: formulas with their numbers in the mechanism as it stands, whether they hold, and what holds instead.
+// Items of a lesson's paper: formulas with their numbers in the current mechanism, whether they hold, and the correct ones.
 // Loaded with a lesson that has a paper.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
@@ -11,18 +11,18 @@ import { withSubscripts } from "assur/core/subscripts.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/engine.js").Relation} Relation
  * @typedef {Readonly<{ item: string, step: string, verdict: string, printed: readonly string[], instead: readonly string[] }>} Item
- * of `paper.json`, as the build makes it: formulas are elements of MathML
- * @typedef {Readonly<{ items: readonly Item[], main: ReadonlyMap<string, readonly string[]> }>} Printed of a paper all items, and by the ids of steps those in
- * their main lines
- * @typedef {{ item: string, place: HTMLElement }} Numbers where the numbers of an item are written
+ * item of `paper.json`, as made by the build: formulas are elements of MathML
+ * @typedef {Readonly<{ items: readonly Item[], main: ReadonlyMap<string, readonly string[]> }>} Printed all items of a paper, and the items
+ * in the main line, by the ids of steps
+ * @typedef {{ item: string, place: HTMLElement }} Numbers place for the numbers of an item
  */
 
-/** Values that differ by less, relative to their size, are the same. */
+/** Relative difference below which values count as equal. */
 const SAME = 1e-9;
 const DECIMALS = 4;
 const IN_DEGREES = 2;
 
-/** Verdicts on what does not hold as it is printed. */
+/** Verdicts on items that do not hold as printed. */
 const WRONG = Object.freeze(["misprint", "false"]);
 
 export class Paper {
@@ -31,9 +31,9 @@ export class Paper {
   #main;
   /** @type {Words | null} */
   #words = null;
-  /** The id of the step that is shown. */
+  /** Id of the shown step. */
   #step = "";
-  /** @type {Numbers[]} of the step that is shown */
+  /** @type {Numbers[]} places for the numbers of the shown step */
   #numbers = [];
   #written = new Seen();
 
@@ -41,7 +41,7 @@ export class Paper {
   main = make("div", { class: "printed" });
   #summary = make("summary", { id: "lesson-paper-name" });
   #rows = make("div", { class: "printed" });
-  /** All items of the step as they are printed, with a verdict; at the end of the lesson also those of all steps that do not hold. */
+  /** All items of the step as printed, with verdicts; at the end of the lesson also the items of all steps that do not hold. */
   fold = make("details", { id: "lesson-paper" }, [this.#summary, this.#rows]);
 
   /**
@@ -55,9 +55,9 @@ export class Paper {
   }
 
   /**
-   * @param {string} step the id of the step that is shown, or of what closes the lesson
-   * @param {boolean} closes whether it is that
-   * @param {Words} words of the page, and those of the paper
+   * @param {string} step id of the shown step, or of the end of the lesson
+   * @param {boolean} closes whether it is the end of the lesson
+   * @param {Words} words words of the page and of the paper
    */
   show(step, closes, words) {
     this.#words = words;
@@ -79,9 +79,9 @@ export class Paper {
 
   /**
    * @param {string} step the id of a step
-   * @param {Words} words of the page, and those of the paper
-   * @returns {HTMLElement[]} what is printed of it: of the step that is shown all that its fold holds, of another one formulas and whether they hold, for
-   * the rest may answer its question
+   * @param {Words} words words of the page and of the paper
+   * @returns {HTMLElement[]} its printed items: for the shown step all that its fold holds, for others only formulas and whether they hold, because
+   * the rest may answer the question
    */
   onPaper(step, words) {
     if (step === this.#step) return [/** @type {HTMLElement} */ (this.#rows.cloneNode(true))];
@@ -93,7 +93,7 @@ export class Paper {
   /** @param {Snapshot} snapshot */
   render({ summary, input, stale, problems, withheld }) {
     if (this.#numbers.length === 0 || this.#written.same(summary, input, stale, problems.length, withheld)) return;
-    // They would give the answer away.
+    // Numbers would give the answer away.
     const asked = stale || withheld.size > 0 ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
     const words = this.#words;
     if (!words) return;
@@ -105,7 +105,7 @@ export class Paper {
 
   /**
    * @param {Item} item
-   * @param {readonly Node[]} [further] what is said of it
+   * @param {readonly Node[]} [further] comments on it
    */
   #row(item, further = []) {
     const numbers = make("div", { class: "paper-numbers" });
@@ -116,7 +116,7 @@ export class Paper {
 
 /**
  * @param {Item} item
- * @returns {Item} with the formulas that hold, for the main line
+ * @returns {Item} the item with valid formulas, for the main line
  */
 function asItHolds(item) {
   return item.instead.length > 0 ? { ...item, printed: item.instead } : item;
@@ -124,7 +124,7 @@ function asItHolds(item) {
 
 /**
  * @param {Item} item
- * @returns {Node[]} its number in the paper and its formulas as they are printed
+ * @returns {Node[]} its number in the paper and its formulas as printed
  */
 function head({ item, printed }) {
   const label = labelled(item);
@@ -132,8 +132,8 @@ function head({ item, printed }) {
 }
 
 /**
- * @param {string} item the id of an item: the paper, then what it is
- * @returns {string} the number of an equation, with its brackets; empty of all that is none
+ * @param {string} item id of an item: the paper, a dot, the item
+ * @returns {string} number of an equation in brackets, empty for other items
  */
 export function labelled(item) {
   const [, label = ""] = /^\d+\.(\(\d+\))/.exec(item) ?? [];
@@ -143,7 +143,7 @@ export function labelled(item) {
 /**
  * @param {Item} item
  * @param {Words} words
- * @returns {Node[]} whether it holds, why, and what holds instead
+ * @returns {Node[]} whether it holds, the reason, and the correct formulas
  */
 function verdict(item, words) {
   const key = keyOf(item.item);
@@ -154,7 +154,7 @@ function verdict(item, words) {
 /**
  * @param {Item} item
  * @param {Words} words
- * @returns {Node[]} whether it holds, and what holds instead
+ * @returns {Node[]} whether it holds, and the correct formulas
  */
 function holds({ verdict: held, instead }, words) {
   const said = [`lesson.printed.${held}`, ...(instead.length > 0 ? [`lesson.instead.${held}`] : [])].filter((key) => words.has(key));
@@ -163,7 +163,7 @@ function holds({ verdict: held, instead }, words) {
 
 /**
  * @param {string} item
- * @returns {string} the key of what is said of it; what is said of its numbers, if it has words of its own for them, begins with it
+ * @returns {string} key of the comment on it; own texts for its numbers have keys that begin with this one
  */
 function keyOf(item) {
   return `paper.${item.slice(item.indexOf(".") + 1)}`;
@@ -172,7 +172,7 @@ function keyOf(item) {
 /**
  * @param {Relation} relation
  * @param {Words} words
- * @returns {string} its value and, where that is another, the one by the relation as it is printed
+ * @returns {string} its value and, if different, the value of the printed relation
  */
 export function compared({ item, name, angle, turned, count, value, printed }, words) {
   const said = (/** @type {string} */ common) => {

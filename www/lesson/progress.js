@@ -1,23 +1,23 @@
-// What a reader has answered in a lesson. Kept in the browser's own store under the lesson's name: a link tells nobody.
+// A reader's answers in a lesson, kept in the browser's storage under the lesson's name: links do not contain them.
 import { keepLesson, kept } from "assur/state/storage.js";
 
 export class Progress {
   #name;
   #steps;
-  /** @type {Map<string, string>} what was answered, by step */
+  /** @type {Map<string, string>} answers by step */
   #given = new Map();
-  /** @type {Set<string>} steps that were answered rightly */
+  /** @type {Set<string>} steps with a right answer */
   #solved = new Set();
-  /** @type {Set<string>} steps of which the reader had the answer shown */
+  /** @type {Set<string>} steps whose answer was shown to the reader */
   #shown = new Set();
-  /** @type {Map<string, number>} how many answers were judged, by step */
+  /** @type {Map<string, number>} number of judged answers by step */
   #tries = new Map();
-  /** @type {Map<string, string>} digests of steps' mechanisms as they were when the page was left, by step */
+  /** @type {Map<string, string>} digests of steps' mechanisms when the page was left, by step */
   #mechanisms = new Map();
 
   /**
    * @param {string} lesson
-   * @param {readonly { id: string }[]} steps that it has now: what was kept of others is dropped
+   * @param {readonly { id: string }[]} steps current steps of the lesson; what was kept of others is dropped
    */
   constructor(lesson, steps) {
     this.#name = lesson;
@@ -47,7 +47,7 @@ export class Progress {
 
   /**
    * @param {string} step
-   * @returns {number} how many of its answers were judged, up to the right one
+   * @returns {number} number of judged answers, up to the right one
    */
   tries(step) {
     return this.#tries.get(step) ?? 0;
@@ -55,14 +55,14 @@ export class Progress {
 
   /**
    * @param {string} step
-   * @returns {string} digest of its mechanism as it was when the page was left, empty if it was not shown then
+   * @returns {string} digest of its mechanism when the page was left, empty if it was not shown
    */
   mechanism(step) {
     return this.#mechanisms.get(step) ?? "";
   }
 
   /**
-   * Keeps the mechanism of a step when the page is left, and nothing else: another tab may have written since.
+   * Keeps only the mechanism of a step when the page is left: another tab may have written the rest.
    * @param {string} step
    * @param {string} digest of its mechanism
    */
@@ -73,17 +73,17 @@ export class Progress {
     keepLesson(this.#name, JSON.stringify({ ...rest, mechanisms: { ...mechanisms, [step]: digest } }));
   }
 
-  /** The index of the first step that is still open, −1 if there is none. */
+  /** Index of the first step still open, −1 if there is none. */
   get next() {
     return this.#steps.findIndex(({ id }) => !this.#solved.has(id) && !this.#shown.has(id));
   }
 
-  /** How many steps were answered rightly before their answer was shown. */
+  /** Number of steps answered rightly before their answer was shown. */
   get solved() {
     return this.#solved.size;
   }
 
-  /** How many steps had their answer shown. */
+  /** Number of steps whose answer was shown. */
   get shown() {
     return this.#shown.size;
   }
@@ -103,7 +103,7 @@ export class Progress {
   }
 
   /**
-   * Counts an answer that was judged; once the step is solved or shown, no more are counted.
+   * Counts a judged answer, unless the step is already solved or shown.
    * @param {string} step
    * @param {boolean} right
    */
@@ -114,7 +114,7 @@ export class Progress {
     this.#keep();
   }
 
-  /** @param {string} step that the reader gives up */
+  /** @param {string} step step that the reader gives up */
   show(step) {
     if (this.#solved.has(step)) return;
     this.#shown.add(step);
@@ -128,9 +128,9 @@ export class Progress {
 }
 
 /**
- * @param {string | null} text from the store, which anyone may have written
- * @returns {Readonly<Record<"given" | "tries" | "mechanisms", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} nothing where it has not
- * the form
+ * @param {string | null} text text from the storage, which anyone may have written
+ * @returns {Readonly<Record<"given" | "tries" | "mechanisms", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} empty where it has not
+ * this form
  */
 function read(text) {
   const list = (/** @type {unknown} */ value) => (Array.isArray(value) ? value : []);

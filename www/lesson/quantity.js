@@ -1,5 +1,5 @@
 // Quantities as lessons name them: `rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`. Their names, their units, and the
-// read-outs of the page tell them.
+// read-outs of the page that show them.
 import { called } from "assur/core/names.js";
 import { calledWhole, isLength, readoutOf, symbol } from "assur/core/symbols.js";
 import { measured, unitOfRate } from "assur/core/units.js";
@@ -12,11 +12,11 @@ import { measured, unitOfRate } from "assur/core/units.js";
 /** The number of degrees of freedom. */
 export const W = "W";
 
-/** What follows the name of a derivative, by its order. */
+/** Suffix of the name of a derivative, by its order. */
 const STROKES = Object.freeze(["", "′", "″"]);
 
 /**
- * Properties of a motion in the status line or the rail, by the suffix of the quantity; a mixer has names of its own.
+ * Read-outs of a property of the motion in the status line or the panel, by the suffix of the quantity; a mixer has names of its own.
  * @type {Readonly<Record<string, (of: string, what: string) => readonly string[]>>}
  */
 const TELLERS = Object.freeze({
@@ -35,7 +35,7 @@ export function isAngle(quantity) {
 
 /**
  * @param {string} quantity
- * @returns {boolean} whether 360° more or less is the same
+ * @returns {boolean} whether a difference of 360° does not count
  */
 export function isRound(quantity) {
   return quantity.endsWith(".angle");
@@ -43,7 +43,7 @@ export function isRound(quantity) {
 
 /**
  * @param {Asked | null | undefined} asked
- * @returns {string} the unit of an answer that is a number
+ * @returns {string} unit of an answer that is a number
  */
 export function unitOf(asked) {
   const { quantity, unit } = asked ?? {};
@@ -52,9 +52,9 @@ export function unitOf(asked) {
 
 /**
  * @param {Asked | null | undefined} asked
- * @param {Readonly<{ coordinate: import("assur/state/coordinate.js").Coordinate | null, state: import("assur/state/state.js").State }> | null} seen what is asked about
- * @param {Words} words with the unit of its lengths
- * @returns {string} the unit of an answer, of a length or a rate, too
+ * @param {Readonly<{ coordinate: import("assur/state/coordinate.js").Coordinate | null, state: import("assur/state/state.js").State }> | null} seen the mechanism in the question
+ * @param {Words} words words with the unit of its lengths
+ * @returns {string} unit of an answer, also of a length or a rate
  */
 export function unitIn(asked, seen, words) {
   if (!seen?.coordinate || !asked?.quantity || asked.unit) return unitOf(asked);
@@ -64,7 +64,7 @@ export function unitIn(asked, seen, words) {
 /**
  * @param {string} quantity
  * @param {"angle" | "length" | "time"} moves
- * @param {boolean} physical whether derivatives are by time
+ * @param {boolean} physical whether derivatives are with respect to time
  * @param {Words} words
  */
 function unitOfQuantity(quantity, moves, physical, words) {
@@ -79,7 +79,7 @@ function unitOfQuantity(quantity, moves, physical, words) {
 
 /**
  * @param {string} quantity
- * @returns its name without strokes, of what it is and what of that, the order of its derivative, what of the whole motion
+ * @returns name without strokes, point or link, quantity, order of the derivative, property of the whole motion
  */
 function partsOf(quantity) {
   const [name, whole] = quantity.split(":");
@@ -90,7 +90,7 @@ function partsOf(quantity) {
 
 /**
  * @param {Asked | null | undefined} asked
- * @returns {number} within which an answer is right; 0 of a number of freedoms, which is whole
+ * @returns {number} tolerance of an answer; 0 for a mobility, which is a whole number
  */
 export function toleranceOf(asked) {
   return asked && asked.quantity !== W ? asked.within : 0;
@@ -101,7 +101,7 @@ export function toleranceOf(asked) {
  * @param {number | undefined} within
  * @param {string} unit
  * @param {Words} words
- * @returns {string} the question with the tolerance of its answer, before the mark that ends it
+ * @returns {string} the question with the tolerance of its answer before the final punctuation mark
  */
 export function withTolerance(question, within, unit, words) {
   if (!within) return question;
@@ -113,7 +113,7 @@ export function withTolerance(question, within, unit, words) {
  * @param {string} quantity
  * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "coordinate" | "state">} of
  * @param {Words} words
- * @returns {string} what it is called
+ * @returns {string} its name
  */
 export function quantityName(quantity, { summary, coordinate, state }, words) {
   if (quantity === "input") return coordinate.symbol;

@@ -1,4 +1,4 @@
-// What stands below a question: progress through the lesson, and the verdict on the answer with its reason.
+// Texts below a question: progress through the lesson, and the verdict on the answer with its reason.
 
 /** @typedef {import("assur/core/words.js").Words} Words */
 

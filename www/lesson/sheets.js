@@ -1,4 +1,4 @@
-// Worksheets and answer sheets of a lecturer's lesson, one for each name with its own numbers, from the same source.
+// Worksheets and answer sheets of a lecturer's lesson, made alike: one for each name, with its own numbers.
 import { Transform } from "assur/canvas/transform.js";
 import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
@@ -23,17 +23,17 @@ import { alone } from "assur/state/state.js";
  * @typedef {import("assur/lesson/quantity.js").Asked} Asked
  */
 
-/** Of a drawing, in pixels. */
+/** Size of a drawing, in pixels. */
 const SIZE = Object.freeze({ width: 460, height: 260 });
 const MARGIN = 16;
 
 /**
  * @param {Written} lesson
- * @param {readonly string[]} names without any, one sheet with a line to write a name on
- * @param {boolean} answers whether they stand there, instead of room for them
+ * @param {readonly string[]} names names of the readers; if there are none, one sheet with a line for a name
+ * @param {boolean} answers whether the sheets have the answers instead of room for them
  * @param {Page} page
  * @param {Words} words
- * @returns {HTMLElement} what is to be printed
+ * @returns {HTMLElement} element to print
  */
 export function sheets(lesson, names, answers, page, words) {
   const all = names.length > 0 ? names : [""];
@@ -100,7 +100,7 @@ function answered(lesson, index, name, page, words) {
 }
 
 /**
- * @param {string} quantity of what a step shows, or of what is on the page
+ * @param {string} quantity quantity of the step's mechanism, or else of the page's
  * @param {Task | null} task
  * @param {Seen | null} seen
  * @param {Page} page
@@ -113,9 +113,9 @@ function nameOf(quantity, task, seen, { model, store }, words) {
 
 /**
  * @param {Task | null} task
- * @param {Asked | null | undefined} number that is asked for
+ * @param {Asked | null | undefined} number number asked for
  * @param {Engine} engine
- * @returns {Seen | null} none where it cannot be drawn
+ * @returns {Seen | null} null if it cannot be drawn
  */
 function seenOf(task, number, engine) {
   return task && attempt(() => seenIn(task.state, number?.at ?? null, engine)).value;
@@ -123,9 +123,9 @@ function seenOf(task, number, engine) {
 
 /**
  * @param {import("assur/state/state.js").State} state
- * @param {number | null} place of its driver, as readers count, where that is another
+ * @param {number | null} place place of the driver in the reader's unit, if not that of the state
  * @param {Engine} engine
- * @returns what the engine says of a mechanism, and how it is drawn where its driver stands
+ * @returns the engine's summary of a mechanism, and its drawing at the place
  */
 function seenIn(state, place, engine) {
   return engine.beside((other) => {
@@ -141,10 +141,10 @@ function seenIn(state, place, engine) {
 
 /**
  * @param {Seen | null} seen
- * @param {Written["steps"][number]} step that shows it
+ * @param {Written["steps"][number]} step step that shows it
  * @param {Page} page
  * @param {Words} words
- * @returns {HTMLElement[]} the drawing, without what the step asks for
+ * @returns {HTMLElement[]} the drawing, with the values asked for hidden
  */
 function drawing(seen, { title, question }, { engine, model }, words) {
   if (!seen) return [];
@@ -166,7 +166,7 @@ function drawing(seen, { title, question }, { engine, model }, words) {
 
 /**
  * @param {Task} task
- * @param {Words} words with the unit of its lengths
+ * @param {Words} words words with the unit of its lengths
  * @returns {HTMLElement[]} the reader's own numbers
  */
 function own({ own: numbers, state }, words) {
@@ -177,18 +177,18 @@ function own({ own: numbers, state }, words) {
 /**
  * @param {Task} task
  * @param {Page} page
- * @param {Words} words with the unit of its lengths
- * @returns {HTMLElement} every number that is given of the mechanism
+ * @param {Words} words words with the unit of its lengths
+ * @returns {HTMLElement} all numbers given for the mechanism
  */
 function numbers({ state }, { engine }, words) {
   return make("p", { class: "given" }, withSubscripts(given(state, engine, words).join("; ")));
 }
 
 /**
- * @param {Asked | null | undefined} number that is asked for
+ * @param {Asked | null | undefined} number number asked for
  * @param {Seen | null} seen
- * @param {Words} words with the unit of its lengths
- * @returns {HTMLElement[]} where the driver stands, if the question says so
+ * @param {Words} words words with the unit of its lengths
+ * @returns {HTMLElement[]} the place of the driver, if the question fixes it
  */
 function position(number, seen, words) {
   if (typeof number?.at !== "number" || !seen?.coordinate) return [];
@@ -199,7 +199,7 @@ function position(number, seen, words) {
 /**
  * @param {Seen | null} seen
  * @param {Words} words
- * @returns {Words} with the unit of its lengths
+ * @returns {Words} words with the unit of its lengths
  */
 function measuredIn(seen, words) {
   return words.measured(seen?.lengths ?? "none");

@@ -1,4 +1,4 @@
-// What a step of a lesson shows: the document that it opens, and how that is looked at.
+// Documents shown by a step of a lesson, and their views.
 import { attempt } from "assur/core/problem.js";
 import { fieldOf } from "assur/lesson/field.js";
 import { Coordinate } from "assur/state/coordinate.js";
@@ -17,7 +17,7 @@ import { SWITCHES, contains, initialState } from "assur/state/state.js";
  * @param {Show} show
  * @param {OwnPresets} presets of the lesson
  * @param {Engine} engine
- * @returns {import("assur/lesson/folder.js").Whole | undefined} what it opens
+ * @returns {import("assur/lesson/folder.js").Whole | undefined} the document that it opens
  */
 export function opens({ preset }, presets, engine) {
   const whole = presets[preset] ?? engine.preset(preset);
@@ -25,11 +25,11 @@ export function opens({ preset }, presets, engine) {
 }
 
 /**
- * Opens what a step shows, in one step of undo.
+ * Opens a step's document in one step of undo.
  * @param {Show} show
  * @param {OwnPresets} presets of the lesson
  * @param {import("assur/app/page.js").Page} page
- * @param {Partial<View>} [view] what else it is looked at with
+ * @param {Partial<View>} [view] further fields of the view
  * @returns {boolean} whether there is such a preset
  */
 export function open(show, presets, page, view = {}) {
@@ -42,14 +42,14 @@ export function open(show, presets, page, view = {}) {
  * @param {Show} show
  * @param {OwnPresets} presets of the lesson
  * @param {Engine} engine
- * @returns {(state: import("assur/state/state.js").State) => boolean} whether a state holds what the show opens
+ * @returns {(state: import("assur/state/state.js").State) => boolean} whether a state holds the document that the show opens
  */
 export function holds(show, presets, engine) {
   return (state) => {
     const whole = opens(show, presets, engine);
     if (!whole || whole.kind !== state.kind) return false;
     if (!show.set && !show.drive) return contains(state, whole);
-    // The same edits as when it is opened.
+    // The same edits as at opening.
     const document = attempt(() => engine.beside((other) => edits(show, whole.document, other).reduce((now, { asked }) => {
       /** @type {Summary} */
       const summary = other.set(initialState(whole.kind, now, {}));
@@ -61,9 +61,9 @@ export function holds(show, presets, engine) {
 
 /**
  * @param {Show} show
- * @param {Whole["document"]} document that it opens
+ * @param {Whole["document"]} document document that it opens
  * @param {Pick<Engine, "setDimension" | "drive">} engine
- * @returns {import("assur/state/change.js").Edit[]} what is other in it than in its preset
+ * @returns {import("assur/state/change.js").Edit[]} differences of the document from its preset
  */
 function edits({ set = {}, drive }, document, engine) {
   /** @type {import("assur/state/change.js").Edit[]} */
@@ -77,14 +77,14 @@ function edits({ set = {}, drive }, document, engine) {
 
 /**
  * @param {Show} show
- * @param {Summary | null} summary of what it opens, where the engine takes it
- * @returns {Partial<View>} how that is looked at
+ * @param {Summary | null} summary summary of the document, or null if the engine refuses it
+ * @returns {Partial<View>} fields of its view
  */
 function looked({ play = false, overlays = ["traces"], plot = "angles", at }, summary) {
   const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
   const input = summary ? at?.(summary) : undefined;
   const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle, summary.input) : null;
   const place = input === undefined || !coordinate ? {} : { [coordinate.field]: coordinate.place(input) };
-  // The plots are those that the words are about.
+  // The text of the step is about these plots.
   return { ...shown, plot, axes: "analogues", ...place, playing: play };
 }

@@ -1,4 +1,4 @@
-// Changes of a lesson that a lecturer writes.
+// Changes of a lecturer's lesson.
 import { RESTING } from "assur/lesson/tasks.js";
 import { contains, usualView } from "assur/state/state.js";
 
@@ -8,12 +8,12 @@ import { contains, usualView } from "assur/state/state.js";
  * @typedef {NonNullable<Step["question"]>} Question
  */
 
-/** What of the view is the reader's, and no step's to say. */
+/** Fields of the view that belong to the reader and not to a step. */
 export const READERS = Object.freeze(["lang", "lesson", "projector", "drawing"]);
 
 /**
  * @param {import("assur/app/page.js").Page} page
- * @returns {NonNullable<Step["shows"]>} what is on the page now
+ * @returns {NonNullable<Step["shows"]>} the document and view of the page
  */
 export function shownNow({ model: { good: { kind, document, view } } }) {
   const usual = /** @type {Record<string, unknown>} */ (usualView(RESTING));
@@ -25,7 +25,7 @@ export function shownNow({ model: { good: { kind, document, view } } }) {
  * @template {object} T
  * @param {T} whole
  * @param {Partial<T>} change
- * @returns {T} without what is left empty
+ * @returns {T} the changed object without empty entries
  */
 export function changed(whole, change) {
   const entries = Object.entries({ ...whole, ...change });
@@ -44,7 +44,7 @@ export function withStep(lesson, index, change) {
 
 /**
  * @param {Written} lesson
- * @param {number} index after which one comes
+ * @param {number} index index of the step before the new one
  * @returns {Written}
  */
 export function withNewStep(lesson, index) {
@@ -53,7 +53,7 @@ export function withNewStep(lesson, index) {
 
 /**
  * @param {Written} lesson
- * @param {number} index of the one that goes; the last one stays, empty
+ * @param {number} index index of the step to remove; the last remaining one is emptied instead
  * @returns {Written}
  */
 export function withoutStep(lesson, index) {
@@ -65,14 +65,14 @@ export function withoutStep(lesson, index) {
  * @param {Written} lesson
  * @param {number} index
  * @param {1 | -1} by
- * @returns {Written} with the step earlier or later
+ * @returns {Written} the lesson with the step moved
  */
 export function withMoved(lesson, index, by) {
   const step = lesson.steps[index];
   return { ...lesson, steps: lesson.steps.toSpliced(index, 1).toSpliced(index + by, 0, step) };
 }
 
-/** How a question begins, by its sort. */
+/** Initial questions by kind. */
 export const QUESTIONS = Object.freeze(/** @type {Record<string, (text: string, hint: string | undefined, quantity: string) => Question | undefined>} */ ({
   none: () => undefined,
   number: (text, hint, quantity) => changed(/** @type {Question} */ ({ text, hint, number: { quantity, within: 0.1 } }), {}),
@@ -83,7 +83,7 @@ export const QUESTIONS = Object.freeze(/** @type {Record<string, (text: string, 
 
 /**
  * @param {Question | null | undefined} question
- * @returns {string} its sort, one of the keys of {@link QUESTIONS}
+ * @returns {string} its kind, one of the keys of {@link QUESTIONS}
  */
 export function sortOf(question) {
   if (question?.choice) return "choice";

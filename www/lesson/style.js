@@ -1,4 +1,4 @@
-// The style sheet of what lecturers write. Who imports this waits until it is there.
+// The style sheet for writing lessons. Importing this module waits until it is loaded.
 import { addStyle } from "assur/core/dom.js";
 
 await addStyle("lesson/style.css");

@@ -1,4 +1,4 @@
-// What a lecturer's lesson asks of the engine: what a step shows to a reader, with the reader's own numbers, and the answers.
+// Questions of a lecturer's lesson to the engine: the mechanism of a step with the reader's own numbers, and the answers.
 import { degrees } from "assur/core/angles.js";
 import { attempt } from "assur/core/problem.js";
 import { ownNumbers, valueIn } from "assur/lesson/chance.js";
@@ -16,22 +16,22 @@ import { initialState, withDocument } from "assur/state/state.js";
  * @typedef {Written["steps"][number]} Step
  * @typedef {NonNullable<Step["shows"]>} Shows
  * @typedef {Readonly<{ state: State, own: readonly Readonly<{ field: string, value: number }>[] }>} Task
- * What a step shows, with the numbers that are the reader's own.
+ * The mechanism of a step, with the reader's own numbers.
  */
 
-/** How a step is looked at that does not say. */
+/** View of a step that has none. */
 export const RESTING = Object.freeze({ phi_deg: 0, playing: false });
 
-/** How often numbers are drawn again that make no mechanism. */
+/** Number of draws of numbers before giving up on a mechanism. */
 const TRIES = 64;
 
-/** What of a motion can be asked beside the values at a place, by what stands after the quantity. */
+/** Properties of a whole motion that can be asked for, by the suffix of the quantity. */
 const WHOLE = Object.freeze(["swing", "time_ratio", "worst"]);
 
 /**
  * @param {Written} lesson
  * @param {number} index of a step
- * @returns {{ shows: Shows, index: number } | null} what it shows, which may be what a step before it does
+ * @returns {{ shows: Shows, index: number } | null} the document that it shows, perhaps that of an earlier step
  */
 export function shownBy({ steps }, index) {
   const at = steps.findLastIndex(({ shows }, i) => i <= index && shows);
@@ -44,7 +44,7 @@ export function shownBy({ steps }, index) {
  * @param {number} index of a step
  * @param {string} name of the reader; without one the lecturer's own numbers stay
  * @param {Engine} engine
- * @returns {Task | null} none where nothing is shown, or no numbers were found that make a mechanism
+ * @returns {Task | null} null if the step shows nothing, or no numbers were found that make a mechanism
  */
 export function taskOf(lesson, index, name, engine) {
   const found = shownBy(lesson, index);
@@ -67,14 +67,14 @@ export function taskOf(lesson, index, name, engine) {
 /**
  * @param {State} state
  * @param {Task["own"]} own
- * @param {ReadonlySet<string>} followed the fields that the engine sets
+ * @param {ReadonlySet<string>} followed fields to be set by the engine
  * @param {import("assur/pkg/assur_web.js").Simulator} other
- * @returns {State | null} with these numbers; what goes on and on must still do
+ * @returns {State | null} the state with these numbers; null if its motion is no longer unlimited, or has become so
  */
 function withOwn(state, own, followed, other) {
   /** @type {Summary} */
   const first = other.set(state);
-  // What is only written down need not make a mechanism before all of it is.
+  // Numbers that are only written down need not make a mechanism one by one.
   const written = own.filter(({ field }) => !followed.has(field));
   let now = withDocument(state, written.reduce((document, { field, value }) => withNumber(document, field, value), state.document));
   /** @type {Summary} */
@@ -95,7 +95,7 @@ function withOwn(state, own, followed, other) {
 /**
  * @template T
  * @param {() => T} work with a simulator
- * @returns {T | null} null where it refuses
+ * @returns {T | null} null if the simulator refuses
  */
 function taken(work) {
   try {
@@ -116,7 +116,7 @@ export function coordinateOf({ moves, cycle, input }) {
  * @param {number} index of a step whose answer is a number
  * @param {string} name of the reader
  * @param {Engine} engine
- * @returns {number | null} what the engine says; none where there is no such quantity
+ * @returns {number | null} the engine's value, or null if there is no such quantity
  */
 export function answerOf(lesson, index, name, engine) {
   const { quantity, at, value } = lesson.steps[index].question?.number ?? {};
@@ -136,7 +136,7 @@ export function answerOf(lesson, index, name, engine) {
 /**
  * @param {string} quantity
  * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "place" | "readouts">} here
- * @returns {number | null} its value as readers count
+ * @returns {number | null} its value in the reader's unit
  */
 export function valueOf(quantity, { summary, place, readouts }) {
   if (quantity === W) return "counts" in summary && "lower" in summary.counts ? summary.counts.mobility : null;
@@ -150,7 +150,7 @@ export function valueOf(quantity, { summary, place, readouts }) {
 /**
  * @param {number} value
  * @param {string} quantity
- * @returns {number} in degrees where it is an angle
+ * @returns {number} the value, in degrees if it is an angle
  */
 function counted(value, quantity) {
   return isAngle(quantity) ? degrees(value) : value;
@@ -174,7 +174,7 @@ function wholeOf(name, whole, summary) {
 
 /**
  * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "readouts" | "place">} here
- * @returns {string[]} all quantities that there are
+ * @returns {string[]} all quantities of the mechanism
  */
 export function quantities(here) {
   const { summary, readouts } = here;

@@ -1,13 +1,13 @@
-// What a step asks for, in the step itself: its controls and parts of the page, lent by the page as long as it is open,
-// and read-outs that say what those of the page say.
+// Tools within a step: controls and parts of the page, borrowed from the page as long as the step is open, and read-outs that
+// repeat those of the page.
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { fieldOf } from "assur/lesson/field.js";
 
 /**
- * @typedef {Readonly<{ controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[] }>} Wanted by a step: controls by their fields,
- * read-outs by what follows `out-` in their ids, parts of the page by their ids
+ * @typedef {Readonly<{ controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[] }>} Wanted tools of a step: controls by their fields,
+ * read-outs by their ids without `out-`, parts of the page by their ids
  * @typedef {import("assur/state/state.js").State["document"]} Document
- * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Loan what stands here, what holds its place at home, whether it was unfolded
+ * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Loan borrowed element, placeholder at its home, whether it was unfolded
  */
 
 export class Tools {
@@ -22,14 +22,14 @@ export class Tools {
   #document = null;
   /** @type {Map<string, { entry: HTMLElement, name: HTMLElement, value: HTMLElement }>} */
   #mirrors = new Map();
-  // A rail that is built anew has new controls.
+  // A panel that is rebuilt has new controls.
   #watch = new MutationObserver(() => this.#borrow());
 
   element = make("div", { class: "lesson-tools" }, [this.#controls, this.#readouts, this.#parts]);
 
   /**
    * @param {Wanted} step
-   * @param {() => Document} document that there is
+   * @param {() => Document} document returns the current document
    */
   show(step, document) {
     this.close();
@@ -44,7 +44,7 @@ export class Tools {
     this.render();
   }
 
-  /** Gives back what it has. */
+  /** Returns all borrowed elements. */
   close() {
     this.#watch.disconnect();
     for (const loan of this.#lent) giveBack(loan);
@@ -52,7 +52,7 @@ export class Tools {
     this.#step = null;
   }
 
-  /** Says what the page says, once it has said it. */
+  /** Borrows missing elements, and copies the page's read-outs after they are written. */
   render() {
     this.#borrow();
     queueMicrotask(() => this.#mirror());
@@ -61,13 +61,13 @@ export class Tools {
   #borrow() {
     if (!this.#step || !this.#document) return;
     const { controls = [], lends = [] } = this.#step;
-    // What was made anew at home takes the place of what was lent.
+    // An element rebuilt at its home replaces the borrowed one.
     this.#lent = this.#lent.filter((loan) => loan.home.isConnected || giveBack(loan));
     const document = this.#document();
     for (const name of controls) {
       const selector = `[data-field="${CSS.escape(fieldOf(name, document))}"]`;
       for (const element of byId("rail", HTMLElement).querySelectorAll(selector)) {
-        // What is asked for is seen at once.
+        // A borrowed element is unfolded to be visible at once.
         if (this.#take(element, this.#controls)) for (const details of element.querySelectorAll("details")) details.open = true;
       }
     }
@@ -80,7 +80,7 @@ export class Tools {
   /**
    * @param {Element} element
    * @param {HTMLElement} place
-   * @returns {boolean} whether it was not there yet
+   * @returns {boolean} whether the element was not there yet
    */
   #take(element, place) {
     if (!(element instanceof HTMLElement) || place.contains(element)) return false;
@@ -95,7 +95,7 @@ export class Tools {
     for (const [id, { entry, name, value }] of this.#mirrors) {
       const source = document.getElementById(`out-${id}`);
       const row = source?.closest("tr, .entry");
-      // Of another kind of mechanism it is there, but hidden with all that is of that kind.
+      // The read-out of another kind of mechanism exists, but is hidden with that kind.
       entry.hidden = !row || row.matches("[hidden]") || row.closest(".elsewhere") !== null;
       write(name, source ? titleOf(source) : "");
       write(value, source?.textContent ?? "");
@@ -106,7 +106,7 @@ export class Tools {
 
 /**
  * @param {HTMLElement} source of the table of values, of the status line or of another table
- * @returns {string} what it is
+ * @returns {string} name of the read-out
  */
 function titleOf(source) {
   const title = source.closest("tr, .entry")?.querySelector("th, dt");
@@ -119,17 +119,17 @@ function titleOf(source) {
 /**
  * @param {string} symbol of a quantity
  * @param {number} order of its derivative
- * @param {string} head of the column of the table of values: how derivatives are written there
- * @returns {string} the symbol of the derivative, alike
+ * @param {string} head head of the column, which has the column's notation of derivatives
+ * @returns {string} the symbol of the derivative in that notation
  */
 export function derived(symbol, order, head) {
-  // By time a derivative has a letter of its own: ω.
+  // A derivative with respect to time has a letter of its own: ω.
   return order > 0 && [...head].length === 1 ? head + symbol.slice(1) : symbol + ["", "′", "″"][order];
 }
 
 /**
  * @param {Loan} loan
- * @returns {false} it is lent no more
+ * @returns {false} the element is no longer borrowed
  */
 function giveBack({ element, home, open }) {
   if (element instanceof HTMLDetailsElement) element.open = open;

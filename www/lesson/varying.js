@@ -1,4 +1,4 @@
-// Numbers that are others for every student: which, and between which values.
+// Numbers that differ from student to student: their choice and their ranges.
 import { fieldName } from "assur/controls/problems.js";
 import { make, write } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";
@@ -13,9 +13,9 @@ import { withStep } from "assur/lesson/steps.js";
 
 const BOUNDS = Object.freeze(/** @type {const} */ (["from", "to", "step"]));
 
-/** The relative range of a number to both sides at first; whole numbers vary by one at least. */
+/** Initial relative range of a number to both sides; whole numbers vary by one at least. */
 const SHARE = 0.1;
-/** In so many steps. */
+/** Number of steps in the initial range. */
 const STEPS = 20;
 
 export class Varying {
@@ -47,7 +47,7 @@ export class Varying {
    * @param {import("assur/lesson/steps.js").Step} step
    */
   render({ state }, { shows }) {
-    // Those are offered that stand beside the drawing: of the step as long as the page shows it.
+    // Numbers can be added while the page shows the step's own document.
     const own = shows && state.document === shows.document;
     const ranges = shows?.vary ?? [];
     this.#row.hidden = !own;
@@ -95,7 +95,7 @@ export class Varying {
     return make("div", { class: "write-varied" }, [name, ...inputs, remove]);
   }
 
-  /** @returns {readonly import("assur/types/file.js").NumberField[]} those of what is on the page */
+  /** @returns {readonly import("assur/types/file.js").NumberField[]} numbers of the document on the page */
   #numbers() {
     const { engine, store } = this.#page;
     return attempt(() => engine.numbers(store.get())).value ?? [];
@@ -117,7 +117,7 @@ export class Varying {
   }
 
   /**
-   * @param {readonly Range[] | null} ranges null: those that there are
+   * @param {readonly Range[] | null} ranges ranges to set; null keeps the present ones
    * @param {Range[]} more
    */
   #put(ranges, ...more) {

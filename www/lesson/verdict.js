@@ -1,4 +1,4 @@
-// The verdict on an answer to a lecturer's lesson, and the digest by which the lesson itself is known.
+// The verdict on an answer in a lecturer's lesson, and the digest that identifies the lesson.
 import { parseNumber } from "assur/core/numbers.js";
 import { attempt } from "assur/core/problem.js";
 import { digest } from "assur/lesson/chance.js";
@@ -8,16 +8,16 @@ import { answerOf } from "assur/lesson/tasks.js";
 
 /** @typedef {import("assur/state/state.js").Written} Written */
 
-/** What a step that is reached has in a code. */
+/** Answer in a code to a question that was solved by reaching a value. */
 export const REACHED = "1";
 
-/** By what name the browser's own store keeps the digest of the lesson that was written here last. */
+/** Name under which the browser's storage keeps the digest of the lesson written here last. */
 export const WRITTEN_HERE = "written-here";
 
 /**
  * @param {Written} lesson
  * @param {import("assur/engine.js").Engine} engine
- * @returns {string} that identifies it, however it was written down
+ * @returns {string} digest that identifies the lesson in any notation
  */
 export function digestOf(lesson, engine) {
   return digest(attempt(() => engine.readLesson(lesson)).value ?? lesson);
@@ -27,7 +27,7 @@ export function digestOf(lesson, engine) {
  * @param {Written} lesson
  * @param {number} index of a step with a question
  * @param {string} given
- * @param {string} name of who gave it
+ * @param {string} name name of the person who gave it
  * @param {import("assur/engine.js").Engine} engine
  * @returns {import("assur/lesson/panel.js").Verdict}
  */
@@ -38,7 +38,7 @@ export function verdictOn(lesson, index, given, name, engine) {
 /**
  * @param {Written["steps"][number]["question"]} question
  * @param {string} given
- * @param {() => number | null} answer that is right, where it is a number
+ * @param {() => number | null} answer gives the right number
  * @returns {import("assur/lesson/panel.js").Verdict}
  */
 export function verdictOf(question, given, answer) {

@@ -1,4 +1,4 @@
-// The form by which a lecturer writes a lesson beside the page: step by step, what each says, shows and asks.
+// The form for a lecturer's lesson beside the page: text, document and question of each step.
 import { sentence } from "assur/controls/problems.js";
 import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
@@ -35,7 +35,7 @@ export class Writer {
   #asking;
   #varying;
   #results;
-  /** Where the form is: a step that is another has other texts. */
+  /** Index of the step in the form; another step has other texts. */
   #at = -1;
 
   /**
@@ -100,7 +100,7 @@ export class Writer {
     write(this.#walked, this.#words.text("lesson.progress", { number: numbers.exact(index + 1), count: numbers.exact(lesson.steps.length) }));
     const last = lesson.steps.length - 1;
     const { back, on, earlier, later, show_none: none, show_open: open } = this.#buttons;
-    // A button that leads no farther gives the focus to its twin, else it would be lost.
+    // A button that becomes disabled gives the focus to its twin, so that it is not lost.
     const focused = document.activeElement;
     back.disabled = earlier.disabled = index === 0;
     on.disabled = later.disabled = index === last;
@@ -117,7 +117,7 @@ export class Writer {
       row.hidden = field.of === "question" && (sort === "none" || (field.sorts !== undefined && !field.sorts.includes(sort)));
       const value = field.get(lesson, step) ?? "";
       const text = typeof value === "number" ? numbers.exact(value) : value;
-      // What is being typed stays, unless it is that of another step.
+      // The text in the focused field stays, unless it belongs to another step.
       if ((control !== document.activeElement || index !== this.#at) && control.value !== text) {
         control.value = text;
         control.removeAttribute("aria-invalid");
@@ -153,7 +153,7 @@ export class Writer {
 
   /**
    * @param {(lesson: Written, index: number) => Written} change of the lesson at the open step
-   * @returns {boolean} whether it makes a lesson; else it is said why not
+   * @returns {boolean} whether the result is a lesson; if not, the reasons are shown
    */
   #change(change) {
     const { store, engine } = this.#page;
@@ -169,9 +169,9 @@ export class Writer {
   }
 
   /**
-   * A change of its own in the steps.
+   * Makes a change of the steps that is a step of undo.
    * @param {(lesson: Written, index: number) => Written} change
-   * @param {number} by how many steps the form then goes on
+   * @param {number} by number of steps by which the form then moves
    */
   #step(change, by) {
     this.#page.history.step(() => {
@@ -196,7 +196,7 @@ export class Writer {
 
 /**
  * @param {import("assur/state/state.js").State} state
- * @returns {number} of the open step; a link may hold one that there is no more
+ * @returns {number} index of the open step; a step from a link may no longer exist
  */
 function indexOf({ view, lesson }) {
   return Math.min(view.lesson?.step ?? 1, lesson?.steps.length ?? 1) - 1;

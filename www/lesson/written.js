@@ -1,4 +1,4 @@
-// A lesson that a lecturer has written, for the panel; around it the name of the reader and the code of the result.
+// A lecturer's lesson for the panel, with the reader's name and the code of the result around it.
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { attempt } from "assur/core/problem.js";
@@ -23,24 +23,24 @@ import { usualView } from "assur/state/state.js";
  * @typedef {NonNullable<Written["steps"][number]["question"]>} Asked
  */
 
-/** Characters of a name, and of an answer in a code. */
+/** Limits of the length of a name and of an answer in a code, in characters. */
 const LONGEST_NAME = 80;
 const LONGEST_ANSWER = 60;
 
 /**
- * Opens what a step shows, with the numbers of a reader.
+ * Opens the document of a step with a reader's numbers.
  * @param {Written} lesson
  * @param {number} index
  * @param {string} name
  * @param {import("assur/app/page.js").Page} page
- * @param {Partial<import("assur/state/state.js").View>} [further] what else it is looked at with
+ * @param {Partial<import("assur/state/state.js").View>} [further] further fields of the view
  */
 export function openShown(lesson, index, name, page, further = {}) {
   const found = shownBy(lesson, index);
   if (!found) return;
   const { kind, document, view } = found.shows;
   const task = taskOf(lesson, index, name, page.engine);
-  // Language, lesson and the like stay the reader's.
+  // Language, lesson and other fields of the reader are kept.
   const look = Object.entries(usualView({ ...RESTING, ...view })).filter(([key]) => !READERS.includes(key));
   page.choose(kind, task?.state.document ?? document, [], () => ({ ...Object.fromEntries(look), ...further }));
 }
@@ -54,7 +54,7 @@ export class WrittenLesson {
   #reader;
   /** @type {Progress | null} */
   #progress = null;
-  /** @type {Map<number, number | null>} right answers of the reader by steps, as far as the engine was asked for them */
+  /** @type {Map<number, number | null>} right answers for the reader by step, as far as computed */
   #exact = new Map();
   #code = make("input", { id: "lesson-code", class: "control", type: "text", readonly: "" });
   #result = make("div", { class: "lesson-result" });
@@ -72,7 +72,7 @@ export class WrittenLesson {
     this.#reader = (kept(`lesson.${OWN}.${this.#digest}`) ?? "").slice(0, LONGEST_NAME);
   }
 
-  /** By what name progress in it is kept: that of each reader by itself. */
+  /** Name under which progress in it is kept, different for each reader. */
   get name() {
     return `${OWN}.${this.#digest}.${hash(nameKey(this.#reader)).toString(36)}`;
   }
@@ -98,7 +98,7 @@ export class WrittenLesson {
   /**
    * @param {number} index of a step
    * @param {import("assur/state/state.js").State} state
-   * @returns {boolean} whether its mechanism comes from what the step shows
+   * @returns {boolean} whether its mechanism has the origin of the step's document
    */
   #isShown(index, state) {
     const shows = shownBy(this.#lesson, index)?.shows;
@@ -113,12 +113,12 @@ export class WrittenLesson {
 
   /**
    * @param {number} index of a step whose answer is a number
-   * @returns {number | null} the right one; null where there is none
+   * @returns {number | null} the right answer; null if there is none
    */
   #answer(index) {
     if (!this.#exact.has(index)) {
       const { value, problems } = attempt(() => answerOf(this.#lesson, index, this.#reader, this.#page.engine));
-      // Of an engine that broke down it is asked again.
+      // After a failure of the engine it is asked again.
       if (problems.length > 0) return null;
       this.#exact.set(index, value ?? null);
     }
@@ -137,7 +137,7 @@ export class WrittenLesson {
     /** @type {Partial<Question>} */
     const reached = reach ? {
       reached: ({ stale, state, ...here }) => {
-        // A motion that passes by is no answer, nor is a mechanism from elsewhere.
+        // A motion that only passes the value is no answer, nor is another mechanism.
         const value = stale || state.view.playing || !this.#isShown(index, state) ? null : valueOf(reach.quantity, here);
         return value !== null && judged(String(value), reach.value, reach.within, isRound(reach.quantity)) === "right";
       },
@@ -166,7 +166,7 @@ export class WrittenLesson {
   /**
    * @param {HTMLElement[]} step
    * @param {Progress} progress
-   * @param {() => Progress} renew takes that of another reader
+   * @param {() => Progress} renew takes the progress of another reader
    */
   frame(step, progress, renew) {
     this.#progress = progress;
@@ -174,7 +174,7 @@ export class WrittenLesson {
     const words = this.#words;
     const head = make("header", { class: "lesson-head" }, [make("b", { id: "lesson-name" }, [title]), ...(author ? [" ", make("span", {}, [author])] : [])]);
     const rewrite = make("button", { id: "lesson-write", class: "control add", type: "button", onclick: () => this.#page.lesson.write(true) }, [words.text("written.write")]);
-    // The form has the answers in it: a copy of another's lesson opens it from the menu alone.
+    // The form contains the answers: only its author gets a button to it, others must use the menu.
     const own = kept(WRITTEN_HERE) === this.#digest ? [rewrite] : [];
     if (!steps.some(({ question }) => question)) return [head, ...step, ...own];
     const reader = make("input", { id: "lesson-reader", class: "control", type: "text", maxlength: String(LONGEST_NAME), autocomplete: "off", spellcheck: "false" });
@@ -206,7 +206,7 @@ export class WrittenLesson {
     return [head, whose, ...step, this.#result, ...own];
   }
 
-  /** Writes the code of what is answered now. */
+  /** Writes the code of the present answers. */
   answered() {
     const progress = this.#progress;
     if (!progress) return;

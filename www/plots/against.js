@@ -1,4 +1,4 @@
-// One quantity plotted against another: its text, the cursor on it, and which place of the motion a pointer means.
+// One quantity plotted against another: its text, its cursor, and the place of the motion under a pointer.
 import { textWidth } from "assur/canvas/text-width.js";
 import { readoutOf, subscript, symbol } from "assur/core/symbols.js";
 import { paintTag } from "assur/plots/tags.js";
@@ -10,7 +10,7 @@ import { inDegrees, power, unitOf, written } from "assur/plots/units.js";
  * @typedef {import("assur/engine.js").FieldAxis} Axis
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
- * @typedef {{ x: number, y: number, input: number, off: number }} Near a place of the curve, and how far it is off, in pixels
+ * @typedef {{ x: number, y: number, input: number, off: number }} Near a place of the curve, with its distance from the pointer in pixels
  */
 
 /** Radius of the dot and height of its numbers, at the usual size of text. */
@@ -20,11 +20,11 @@ const TAG = 17;
 /** Dashes of the lines from the dot to the axes. */
 const DASHES = [4, 4];
 
-/** Where a curve passes a place more than once within so many pixels, it is the pass that is next to the motion. */
+/** Difference of distances, in pixels, below which passes of a curve count as equally near: the one nearest to the motion is taken. */
 const ALIKE = 4;
 
 /**
- * An axis as the units of plots take it.
+ * An axis as a scale for the units of plots.
  * @param {Axis} axis
  * @param {Field} field
  */
@@ -36,7 +36,7 @@ function scale({ kind, order, from, to }, { physical }) {
  * @param {Axis} axis
  * @param {Field} field
  * @param {Pick<Snapshot, "coordinate" | "words">} snapshot
- * @returns {string} what an axis is of
+ * @returns {string} the symbol of an axis
  */
 export function axisName({ name, number, order }, { physical }, { coordinate, words }) {
   if (name === null) return coordinate.symbol;
@@ -48,7 +48,7 @@ export function axisName({ name, number, order }, { physical }, { coordinate, wo
  * @param {Axis} axis
  * @param {Field} field
  * @param {Pick<Snapshot, "coordinate" | "words">} snapshot
- * @returns {string} the same with its unit
+ * @returns {string} the symbol with its unit
  */
 function titled(axis, field, { coordinate, words }) {
   const time = axis.name === null && coordinate.moves === "time";
@@ -57,7 +57,7 @@ function titled(axis, field, { coordinate, words }) {
 }
 
 /**
- * A value of an axis in words.
+ * Text of a value of an axis.
  * @param {Axis} axis
  * @param {Field} field
  * @param {number} value
@@ -69,7 +69,7 @@ export function told(axis, field, value, { numbers }, moving = false) {
 }
 
 /**
- * What the axes are of, and the numbers along them.
+ * Paints the titles of the axes and the numbers along them.
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Field} field
  * @param {Snapshot} snapshot
@@ -101,7 +101,7 @@ export function drawAgainstText(context, field, snapshot, theme) {
   let free = -Infinity;
   for (const { at, text } of texts(x)) {
     const half = textWidth(context, font, text) / 2;
-    // Numbers at the very ends stay on the canvas; numbers without room are left out.
+    // Numbers at the ends stay on the canvas; numbers without room are omitted.
     const middle = Math.min(left + at, right + 8 - half);
     if (middle - half < free) continue;
     context.fillText(text, middle, bottom + 7 * theme.scale);
@@ -110,13 +110,13 @@ export function drawAgainstText(context, field, snapshot, theme) {
 }
 
 /**
- * The place of the motion on the curve, with lines to the axes.
+ * Paints the place of the motion on the curve, with lines to the axes.
  * @param {CanvasRenderingContext2D} context
  * @param {Field} field
  * @param {Float64Array | null} values abscissa and ordinate
  * @param {Snapshot} snapshot
  * @param {Theme} theme
- * @param {{ tagged: boolean, input?: number }} how whether the numbers are written, and with which input
+ * @param {{ tagged: boolean, input?: number }} how whether the numbers are written, and the input written with them
  */
 export function drawAgainstCursor(context, field, values, { coordinate, state, words, withheld }, theme, { tagged, input }) {
   if (!values) return;
@@ -161,7 +161,7 @@ export function drawAgainstCursor(context, field, values, { coordinate, state, w
  * @param {number} down
  * @param {[number, number]} size
  * @param {number} off
- * @returns where at a corner of a dot numbers cover least of the curve
+ * @returns the corner of a dot at which numbers cover least of the curve
  */
 function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall], off) {
   const lefts = [at + off, at - off - wide].map((x) => Math.min(Math.max(x, left), left + width + 7 - wide));
@@ -182,9 +182,9 @@ function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall],
  * @param {Field} field
  * @param {number} x
  * @param {number} y of a pointer
- * @param {number} beyond so far outside it still counts, in pixels
- * @param {number} input where the motion is
- * @returns {number | null} the input of the place of the curve that is nearest to a pointer
+ * @param {number} beyond greatest distance outside the plot, in pixels
+ * @param {number} input input of the motion
+ * @returns {number | null} input of the place of the curve nearest to the pointer
  */
 export function inputAt({ left, top, width, height, curve }, x, y, beyond, input) {
   if (x < left - beyond || x > left + width + beyond || y < top - beyond || y > top + height + beyond) return null;
@@ -200,7 +200,7 @@ export function inputAt({ left, top, width, height, curve }, x, y, beyond, input
  * @param {readonly number[]} run x, y and input of its points
  * @param {number} x
  * @param {number} y
- * @returns {Near[]} where a run passes nearest to a place, each time that it passes
+ * @returns {Near[]} the nearest place of each pass of the run
  */
 function nearest(run, x, y) {
   /** @type {Near[]} */
@@ -220,7 +220,7 @@ function nearest(run, x, y) {
 /**
  * @param {Field} field
  * @param {Snapshot} snapshot
- * @returns {string} what the plot shows, for who does not see it
+ * @returns {string} description of the plot for screen readers
  */
 export function described(field, { coordinate, words }) {
   const { left, top, width, height, curve, x, y } = field;

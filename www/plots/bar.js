@@ -1,4 +1,4 @@
-// Above the plots: what is plotted, by what the derivatives are, and how the crank turns where they are by time.
+// The bar above the plots: choice of the plotted quantities and of the derivatives' variable, and rates of the input.
 import { NumberBox } from "assur/controls/number-box.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -32,12 +32,12 @@ export class PlotBar {
   #pairs;
   #omega;
   #epsilon;
-  /** @type {readonly string[]} the points that can be chosen */
+  /** @type {readonly string[]} points to choose from */
   #points = [];
   #overviews = "";
   #measures = "";
   #joints = "";
-  /** @type {readonly unknown[]} what was shown last */
+  /** @type {readonly unknown[]} values shown last */
   #shown = [];
 
   /**
@@ -97,7 +97,7 @@ export class PlotBar {
   /**
    * @param {string} moves
    * @param {View["omega_unit"]} unit
-   * @returns {number} what the unit is for the engine
+   * @returns {number} the unit in the engine's unit
    */
   #per(moves, unit) {
     return moves === "angle" ? UNITS[unit] : 1;
@@ -150,7 +150,7 @@ export class PlotBar {
 /**
  * @param {string} name of a measure
  * @param {Words} words
- * @returns {string} what it is
+ * @returns {string} its name for readers
  */
 function measure(name, words) {
   const dot = name.lastIndexOf(".");
@@ -160,7 +160,7 @@ function measure(name, words) {
 
 /**
  * @param {readonly Transmission[]} transmissions
- * @returns {string} what is offered of them
+ * @returns {string} key of the choices that they give
  */
 function joints(transmissions) {
   return transmissions.map(({ what, joint }) => `${joint}.${what}`).join();

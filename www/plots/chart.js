@@ -1,4 +1,4 @@
-// The plots: curves by the engine, text by us, both on one canvas that is redrawn only when the curves change.
+// The plots: curves from the engine, text from the page, both on one canvas that is redrawn only if the curves change.
 import { Surface } from "assur/canvas/surface.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
@@ -13,7 +13,7 @@ import { drawChartText } from "assur/plots/text.js";
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/plots/marks.js").Box} Box
  * @typedef {(context: import("assur/canvas/painter.js").Context, panels: readonly Panel[], snapshot: Snapshot, engine: Engine, theme: Theme) => readonly (Box | null)[]} Overlay
- * the places that it covers in each panel
+ * paints over the curves, and returns the covered box in each panel
  */
 
 export class ChartView {
@@ -22,27 +22,27 @@ export class ChartView {
   #theme;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {string} what was drawn last */
+  /** @type {string} key of the last drawing */
   #drawn = "";
   /** @type {readonly Panel[]} */
   panels = [];
-  /** @type {import("assur/engine.js").Field | null} what is plotted against each other instead of them */
+  /** @type {import("assur/engine.js").Field | null} plot of one quantity against another, instead of the panels */
   against = null;
-  /** @type {readonly (readonly Box[])[]} where the labels are, of each panel */
+  /** @type {readonly (readonly Box[])[]} boxes of the labels of each panel */
   labels = [];
   /** @type {Overlay | null} */
   #overlay = null;
   #failed;
-  /** Whether the plots could be drawn when it was tried last. */
+  /** Whether the last attempt to draw the plots succeeded. */
   #drawable = true;
-  /** Called when the panels may have changed their places. */
+  /** Called when the panels may have moved. */
   redrawn = () => {};
 
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {Engine} engine
    * @param {Theme} theme
-   * @param {() => void} failed called where the plots cannot be drawn: once until they are drawn again
+   * @param {() => void} failed called once when the plots cannot be drawn, until they are drawn again
    */
   constructor(canvas, engine, theme, failed) {
     this.#failed = failed;
@@ -73,7 +73,7 @@ export class ChartView {
     this.redrawn();
   }
 
-  /** @param {Overlay} overlay what is painted over the curves from now on */
+  /** @param {Overlay} overlay to paint over the curves from now on */
   lay(overlay) {
     this.#overlay = overlay;
     this.#draw();
@@ -85,7 +85,7 @@ export class ChartView {
   }
 
   /**
-   * Paints the plots, without the cursor, on another target of the same size.
+   * Paints the plots without the cursor on another target of the same size.
    * @param {import("assur/canvas/painter.js").Target} target
    * @param {Theme} theme
    */
@@ -94,17 +94,17 @@ export class ChartView {
   }
 
   /**
-   * @param {import("assur/canvas/painter.js").Target} target one unit of which is one CSS pixel
+   * @param {import("assur/canvas/painter.js").Target} target in CSS pixels
    * @param {Snapshot} snapshot
    * @param {Theme} theme
    * @param {boolean} whole whether the curves go through all their points
-   * @returns where the plots and their labels are, and whether they are drawn
+   * @returns places of the plots and their labels, and whether they could be drawn
    */
   #paint({ context, ratio }, snapshot, theme, whole) {
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
     const { only } = snapshot.state.view;
-    // Not as the text that was written last left it.
+    // The last text may have left another value.
     context.lineJoin = "round";
     const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
     const { panels, against } = value ?? { panels: [], against: null };

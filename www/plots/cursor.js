@@ -1,5 +1,5 @@
-// The cursor over the plots: a line at the input, a dot and a number on each curve. Redrawn every frame. Where a
-// pointer hovers, a second, dashed one.
+// The cursor over the plots: a line at the input, with a dot and a number on each curve. It is redrawn in every frame. A
+// hovering pointer adds a second, dashed one.
 import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";
@@ -21,7 +21,7 @@ import { written } from "assur/plots/units.js";
 /** Radius of a dot and height of a number's box, at the usual size of text. */
 const DOT = 4.5;
 const TAG = 17;
-/** Dashes of the second cursor's line, and of the first's. */
+/** Dashes of the second cursor's line and of the first's. */
 const GHOST = [4, 4];
 /** @type {number[]} */
 const WHOLE = [];
@@ -56,7 +56,7 @@ export class ChartCursor {
     this.redraw();
   }
 
-  /** @param {number | null} phi the input to show the values at */
+  /** @param {number | null} phi input at which values are shown */
   hover(phi) {
     if (phi === this.#hovered) return;
     this.#hovered = phi;
@@ -75,7 +75,7 @@ export class ChartCursor {
       drawAgainstCursor(context, against, snapshot.plotted, snapshot, this.#theme, { tagged: hovered === null });
       if (hovered !== null) drawAgainstCursor(context, against, ghost, snapshot, this.#theme, { tagged: true, input: hovered });
     }
-    // Two sets of numbers would cover each other: under a pointer only its own are written.
+    // Two sets of numbers would overlap: with a hovering pointer only those under it are written.
     const phi = snapshot.input;
     panels.forEach((panel, i) => this.#panel(panel, snapshot, phi, snapshot.plotted, hovered === null ? labels[i] : null));
     if (hovered === null || panels.length === 0) return;
@@ -92,7 +92,7 @@ export class ChartCursor {
   }
 
   /**
-   * The input of the second cursor, above the topmost plot.
+   * Paints the input of the second cursor above the topmost plot.
    * @param {Panel} panel
    * @param {number} phi
    * @param {Snapshot} snapshot
@@ -112,7 +112,7 @@ export class ChartCursor {
    * @param {Snapshot} snapshot
    * @param {number} phi
    * @param {Float64Array | null} values of the plotted quantities
-   * @param {readonly Box[] | null} labels which the values that are written keep off; null: none is written
+   * @param {readonly Box[] | null} labels labels that the written values avoid; null to write no values
    * @param {number[]} dashes of the line
    */
   #panel(panel, snapshot, phi, values, labels, dashes = WHOLE) {
@@ -146,7 +146,7 @@ export class ChartCursor {
    * @param {Panel} panel
    * @param {Snapshot} snapshot
    * @param {Float64Array | null} values of the plotted quantities
-   * @returns {Dot[]} from the top down
+   * @returns {Dot[]} dots from the top down
    */
   #dots(panel, { state, words, withheld }, values) {
     if (!values) return [];

@@ -1,5 +1,5 @@
-// What is drawn of curvature, in numbers under the other read-outs: of traced points radius and centre of curvature, of a link
-// the diameter of its inflection circle. Loaded when it is asked for.
+// Curvature in numbers, below the other read-outs: radius and centre of curvature of traced points, and the diameter of the
+// inflection circle of a link. Loaded on demand.
 import { sentence } from "assur/controls/problems.js";
 import { writeReadout } from "assur/controls/readout.js";
 import { byId, make } from "assur/core/dom.js";
@@ -15,7 +15,7 @@ import { written } from "assur/plots/values.js";
  * @typedef {import("assur/types/web.js").CurvatureHere} Here
  */
 
-/** How many columns of values the read-outs have. */
+/** Orders of the derivatives, one for each column of values. */
 const ORDERS = Object.freeze([0, 1, 2]);
 const NONE = "—";
 
@@ -50,7 +50,7 @@ export class Curvature {
 /**
  * @param {Here} here
  * @param {Words} words
- * @returns {readonly HTMLElement[]} in the colours that the circles have in the drawing
+ * @returns {readonly HTMLElement[]} rows in the colours of the circles in the drawing
  */
 function rows({ circles, inflection }, words) {
   const title = (/** @type {string} */ letter, /** @type {string} */ text) => [make("b", {}, [letter]), " ", make("span", {}, [text])];
@@ -84,7 +84,7 @@ function cell(id, value, order, words) {
 
 /**
  * @param {string} id
- * @param {import("assur/core/problem.js").Problem | null} reason why there is no value
+ * @param {import("assur/core/problem.js").Problem | null} reason reason for a missing value
  * @param {Words} words
  */
 function why(id, reason, words) {

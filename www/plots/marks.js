@@ -1,4 +1,4 @@
-// The labels at zeros, extrema and limit positions: a value and its input, placed where no label covers another.
+// Labels at zeros, extrema and limit positions: a value and its input, placed without overlap.
 import { textWidth } from "assur/canvas/text-width.js";
 import { across, down } from "assur/plots/panel.js";
 import { setChartFont } from "assur/plots/text.js";
@@ -11,27 +11,27 @@ import { written } from "assur/plots/units.js";
  * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
  */
 
-/** Sizes in pixels of usual text: from a mark to its label, height of a label, a second try farther off. */
+/** Sizes in pixels of usual text: distance of a label from its mark, height of a label, extra distance of a second try. */
 const GAP = 5;
 const HEIGHT = 13;
 const FARTHER = 11;
 
-/** Between labels side by side, in pixels. */
+/** Space between labels side by side, in pixels. */
 const BETWEEN = 4;
 
-/** Between points of the line at zero, in pixels. */
+/** Space between points of the zero line, in pixels. */
 const SPARSE = 12;
 
-/** A label that would cover more points of the curves than this is left out. */
+/** Greatest number of points of curves that a label may cover. */
 const MOST_COVERED = 4;
 
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
- * @param {readonly Box[]} covered places that are taken, as that of the panel's title
+ * @param {readonly Box[]} covered occupied places, such as that of the panel's title
  * @param {Snapshot} snapshot
  * @param {import("assur/canvas/theme.js").Theme} theme
- * @returns {Box[]} where the labels are
+ * @returns {Box[]} boxes of the labels
  */
 export function drawMarks(context, panel, covered, snapshot, theme) {
   const font = setChartFont(context, theme);
@@ -58,8 +58,8 @@ export function drawMarks(context, panel, covered, snapshot, theme) {
 }
 
 /**
- * The marks in the order in which they get their labels: the widest swings first, zeros last. Where several curves pass
- * zero together one label serves them all.
+ * The marks in the order of labelling: the largest values first, zeros last. Curves that pass zero together share one
+ * label.
  * @param {readonly Mark[]} marks
  * @returns {Mark[]}
  */
@@ -86,7 +86,7 @@ function markText({ kind, phi, value }, panel, { coordinate, words }) {
 
 /**
  * @param {Panel} panel
- * @returns {number[]} points along the line at zero: labels keep off it, too
+ * @returns {number[]} points along the zero line, which labels avoid, too
  */
 function zeroLine({ left, width, y0, y1, top, height }) {
   if (y0 >= 0 || y1 <= 0) return [];
@@ -95,14 +95,14 @@ function zeroLine({ left, width, y0, y1, top, height }) {
 }
 
 /**
- * The place near a mark that covers nothing, or least of the curves.
+ * The place near a mark that covers nothing, or else as little of the curves as possible.
  * @param {Panel} panel
  * @param {Mark} mark
  * @param {number} width
  * @param {readonly Box[]} taken
  * @param {readonly number[]} points of the curves, x and y of each
- * @param {number} scale how much larger than usual text is
- * @returns {Box | null} null where every place is taken
+ * @param {number} scale size of text relative to the usual one
+ * @returns {Box | null} null if every place is taken
  */
 function freePlace(panel, mark, width, taken, points, scale) {
   const [gap, height, farther] = [GAP, HEIGHT, FARTHER].map((pixels) => pixels * scale);
@@ -131,7 +131,7 @@ function freePlace(panel, mark, width, taken, points, scale) {
 /**
  * @param {readonly number[]} points x and y of each
  * @param {Box} box
- * @returns {number} how many lie in the box or beside it
+ * @returns {number} number of points in the box or at its edge
  */
 function count(points, { left, top, right, bottom }) {
   let inside = 0;

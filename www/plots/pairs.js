@@ -1,4 +1,4 @@
-// What is plotted against what: ready choices among those of the plots, and any two quantities by two lists.
+// Choice of two quantities to plot against each other: ready pairs in the list of plots, and any two by two lists.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
@@ -11,20 +11,20 @@ import { withView } from "assur/state/state.js";
  * @typedef {NonNullable<View["against"]>} Pair
  */
 
-/** What the input is called. */
+/** Name of the input in a pair. */
 const INPUT = "input";
 
-/** The mark of ready choices: names of quantities do not have it. */
+/** Separator in ready choices, which names of quantities do not contain. */
 const MARK = "|";
 
-/** The choice of two quantities that none of the ready ones is. */
+/** The choice of any two quantities. */
 const OWN = `${MARK}own`;
 
 const ORDERS = Object.freeze([0, 1, 2]);
 
 /**
  * @param {Pair} pair
- * @returns {string} the pair as a choice
+ * @returns {string} the pair as a value of the list
  */
 function chosen({ x, y }) {
   return `${x}${MARK}${y}`;
@@ -33,7 +33,7 @@ function chosen({ x, y }) {
 /**
  * @param {string} name of a quantity
  * @param {number} order
- * @returns {string} its derivative, as tables call it
+ * @returns {string} name of its derivative, as in tables
  */
 function derivative(name, order) {
   const dot = name.lastIndexOf(".") + 1;
@@ -58,8 +58,8 @@ export class PairChoice {
   }
 
   /**
-   * @param {string} choice of the list of plots
-   * @returns {Pair | null} the pair that it is, if it is one
+   * @param {string} choice value of the list of plots
+   * @returns {Pair | null} the pair of the choice, if it is one
    */
   pair(choice) {
     if (!choice.includes(MARK)) return null;
@@ -76,13 +76,13 @@ export class PairChoice {
 
   /**
    * @param {Snapshot} snapshot
-   * @returns {HTMLElement} the choices of pairs among those of the plots
+   * @returns {HTMLElement} choices of pairs for the list of plots
    */
   offered({ summary, words }) {
     const option = (/** @type {string} */ key, /** @type {string} */ x, /** @type {string} */ y, /** @type {string} */ name) =>
       make("option", { value: chosen({ x, y }) }, [words.text(key, { name })]);
     const { points, quantities } = this.#engine;
-    // Of what has no output the angles are.
+    // A mechanism without an output has its angles for outputs.
     const named = summary.outputs.map(({ name }) => name);
     const outputs = named.length > 0 ? named : quantities.filter((name) => name.endsWith("angle"));
     const whose = (/** @type {string} */ name) => {
@@ -103,7 +103,7 @@ export class PairChoice {
 
   /**
    * @param {View["against"]} against
-   * @param {HTMLSelectElement} plot where the ready choices are
+   * @param {HTMLSelectElement} plot list with the ready choices
    * @param {Snapshot} snapshot
    */
   show(against, plot, snapshot) {
@@ -131,12 +131,12 @@ export class PairChoice {
 /**
  * @param {readonly string[]} names of quantities
  * @param {Readonly<Record<string, string>>} numbers of links
- * @param {boolean} physical whether derivatives are by time
+ * @param {boolean} physical whether derivatives are with respect to time
  * @param {import("assur/core/words.js").Words} words
- * @returns {HTMLElement[]} all of them with their derivatives, by what they are of
+ * @returns {HTMLElement[]} options for the quantities and their derivatives, grouped by link or point
  */
 function listed(names, numbers, physical, words) {
-  /** @type {Map<string, { owner: string, point: boolean, own: string[] }>} a link and a point may have one name */
+  /** @type {Map<string, { owner: string, point: boolean, own: string[] }>} a link and a point may have the same name */
   const groups = new Map();
   for (const name of names) {
     const owner = name.slice(0, name.lastIndexOf("."));

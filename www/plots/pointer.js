@@ -1,17 +1,17 @@
-// Hands on the plots: a click or a drag drives to the input under the pointer, hovering shows the values there, a double
-// click shows one plot alone.
+// Pointer input on the plots: a click or a drag moves the driver to the input under the pointer, hovering shows the values
+// there, a double click shows one plot alone.
 import { setData } from "assur/core/dom.js";
 import { inputAt } from "assur/plots/against.js";
 import { angleAt } from "assur/plots/panel.js";
 import { withView } from "assur/state/state.js";
 
-/** A finger that moved less, in pixels, has only touched. */
+/** Greatest movement of a finger that counts as a touch, in pixels. */
 const SLOP = 6;
 
-/** So far beyond the ends of the axis a pointer still counts, in pixels. */
+/** Greatest distance of a pointer beyond the ends of the axis, in pixels. */
 const BEYOND = 16;
 
-/** What a plot that is shown alone is called, by its order. */
+/** Names of the plots shown alone, by the order of their derivative. */
 const ALONE = Object.freeze(/** @type {const} */ (["value", "first", "second"]));
 
 export class ChartPointer {
@@ -21,7 +21,7 @@ export class ChartPointer {
   #drive;
   #model;
   #store;
-  /** @type {{ id: number, x: number, y: number, driving: boolean } | null} the pointer that is down */
+  /** @type {{ id: number, x: number, y: number, driving: boolean } | null} the pressed pointer */
   #held = null;
 
   /**
@@ -49,7 +49,7 @@ export class ChartPointer {
   }
 
   /**
-   * Shows the plot under the pointer alone, or all again.
+   * Shows the plot under the pointer alone, or all plots again.
    * @param {MouseEvent} event
    */
   #alone({ clientY }) {
@@ -62,7 +62,7 @@ export class ChartPointer {
   /** @param {PointerEvent} event */
   #down(event) {
     if (this.#held || event.button !== 0 || this.#angle(event, BEYOND) === null) return;
-    // A finger may be about to scroll the page: it drives once it moves sideways or is lifted.
+    // A finger may be about to scroll the page: it moves the driver only by a sideways motion or when lifted.
     const driving = event.pointerType !== "touch";
     this.#held = { id: event.pointerId, x: event.clientX, y: event.clientY, driving };
     this.#hover(null);
@@ -114,7 +114,7 @@ export class ChartPointer {
   /**
    * @param {PointerEvent} event
    * @param {number} beyond
-   * @returns {number | null} the input under the pointer; null where there is no axis
+   * @returns {number | null} the input under the pointer; null if there is no axis
    */
   #angle({ clientX, clientY }, beyond) {
     const { left: x, top: y } = this.#canvas.getBoundingClientRect();

@@ -1,4 +1,4 @@
-// The table of current values: the input and what the engine lists. Its rows are the legend of drawing and plots.
+// The table of current values: the input and the quantities listed by the engine. Its rows are the legend of drawing and plots.
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -15,7 +15,7 @@ import { written } from "assur/plots/values.js";
 const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
 
-/** A comparison adds two rows to each quantity: the value of A, and the difference. */
+/** Additional rows of a comparison for each quantity: the value of A, and the difference. */
 const BESIDE = Object.freeze(/** @type {const} */ ({ a: "A", difference: "B − A" }));
 
 export class ReadoutTable {
@@ -71,10 +71,10 @@ export class ReadoutTable {
   #build({ state: { view }, summary: { listed, curves }, coordinate, words, compares }) {
     write(this.#inputSymbol, coordinate.symbol);
     write(this.#inputName, words.text(`readouts.input.${coordinate.moves}`));
-    // What derivatives of what is listed are called: of angles, of lengths, of both.
+    // Symbols of the derivatives in the heads: of angles, of lengths or of both.
     const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => listed.some(({ what }) => what === one));
     const usual = found("angle", "load_angle", "x", "y");
-    // Measures are led by their own letters: beside others the heads would only be wide.
+    // Measures have letters of their own: together with others they would only widen the heads.
     const sorts = usual.length > 0 ? usual : found(...MEASURES);
     const physical = view.axes === "physical" || coordinate.moves === "time";
     this.#heads.forEach((head, order) => {
@@ -100,8 +100,8 @@ export class ReadoutTable {
 
   /**
    * @param {Listed} listed
-   * @param {number} count of values: of itself, and of its derivatives
-   * @returns {HTMLElement[]} the rows of what is compared with it
+   * @param {number} count of values: the quantity and its derivatives
+   * @returns {HTMLElement[]} the rows of the comparison
    */
   #besideRows(listed, count) {
     const sorts = /** @type {(keyof typeof BESIDE)[]} */ (Object.keys(BESIDE));
@@ -118,11 +118,11 @@ export class ReadoutTable {
 }
 
 /**
- * @param {Listed["what"]} what two values are of
- * @param {number} order of the derivative that they are
+ * @param {Listed["what"]} what quantity of the two values
+ * @param {number} order of the derivative
  * @param {number | undefined} a
  * @param {number | undefined} b
- * @returns {number | undefined} b − a, where there are both
+ * @returns {number | undefined} b − a, if both are there
  */
 export function differenceOf(what, order, a, b) {
   if (a === undefined || b === undefined) return undefined;
@@ -131,7 +131,7 @@ export function differenceOf(what, order, a, b) {
 
 /**
  * @param {number} angle in radians
- * @returns {number} the same, at most half a turn to either side
+ * @returns {number} the angle within half a turn to either side
  */
 function turned(angle) {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
@@ -140,7 +140,7 @@ function turned(angle) {
 /**
  * A row of the table.
  * @param {string} role
- * @param {boolean} curve whether it is plotted
+ * @param {boolean} curve whether the quantity is plotted
  * @param {readonly (Node | string)[]} title
  * @param {readonly HTMLElement[]} cells
  */
@@ -163,7 +163,7 @@ function letter({ what, of, number }) {
 /**
  * @param {Listed} listed
  * @param {Words} words
- * @returns {string} what a row says beside its letter: of an angle Δ, as of φ, the link alone
+ * @returns {string} text of a row beside its letter; for an angle Δ, as for φ, the link alone
  */
 export function ofRow(listed, words) {
   return listed.what === "load_angle" ? called(listed.of[0], words) : whose(listed, words);
@@ -172,7 +172,7 @@ export function ofRow(listed, words) {
 /**
  * @param {Pick<Listed, "what" | "of">} listed
  * @param {Words} words
- * @returns {string} whose it is; of a transmission or pressure angle what it is, too
+ * @returns {string} its link or point; for a transmission or pressure angle also the name of the quantity
  */
 export function whose({ what, of }, words) {
   if (what === "angle") return of.map((link) => called(link, words)).join(", ");

@@ -1,12 +1,12 @@
-// Where the numbers beside the cursor stand: on either side of its line, off each other and off the labels.
+// Places of the numbers beside the cursor: on either side of its line, clear of each other and of the labels.
 import { overlap } from "assur/plots/marks.js";
 
 /** @typedef {import("assur/plots/marks.js").Box} Box */
 
-/** A tag gives way to labels by at most so many times its height: farther off it would seem to be another curve's. */
+/** Greatest way, in heights, by which a tag avoids labels: farther away it would seem to belong to another curve. */
 const FARTHEST = 3;
 
-/** Between two tags, in pixels. */
+/** Space between two tags, in pixels. */
 const APART = 2;
 
 /**
@@ -31,18 +31,18 @@ export function paintTag(context, { left, top, width, tall }, { text, colour, in
 
 /**
  * @typedef {object} Tags
- * @property {readonly number[]} middles of the tags as they would stand by themselves, in rising order
+ * @property {readonly number[]} middles middles of the tags by themselves, in ascending order
  * @property {readonly number[]} widths
  * @property {number} tall their height
  * @property {number} x the cursor's line
- * @property {number} off how far from the line they stand
- * @property {Box} room that is theirs
- * @property {readonly Box[]} labels that they keep off
+ * @property {number} off distance of the tags from the line
+ * @property {Box} room area for the tags
+ * @property {readonly Box[]} labels labels to avoid
  */
 
 /**
  * @param {Tags} tags
- * @returns {readonly Box[]} where they stand: on the right, or where they cover fewer labels there, on the left
+ * @returns {readonly Box[]} places of the tags: on the right, or on the left if they cover fewer labels there
  */
 export function placedTags(tags) {
   const { widths, x, off, room } = tags;
@@ -58,7 +58,7 @@ export function placedTags(tags) {
 /**
  * @param {Tags} tags
  * @param {readonly number[]} lefts
- * @returns their places beside each other on one side, and how many of them cover a label
+ * @returns places of the tags on one side, and the number of them that cover a label
  */
 function aside({ middles, widths, tall, room, labels }, lefts) {
   const at = (/** @type {number} */ i, /** @type {number} */ top) => ({ left: lefts[i], top, right: lefts[i] + widths[i], bottom: top + tall });
@@ -79,7 +79,7 @@ function aside({ middles, widths, tall, room, labels }, lefts) {
 /**
  * @template {{ covered: number }} T
  * @param {readonly T[]} ways
- * @returns {T} the first of those that cover the fewest labels
+ * @returns {T} the first with the fewest covered labels
  */
 function fewest(ways) {
   return ways.reduce((best, way) => (way.covered < best.covered ? way : best));
@@ -90,7 +90,7 @@ function fewest(ways) {
  * @param {readonly Box[]} labels
  * @param {number} first
  * @param {number} last
- * @returns {number} the top nearest to its own, between first and last, where it covers no label; its own where that is far off
+ * @returns {number} the nearest top between first and last at which the tag covers no label; its own top if that is too far
  */
 function freeTop(tag, labels, first, last) {
   const tall = tag.bottom - tag.top;
@@ -102,15 +102,15 @@ function freeTop(tag, labels, first, last) {
 }
 
 /**
- * @param {readonly number[]} tops in rising order
+ * @param {readonly number[]} tops in ascending order
  * @param {number} first
  * @param {number} last
  * @param {number} tall the height of a tag
- * @returns {number[]} as near to them as may be, at least that far apart, between first and last
+ * @returns {number[]} tops as near to these as possible, without overlap, between first and last
  */
 function spread(tops, first, last, tall) {
   const step = tall + APART;
-  // Those that would meet stand in a block round the mean of their places.
+  // Tags that would overlap form a block around the mean of their places.
   /** @type {{ sum: number, count: number }[]} */
   const blocks = [];
   tops.forEach((top, i) => {

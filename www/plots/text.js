@@ -1,4 +1,4 @@
-// The text of the chart: titles with units and the numbers along the axes.
+// Text of the chart: titles with units, and the numbers along the axes.
 import { textWidth } from "assur/canvas/text-width.js";
 import { radians } from "assur/core/angles.js";
 import { subscript, symbol } from "assur/core/symbols.js";
@@ -15,7 +15,7 @@ import { coordinates, inDegrees, power, titled, unitOf, writtenLevel } from "ass
 
 const SIZE = 11;
 
-/** So many curves are named in the title, each in its colour; of more only what they are. */
+/** Greatest number of curves named in the title, each in its colour; the title of more curves has only their kind. */
 const MOST_NAMED = 3;
 
 /**
@@ -23,7 +23,7 @@ const MOST_NAMED = 3;
  * @param {readonly Panel[]} panels
  * @param {import("assur/state/model.js").Snapshot} snapshot
  * @param {Theme} theme
- * @returns {Box[]} where the titles are
+ * @returns {Box[]} boxes of the titles
  */
 export function drawChartText(context, panels, { coordinate, words }, theme) {
   const titles = panels.map((panel) => drawTitle(context, panel, coordinate, words, theme));
@@ -37,7 +37,7 @@ export function drawChartText(context, panels, { coordinate, words }, theme) {
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Theme} theme
  * @param {number} [size]
- * @returns {string} the font
+ * @returns {string} the font that was set
  */
 export function setChartFont(context, theme, size = SIZE) {
   const font = `${size * theme.scale}px ${theme.font}`;
@@ -71,18 +71,18 @@ function drawTitle(context, panel, coordinate, words, theme) {
   font = setChartFont(context, theme, 12);
   const title = titled(panel, coordinate, words);
   const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel, words) })}` : "";
-  // Where all of it has no room, the unit goes without its name.
+  // Without room for all of it, the unit stands without its name.
   const fits = right + textWidth(context, font, `  ${title}${proof}`) <= left + panel.width;
   write(`  ${fits ? title : unitOf(panel, coordinate, words)}`, theme.colours.secondary);
   write(proof, theme.colours.ink);
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
-/** How curves are named: with the value of a constant, in words or bare, without it, or by a letter alone. */
+/** Ways to name curves: with the value of a constant in words, with its bare value, without it, or by a letter alone. */
 const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "symbol", "letter"]));
 
 /**
- * The symbols of a panel's title, each with the role of its curve, and with its value where it does not change.
+ * Symbols of a panel's title, each with the role of its curve and, if that is constant, its value.
  * @param {Panel} panel
  * @param {Words} words
  * @param {typeof NAMINGS[number]} naming
@@ -90,7 +90,7 @@ const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "sym
 function names(panel, words, naming) {
   const { order, physical, series } = panel;
   const [{ name }] = series;
-  // Of several points each curve says whose it is.
+  // With several points each curve is named with its point.
   const points = coordinates(panel) ? series.map((one) => subscript(one.name.slice(0, one.name.lastIndexOf(".")))) : [];
   const several = new Set(points).size > 1;
   if (series.length > MOST_NAMED || naming === "letter") return [[symbol({ name: name.slice(name.lastIndexOf(".")) }, order, physical, words).trim()]];
@@ -151,11 +151,11 @@ function drawInputs(context, panel, coordinate, words, theme) {
   let free = -Infinity;
   const last = panel.xticks.length - 1;
   for (const [i, { value }] of panel.xticks.entries()) {
-    // An axis of time says so by its last number.
+    // The last number on an axis of time has the unit.
     const unit = turns ? "°" : coordinate.moves === "time" && i === last ? `\u00a0${words.text("unit.s")}` : "";
     const text = words.numbers.upTo(value, turns ? 2 : 6) + unit;
     const half = textWidth(context, font, text) / 2;
-    // Numbers at the very ends stay on the canvas; numbers without room are left out.
+    // Numbers at the ends stay on the canvas; numbers without room are omitted.
     const middle = Math.min(across(panel, coordinate.input(value)), right + 8 - half);
     if (middle - half < free) continue;
     context.textAlign = "center";

@@ -1,17 +1,17 @@
-// In which unit the numbers of a panel are written, and with how many digits.
+// Units and digits of the numbers of a panel.
 import { degrees } from "assur/core/angles.js";
 import { powerOfTen } from "assur/core/numbers.js";
 import { unitOfRate } from "assur/core/units.js";
 
 /** @typedef {import("assur/engine.js").Panel} Panel */
-/** @typedef {Pick<Panel, "kind" | "order" | "physical" | "y0" | "y1">} Scale of a panel, or of any axis */
+/** @typedef {Pick<Panel, "kind" | "order" | "physical" | "y0" | "y1">} Scale scale of a panel, or of any axis */
 
-/** Numbers beyond these would not fit beside an axis: it is labelled in thousands, millions, thousandths … */
+/** Limits beyond which numbers do not fit beside an axis, which is then labelled in thousands, millions, thousandths … */
 const LARGE = 1e5;
 const SMALL = 1e-2;
 
 /**
- * The power of ten that the numbers of a panel are written in.
+ * The power of ten in which the numbers of a panel are written.
  * @param {Scale} panel
  */
 export function power(panel) {
@@ -33,11 +33,11 @@ export function inDegrees({ kind, order }) {
 }
 
 /**
- * A value of a panel as its labels say it: with four digits of what the axis spans.
+ * A value of a panel as in its labels, with four digits of the axis's span.
  * @param {Scale} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers
- * @param {boolean} [moving] whether it is another one in the next frame: then with as many digits as the eye can follow
+ * @param {boolean} [moving] whether it changes with every frame and so has only the digits that the eye can follow
  */
 export function written(panel, value, numbers, moving = false) {
   if (inDegrees(panel)) return `${numbers.fixed(degrees(value), moving ? 0 : 1)}°`;
@@ -47,7 +47,7 @@ export function written(panel, value, numbers, moving = false) {
 }
 
 /**
- * A value that a curve of a panel has throughout.
+ * The constant value of a curve of a panel.
  * @param {Scale} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers
@@ -58,9 +58,9 @@ export function writtenLevel(panel, value, numbers) {
 
 /**
  * @param {Scale} panel
- * @param {import("assur/state/coordinate.js").Coordinate} coordinate by which derivatives are, if not by time
+ * @param {import("assur/state/coordinate.js").Coordinate} coordinate input, with respect to which derivatives are if not to time
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} the unit of a panel's numbers, with the power of ten they are written in; nothing where they have neither
+ * @returns {string} the power of ten and the unit of a panel's numbers, empty if they have neither
  */
 export function unitOf(panel, { moves }, words) {
   if (inDegrees(panel)) return "°";
@@ -74,7 +74,7 @@ export function unitOf(panel, { moves }, words) {
  * @param {Panel} panel
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} what a panel shows, and in which unit
+ * @returns {string} quantity and unit of a panel
  */
 export function titled(panel, coordinate, words) {
   const { kind, order, physical } = panel;

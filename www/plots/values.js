@@ -1,17 +1,17 @@
-// Values of quantities as they are written where they stand alone.
+// Values of quantities as written outside the plots.
 import { degrees } from "assur/core/angles.js";
 import { isLength } from "assur/core/symbols.js";
 
-/** From these sizes on digits after the point would only take room. */
+/** Sizes from which on digits after the decimal sign only take room. */
 const LARGE = 1e3;
 const HUGE = 1e6;
 
 /**
- * @param {number} value of the engine
- * @param {import("assur/engine.js").Listed["what"]} what it is of
+ * @param {number} value from the engine
+ * @param {import("assur/engine.js").Listed["what"]} what quantity
  * @param {number} order of the derivative
  * @param {import("assur/core/words.js").Words} words
- * @returns {{ value: number, text: string }} angles in degrees
+ * @returns {{ value: number, text: string }} the value, with angles in degrees, and its text
  */
 export function written(value, what, order, { numbers }) {
   const angle = order === 0 && !isLength(what);

@@ -1,4 +1,4 @@
-// What is painted of a snapshot, alike on the screen's canvas and on an exported picture.
+// Painting of a snapshot, alike on the screen's canvas and in an exported picture.
 import { readDisplayList } from "assur/canvas/display-list.js";
 import { Painter } from "assur/canvas/painter.js";
 import { Places } from "assur/canvas/places.js";
@@ -26,22 +26,22 @@ export class Figure {
   /** @type {Snapshot | null} */
   #snapshot = null;
   #revision = 0;
-  /** @type {readonly Layer[]} what stands still under all that moves */
+  /** @type {readonly Layer[]} fixed shapes, under the moving ones */
   #still = [];
   /** @type {readonly Layer[]} */
   #rigid = [];
-  /** @type {readonly Layer[]} what changes its shape */
+  /** @type {readonly Layer[]} shapes that change in motion */
   #changing = [];
   /** @type {readonly (readonly number[])[]} x, y and angle of each body */
   #poses = [];
-  /** @type {Figure | null} of what is compared with it, where that is shown */
+  /** @type {Figure | null} figure of mechanism A, if it is shown */
   #compared = null;
 
   /**
    * @param {Pick<import("assur/engine.js").Engine, "roles" | "labels">} engine
    * @param {Theme} theme
-   * @param {() => Path2D} [newPath] an empty path of the kind its targets take
-   * @param {Places} [places] of another's labels, to have them where that has them
+   * @param {() => Path2D} [newPath] makes an empty path of the kind that the targets take
+   * @param {Places} [places] places of another figure's labels, to put labels in the same places
    */
   constructor(engine, theme, newPath = () => new Path2D(), places = new Places()) {
     this.#places = places;
@@ -51,12 +51,12 @@ export class Figure {
     this.#newPath = newPath;
   }
 
-  /** Where the labels stand. */
+  /** Places of the labels. */
   get places() {
     return this.#places;
   }
 
-  /** @param {Snapshot} snapshot what is painted from now on */
+  /** @param {Snapshot} snapshot state to paint from now on */
   take(snapshot) {
     this.#snapshot = snapshot;
     const { scene, frame, revision } = snapshot;
@@ -87,7 +87,7 @@ export class Figure {
   }
 
   /**
-   * Squared paper, and on it what stands still.
+   * Paints squared paper with the fixed shapes.
    * @param {Target} target
    * @param {Size} size
    * @param {Transform} view
@@ -99,7 +99,7 @@ export class Figure {
   }
 
   /**
-   * What stands still.
+   * Paints the fixed shapes.
    * @param {Target} target
    * @param {Transform} view
    */
@@ -108,7 +108,7 @@ export class Figure {
   }
 
   /**
-   * What moves.
+   * Paints the moving shapes.
    * @param {Target} target
    * @param {Transform} view
    */
@@ -122,8 +122,8 @@ export class Figure {
   /**
    * @param {Target} target
    * @param {Transform} view
-   * @param {Size} size of what is painted on
-   * @param {boolean} small whether there is little room
+   * @param {Size} size of the target
+   * @param {boolean} small whether the drawing is small
    */
   paintLabels(target, view, size, small) {
     const snapshot = this.#snapshot;
@@ -147,7 +147,7 @@ export class Figure {
 
 /**
  * @param {Theme} theme
- * @returns {Theme} the same with one colour for all
+ * @returns {Theme} the theme with one colour for all roles
  */
 function muted(theme) {
   let revision = -1;
@@ -166,7 +166,7 @@ function muted(theme) {
 
 /**
  * @param {Float64Array} frame
- * @returns {{ poses: (readonly number[])[], end: number }} x, y and angle of each body; where the list after them begins
+ * @returns {{ poses: (readonly number[])[], end: number }} x, y and angle of each body; index of the list after them
  */
 function readPoses(frame) {
   const bodies = frame[0];
@@ -176,8 +176,8 @@ function readPoses(frame) {
 }
 
 /**
- * The name of a point, or a symbol with the value that it has in the very frame that is drawn.
- * @param {string} label a name, or a symbol and the read-out it is written with, a tab between them: no name has one
+ * Text of a label: the name of a point, or a symbol with its value in the drawn frame.
+ * @param {string} label a name, or a symbol and its read-out with a tab between them, which no name contains
  * @param {Snapshot} snapshot
  */
 function labelText(label, { frameInput, coordinate, readouts, words, state, withheld }) {

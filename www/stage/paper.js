@@ -1,11 +1,11 @@
-// What is under the drawing: squared paper with its scale and what does not move, painted once and then copied.
+// Background of the drawing: squared paper with its scale and the fixed shapes, painted once and then copied.
 
 /**
  * @typedef {import("assur/canvas/painter.js").Context} Context
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  */
 
-/** Squares of the paper are at least this wide, in pixels. */
+/** Least width of the squares, in pixels. */
 const SQUARE = 44;
 
 export class Backdrop {
@@ -21,8 +21,8 @@ export class Backdrop {
   /**
    * Covers a surface with the backdrop.
    * @param {import("assur/canvas/surface.js").Surface} surface
-   * @param {string} key of what is on it
-   * @param {() => void} paint called where it has to be painted anew
+   * @param {string} key key of the content
+   * @param {() => void} paint called to paint changed content
    */
   cover(surface, key, paint) {
     const { canvas } = this.context;
@@ -31,7 +31,7 @@ export class Backdrop {
     if (wanted !== this.#painted) {
       this.#painted = wanted;
       this.ratio = surface.ratio;
-      // A canvas is emptied and made anew by setting its size, even to what it was.
+      // Setting the size of a canvas, even to the same value, clears and reallocates it.
       if (canvas.width !== width) canvas.width = width;
       if (canvas.height !== height) canvas.height = height;
       this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
@@ -44,15 +44,15 @@ export class Backdrop {
 }
 
 /**
- * @param {number} scale pixels of a unit
- * @returns {number} how long the side of a square is: 1, 2 or 5 times a power of ten
+ * @param {number} scale pixels per unit of length
+ * @returns {number} length of the side of a square: 1, 2 or 5 times a power of ten
  */
 export function side(scale) {
   return roundUp(SQUARE / scale);
 }
 
 /**
- * Squares of a round size, and how long the side of one is.
+ * Paints squares of a round size, and a scale bar with the length of their side.
  * @param {Context} context
  * @param {import("assur/stage/figure.js").Size} size
  * @param {import("assur/canvas/transform.js").Transform} view
@@ -110,10 +110,10 @@ function paintScaleBar(context, height, length, text, theme, ratio) {
 }
 
 /**
- * A line along an axis whose edges lie between pixels of the screen: else a thin one is pale and twice as wide.
+ * Places a line along an axis with its edges between pixels of the screen: otherwise a thin line would be pale and twice as wide.
  * @param {number} width
  * @param {number} ratio device pixels per CSS pixel
- * @returns {{ width: number, at(place: number): number }} its width, and where it stands for a place
+ * @returns {{ width: number, at(place: number): number }} its width, and its position nearest to a place
  */
 function sharp(width, ratio) {
   const whole = Math.max(Math.round(width * ratio), 1) / ratio;
@@ -132,7 +132,7 @@ function roundUp(length) {
 /**
  * @param {number} value
  * @param {number} period
- * @returns {number} the remainder, never below zero
+ * @returns {number} the non-negative remainder
  */
 function positive(value, period) {
   return ((value % period) + period) % period;

@@ -1,4 +1,4 @@
-// Hands on the drawing: joints and traced points are dragged, empty paper is panned, the wheel and two fingers zoom.
+// Pointer input on the drawing: it drags joints and traced points, pans empty paper, and zooms with the wheel or two fingers.
 import { byId, setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
@@ -12,20 +12,20 @@ import { TRACERS, withView } from "assur/state/state.js";
  * @typedef {{
  *   hover(at: Place, event: PointerEvent): void, leave(): void, press(at: Place, event: PointerEvent): void,
  *   grab(at: Place, event: PointerEvent): Drag | null,
- * }} Hand that the pointer is lent to
+ * }} Hand that has the pointer instead of the joints
  */
 
-/** So near a joint a pointer takes it, in pixels. */
+/** Greatest distance at which a pointer takes a joint, in pixels. */
 const REACH = 18;
 const FINGER_REACH = 28;
 
-/** A pointer that goes no farther than this does not drag, but presses, in pixels. */
+/** Greatest movement of a press that is not a drag, in pixels. */
 const STILL = 4;
 
-/** One press of + or −. */
+/** Zoom factor of one press of + or −. */
 const STEP = 1.3;
 
-/** The wheel: zoom per pixel it would scroll; pixels of a line and of a page; more where a touch pad pinches. */
+/** The wheel: zoom per pixel of scrolling; pixels of a unit (pixel, line, page); factor for pinching on a touch pad. */
 const WHEEL = 0.0015;
 const WHEEL_UNIT = Object.freeze([1, 20, 400]);
 const PINCHED = 6;
@@ -37,18 +37,18 @@ export class MechanismPointer {
   #engine;
   #store;
   #model;
-  /** @type {Map<number, Place>} the pointers that are down */
+  /** @type {Map<number, Place>} pressed pointers */
   #pointers = new Map();
-  /** @type {{ name: Joint["name"], pressed: boolean, dx: number, dy: number, from: Place } | null} the joint in hand, whether it may still be only
-   * pressed, and where it was taken */
+  /** @type {{ name: Joint["name"], pressed: boolean, dx: number, dy: number, from: Place } | null} the joint under the pressed pointer, whether the press
+   * may still be no drag, and the place of the press */
   #taken = null;
-  /** Whether the next press puts a traced point. */
+  /** Whether the next press places a traced point. */
   #tracing = false;
   #draw = byId("draw", HTMLButtonElement);
   #trace = byId("trace", HTMLButtonElement);
-  /** @type {Hand | null} what has the pointer instead of the joints */
+  /** @type {Hand | null} the hand that has the pointer instead of the joints */
   #hand = null;
-  /** @type {{ from: Place, still: boolean, drag: Drag | null } | null} what it does */
+  /** @type {{ from: Place, still: boolean, drag: Drag | null } | null} its current press or drag */
   #work = null;
 
   /**
@@ -73,7 +73,7 @@ export class MechanismPointer {
     });
     canvas.addEventListener("dblclick", () => this.#hand ?? view.fit());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-    // A finger on the fitted drawing scrolls the page; on a joint, and with a second one, it does not.
+    // One finger scrolls the page over the fitted drawing, except from a joint; a second finger zooms.
     canvas.addEventListener("touchstart", (event) => this.#touch(event), { passive: false });
     byId("zoom-in", HTMLButtonElement).addEventListener("click", () => view.zoom(STEP));
     byId("zoom-out", HTMLButtonElement).addEventListener("click", () => view.zoom(1 / STEP));
@@ -82,8 +82,8 @@ export class MechanismPointer {
   }
 
   /**
-   * Takes up the tool that puts a traced point, or lays it down.
-   * @param {boolean} [on] the other of the two where it is not said
+   * Switches the tool that places a traced point.
+   * @param {boolean} [on] toggles if omitted
    */
   trace(on = !this.#tracing) {
     this.#tracing = on && !this.#trace.disabled;
@@ -91,7 +91,7 @@ export class MechanismPointer {
     setData(this.#canvas, "tracing", String(this.#tracing));
   }
 
-  /** @param {Hand | null} hand has the pointer from now on; null: the joints have it again */
+  /** @param {Hand | null} hand gets the pointer; null gives it back to the joints */
   lend(hand) {
     this.#hand = hand;
     this.#work = null;
@@ -132,7 +132,7 @@ export class MechanismPointer {
     this.#taken = { name: joint.name, pressed: joint.pressed, dx: left - at.x, dy: top - at.y, from: at };
     this.#view.hold();
     this.#show(joint.name);
-    // What is taken hold of stands still.
+    // Taking hold of a joint stops the motion.
     this.#store.update((state) => withView(state, { playing: false }));
   }
 
@@ -191,7 +191,7 @@ export class MechanismPointer {
     setData(this.#canvas, "hand", "closed");
   }
 
-  /** @param {string} name of a handle that is pressed, and not dragged */
+  /** @param {string} name of a handle that is pressed but not dragged */
   #press(name) {
     const change = attempt(() => this.#engine.press(name)).value;
     if (change) take(change, this.#page);
@@ -204,9 +204,9 @@ export class MechanismPointer {
   }
 
   /**
-   * Puts a traced point on the link next to a place.
+   * Places a traced point on the link nearest to a place.
    * @param {Place} at
-   * @returns {Joint | null} the point, in hand; null where there is no mechanism to put it on
+   * @returns {Joint | null} the point, ready to be dragged; null if there is no mechanism for it
    */
   #put(at) {
     const [x, y] = this.#view.view.toModel(at.x, at.y);
@@ -242,7 +242,7 @@ export class MechanismPointer {
   }
 
   /**
-   * Two fingers: the points under them stay under them.
+   * Zooms and pans with two fingers, keeping the points under them.
    * @param {number} moving
    * @param {Place} from
    * @param {Place} at
@@ -284,13 +284,13 @@ export class MechanismPointer {
   /**
    * @param {Place} at
    * @param {string} pointer
-   * @returns {Joint | null} the joint next to a pointer
+   * @returns {Joint | null} the joint nearest to a pointer within its reach
    */
   #near(at, pointer) {
     return this.#view.near(at, pointer === "touch" ? FINGER_REACH : REACH);
   }
 
-  /** @param {string} joint the joint under the pointer or in hand */
+  /** @param {string} joint name of the joint under the pointer or being dragged */
   #show(joint) {
     this.#view.ring(joint);
     setData(this.#canvas, "hand", this.#taken ? "closed" : joint ? "open" : "");

@@ -10,21 +10,21 @@ import { Backdrop } from "assur/stage/paper.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {readonly [number, number, number, number]} Edges of a part of the canvas: left, bottom, right, top, in its pixels
- * @typedef {{ name: string, role: string, pressed: boolean, x: number, y: number }} Joint a joint or a traced point in model coordinates; `pressed`: whether
- * something comes of pressing it without a drag
+ * @typedef {{ name: string, role: string, pressed: boolean, x: number, y: number }} Joint handle of a joint or a traced point, in model coordinates; `pressed`: whether
+ * pressing it without a drag has an effect
  * @typedef {(context: CanvasRenderingContext2D, view: Transform, theme: Theme) => void} Laid
  */
 
 /** Free room around the drawing, in pixels. */
 const MARGIN = 44;
 const SMALL_MARGIN = 36;
-/** A drawing whose shorter side has less is a small one. */
+/** Length below which the shorter side makes a drawing a small one, in pixels. */
 const SMALL = 320;
 
 /** Width and height of a picture of a stage that is not on the screen, in pixels. */
 const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 
-/** The least and the greatest share of the canvas for what is worked with. */
+/** Least and greatest share of the canvas for the bounds being worked on. */
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
 
@@ -41,11 +41,11 @@ export class MechanismView {
   /** @type {Snapshot | null} */
   #snapshot = null;
   #zoom = Zoom.NONE;
-  /** @type {readonly number[] | null} the bounds that stay fitted while the reader has zoomed */
+  /** @type {readonly number[] | null} bounds that stay fitted while the view is zoomed */
   #bounds = null;
-  /** @type {Transform | null} the view that stays while a joint is dragged */
+  /** @type {Transform | null} view kept during the drag of a joint */
   #held = null;
-  /** Whether the view stays though what is shown becomes larger, and the size of the canvas that it stays for. */
+  /** Whether the view is kept while the drawing grows, and the size of the canvas for which it is kept. */
   #kept = false;
   #keptSize = "";
   #inset = 0;
@@ -76,20 +76,20 @@ export class MechanismView {
     this.#draw();
   }
 
-  /** @param {Laid} paint what is painted over the mechanism, and in no exported picture */
+  /** @param {Laid} paint paints over the mechanism, but not in exported pictures */
   lay(paint) {
     this.#laid.push(paint);
   }
 
   /**
-   * @param {Laid} paint what is painted between the paper and the mechanism, and in no exported picture
-   * @param {() => readonly number[] | null} bounds of what is painted there: xmin, ymin, xmax, ymax
+   * @param {Laid} paint paints between the paper and the mechanism, but not in exported pictures
+   * @param {() => readonly number[] | null} bounds bounds of that painting: xmin, ymin, xmax, ymax
    */
   layUnder(paint, bounds) {
     this.#under.push({ paint, bounds });
   }
 
-  /** Paints what is there once more. */
+  /** Paints the current content again. */
   repaint() {
     this.#draw();
   }
@@ -105,8 +105,8 @@ export class MechanismView {
   /**
    * @param {{ x: number, y: number }} place on the canvas, in pixels
    * @param {number} reach pixels
-   * @param {string} [but] the name of one that is not meant
-   * @returns {Joint | null} the joint next to the place, if one is within reach
+   * @param {string} [but] name of a joint to leave out
+   * @returns {Joint | null} the nearest joint within reach
    */
   near({ x, y }, reach, but = "") {
     const { view } = this;
@@ -131,9 +131,9 @@ export class MechanismView {
   }
 
   /**
-   * What is saved and printed, without signs of a hand at it: the mechanism with free room around it, as large as on the screen;
-   * of what the reader has zoomed, what is on the screen.
-   * @param {number} [least] pixels of its width
+   * The picture to save and print, without marks of editing: the mechanism with free room around it in its size on the screen,
+   * or the visible part of a zoomed drawing.
+   * @param {number} [least] least width in pixels
    * @returns {import("assur/export/pictures.js").Picture}
    */
   cropped(least = 0) {
@@ -148,8 +148,8 @@ export class MechanismView {
   }
 
   /**
-   * The same for any places of the motion, one after another.
-   * @param {number} [least] pixels of its width
+   * The same picture for any places of the motion, one after another.
+   * @param {number} [least] least width in pixels
    * @returns {import("assur/export/pictures.js").Sheet}
    */
   sheet(least = 0) {
@@ -182,7 +182,7 @@ export class MechanismView {
   }
 
   /**
-   * Larger by a factor; a point of the canvas, its middle where none is given, stays.
+   * Magnifies the view about a point of the canvas, by default its middle.
    * @param {number} factor
    * @param {number} [left] pixels
    * @param {number} [top]
@@ -200,7 +200,7 @@ export class MechanismView {
     this.#look(this.view.moved(right, down));
   }
 
-  /** All of the mechanism, as large as there is room. */
+  /** Fits the whole mechanism to the canvas. */
   fit() {
     this.#zoom = Zoom.NONE;
     this.#bounds = null;
@@ -209,7 +209,7 @@ export class MechanismView {
   }
 
   /**
-   * Fits the view anew if the bounds are out of sight, or too small or too large to work with.
+   * Fits the view again if the bounds are out of sight, or too small or too large to work with.
    * @param {readonly number[]} bounds xmin, ymin, xmax, ymax
    */
   seek([xmin, ymin, xmax, ymax]) {
@@ -222,8 +222,8 @@ export class MechanismView {
   }
 
   /**
-   * @param {boolean} on whether the view stays where it is while something is drawn
-   * @param {number} inset pixels at the top of the canvas on which tools stand
+   * @param {boolean} on whether the view is kept while something is drawn
+   * @param {number} inset height of the tools at the top of the canvas, in pixels
    */
   keep(on, inset) {
     if (on === this.#kept) return;
@@ -233,7 +233,7 @@ export class MechanismView {
     if (!on) this.release();
   }
 
-  /** Keeps the view from following what is dragged. */
+  /** Keeps the view during a drag. */
   hold() {
     this.#held = this.view;
   }
@@ -244,7 +244,7 @@ export class MechanismView {
     this.#shown();
   }
 
-  /** @param {string} name of the joint to put a ring around; none if empty */
+  /** @param {string} name of the joint that gets a ring; empty for none */
   ring(name) {
     if (name === this.#ringed) return;
     this.#ringed = name;
@@ -281,7 +281,7 @@ export class MechanismView {
     return Transform.fit(this.#bounds ?? this.#whole, width, height - this.#inset, this.#margin).moved(0, this.#inset);
   }
 
-  /** @returns {readonly number[]} the bounds of the mechanism and of what lies under it; of an empty sheet, of that alone if there is something */
+  /** @returns {readonly number[]} bounds of the mechanism and of the paintings under it; on an empty sheet of those alone, if any */
   get #whole() {
     const { bounds = [0, 0, 1, 1], handles = [] } = this.#snapshot?.summary ?? {};
     const under = this.#under.flatMap(({ bounds: of }) => [of() ?? []]).filter((one) => one.length > 0);
@@ -297,7 +297,7 @@ export class MechanismView {
 
   /**
    * @param {Transform} view
-   * @returns {Edges} of the mechanism in all its poses, with the room around it
+   * @returns {Edges} bounds of the mechanism in all its poses, with a margin
    */
   #boundsOnScreen(view) {
     const [xmin, ymin, xmax, ymax] = this.#snapshot?.summary.bounds ?? [0, 0, 1, 1];
@@ -322,7 +322,7 @@ export class MechanismView {
     this.#figure.paintLabels(this.#surface, view, this.#surface, this.#small);
   }
 
-  /** A canvas of another size has another view. */
+  /** Keeps the view until the canvas changes its size. */
   #keep() {
     const { width, height } = this.#surface;
     const size = `${width}×${height}`;

@@ -1,4 +1,4 @@
-// The address bar: what is shown is in it, and Back returns to the mechanism before.
+// The address bar: it holds what is shown, and Back returns to the previous mechanism.
 import { LONGEST, toAddress } from "assur/state/codec.js";
 import { guarded } from "assur/state/storage.js";
 import { FURTHER, usualView } from "assur/state/state.js";
@@ -9,7 +9,7 @@ import { FURTHER, usualView } from "assur/state/state.js";
 
 /**
  * @param {string} address
- * @returns {string} what follows the # in it, or nothing
+ * @returns {string} the part after #, or an empty string
  */
 export function addressed(address) {
   return address.split("#").slice(1).join("#");
@@ -30,7 +30,7 @@ export class Address {
 
   /**
    * @param {State} state
-   * @returns {string} the whole address that shows it; a short one where it is a mechanism of the catalogue as it stands there
+   * @returns {string} full address of the state; short for an unchanged mechanism of the catalogue
    */
   link(state) {
     const preset = this.#presetOf(state);
@@ -58,7 +58,7 @@ export class Address {
   }
 
   /**
-   * Another mechanism has been chosen: Back leads to the one before.
+   * Adds another mechanism to the browser's history: Back returns to the one before.
    * @param {State} before
    * @param {State} now
    */
@@ -69,7 +69,7 @@ export class Address {
   }
 
   /**
-   * Whether its link can be opened again: a long lesson is for a file.
+   * Whether the link of a state is short enough to be opened; a long lesson needs a file.
    * @param {State} state
    */
   holds(state) {

@@ -1,18 +1,18 @@
-// What the engine changes, put into the state: fields of the document, and where the driver is.
+// Changes that the engine makes, put into the state: fields of the document, and the input.
 import { attempt } from "assur/core/problem.js";
 import { PARTS, edited, withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit of a document: what is asked of the engine,
- * with the input where it is drawn; the field where it stands why it is not done
+ * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit of a document: the request to the engine,
+ * given the drawn input; the field that shows the reason of a refusal
  * @typedef {Extract<keyof import("assur/state/state.js").Documents, "linkage" | "draft">} TracedKind
  */
 
 /**
  * @param {import("assur/engine.js").Changed} change
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
- * @returns {boolean} whether it was taken: a hand on a drawing that a refused state left behind changes nothing of a document of
+ * @returns {boolean} whether it was taken: dragging a drawing that a refused state left behind does not change a document of
  * another kind
  */
 export function take({ document, input }, { store, model, drafts }) {
@@ -22,16 +22,16 @@ export function take({ document, input }, { store, model, drafts }) {
     store.update((state) => withDocument(state, document));
   }
   if (input === undefined) return true;
-  // The place is one of the motion that is now.
+  // The input belongs to the motion of the new document.
   model.follow(store.get());
   store.update((state) => model.coordinate.put(state, model.coordinate.place(input)));
   return true;
 }
 
 /**
- * Takes what the engine is asked to change, or says why it does not.
- * @param {() => import("assur/engine.js").Changed} asked of the engine, which knows the state
- * @param {string} field where it stands why it is not done
+ * Takes a change from the engine, or shows the reason of its refusal.
+ * @param {() => import("assur/engine.js").Changed} asked request to the engine, which already has the state
+ * @param {string} field that shows the reason of a refusal
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
  */
 export function change(asked, field, page) {
@@ -56,7 +56,7 @@ export function placeTraced(store, name, axis, value) {
 }
 
 /**
- * Where the driver is, for the engine, which then knows the state.
+ * The current input, for the engine, which then has the state.
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model">} page
  * @returns {number}
  */
@@ -67,12 +67,12 @@ export function inputNow({ store, model }) {
 }
 
 /**
- * Puts another document in the place of the one there is, in one step of undo.
+ * Replaces the document by another, in one step of undo.
  * @param {State["kind"]} kind
  * @param {State["document"]} document of that kind
- * @param {readonly Edit[]} edits what the engine makes other in it
- * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look how it is looked at, by what the engine says of it
- * if it takes it
+ * @param {readonly Edit[]} edits changes that the engine makes to it
+ * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look its view, by the engine's summary, which
+ * is null if the engine refuses it
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts" | "history" | "mechanism">} page
  */
 export function choose(kind, document, edits, look, page) {
@@ -84,7 +84,7 @@ export function choose(kind, document, edits, look, page) {
       model.follow(store.get());
       change(() => asked(model.home), field, page);
     }
-    // The driver of another mechanism may not go where this one's stands.
+    // The previous input may lie outside the range of the new driver.
     model.follow(store.get());
     const { coordinate, home } = model;
     if (!model.placed) store.update((state) => coordinate.put(state, coordinate.place(home)));

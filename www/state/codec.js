@@ -1,4 +1,4 @@
-// How the state travels: in an address and in a file. Only the wrapping is read here; what is in it the engine checks.
+// The state as an address and as a file. Only the wrapping is read here; the engine checks the content.
 import { Refusal } from "assur/core/problem.js";
 import { contains } from "assur/state/state.js";
 
@@ -7,32 +7,32 @@ import { contains } from "assur/state/state.js";
  */
 
 /**
- * The version of the address: `#2&kind=mixer&d.l1=0.37&…&v.phi_deg=62`. A value is JSON, or else text. Older versions, by
- * the name that the kind had in them, are read for ever; tests/links.txt holds links of each. A mechanism of the
- * catalogue that nothing was changed in has its name instead, and of the view what is unusual: `#jansen&v.speed=2`.
+ * Version of the address: `#2&kind=mixer&d.l1=0.37&…&v.phi_deg=62`. A value is JSON, or else text. Older versions, each
+ * with its own name for the kind, are read for ever; tests/links.txt holds links of each. An unchanged mechanism of the
+ * catalogue is written as its name, followed by the unusual fields of the view: `#jansen&v.speed=2`.
  */
 const VERSION = "2";
 const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({ 1: "lesson", [VERSION]: "kind" }));
-/** What of a state an address has besides document and view: a picture is for files. In the first version the kind was called `lesson`. */
+/** Parts of a state in an address besides document and view; a picture is for files. The first version had the kind under `lesson`. */
 const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
-/** Longer and deeper ones are none of ours. A file may have an image besides, of which the engine says whether it is too long. */
+/** Limits of length and depth of a state. A file may also have an image, whose length the engine checks. */
 export const LONGEST = 400_000;
 const DEEPEST = 12;
 
-/** Where the driver stands: left out of a short address while it moves. */
+/** Fields of the input, left out of a short address in motion. */
 const PLACES = Object.freeze(["phi_deg", "s", "t"]);
 
-/** @returns {Refusal} the address is no state, whatever is in it */
+/** @returns {Refusal} refusal of an address that is no state */
 function unreadable() {
   return new Refusal([{ code: "unreadable_link" }]);
 }
 
 /**
  * @param {State} state
- * @param {{ id: string, usual: State["view"] } | null} preset of the catalogue that the document is, with the view that is left out
- * @returns {string} what follows the # of an address
+ * @param {{ id: string, usual: State["view"] } | null} preset the document's mechanism in the catalogue, with the usual view, which is left out
+ * @returns {string} the part of an address after #
  */
 export function toAddress(state, preset) {
   const { kind, document, view } = state;
@@ -53,7 +53,7 @@ function pairs(part, values) {
 }
 
 /**
- * @param {string} hash what follows the #
+ * @param {string} hash the part of an address after #
  * @param {(id: string) => { kind: string, document: unknown, view: object } | undefined} preset of the catalogue, with the usual view
  * @returns {unknown} for the engine to check
  */
@@ -75,7 +75,7 @@ export function fromAddress(hash, preset) {
   const own = (/** @type {readonly (string | undefined)[]} */ names) => Object.fromEntries(entries.filter(([key]) => names.includes(key)));
   const [document, view] = [part(PREFIXES.document), part(PREFIXES.view)];
   if (whole) {
-    // Else what is said of the document would be passed over.
+    // Parameters of the document would be ignored silently.
     if (Object.keys(document).length > 0) throw unreadable();
     return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(FURTHER) }, unreadable());
   }
@@ -84,7 +84,7 @@ export function fromAddress(hash, preset) {
 
 /**
  * @param {State} state
- * @returns {string} what a file holds
+ * @returns {string} content of a file
  */
 export function toFile(state) {
   return `${JSON.stringify(state, null, 2)}\n`;
@@ -139,7 +139,7 @@ function parsed(text) {
 
 /**
  * @param {unknown} value
- * @param {Refusal} deep of one that is too deep
+ * @param {Refusal} deep refusal of a value that is too deep
  * @returns {unknown} the value itself
  */
 function shallow(value, deep) {

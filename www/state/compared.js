@@ -1,4 +1,4 @@
-// Mechanism A, with which the one that is shown, B, is compared: a simulator of its own at the same input. It stays as it is.
+// Mechanism A, compared with the shown mechanism B. It has its own simulator at the same input and is never edited.
 import { Seen } from "assur/core/seen.js";
 import { PARTS, initialState, withView } from "assur/state/state.js";
 
@@ -7,17 +7,17 @@ import { PARTS, initialState, withView } from "assur/state/state.js";
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/pkg/assur_web.js").Simulator} Simulator
  * @typedef {{ scene: Float32Array, labels: readonly string[], revision: number, frame: Float64Array, readouts: import("assur/engine.js").Readouts | null }} Beside
- * A at an input: what the drawing of B has as well; `revision` counts the mechanisms that were A
+ * mechanism A at an input, with the same data as the drawing of B; `revision` counts the mechanisms that were A
  */
 
-/** What of the view A shares with B: what is plotted and read, and by what. */
+/** Fields of the view that A shares with B: quantities plotted and read, and the input rate. */
 const SHARED = Object.freeze(/** @type {const} */ (["traces", "measures", "plot", "against", "axes", "omega", "omega_unit", "epsilon", "true_time"]));
 
-/** Of mechanisms that go by these inputs one can be beside the other. */
+/** Inputs of mechanisms that can be compared. */
 const INPUTS = Object.freeze(["angle", "length"]);
 
 /**
- * Frees a simulator. One whose call trapped cannot be freed: it counts as borrowed for ever.
+ * Frees a simulator. One that trapped cannot be freed: it stays borrowed for ever.
  * @param {Simulator} simulator
  */
 export function discard(simulator) {
@@ -29,9 +29,9 @@ export function discard(simulator) {
 }
 
 export class Compared {
-  /** @type {Simulator | null} with A, where it can be shown */
+  /** @type {Simulator | null} simulator of A, if A can be shown */
   simulator = null;
-  /** Whether its simulator has trapped: the instance of the engine is of no use any more. */
+  /** Whether A's simulator has trapped, which makes the instance of the engine unusable. */
   broken = false;
   #newSimulator;
   #seen = new Seen();
@@ -41,7 +41,7 @@ export class Compared {
   #drawn = { scene: new Float32Array(), labels: [], revision: 0 };
   /** @type {readonly string[]} */
   #names = [];
-  /** Whether both go by inputs of one sort. */
+  /** Whether A and B have the same kind of input. */
   #alike = false;
 
   /** @param {() => Simulator} newSimulator */
@@ -52,7 +52,7 @@ export class Compared {
   /**
    * @param {State} state
    * @param {Summary} summary of B
-   * @returns {Summary} the same, of a drawing that has room for A
+   * @returns {Summary} the summary with bounds that also contain A
    */
   follow(state, summary) {
     const { compared, view } = state;
@@ -65,7 +65,7 @@ export class Compared {
     return { ...summary, bounds: [Math.min(left, ofLeft), Math.min(bottom, ofBottom), Math.max(right, ofRight), Math.max(top, ofTop)] };
   }
 
-  /** @returns {Simulator | null} with A, where it is shown */
+  /** @returns {Simulator | null} simulator of A, if A is shown */
   get shown() {
     return this.#alike ? this.simulator : null;
   }
@@ -73,7 +73,7 @@ export class Compared {
   /**
    * @param {number} input
    * @param {import("assur/engine.js").Engine} engine
-   * @returns {Beside | null} none where A is not shown, or cannot be assembled
+   * @returns {Beside | null} null if A is not shown or cannot be assembled
    */
   at(input, engine) {
     const simulator = this.shown;
@@ -88,14 +88,14 @@ export class Compared {
     }
   }
 
-  /** Shows A no more until another one comes. */
+  /** Hides A until another A is chosen. */
   hide() {
     this.broken = false;
     this.simulator = null;
     this.#summary = null;
   }
 
-  /** Its simulator is gone with the instance of the engine: A is taken anew with the next state. */
+  /** Forgets A's simulator, lost with the instance of the engine: the next state makes another. */
   takeAnew() {
     this.hide();
     this.#seen = new Seen();
@@ -107,7 +107,7 @@ export class Compared {
     if (!compared) return;
     const shared = Object.fromEntries(SHARED.map((name) => [name, view[name]]));
     const state = initialState(compared.kind, compared.document, shared);
-    // A may lack what is plotted or measured of B.
+    // A may lack quantities plotted or measured on B.
     for (const wanted of [state, withView(state, PARTS)]) {
       if (this.broken) return;
       const simulator = this.#newSimulator();
@@ -125,8 +125,8 @@ export class Compared {
   }
 
   /**
-   * Notes that its simulator broke, if it did.
-   * @param {unknown} thrown problems, or by a trap
+   * Notes whether A's simulator broke.
+   * @param {unknown} thrown problems, or the exception of a trap
    */
   #noteBreak(thrown) {
     if (Array.isArray(thrown)) return;

@@ -1,5 +1,5 @@
-// The input of the motion as readers meet it: the angle of a crank in degrees, how far a slide has come, or time in seconds. The
-// engine has radians, the unit of the lengths, seconds.
+// The input of the motion in the reader's unit: the angle of a crank in degrees, the travel of a slide, or time in seconds. The
+// engine's units are radians, the unit of lengths, and seconds.
 import { degrees, radians } from "assur/core/angles.js";
 import { subscript } from "assur/core/symbols.js";
 import { measured } from "assur/core/units.js";
@@ -10,26 +10,26 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/state.js").State} State
  */
 
-/** What moves: the place of its input in the view and its letter with those of its rates. An angle has the number of its link. */
+/** Kinds of input: the field of the view, the symbol and the symbols of the rates. An angle also has the number of its link. */
 const SORTS = Object.freeze({
   angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ", rates: Object.freeze(["ω", "ε"]) }),
   length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v", "a"]) }),
   time: Object.freeze({ field: /** @type {const} */ ("t"), symbol: "t", rates: Object.freeze(["", ""]) }),
 });
 
-/** At speed 1 a crank turns once, and a slide goes there and back, in so many seconds. */
+/** Seconds in which, at speed 1, a crank turns once and a slide goes there and back. */
 const PERIOD = 6;
 
-/** A slide's way, and a span of time, is gone in about so many small steps. */
+/** Number of small steps in the travel of a slide or in a span of time. */
 const STEPS = 100;
 
-/** The longest time, in seconds, as the engine takes it. */
+/** The longest time that the engine takes, in seconds. */
 const LONGEST = 1e6;
 
-/** So small a part of a time nobody sees. */
+/** Invisible fraction of a span of time. */
 const HAIR = 1e-9;
 
-/** The fields of the view that hold an input, whatever moves. */
+/** Fields of the view that hold an input of any kind. */
 export const FIELDS = Object.freeze(Object.values(SORTS).map(({ field }) => field));
 
 export class Coordinate {
@@ -40,8 +40,8 @@ export class Coordinate {
 
   /**
    * @param {"angle" | "length" | "time"} moves
-   * @param {import("assur/engine.js").Cycle} cycle where the input goes, in the engine's unit
-   * @param {string} [number] by which it is called
+   * @param {import("assur/engine.js").Cycle} cycle range of the input, in the engine's unit
+   * @param {string} [number] number of the link in the symbol
    */
   constructor(moves, cycle, number = "1") {
     this.moves = moves;
@@ -51,7 +51,7 @@ export class Coordinate {
     this.#number = subscript(number);
   }
 
-  /** The field of the view that holds it. */
+  /** Field of the view that holds the input. */
   get field() {
     return this.#sort.field;
   }
@@ -60,14 +60,14 @@ export class Coordinate {
     return this.#sort.symbol + (this.#turns ? this.#number : "");
   }
 
-  /** The symbols of its velocity and its acceleration. */
+  /** Symbols of the velocity and the acceleration of the input. */
   get rates() {
     return this.#sort.rates.map((letter) => letter + this.#number);
   }
 
   /**
-   * The ends of its axis, as readers count. Time that goes on and on has one span after the other.
-   * @param {number} place as readers count
+   * Ends of the axis of the input, in the reader's unit. Unlimited time is shown span after span.
+   * @param {number} place in the reader's unit
    */
   axis(place) {
     const [start, end] = [this.#cycle.start, this.#cycle.end].map((input) => this.place(input));
@@ -77,22 +77,22 @@ export class Coordinate {
   }
 
   /**
-   * The last place of the axis that shows a place: where time goes on, the next span begins at the end of the axis.
-   * @param {number} place as readers count
+   * Last place on the same axis as a place. The end of an axis of unlimited time belongs to the next span.
+   * @param {number} place in the reader's unit
    */
   last(place) {
     const { end } = this.axis(place);
     return this.#goesOn ? end * (1 - HAIR) : end;
   }
 
-  /** A small step by hand, as readers count. */
+  /** Small step by hand, in the reader's unit. */
   get step() {
     return this.#turns ? 1 : 10 ** Math.round(Math.log10(this.#way / STEPS));
   }
 
   /**
-   * How fast it goes, in the engine's unit per second. In real time the driver moves with ω₁ alone: ε₁ is what it has at the
-   * instant, it does not hasten.
+   * Speed of the input in playback, in the engine's unit per second. In real time it is the constant ω₁: ε₁ is the
+   * acceleration at this instant only.
    * @param {State["view"]} view
    */
   pace({ true_time: trueTime, omega, speed }) {
@@ -111,15 +111,15 @@ export class Coordinate {
 
   /**
    * @param {number} input of the engine
-   * @returns {number} as readers count
+   * @returns {number} in the reader's unit
    */
   place(input) {
     return this.#turns ? degrees(input) : input;
   }
 
   /**
-   * @param {number} place as readers count
-   * @returns {number} for the engine
+   * @param {number} place in the reader's unit
+   * @returns {number} in the engine's unit
    */
   input(place) {
     return this.#turns ? radians(place) : place;
@@ -127,7 +127,7 @@ export class Coordinate {
 
   /**
    * @param {State} state
-   * @returns {number} where its input is on the axis, as readers count. Both ends of the axis stay as they are.
+   * @returns {number} place of the input on the axis, in the reader's unit; both ends of the axis are kept
    */
   of({ view }) {
     return this.onto(view[this.field]);
@@ -135,8 +135,8 @@ export class Coordinate {
 
   /**
    * @param {State} state
-   * @param {number} place as readers count
-   * @returns {State} with the input there; a slide stops at the ends of its way, time at 0 and at the end of a run
+   * @param {number} place in the reader's unit
+   * @returns {State} the state with the input there; a slide stops at the ends of its travel, time at 0 and at the end of a run
    */
   put(state, place) {
     const wanted = this.moves === "time" ? Math.min(place, LONGEST) : place;
@@ -148,14 +148,14 @@ export class Coordinate {
   /**
    * @param {number} input of the engine
    * @param {Words} words
-   * @param {number} decimals of an angle; of a length as many of its way
+   * @param {number} decimals of an angle; a length is as precise in proportion to its travel
    */
   text(input, words, decimals) {
     return this.written(this.place(input), words, decimals);
   }
 
   /**
-   * @param {number} place as readers count
+   * @param {number} place in the reader's unit
    * @param {Words} words
    * @param {number} decimals
    */
@@ -164,7 +164,7 @@ export class Coordinate {
   }
 
   /**
-   * As {@link written}, without zeros at the end.
+   * As {@link written}, without trailing zeros.
    * @param {number} input of the engine
    * @param {Words} words
    * @param {number} decimals
@@ -174,9 +174,9 @@ export class Coordinate {
   }
 
   /**
-   * @param {number} place as readers count
+   * @param {number} place in the reader's unit
    * @param {Words} words
-   * @returns {string} with all its digits, to be typed over
+   * @returns {string} the place with all its digits, for editing
    */
   exact(place, { numbers }) {
     return numbers.exact(place) + (this.#turns ? "°" : "");
@@ -185,7 +185,7 @@ export class Coordinate {
   /**
    * @param {number} count
    * @param {Words} words
-   * @returns {string} a turn, or a slide's way, divided into so many parts
+   * @returns {string} a turn, or the travel of a slide, divided by the count
    */
   share(count, words) {
     const part = this.#turns ? words.numbers.upTo(360 / count, 1) : words.numbers.upTo(this.#way / count, this.moves === "time" ? 5 : this.#decimals(5));
@@ -195,7 +195,7 @@ export class Coordinate {
   /**
    * @param {number} one
    * @param {number} other input of the engine
-   * @returns {boolean} whether nobody sees a difference: half a degree, or a part of a slide's way or of a span of time
+   * @returns {boolean} whether the difference is invisible: less than half a degree, or than a small part of the travel or span
    */
   near(one, other) {
     if (!this.#turns) return Math.abs(one - other) < this.#way / (2 * STEPS);
@@ -217,7 +217,7 @@ export class Coordinate {
   }
 
   /**
-   * @param {number} place as readers count
+   * @param {number} place in the reader's unit
    * @returns {number} the same place on the axis
    */
   onto(place) {

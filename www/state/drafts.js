@@ -1,6 +1,6 @@
-// What stands in number fields and is not in the state: no number yet, or one that is refused. Kept until it is one that is taken.
+// Contents of number fields that are not in the state: no number yet, or a refused one. They are kept until the field is valid.
 
-/** The field of where the driver is, whatever it is counted in. */
+/** Name of the field of the input, in any unit. */
 export const INPUT = "input";
 
 /** @typedef {import("assur/core/problem.js").Problem} Problem */
@@ -17,7 +17,7 @@ export class Drafts {
 
   /**
    * @param {string} field
-   * @param {readonly Problem[]} [problems] why it is not taken
+   * @param {readonly Problem[]} [problems] reasons of the refusal
    */
   keep(field, problems = [{ code: "not_a_number", field }]) {
     this.#problems.set(field, problems);

@@ -1,4 +1,4 @@
-// Undo and redo: a list of what the mechanism was. A step is what a person takes for one.
+// Undo and redo: a list of earlier mechanisms. A step is what a person regards as one change.
 import { whenReleased } from "assur/core/released.js";
 import { partOf } from "assur/state/drafts.js";
 import { FURTHER, UNDONE, furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
@@ -6,18 +6,18 @@ import { FURTHER, UNDONE, furtherOf, withFurther, withMechanism, withView } from
 /**
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<{ kind: State["kind"], document: State["document"], further: import("assur/state/state.js").Further, shown: Partial<State["view"]> }>} Moment
- * What is undone. Where the crank stands, playing, speed and language are not: they lose nothing.
+ * What undo restores. Input, playing, speed and language are not undone: a change of them loses nothing.
  */
 
 /**
- * Each of these ends a step; what changes between two of them (a drag, a typed number) is one. A drag ends with the next
- * press: the last movement of a slider may be told after the finger is lifted.
+ * Events that end a step; all changes between two of them (a drag, a typed number) are one step. A drag ends with the next
+ * press: a slider may report its last movement after the release.
  */
 const ENDS = Object.freeze(["change", "focusout", "click", "pointerdown"]);
 
-/** More steps than anybody goes back. */
+/** Limit of the number of steps. */
 const MOST = 1000;
-/** Characters of all images in them: each may have two million. */
+/** Limit of characters in all images of the steps: one may have two million. */
 const IMAGES = 20_000_000;
 
 export class History {
@@ -25,12 +25,12 @@ export class History {
   #past = [];
   /** @type {Moment[]} */
   #future = [];
-  /** Whether what changes now belongs to the step before. */
+  /** Whether the next change belongs to the previous step. */
   #open = false;
   #walking = false;
-  /** @type {readonly string[]} fields whose number was rejected while the last step was made: it is undone with the step */
+  /** @type {readonly string[]} fields with a number rejected during the last step, undone with the step */
   #within = [];
-  /** Whether a pointer has changed, or changes, something. */
+  /** Whether a pointer has been pressed since the last key. */
   #pointed = false;
   /** @type {HTMLInputElement | null} the slider under a pressed pointer */
   #slid = null;
@@ -53,19 +53,19 @@ export class History {
     for (const end of ENDS) {
       addEventListener(end, ({ target }) => {
         const slider = target instanceof HTMLInputElement && target.type === "range" ? target : null;
-        // A slider moved by keys changes at every press: they are one step until the focus leaves it.
+        // Key presses on a slider, each with an event `change`, are one step until the focus leaves it.
         const pressed = end === "change" && slider;
         if (end === "pointerdown") {
           this.#pointed = true;
           this.#slid = slider;
         }
-        // Firefox moves a slider that is pressed before the focus leaves what had it.
+        // Firefox moves a pressed slider before the focus leaves the previous element.
         const left = this.#slid !== null && slider !== this.#slid;
         if (!pressed && !left) this.close();
       }, true);
     }
     whenReleased(() => (this.#slid = null));
-    // Keys after a drag are another step.
+    // Keys after a drag begin another step.
     addEventListener("keydown", () => {
       if (this.#pointed) this.close();
       this.#pointed = false;
@@ -80,30 +80,30 @@ export class History {
     return this.#future.length > 0;
   }
 
-  /** Whether a change of now is one of undo or redo. */
+  /** Whether undo or redo is making the current change. */
   get walking() {
     return this.#walking;
   }
 
-  /** What changes next is a step of its own. */
+  /** Ends the step: the next change begins another. */
   close() {
     if (this.#open) this.#within = this.#rejected();
     this.#open = false;
   }
 
-  /** @returns {string[]} fields of the document in which a number stands that was rejected */
+  /** @returns {string[]} fields of the document with a rejected number */
   #rejected() {
     const { document } = this.#store.get();
     return this.#drafts.fields().filter((field) => partOf(field) in document);
   }
 
-  /** What changes next belongs to the step before. */
+  /** Joins the next change to the previous step. */
   join() {
     this.#open = true;
   }
 
   /**
-   * A change that is a step of its own, whatever is being edited.
+   * Makes a change a step of its own, whatever is being edited.
    * @param {() => void} change
    */
   step(change) {
@@ -113,13 +113,13 @@ export class History {
     this.close();
   }
 
-  /** @param {Moment} one that can be gone back to; the oldest are dropped */
+  /** @param {Moment} one moment to return to; the oldest moments are dropped */
   #add(one) {
     this.#past.push(one);
     while (this.#past.length > MOST || imagesOf(this.#past) > IMAGES) this.#past.shift();
   }
 
-  /** A number that was rejected after the last step is undone first. */
+  /** Undoes the last step, or first a number that was rejected after it. */
   undo() {
     this.close();
     const later = this.#rejected().filter((field) => !this.#within.includes(field));
@@ -162,7 +162,7 @@ function moment(state) {
 
 /**
  * @param {readonly Moment[]} moments
- * @returns {number} characters of all images in them: steps that have the same picture share its image
+ * @returns {number} characters of all images in them: steps with the same picture share its image
  */
 function imagesOf(moments) {
   const images = new Set(moments.map(({ further }) => further.picture?.image ?? ""));

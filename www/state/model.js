@@ -1,4 +1,4 @@
-// From the state to everything that is shown: asks the engine only for what a change makes necessary.
+// From the state to all that is shown. The engine is asked only for what a change requires.
 import { attempt } from "assur/core/problem.js";
 import { Coordinate, FIELDS } from "assur/state/coordinate.js";
 import { partOf } from "assur/state/drafts.js";
@@ -37,20 +37,20 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  *   legible: boolean,
  *   withheld: ReadonlySet<string>,
  * }} Shown
- * What the views draw. `place` is where the input is on its axis, as readers count, `input` the same for the engine; `revision` counts
- * the mechanisms taken; `frameInput` is the input of the last drawing; `handles` x and y of those of the summary in it; `readouts` and `plotted` are null where there are none at this
- * angle; `compared` is mechanism A there, where it can be assembled, `compares` whether it is shown at all; `stale`: mechanism and plots are not those of the state (it has problems); `faded`: the drawing is not
- * that of the angle either way; `legible`: numbers are to be written now (in motion that is not every frame);
- * `withheld`: read-outs, by their ids, that are not written because a lesson asks for them.
+ * What the views draw. `place`: the input on its axis, in the reader's unit, `input` in the engine's unit; `revision`: count of the
+ * mechanisms taken; `frameInput`: the input of the last drawing, `handles`: x and y of the summary's handles in it; `readouts` and `plotted`:
+ * null if there are none at this input; `compared`: mechanism A there, if it can be assembled, `compares`: whether A is shown; `stale`: the
+ * mechanism and plots are not those of the state, which has problems; `faded`: the drawing is stale or not at this input; `legible`: numbers
+ * are to be written now (in motion not in every frame); `withheld`: ids of the read-outs that are hidden because a lesson asks for them.
  */
 
 /**
- * The kinds of what moves.
+ * Kinds of documents that move.
  * @typedef {{ [K in Kind]: import("assur/engine.js").Summaries[K] extends { moves: null } ? never : K }[Kind]} Moving
  */
 
 /**
- * The mechanism that is drawn: its kind, and what the engine says of its motion.
+ * The drawn mechanism: its kind and the engine's summary.
  * @template {Kind} [K=Moving]
  * @typedef {K extends Kind ? { kind: K, summary: import("assur/engine.js").Summaries[K] } : never} Drawn
  */
@@ -60,15 +60,15 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * @typedef {Shown & Drawn<K>} Snapshot
  */
 
-/** @typedef {Snapshot<Kind>} AnySnapshot also of what does not move */
+/** @typedef {Snapshot<Kind>} AnySnapshot snapshot also of a document that does not move */
 
 /**
- * Where the mechanism that is drawn is of the state's own kind.
+ * Snapshot in which the drawn mechanism is of the state's own kind.
  * @template {Kind} K
  * @typedef {Snapshot<K> & { state: State<K> }} OwnSnapshot
  */
 
-/** What does not move has an input that nobody sees. */
+/** Hidden input of a document that does not move. */
 const STILL = Object.freeze({ moves: /** @type {const} */ ("angle"), input: "1", cycle: { start: 0, end: 2 * Math.PI, full: true, arcs: [] }, home: 0 });
 
 const TRAPPED = Object.freeze({ code: "trapped" });
@@ -79,7 +79,7 @@ function notTrapped(problem) {
 }
 
 export class Model {
-  /** @type {ReadonlySet<string>} read-outs that are not written because a lesson asks for them */
+  /** @type {ReadonlySet<string>} read-outs that are hidden because a lesson asks for them */
   withheld = new Set();
   #engine;
   #drafts;
@@ -88,7 +88,7 @@ export class Model {
   /** @type {State} */
   #good;
   #revision = 0;
-  /** Of which mechanism the last place is, by its revision. */
+  /** Revision of the mechanism of the last place. */
   #placed = 0;
   /** @type {Drawn<Kind>} */
   #drawn;
@@ -97,9 +97,9 @@ export class Model {
   /** @type {import("assur/engine.js").Here} the last place that could be drawn */
   #here;
   #frameInput;
-  /** How the input is counted. */
+  /** Unit and range of the input. */
   #coordinate;
-  /** By which share of its way what was cut last has fallen open, of what does not move. */
+  /** Share of the way by which the last cut has opened, for documents that do not move. */
   #opened = 1;
   /** @type {Readouts | null} */
   #readouts = null;
@@ -138,22 +138,22 @@ export class Model {
     return this.#drawn.summary;
   }
 
-  /** @returns {Kind} of what is drawn: while a state is refused that may be another than the state's */
+  /** @returns {Kind} kind of the drawn document; it may differ from the kind of a refused state */
   get kind() {
     return this.#drawn.kind;
   }
 
-  /** The input of the drawing as it is saved, for the engine. */
+  /** The drawn input, for the engine. */
   get home() {
     return (this.summary.moves ? this.summary : STILL).home;
   }
 
-  /** How the input of what is drawn is counted. */
+  /** Unit and range of the input of the drawn mechanism. */
   get coordinate() {
     return this.#coordinate;
   }
 
-  /** @returns {State} the state asked about, or the last the engine took before it */
+  /** @returns {State} the last state that the engine took */
   get good() {
     return this.#good;
   }
@@ -164,7 +164,7 @@ export class Model {
   }
 
   /**
-   * Whether the engine takes a state, which may be newer than what was drawn last.
+   * Whether the engine takes a state, which may be newer than the drawn one.
    * @param {State} state
    */
   takes(state) {
@@ -172,18 +172,18 @@ export class Model {
     return this.sound;
   }
 
-  /** Whether the state plots, or is about, what the mechanism has not. */
+  /** Whether the state refers to a quantity or a part that the mechanism lacks. */
   get astray() {
     return this.#refused.some(({ code, field }) => code === "unknown_choice" && field !== undefined && Object.hasOwn(PARTS, field));
   }
 
-  /** Whether the mechanism can be assembled where its driver is now. */
+  /** Whether the mechanism can be assembled at the current input. */
   get placed() {
     return this.#unplaced.length === 0;
   }
 
   /**
-   * Lets what was cut last fall open by a share of its way.
+   * Opens the last cut by a share of its way.
    * @param {number} share
    */
   fallOpen(share) {
@@ -192,7 +192,7 @@ export class Model {
   }
 
   /**
-   * Brings everything up to a state.
+   * Updates everything to a state.
    * @param {State} state
    */
   follow(state) {
@@ -212,7 +212,7 @@ export class Model {
    * @returns {AnySnapshot}
    */
   snapshot(state, words, legible) {
-    // What is typed takes the place of what the state still holds.
+    // A typed value hides the problem of the value that the state still has.
     const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
     const drafted = this.#drafts.problems;
     const stale = this.#refused.length > 0 || this.#drafts.fields().some((field) => partOf(field) in state.document);
@@ -270,7 +270,7 @@ export class Model {
     this.#readouts = here?.readouts ?? null;
     this.#plotted = here?.plotted ?? null;
     this.#compared = this.#engine.compared(input);
-    // Where there is none the last place stays, unless it is that of another mechanism.
+    // Without a place the last one stays, unless it belongs to another mechanism.
     if (!here && this.#placed === this.#revision) return;
     this.#here = here ?? this.#engine.at(this.home);
     this.#frameInput = here ? input : this.home;

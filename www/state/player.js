@@ -1,4 +1,4 @@
-// Moving the driver: by time, by hand, by steps.
+// Motion of the driver: in time, by hand, in steps.
 import { attempt } from "assur/core/problem.js";
 import { withView } from "assur/state/state.js";
 
@@ -7,12 +7,12 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/model.js").Model} Model
  */
 
-/** Time moves the driver. Where it has to turn back it does so by itself: the direction that a reader has chosen stays theirs. */
+/** Motion of the driver in time. The driver turns back by itself where it must; the direction chosen by the reader is kept. */
 export class Player {
-  /** 1 while it goes as the reader has said, −1 on the way back. */
+  /** 1 in the direction chosen by the reader, −1 on the way back. */
   #sense = 1;
 
-  /** Another mechanism goes as the reader has said. */
+  /** Starts another mechanism in the direction chosen by the reader. */
   begin() {
     this.#sense = 1;
   }
@@ -28,7 +28,7 @@ export class Player {
   played(state, dt, engine, model) {
     const { view } = state;
     if (!view.playing) return state;
-    // Where nothing can be assembled there is no motion to go on with: it starts at home.
+    // A pose that cannot be assembled has no motion to continue: it starts at the drawn input.
     const { coordinate } = model;
     const from = model.placed ? coordinate.input(coordinate.of(state)) : model.home;
     const moved = attempt(() => engine.advance(from, this.#sense * view.direction * coordinate.pace(view) * dt));
@@ -39,9 +39,9 @@ export class Player {
 }
 
 /**
- * The driver put to a place by hand; it stays there.
+ * The state with the driver put to a place by hand, where it stays.
  * @param {State} state
- * @param {number} place as readers count
+ * @param {number} place in the reader's unit
  * @param {Model} model
  * @returns {State}
  */

@@ -1,8 +1,8 @@
-// The shape of the state and the few ways to change it. Plain JSON: it can be saved, sent and undone.
+// Shape of the state and the few ways to change it. It is plain JSON: it can be saved, sent and undone.
 
 /**
  * @template T
- * @typedef {T extends object ? { readonly [K in keyof T]: Frozen<T[K]> } : T} Frozen what nobody changes in place
+ * @typedef {T extends object ? { readonly [K in keyof T]: Frozen<T[K]> } : T} Frozen value that is never changed in place
  */
 
 /**
@@ -19,8 +19,8 @@
 
 /**
  * @typedef {Frozen<import("assur/types/file.js").PictureDocument>} Picture behind the drawing
- * @typedef {Readonly<{ lesson?: Written, compared?: Document, picture?: Picture }>} Further what a state may have besides its document: a lesson about it; what it
- * is compared with, mechanism A; a picture behind the drawing
+ * @typedef {Readonly<{ lesson?: Written, compared?: Document, picture?: Picture }>} Further optional parts of a state besides its document: a lesson about it;
+ * mechanism A, with which it is compared; a picture behind the drawing
  */
 
 /**
@@ -28,32 +28,32 @@
  * @typedef {K extends Kind ? Readonly<{ format: 2, kind: K, document: Documents[K], view: View } & Further> : never} State
  */
 
-/** What can be laid over the drawing. */
+/** Overlays of the drawing. */
 export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers", "others", "instant_centres", "centrodes", "curvature"]));
 
-/** What is shown or not: over the drawing, and over the plots. */
+/** Switches of what is shown: over the drawing, and over the plots. */
 export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "polygons", "differenced"]));
 
-/** What of the view the engine draws by, or may refuse. */
+/** Fields of the view that the engine draws by or may refuse. */
 export const DRAWN = Object.freeze(
   /** @type {const} */ ([...SWITCHES, "about", "relative_to", "measures", "plot", "against", "axes", "omega", "epsilon", "true_time"]),
 );
 
-/** What of the view names a part of the document, and what it says of any other. */
+/** Fields of the view that name a part of the document, with values that suit any document. */
 export const PARTS = Object.freeze({ plot: "angles", against: null, about: "", relative_to: "", measures: Object.freeze([]) });
 
-/** What of the view is undone, as the document is: the rest loses nothing. */
+/** Fields of the view that are undone with the document; a change of any other loses nothing. */
 export const UNDONE = Object.freeze(/** @type {const} */ ([...OVERLAYS, "measures", "against"]));
 
-/** What a state may have besides its document and its view. */
+/** Optional parts of a state besides its document and its view. */
 export const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared", "picture"]));
 
-/** How many traced points a mechanism may have. */
+/** Limit of the number of traced points of a mechanism. */
 export const TRACERS = Object.freeze({ most: 6 });
 
 /**
  * @param {Partial<View>} view
- * @returns {View} with what it says, else the usual
+ * @returns {View} the view with the usual values of missing fields
  */
 export function usualView(view) {
   return Object.freeze({
@@ -122,7 +122,7 @@ function stateOf(kind, document, view, further = {}) {
 
 /**
  * @param {Further} state
- * @returns {Further} what it has besides its document, and what it has not
+ * @returns {Further} its optional parts, undefined if missing
  */
 export function furtherOf(state) {
   return Object.fromEntries(FURTHER.map((name) => [name, state[name]]));
@@ -130,7 +130,7 @@ export function furtherOf(state) {
 
 /**
  * @param {Pick<State, "kind" | "document" | "view">} state
- * @returns {State} of the mechanism alone, which is all that the engine needs
+ * @returns {State} the state without its optional parts, which the engine does not need
  */
 export function alone({ kind, document, view }) {
   return stateOf(kind, document, view);
@@ -138,8 +138,8 @@ export function alone({ kind, document, view }) {
 
 /**
  * @param {State} state
- * @param {Further} change of what it has besides its document
- * @returns {State} the same state where nothing changes
+ * @param {Further} change of its optional parts
+ * @returns {State} the same state if nothing changes
  */
 export function withFurther(state, change) {
   const next = stateOf(state.kind, state.document, state.view, { ...state, ...change });
@@ -147,7 +147,7 @@ export function withFurther(state, change) {
 }
 
 /**
- * Another mechanism instead of the one there is, in one state: drawing, plots, saving and undo go on alike.
+ * Replaces the mechanism within one state: drawing, plots, saving and undo go on as before.
  * @template {Kind} K
  * @param {State} state
  * @param {K} kind
@@ -161,7 +161,7 @@ export function withMechanism(state, kind, document) {
 /**
  * @param {State} state
  * @param {Change} change of a document of its kind
- * @returns {State} the same state where nothing changes
+ * @returns {State} the same state if nothing changes
  */
 export function withDocument(state, change) {
   const document = merged(state.document, change);
@@ -169,7 +169,7 @@ export function withDocument(state, change) {
 }
 
 /**
- * A change of a mechanism of one kind; another stays as it is.
+ * Changes a document of one kind; a state of another kind stays as it is.
  * @template {Kind} K
  * @param {State} state
  * @param {K} kind
@@ -184,7 +184,7 @@ export function edited(state, kind, change) {
 /**
  * @param {State} state
  * @param {Partial<View>} change
- * @returns {State} the same state where nothing changes
+ * @returns {State} the same state if nothing changes
  */
 export function withView(state, change) {
   const view = merged(state.view, change);
@@ -215,7 +215,7 @@ export function contains(value, part) {
 /**
  * @param {unknown} one
  * @param {unknown} other
- * @returns {boolean} lists and the like are the same where all in them is
+ * @returns {boolean} whether they are equal; lists and objects by their content
  */
 function same(one, other) {
   return Object.is(one, other) || (one instanceof Object && JSON.stringify(one) === JSON.stringify(other));

@@ -1,4 +1,4 @@
-// Where the state outlives the page: the address and the browser's own store. Both may be forbidden; the page then does without.
+// Places where the state outlives the page: the address and the browser's storage. The page works without them if they are forbidden.
 import { toFile } from "assur/state/codec.js";
 import { withFurther } from "assur/state/state.js";
 
@@ -7,39 +7,39 @@ import { withFurther } from "assur/state/state.js";
  */
 
 const KEY = "assur.state";
-/** The image of a picture behind the drawing by itself: it is long, and seldom another. */
+/** Key of the image behind the drawing, kept by itself: it is long and seldom changes. */
 const IMAGE = "assur.image";
 /** Characters at the end of an image that distinguish it from others of its length. */
 const TAIL = 48;
-/** Digests of the lecturers' lessons of which answers and names are kept, the one that was worked on last at the end. */
+/** Key of the digests of lecturers' lessons with kept answers and names, the one used last at the end. */
 const LESSONS = "assur.lessons";
-/** How many they may be: on a machine in a classroom they would become ever more. */
+/** Limit of their number, which on a classroom machine would only grow. */
 const MOST_LESSONS = 40;
 const OF_LESSON = /^assur\.lesson\.own\.([^.]+)/;
-/** What could not be read is not written over but put aside. */
+/** Key of a state that could not be read, put aside instead of being overwritten. */
 const ASIDE = "assur.state.unread";
 
-/** Of a visit: the address at which the page was left, and the one that was meant. */
+/** Key, for one visit, of the address at which the page was left and of the intended address. */
 const LEFT = "assur.left";
 
-/** Not more often than this, in milliseconds: browsers limit how often an address may change. */
+/** Shortest time between two writes, in milliseconds: browsers limit changes of the address. */
 const PERIOD = 400;
 
-/** @type {Map<string, string>} what lessons gave to be kept and the browser did not take, by name: there until the page is left */
+/** @type {Map<string, string>} texts of lessons that the browser refused to keep, by name, until the page is left */
 const untaken = new Map();
-/** Whether the last that a lesson gave did fit. */
+/** Whether there was room for the last text of a lesson. */
 let lessonFits = true;
-/** Says that what a lesson gave does not fit. */
+/** Reports that there is no room for a text of a lesson. */
 let sayUnfit = () => {};
 
-/** @returns {string | null} what was kept last */
+/** @returns {string | null} the state that was kept last */
 export function stored() {
   return guarded(() => localStorage.getItem(KEY));
 }
 
 /**
- * @param {string} name of something small that is no part of the state
- * @returns {string | null} what was kept of it last
+ * @param {string} name of a small value outside the state
+ * @returns {string | null} the value that was kept last
  */
 export function kept(name) {
   return untaken.get(name) ?? guarded(() => localStorage.getItem(`assur.${name}`));
@@ -54,8 +54,8 @@ export function keep(name, text) {
 }
 
 /**
- * Keeps what belongs to a lecturer's lesson; that of the lessons that were worked on longest ago is forgotten.
- * @param {string} name `own`, the digest of the lesson, and what more tells it from the rest of that lesson
+ * Keeps a text of a lecturer's lesson; texts of the lessons unused for longest are forgotten.
+ * @param {string} name `own`, the digest of the lesson, and a name within that lesson
  * @param {string} text
  */
 export function keepLesson(name, text) {
@@ -69,7 +69,7 @@ export function keepLesson(name, text) {
   lessonFits = fits;
 }
 
-/** @param {string} digest of the lesson that is worked on */
+/** @param {string} digest of the lesson in use */
 function forgetLessons(digest) {
   const keys = Array.from({ length: localStorage.length }, (_, i) => localStorage.key(i) ?? "");
   const listed = (localStorage.getItem(LESSONS) ?? "").split(" ");
@@ -81,7 +81,7 @@ function forgetLessons(digest) {
 
 /**
  * @param {string} key
- * @returns {string} the digest of the lecturer's lesson to which it belongs; none where it belongs to none
+ * @returns {string} digest of the lecturer's lesson of the key, or an empty string
  */
 function lessonOf(key) {
   return OF_LESSON.exec(key)?.[1] ?? "";
@@ -93,8 +93,8 @@ export function putAside(text) {
 }
 
 /**
- * A page that is left writes its last change into an address that the browser may have taken already, to load it anew:
- * then the one that was meant is put there. What somebody goes to is what it says.
+ * Restores the intended address after a reload. The last change of a page that is left may come too late for the address
+ * that the browser loads again. An address to which the reader navigates is not replaced.
  */
 export function takeUpAddress() {
   guarded(() => {
@@ -107,13 +107,13 @@ export function takeUpAddress() {
 }
 
 /**
- * From now on every change is kept, in the browser and in the address; a turning crank alone is none.
+ * Keeps every change from now on, in the browser and in the address; the turning of a crank alone is no change.
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {import("assur/state/address.js").Address} address
- * @param {(state: State) => boolean} sound whether the engine takes the state; another is not kept
- * @param {boolean} ours whether the browser keeps it: what another page shows in a frame is in the address only
- * @param {(...what: ("picture" | "state" | "lesson" | "tab")[]) => void} unkept called where an image, a state, or answers in a lesson, do not fit into what it keeps, and
- * once where another tab keeps its own mechanism instead of this one
+ * @param {(state: State) => boolean} sound whether the engine takes the state; a refused state is not kept
+ * @param {boolean} ours whether the browser keeps it; a page in a frame of another page keeps it in the address only
+ * @param {(...what: ("picture" | "state" | "lesson" | "tab")[]) => void} unkept called when there is no room for an image, a state or answers in a lesson, and
+ * once when another tab keeps its own mechanism instead of this one
  */
 export function persist(store, address, sound, ours, unkept) {
   let timer = 0;
@@ -162,7 +162,7 @@ export function persist(store, address, sound, ours, unkept) {
   });
 }
 
-/** The image that is kept: written where it is another than the last, taken away where there is none any more. */
+/** The kept image: written if it differs from the last one, removed if there is none. */
 class KeptImage {
   #last = "";
 
@@ -173,12 +173,12 @@ class KeptImage {
   keep(image) {
     if (image === this.#last) return true;
     this.#last = image;
-    // The one before would take the room.
+    // The previous image would take up the room.
     guarded(() => localStorage.removeItem(IMAGE));
     return image === "" || fit(IMAGE, image);
   }
 
-  /** Another tab has written its own: with the next change that of this one is written again. */
+  /** Notes that another tab has written its image: the next change writes this one again. */
   forget() {
     this.#last = "";
   }
@@ -187,7 +187,7 @@ class KeptImage {
 /**
  * @param {string} key
  * @param {string} text
- * @returns {boolean} false where there is no room for it; what is forbidden altogether is no want of room
+ * @returns {boolean} false if there is no room for it; true if storage is forbidden altogether
  */
 function fit(key, text) {
   try {
@@ -201,7 +201,7 @@ function fit(key, text) {
 /**
  * @param {string} text what was kept
  * @param {State} state
- * @returns {boolean | null} whether it is the same but for the view; null where it cannot be read
+ * @returns {boolean | null} whether they are the same except for the view; null if the text cannot be read
  */
 function shows(text, state) {
   const rest = (/** @type {Partial<State>} */ { view, ...more }) => JSON.stringify(more);
@@ -215,7 +215,7 @@ function signOf(image) {
 
 /**
  * @param {State} state
- * @returns {State} with a sign of the image of its picture instead of the image
+ * @returns {State} the state with a short sign in place of the image
  */
 function withoutImage(state) {
   const { picture } = state;
@@ -223,8 +223,8 @@ function withoutImage(state) {
 }
 
 /**
- * @param {unknown} value what was kept of a state
- * @returns {unknown} the same with the image of its picture; where that was not kept, without a picture
+ * @param {unknown} value state as it was kept
+ * @returns {unknown} the state with its image, or without a picture if the image was not kept
  */
 export function withImage(value) {
   const { picture, ...rest } = Object(value);

@@ -1,7 +1,7 @@
 // The one place where the state of the page lives.
 
 /**
- * Holds one immutable value; every change makes a new one.
+ * Holder of one immutable value; every change replaces the value.
  * @template T
  */
 export class Store {
@@ -14,7 +14,7 @@ export class Store {
 
   /**
    * @param {T} state
-   * @param {(next: T, now: T) => T} [limit] what a change may come to
+   * @param {(next: T, now: T) => T} [limit] restricts the result of a change
    */
   constructor(state, limit = (next) => next) {
     this.#state = state;
@@ -31,7 +31,7 @@ export class Store {
     this.put(this.#limit(change(this.#state), this.#state));
   }
 
-  /** @param {T} next from outside, without a limit */
+  /** @param {T} next value from outside, without a limit */
   put(next) {
     const previous = this.#state;
     if (next === previous) return;

@@ -1,4 +1,4 @@
-// What is drawn and does not move yet: it is always shown with the tools for drawing.
+// Views of a drawing that does not move yet; it is always shown with the drawing tools.
 import { StatusLine } from "assur/controls/status.js";
 import { withView } from "assur/state/state.js";
 

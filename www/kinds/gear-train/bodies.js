@@ -1,4 +1,4 @@
-// What is needed of a run under load and seldom changed: magnets, inertias, dampings.
+// Rarely changed parameters of a run under load: magnets, inertias, damping.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
@@ -10,7 +10,7 @@ import { edited } from "assur/state/state.js";
 /** @typedef {import("assur/kinds/gear-train/drives.js").Document} Document */
 
 /**
- * The lists with the number of the link of each of their numbers, and the symbols.
+ * The lists with their symbols and, for each number, the number of its link.
  * @type {readonly Readonly<{ list: string, symbol: string, of: readonly string[] }>[]}
  */
 const LISTS = Object.freeze([

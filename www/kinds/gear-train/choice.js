@@ -1,4 +1,4 @@
-// A field of the document that is one of a few.
+// A field of the document with a choice of a few values.
 import { make } from "assur/core/dom.js";
 
 export class Choice {
@@ -7,7 +7,7 @@ export class Choice {
   /**
    * @param {string} field
    * @param {readonly string[]} values
-   * @param {(value: string) => string} key of the name of a choice
+   * @param {(value: string) => string} key gives the key of a value's name
    * @param {(value: string) => void} choose
    * @param {string} [label] the key of its name
    */

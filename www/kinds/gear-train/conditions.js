@@ -1,4 +1,4 @@
-// Whether the train can be built: each condition with its numbers, numbers near by where it cannot, and its mobility.
+// Conditions of assembly of the train with their numbers, suggested numbers if one fails, and the mobility of the train.
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";

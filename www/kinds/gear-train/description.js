@@ -1,4 +1,4 @@
-// The description of a train for screen readers, beyond its pose.
+// Description of a train for screen readers, in addition to its pose.
 import { byId, make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 

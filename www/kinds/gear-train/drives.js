@@ -1,4 +1,4 @@
-// What turns the train: two of three shafts, each by a speed, held or tied to the other; the third follows.
+// Drives of the train: two of three shafts are driven by a speed, held or tied to each other; the third follows.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -15,7 +15,7 @@ import { edited } from "assur/state/state.js";
  * @typedef {import("assur/app/page.js").Page} Page
  */
 
-/** The shafts with the numbers of their links and their colours. */
+/** The shafts with the numbers of their links and their roles of colour. */
 export const SHAFTS = Object.freeze({
   sun: Object.freeze({ number: "1", role: "crank" }),
   carrier: Object.freeze({ number: "3", role: "rocker" }),
@@ -60,7 +60,7 @@ export class DrivesView {
   }
 
   /**
-   * Another shaft follows: the one that did is driven with the speed that it has, so nothing jumps.
+   * Frees another shaft. The shaft freed before is driven with its present speed, so that nothing jumps.
    * @param {Shaft} shaft
    */
   #release(shaft) {
@@ -130,7 +130,7 @@ class DriveRow {
     for (const [row, value] of /** @type {const} */ ([[this.#speed, rpm ?? 0], [this.#factor, factor], [this.#start, start]])) row.show(value, words, wrong.has(row.field));
   }
 
-  /** Ties the shaft to the other driven one, or lets it go on by itself. Only one of them can be tied. */
+  /** Ties the shaft to the other driven one, or unties it. Only one of the two can be tied. */
   #toggle() {
     this.#store.update((state) => edited(state, "gear-train", ({ drives }) => ({
       drives: drives.map((drive, i) => (i === this.#index ? { ...drive, to: drive.to ? null : drives[1 - i].shaft } : { ...drive, to: null })),

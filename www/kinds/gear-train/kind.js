@@ -1,4 +1,4 @@
-// What the page shows of a differential by time only.
+// Views for a differential; the page loads them with its first one.
 import { BodiesView } from "assur/kinds/gear-train/bodies.js";
 import { ConditionsView } from "assur/kinds/gear-train/conditions.js";
 import { TrainDescription } from "assur/kinds/gear-train/description.js";

@@ -1,4 +1,4 @@
-// Under load: whether the run is followed, its length, the load on the free shaft, and what the magnets come to.
+// Motion under load: its switch, the length of the run, the load on the free shaft, and the limits of the magnets.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -12,10 +12,10 @@ import { edited, withView } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** The lines of the account of energies. */
+/** Rows of the energy balance. */
 const ENERGIES = Object.freeze(["driven", "delivered", "dissipated", "kinetic", "potential", "imbalance"]);
 
-/** A run under load is followed for no longer, seconds. */
+/** Longest run under load, in seconds. */
 const LONGEST_RUN = 30;
 
 export class LoadView {
@@ -40,7 +40,7 @@ export class LoadView {
     this.#account = make("details", { id: "train-energies" }, [
       make("summary", { "data-t": "energy.heading" }), make("table", { class: "solutions", "data-t-label": "energy.heading" }, [this.#energies]),
     ]);
-    // A part that is unfolded at rest is announced at once.
+    // Unfolding at rest needs a new frame to fill the table.
     this.#account.addEventListener("toggle", () => page.redraw());
     section("gear-train", "load.heading", "load", [
       make("label", { class: "check" }, [this.#loaded, " ", make("span", { "data-t": "field.loaded" })]),
@@ -74,7 +74,7 @@ export class LoadView {
   }
 
   /**
-   * A run has an end: it begins at its beginning, with the load angles plotted.
+   * Switches the load. A run under load starts at its beginning, with the load angles plotted.
    * @param {boolean} loaded
    */
   #load(loaded) {
@@ -99,7 +99,7 @@ export class LoadView {
 
 /**
  * @param {string} mesh
- * @param {number} count of periods by which it has slipped
+ * @param {number} count number of periods of slip
  * @param {Words} words
  */
 function slipped(mesh, count, words) {

@@ -1,4 +1,4 @@
-// Working members 7 and 8: what they are, what the paper has them for, and what they take.
+// Working members 7 and 8: their kinds, their uses in the paper, and their torques.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -10,7 +10,7 @@ import { edited } from "assur/state/state.js";
 
 const KINDS = Object.freeze(["none", "fan", "brush", "stirrer", "scraper", "blade", "propeller", "road_wheel"]);
 
-/** Of each its number and its colour. */
+/** Symbol of the torque and role of each member. */
 const PLACES = Object.freeze({ satellite: Object.freeze({ symbol: "T₇", role: "coupler" }), carrier: Object.freeze({ symbol: "T₈", role: "rocker" }) });
 
 export class MembersView {

@@ -1,4 +1,4 @@
-// In whose frame the train is drawn, read and plotted.
+// Choice of the frame of reference in which the train is drawn, read and plotted.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
 import { edited } from "assur/state/state.js";

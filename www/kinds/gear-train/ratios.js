@@ -1,4 +1,4 @@
-// The six transmission ratios with their formulas and numbers, the identities between them, torques and powers of the shafts.
+// The six transmission ratios with formulas and numbers, the identities between them, torques and powers of the shafts.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -15,7 +15,7 @@ import { SHAFTS } from "assur/kinds/gear-train/drives.js";
 
 const HIGH = Object.freeze({ 1: "¹", 3: "³", 4: "⁴" });
 
-/** The weights of the shafts in a ω₁ + b ω₄ − (a + b) ω₃ = 0, with the sign apart, by their numbers. */
+/** Weights of the shafts in a ω₁ + b ω₄ − (a + b) ω₃ = 0, without signs, by the numbers of the shafts. */
 const WEIGHTS = Object.freeze({ 1: "z₁", 3: "(z₁ + z₄)", 4: "z₄" });
 const STEPPED = Object.freeze({ 1: "z₁z₂′", 3: "(z₁z₂′ + z₂z₄)", 4: "z₂z₄" });
 
@@ -62,7 +62,7 @@ export class RatiosView {
 }
 
 /**
- * A table that may be wider than the rail is slid sideways, also by keys.
+ * A table that may be wider than the panel and scrolls sideways, also by keys.
  * @param {string} label the key of its name
  * @param {readonly Node[]} content
  */
@@ -71,7 +71,7 @@ function wide(label, content) {
 }
 
 /**
- * @param {string} name as 3/1(4)
+ * @param {string} name such as 3/1(4)
  * @returns {string} U₃₁⁽⁴⁾
  */
 export function notation(name) {
@@ -80,7 +80,7 @@ export function notation(name) {
 }
 
 /**
- * w_j/w_i with the sign: both weights are of one sign unless one of them is the carrier's.
+ * Formula w_j/w_i with its sign: the weights have equal signs unless one of them is the carrier's.
  * @param {Ratio} ratio
  * @param {Readonly<Record<1 | 3 | 4, string>>} weights
  */

@@ -1,4 +1,4 @@
-// The wheels: how they stand, how they turn each other, how many plates or teeth they have, where the satellites are.
+// The wheels: arrangement, coupling, numbers of plates or teeth, positions of the satellites.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -33,7 +33,7 @@ export class WheelsView {
     const edit = (/** @type {Partial<Document>} */ change) => store.update((state) => edited(state, "gear-train", () => change));
     this.#form = new Choice("form", ["planar", "stepped", "bevel"], (value) => `form.${value}`, (value) => {
       const form = /** @type {Document["form"]} */ (value);
-      // A satellite that becomes a stepped one has two equal wheels at first.
+      // A satellite that becomes stepped starts with two equal wheels.
       store.update((state) => edited(state, "gear-train", ({ z2, z2_step: step }) => ({ form, z2_step: form === "stepped" ? (step ?? z2) : null })));
     });
     this.#coupling = new Choice("coupling", ["magnetic", "contact"], (value) => `coupling.${value}`, (value) => edit({ coupling: /** @type {Document["coupling"]} */ (value) }));

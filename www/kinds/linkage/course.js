@@ -1,5 +1,5 @@
-// What the plotted output does over a turn: stroke, dwell and cyclogram in the rail, the dwell shaded on the plots and
-// magnified in an inset.
+// The plotted output over a turn: stroke, dwell and cyclogram in the panel; the dwell shaded on the plots and magnified in an
+// inset.
 import { NumberRow } from "assur/controls/number-row.js";
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, write } from "assur/core/dom.js";
@@ -20,19 +20,19 @@ import { withDocument } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Strength of the shade over a dwell. */
+/** Opacity of the shade over a dwell. */
 const SHADE = 0.14;
-/** Points of the magnified curve. */
+/** Number of intervals of the magnified curve. */
 const POINTS = 96;
-/** Of the derivatives, which rise steeply at its ends, the part of the dwell's arc that is magnified. */
+/** Share of the dwell's arc that is magnified for derivatives, which rise steeply at its ends. */
 const INNER = 0.8;
-/** The part of a plot that an inset takes, across and down. */
+/** Width and height of an inset, as shares of the plot. */
 const INSET = Object.freeze({ width: 0.42, height: 0.42 });
-/** Above the magnified curve the room for its scale, in pixels of usual text. */
+/** Height of the scale above the magnified curve, in pixels of usual text. */
 const HEAD = 15;
 
 /**
- * Lays the dwell over the plots of the output whose band the document gives.
+ * Paints the dwell over the plots of the output for which the document has a band.
  * @type {import("assur/plots/chart.js").Overlay}
  */
 export function paintCourse(context, panels, { kind, state, summary, words }, engine, theme) {
@@ -48,7 +48,7 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
 }
 
 /**
- * Shades the dwell on a plot, and lays over it what it looks like magnified: of the output, as fig. 2 of the paper has it of both derivatives.
+ * Shades the dwell on a plot and magnifies it in an inset: the output, and both derivatives as in fig. 2 of the paper.
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
  * @param {NonNullable<Profile["dwell"]>} dwell
@@ -56,7 +56,7 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
  * @param {(phi: number) => number | undefined} value of the plot's curve at a crank angle
  * @param {Words} words
  * @param {Theme} theme
- * @returns {Box | null} where it is magnified
+ * @returns {Box | null} box of the inset
  */
 function paintDwell(context, panel, dwell, { start, end }, value, words, theme) {
   const period = end - start;
@@ -64,7 +64,7 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
   const [from, to] = [dwell.arc[0] - turns, dwell.arc[1] - turns];
   context.fillStyle = theme.colours.coupler;
   context.globalAlpha = SHADE;
-  // What runs over the end of the axis goes on at its beginning.
+  // A dwell that crosses the end of the axis continues at its beginning.
   for (const shift of [-period, 0]) {
     const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => across(panel, phi));
     if (right > left) context.fillRect(left, panel.top, right - left, panel.height);
@@ -77,8 +77,8 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
- * @param {readonly [number, number]} arc that is magnified
- * @param {readonly [number, number] | null} band that the output keeps to; null if the curve shows its own range
+ * @param {readonly [number, number]} arc to magnify
+ * @param {readonly [number, number] | null} band of the output; null for the curve's own range
  * @param {(phi: number) => number | undefined} value
  * @param {Words} words
  * @param {Theme} theme
@@ -90,7 +90,7 @@ function paintInset(context, panel, [from, to], band, value, words, theme) {
   const [least, most] = band ?? [Math.min(...known), Math.max(...known)];
   if (!(most > least)) return null;
   const [width, height] = [INSET.width * panel.width, INSET.height * panel.height];
-  // In the half of the plot where the dwell is not.
+  // The inset is in the half of the plot without the dwell.
   const middle = down(panel, (least + most) / 2) - panel.top;
   const top = panel.top + (middle > panel.height / 2 ? 6 : panel.height - height - 6);
   const shown = Math.min(Math.max(across(panel, (from + to) / 2), panel.left + width / 2 + 6), panel.left + panel.width - width / 2 - 6);
@@ -130,21 +130,21 @@ function paintInset(context, panel, [from, to], band, value, words, theme) {
   return { left, top, right: left + width, bottom: top + height };
 }
 
-/** What is said of the profile, in the order of the table. */
+/** Rows of the table, in order. */
 const ROWS = Object.freeze(/** @type {const} */ (["stroke", "arc", "residual"]));
 
-/** The colours of the phases. */
+/** Roles of the phases. */
 const ROLES = Object.freeze({ rise: "crank", dwell: "coupler", return: "rocker" });
 
 export class CourseView {
   #design;
   #row;
-  /** Open at first where the document asks for a dwell. */
+  /** The foldable part, initially open if the document asks for a dwell. */
   #fold = make("details", { id: "course" });
-  /** What was folded last: the mechanism and whether it has a band. */
+  /** Key of the last folding: the mechanism, and whether it has a band. */
   #folded = "";
   #name = make("caption");
-  /** What the output does from end to end: an angle swings, a length has a stroke. */
+  /** Name of the output's travel: swing of an angle, stroke of a length. */
   #travel = make("th", { scope: "row" });
   #outputs = new Map(ROWS.map((name) => [name, make("td", { id: `out-course-${name}` })]));
   #bars = make("div", { id: "cyclogram", class: "cyclogram", role: "img" });
@@ -177,7 +177,7 @@ export class CourseView {
     this.#design.render(snapshot);
     const { state, summary, coordinate, words, problems, stale, withheld } = snapshot;
     const { profile, plotted } = summary;
-    // A band that is refused stands in the field as it was typed: the 0 of 0.01 is the first of it.
+    // A refused band stays in the field as typed: 0.01 begins with a refused 0.
     const band = state.document.band ?? profile?.width;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
     if (this.#shown.same(profile, words, wrong, band, stale, withheld)) return;
@@ -220,7 +220,7 @@ export class CourseView {
     const bars = [];
     for (const { kind, arc: [from, to] } of phases) {
       told.push(words.text("dwell.bar", { phase: words.text(`dwell.${kind}`), from: turned(from % period), to: turned(to % period) }));
-      // What runs over the end of the turn goes on at its beginning.
+      // A phase that crosses the end of the turn continues at its beginning.
       for (const shift of [-period, 0, period]) {
         const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => (100 * (phi - start)) / period);
         if (right <= left) continue;

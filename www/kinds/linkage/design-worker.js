@@ -1,8 +1,8 @@
-// The search for a dwell, in a worker: it judges mechanism after mechanism and reports each. After a better one it waits until the
-// page has shown it. The page stops it.
+// The search for a dwell, in a worker. It judges mechanism after mechanism and reports each. After an improvement it waits until
+// the page has shown it. The page ends the search.
 import load, { Design } from "assur/pkg/assur_web.js";
 
-/** Goes on with the search. */
+/** Continues the search. */
 let goOn = () => {};
 
 addEventListener("message", ({ data }) => {

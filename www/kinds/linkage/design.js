@@ -1,5 +1,5 @@
-// "Design your dwell": what is wanted of the output, which lengths may change and how far; a search in a worker, whose every
-// better mechanism is put on the page.
+// "Design your dwell": wishes for the output, the lengths that may change and their limits, and a search in a worker. Every
+// improvement is shown on the page.
 import { NumberRow } from "assur/controls/number-row.js";
 import { sentence } from "assur/controls/problems.js";
 import { degrees, radians } from "assur/core/angles.js";
@@ -16,20 +16,20 @@ import { withDocument } from "assur/state/state.js";
  * @typedef {import("assur/types/web.js").StepSummary} Progress
  */
 
-/** By how many per cent a length may change. */
+/** Choices for the limit of a length's change, in per cent. */
 const PER_CENT = Object.freeze(["1", "2", "5", "10", "20"]);
 const USUAL = "5";
 
-/** Candidates that are no better are announced only now and then: a screen reader could not keep up. */
+/** Number of candidates between two announcements without an improvement: a screen reader could not follow all. */
 const TOLD = 10;
 
 /**
- * How long a better mechanism is shown before the search goes on, in milliseconds: long enough to be seen, and for drawing it
- * anew, which takes some frames, to leave the motion smooth.
+ * Time for which an improvement is shown before the search continues, in milliseconds. It can then be seen, and the motion stays
+ * smooth although redrawing takes some frames.
  */
 const SHOWN = 400;
 
-/** How a search ended. */
+/** Texts for the ends of a search. */
 const ENDS = Object.freeze({ fulfilled: "design.fulfilled", settled: "design.settled", stopped: "design.stopped" });
 
 export class DesignView {
@@ -43,7 +43,7 @@ export class DesignView {
   #told = make("p", { id: "design-progress", role: "status" });
   /** @type {{ arc: NumberRow, stroke: NumberRow } | null} */
   #rows = null;
-  /** @type {{ arc: number | null, stroke: number | null }} as written: degrees, the stroke of a length in its unit; null: as it is now */
+  /** @type {{ arc: number | null, stroke: number | null }} wishes as written: in degrees, a stroke in the unit of lengths; null for the present value */
   #wish = { arc: null, stroke: null };
   /** @type {{ field: string, name: string, said: HTMLElement, moves: HTMLInputElement, by: HTMLSelectElement }[]} */
   #movable = [];
@@ -52,7 +52,7 @@ export class DesignView {
   #snapshot = null;
   /** @type {Worker | null} */
   #worker = null;
-  /** @type {ReturnType<typeof subject> | null} what the search is about: as of its last better mechanism */
+  /** @type {ReturnType<typeof subject> | null} document and plot of the search, after its last improvement */
   #subject = null;
   #changed = false;
   /** @type {Progress | null} */
@@ -97,7 +97,7 @@ export class DesignView {
     if (before?.words !== words) this.#tell();
   }
 
-  /** Arc and stroke of what is shown, as they are written. */
+  /** Present arc and stroke, as written. */
   #now() {
     const { profile, plotted } = /** @type {Snapshot} */ (this.#snapshot).summary;
     const angle = plotted[0]?.endsWith(".angle") ?? true;
@@ -107,7 +107,7 @@ export class DesignView {
   }
 
   /**
-   * Another linkage, or another output, has other wishes.
+   * Builds the fields for another linkage or another output.
    * @param {Snapshot} snapshot
    */
   #build({ state: { document: linkage }, summary, words }) {
@@ -144,7 +144,7 @@ export class DesignView {
   }
 
   /**
-   * Says what the links are called that may become others.
+   * Writes the names of the links that may change.
    * @param {import("assur/core/words.js").Words} words
    */
   #name(words) {
@@ -163,7 +163,7 @@ export class DesignView {
   }
 
   /**
-   * Whether the page still shows what is searched from.
+   * Whether the page still shows the mechanism of the search.
    * @param {State} state
    */
   #holds({ document: linkage, view: { plot } }) {
@@ -173,7 +173,7 @@ export class DesignView {
   #search() {
     const state = this.#store.get();
     const { angle, arc, stroke } = this.#now();
-    // What was wanted stays wanted while the mechanism changes.
+    // The wishes stay the same while the mechanism changes.
     this.#wish = { arc: this.#wish.arc ?? arc, stroke: this.#wish.stroke ?? stroke };
     const wishes = {
       arc: radians(this.#wish.arc ?? 0),
@@ -190,7 +190,7 @@ export class DesignView {
       if (worker === this.#worker) this.#hear({ problems: [{ code: "not_arrived" }] });
     };
     worker.addEventListener("message", ({ data }) => {
-      // What was under way when it was stopped no longer counts.
+      // Messages on their way when the search was stopped no longer count.
       if (worker === this.#worker) this.#hear(data);
     });
     worker.addEventListener("error", lost);
@@ -200,7 +200,7 @@ export class DesignView {
     this.#tell();
   }
 
-  /** @param {{ progress?: Progress, problems?: readonly Problem[] }} said by the worker */
+  /** @param {{ progress?: Progress, problems?: readonly Problem[] }} said message of the worker */
   #hear({ progress, problems }) {
     if (!progress) {
       this.#problems = problems ?? [];
@@ -218,7 +218,7 @@ export class DesignView {
   }
 
   /**
-   * Puts a better mechanism on the page; all of one search are one step to undo.
+   * Shows an improvement on the page; all improvements of one search are one step of undo.
    * @param {Partial<import("assur/state/state.js").LinkageDocument>} change
    */
   #take(change) {
@@ -243,19 +243,19 @@ export class DesignView {
     this.#tell();
   }
 
-  /** Which of the two buttons there is. */
+  /** Shows one of the two buttons. */
   #show() {
     this.#start.hidden = this.#worker !== null;
     this.#stop.hidden = this.#worker === null;
   }
 
-  /** Writes how the search stands. */
+  /** Writes the progress of the search. */
   #tell() {
     if (!this.#snapshot) return;
     const { words } = this.#snapshot;
     const { numbers } = words;
     const { angle } = this.#now();
-    // The engine calls that of an angle a stroke, too.
+    // The engine calls the swing of an angle a stroke, too.
     const swings = (/** @type {Problem} */ problem) => angle && problem.field === "design.stroke";
     const said = this.#problems.map((problem) => sentence(swings(problem) ? { ...problem, field: "design.swing" } : problem, words));
     if (this.#progress) {
@@ -269,7 +269,7 @@ export class DesignView {
         before: numbers.short(before),
       }));
       if (this.#end) said.push(words.text(ENDS[this.#end]), words.text("design.checked"));
-      // 1 where no group is solved by iteration.
+      // The margin is 1 if no group is solved by iteration.
       const tight = Math.abs(singularity_margin);
       if (this.#end && tight < 1) said.push(words.text("design.conditioning", { conditioning: numbers.short(tight) }));
       this.#told.dataset.value = String(residual);

@@ -1,4 +1,4 @@
-// The constraint equations of a linkage at the crank angle there is: both sides and their difference.
+// The constraint equations of a linkage at the current input: both sides and their difference.
 import { degrees } from "assur/core/angles.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -9,16 +9,16 @@ import { Seen } from "assur/core/seen.js";
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/engine.js").Equation} Equation
- * a link and its points P, Q; a link that slides, its point and the line PQ; a link and what it keeps its angle against; wheels,
- * their carrier and teeth, the second below zero where the sense is kept
+ * a link and its points P, Q; a sliding link, its point and the line PQ; two links with a constant angle between them; wheels with
+ * their carrier and numbers of teeth, the second negative if the sense of rotation is kept
  */
 
-/** Orders of the derivatives, with the words for them. */
+/** Names of the orders of the derivatives. */
 const ORDERS = Object.freeze(["equations.places", "equations.first", "equations.second"]);
 const STROKES = Object.freeze(["", "′", "″"]);
 const SIDES = Object.freeze(/** @type {const} */ (["left", "right", "residual"]));
 const NONE = "—";
-/** Decimals of the sides; beyond this size they would only take room. */
+/** Decimals of the sides, and the size from which decimals only take room. */
 const DECIMALS = 4;
 const LARGE = 1e4;
 const SUPERSCRIPTS = Object.freeze([..."⁰¹²³⁴⁵⁶⁷⁸⁹"]);
@@ -30,7 +30,7 @@ export class EquationsView {
   #body = make("tbody");
   #table = make("table", { class: "course" }, [this.#body]);
   #details;
-  /** @type {HTMLElement[][]} of each equation what it says */
+  /** @type {HTMLElement[][]} cells of each equation */
   #cells = [];
   /** @type {Snapshot | null} */
   #snapshot = null;
@@ -45,7 +45,7 @@ export class EquationsView {
     this.#order.append(...ORDERS.map((key, order) => make("option", { value: String(order), "data-t": key })));
     const head = ["equation", ...SIDES].map((name) => make("th", { scope: "col", "data-t": `equations.${name}` }));
     this.#table.prepend(make("thead", {}, [make("tr", {}, head)]));
-    // What scrolls must be reached by keys, too.
+    // A scrolling area must be reachable by keys, too.
     const window = make("div", { class: "equations", tabindex: "0", role: "region", "data-t-label": "equations.heading" }, [this.#table]);
     this.#details = make("details", { id: "equations", "data-of": "linkage" }, [
       make("summary", { "data-t": "equations.heading" }),
@@ -61,7 +61,7 @@ export class EquationsView {
   render(snapshot) {
     const before = this.#snapshot;
     this.#snapshot = snapshot;
-    // Numbers that change with every frame cannot be read; another mechanism is said at once.
+    // Numbers that change in every frame cannot be read; another mechanism is shown at once.
     if (snapshot.legible || before?.summary !== snapshot.summary || before?.words !== snapshot.words) this.#show();
   }
 
@@ -120,7 +120,7 @@ export class EquationsView {
 }
 
 /**
- * What stands in the places of a text is written below the line.
+ * Template of a formula, whose placeholders become subscripts.
  * @param {TemplateStringsArray} texts
  * @param {readonly string[]} subscripts
  */
@@ -130,14 +130,14 @@ function formula(texts, ...subscripts) {
 
 /**
  * @param {readonly string[]} names
- * @returns {string} EG of two letters, else with a comma
+ * @returns {string} single letters side by side, as EG, longer names with commas
  */
 function together(...names) {
   return names.join(names.every((name) => name.length === 1) ? "" : ",");
 }
 
 /**
- * An equation, or its derivative of an order, as papers write it.
+ * An equation or its derivative, in the notation of papers.
  * @param {Equation} equation
  * @param {number} order
  * @param {Words} words
@@ -178,7 +178,7 @@ function decimal(value, { numbers }) {
 /**
  * @param {number} value
  * @param {Words} words
- * @returns {string} as 1.78·10⁻¹⁵
+ * @returns {string} such as 1.78·10⁻¹⁵
  */
 function scientific(value, { numbers }) {
   if (value === 0) return "0";

@@ -1,4 +1,4 @@
-// What the page shows of a linkage only. Loaded with the first linkage.
+// Views for a linkage. Loaded with the first linkage.
 import { CourseView, paintCourse } from "assur/kinds/linkage/course.js";
 import { EquationsView } from "assur/kinds/linkage/equations.js";
 import { LinkageRail } from "assur/kinds/linkage/rail.js";

@@ -1,4 +1,4 @@
-// The rail of a linkage: its driver, its dimensions, its assembly. What a change makes of it the engine says.
+// The panel of a linkage: its driver, its dimensions, its source. The engine computes the effect of every change.
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { between, called, calledBy, toLine } from "assur/core/names.js";
@@ -13,7 +13,7 @@ import { change, inputNow } from "assur/state/change.js";
  * @typedef {import("assur/state/model.js").OwnSnapshot<"linkage">} Snapshot
  */
 
-/** Of each kind of dimension the words and the symbol. */
+/** Words and symbol of each kind of dimension. */
 const KINDS = Object.freeze({
   length: Object.freeze({ key: "links.length", symbol: "l" }),
   side: Object.freeze({ key: "links.side", symbol: "l" }),
@@ -32,7 +32,7 @@ export class LinkageRail {
   #source = make("p", { class: "source", "data-of": "linkage" });
   /** @type {NumberRow[]} */
   #rows = [];
-  /** @type {NumberRow[]} those of further drivers */
+  /** @type {NumberRow[]} rows of further drivers */
   #further = [];
   #built = new Seen();
   #shown = new Seen();
@@ -64,7 +64,7 @@ export class LinkageRail {
     const built = JSON.stringify([words.lang, linkage.title, drivers, rates.map(({ field, link, role }) => [field, link, role]), dimensions.map(({ field, name, role }) => [field, name, role])]);
     if (!this.#built.same(built)) this.#build(summary, words);
     const source = sourceOf(linkage, this.#page.engine, words);
-    // That of a lesson on a linkage of the catalogue is in English.
+    // The source that a lesson gives for a linkage of the catalogue is in English.
     this.#source.lang = linkage.origin && source === linkage.source ? "en" : words.lang;
     write(this.#source, source);
     const [driver] = linkage.drivers;
@@ -74,8 +74,8 @@ export class LinkageRail {
   }
 
   /**
-   * @param {(input: number) => import("assur/engine.js").Changed} asked of the engine with the input where it is
-   * @param {string} [field] where it stands why it is not done
+   * @param {(input: number) => import("assur/engine.js").Changed} asked request to the engine at the current input
+   * @param {string} [field] that shows the reason of a refusal
    */
   #change(asked, field = "drivers") {
     change(() => asked(inputNow(this.#page)), field, this.#page);

@@ -1,4 +1,4 @@
-// The status line of a linkage: its structure, its assembly, what its crank cannot pass.
+// The status line of a linkage: its structure, its assembly, the limits of its motion.
 import { StatusLine } from "assur/controls/status.js";
 import { called, calledIn, numbered } from "assur/core/names.js";
 import { make } from "assur/core/dom.js";
@@ -45,7 +45,7 @@ const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
   "linkage-unsearched": "unsearched",
 }));
 
-/** Entries that take some time. */
+/** Entries that take some time to compute. */
 const LATE = Object.freeze(["linkage-assembly"]);
 
 /** @returns {StatusLine<Snapshot>} */
@@ -58,7 +58,7 @@ export function linkageStatus() {
 /**
  * @param {Summary["groups"]} groups
  * @param {Words} words
- * @returns {(Node | string)[]} the structural formula, beside each term the colour of its links in the drawing
+ * @returns {(Node | string)[]} the structural formula, each term with the colour of its links in the drawing
  */
 function coloured(groups, words) {
   const swatch = (/** @type {string} */ role) => make("i", { class: "swatch", style: `--accent: var(--role-${role})`, "data-role": role, "aria-hidden": "true" });
@@ -67,9 +67,9 @@ function coloured(groups, words) {
 
 /**
  * @param {Summary["outputs"]} outputs
- * @param {boolean} angles whether of links that swing, else of points that go to and fro
+ * @param {boolean} angles true for the swings of links, false for the strokes of points
  * @param {Words} words
- * @returns {string} from end to end, for every arc of the motion
+ * @returns {string} swings or strokes, one for every arc of the motion
  */
 function strokes(outputs, angles, words) {
   const said = (/** @type {number} */ stroke) => (angles ? words.numbers.angle(stroke, 2) : words.length(words.numbers.short(stroke)));
@@ -82,7 +82,7 @@ function strokes(outputs, angles, words) {
  * @param {Summary["transmissions"]} transmissions
  * @param {Summary["transmissions"][number]["what"]} what
  * @param {Words} words
- * @returns {string} how badly dyads transmit, each with its inner joint
+ * @returns {string} the worst angles of the dyads, each with its inner joint
  */
 function worst(transmissions, what, words) {
   const found = transmissions.filter((one) => one.what === what);

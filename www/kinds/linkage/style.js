@@ -1,4 +1,4 @@
-// The style sheet of what only a linkage needs. Who imports this waits until it is there.
+// The style sheet for linkages. Importing this module waits until it is loaded.
 import { addStyle } from "assur/core/dom.js";
 
 await addStyle("kinds/linkage/style.css");

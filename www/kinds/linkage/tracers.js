@@ -1,4 +1,4 @@
-// The points that are traced on the links of a linkage, in its rail: where each is on its link, and one less.
+// Traced points of a linkage in its panel: their places on their links, with buttons to remove them.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -7,7 +7,7 @@ import { subscript } from "assur/core/symbols.js";
 import { placeTraced } from "assur/state/change.js";
 import { edited } from "assur/state/state.js";
 
-/** Along the link from its first point to its second, and to the left of that. */
+/** Coordinates on a link: along it from its first point to its second, and to the left. */
 const AXES = Object.freeze(/** @type {const} */ (["along", "across"]));
 
 export class TracedPoints {
@@ -15,7 +15,7 @@ export class TracedPoints {
   #drafts;
   #list = make("div");
   #section = make("section", { "data-of": "linkage" }, [make("h2", { "data-t": "tracers.heading" }), this.#list]);
-  /** @type {NumberBox[][]} for each point those of its two numbers */
+  /** @type {NumberBox[][]} fields of the two numbers of each point */
   #boxes = [];
   #built = new Seen();
   #shown = new Seen();
@@ -65,7 +65,7 @@ export class TracedPoints {
       ];
     }));
     words.fill(this.#section);
-    // A button that is there no more gives the focus away, else it would be lost.
+    // A button that disappears passes the focus on, so that it is not lost.
     if (focused) (this.#list.querySelector("button") ?? byId("traces", HTMLInputElement)).focus();
   }
 

@@ -1,4 +1,4 @@
-// What the page shows of a mixer only.
+// Views for a mixer.
 import { Rail } from "assur/kinds/mixer/rail.js";
 import { mixerStatus } from "assur/kinds/mixer/status.js";
 

@@ -1,4 +1,4 @@
-// The lists of the mixer in the rail: the peripheral wheels and the traced points.
+// Lists of the mixer in the panel: the peripheral wheels and the traced points.
 import { NumberRow } from "assur/controls/number-row.js";
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
@@ -20,7 +20,7 @@ import { TRACERS } from "assur/state/state.js";
 
 export const TEETH = Object.freeze({ min: 6, max: 72, step: 1 });
 
-/** The links that are no wheels, and the keys of their names. */
+/** Links other than wheels, with the keys of their names. */
 const LINKS = Object.freeze({ crank: "name.l1", coupler: "name.l2", rocker: "name.l3" });
 
 /** @type {ListKind<Wheel>} */
@@ -35,7 +35,7 @@ export const TRACER_LIST = Object.freeze({
 });
 
 /**
- * The document without a wheel. What is traced of the wheels behind it stays on them.
+ * The document without a wheel. Traced points of later wheels stay on those wheels.
  * @param {number} index
  * @param {MixerDocument} document
  * @returns {Partial<MixerDocument>}
@@ -52,7 +52,7 @@ function without(index, { wheels, tracers }) {
 /**
  * @param {readonly Tracer[]} tracers
  * @param {readonly Wheel[]} wheels
- * @returns {Tracer[]} those that are not of a wheel there is no more
+ * @returns {Tracer[]} traced points without those of missing wheels
  */
 export function staying(tracers, wheels) {
   return tracers.filter(({ link }) => wheelOf(link) < wheels.length);
@@ -122,7 +122,7 @@ function tracerCard(index, put, drafts, remove) {
 }
 
 /**
- * Like the last wheel, where there is most room.
+ * A wheel like the last one, in the widest gap.
  * @param {Snapshot} snapshot
  * @returns {Wheel}
  */
@@ -131,7 +131,7 @@ function anotherWheel({ state: { document: { wheels } }, summary }) {
 }
 
 /**
- * A point beside the middle of the coupler, of which the curve is worth seeing.
+ * A traced point beside the middle of the coupler, where its path is interesting.
  * @param {Snapshot} snapshot
  * @returns {Tracer}
  */

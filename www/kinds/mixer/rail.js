@@ -1,4 +1,4 @@
-// The rail of the mixer: presets, lengths, wheels, mesh, assembly, traced points.
+// The panel of the mixer: presets, lengths, wheels, mesh, assembly, traced points.
 import { CardList } from "assur/controls/card-list.js";
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make } from "assur/core/dom.js";
@@ -117,7 +117,7 @@ function section(key, content) {
 }
 
 /**
- * @param {string} key of what is chosen
+ * @param {string} key of its legend
  * @param {HTMLElement} content
  */
 function choices(key, content) {

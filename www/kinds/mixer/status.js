@@ -1,4 +1,4 @@
-// The status line: what kind of mechanism it is and what it does over a turn.
+// The status line of a mixer: kind and properties of the mechanism.
 import { StatusLine } from "assur/controls/status.js";
 import { degrees } from "assur/core/angles.js";
 import { WHEELS, wheelLink } from "assur/kinds/mixer/wheels.js";
@@ -11,9 +11,9 @@ import { WHEELS, wheelLink } from "assur/kinds/mixer/wheels.js";
  * @typedef {{ text: string, value?: number }} Entry
  */
 
-/** @typedef {(summary: Summary, words: Words, state: State) => Entry | null} Say what an entry says; null where there is nothing to say */
+/** @typedef {(summary: Summary, words: Words, state: State) => Entry | null} Say gives the content of an entry, null if there is none */
 
-/** @type {[string, Say][]} of the most peripheral wheels there can be */
+/** @type {[string, Say][]} entries for the greatest number of peripheral wheels */
 const WHEEL_SWINGS = [...Array(WHEELS.most).keys()].map((index) => [
   `swing-${wheelLink(index)}`,
   ({ outputs: [, ...wheels] }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null),
@@ -68,7 +68,7 @@ function swingEntry(swings, words) {
 }
 
 /**
- * @param {readonly (readonly [number, number])[]} pairs of wheels, from 0
+ * @param {readonly (readonly [number, number])[]} pairs of wheels, by index from 0
  * @param {Words} words
  * @returns {Entry | null}
  */

@@ -1,11 +1,11 @@
-// The peripheral wheels of the mixer: how many there may be, and how they are called.
+// Peripheral wheels of the mixer: their number and their names.
 
-/** The number of the first as readers count, and how many there may be. */
+/** Number of the first wheel for readers, and limits of the number of wheels. */
 export const WHEELS = Object.freeze({ first: 5, least: 1, most: 6 });
 
 /**
  * @param {string} link
- * @returns {number} which peripheral wheel it is, from 0; below 0 where it is none
+ * @returns {number} index of the peripheral wheel, from 0; negative for other links
  */
 export function wheelOf(link) {
   return link.startsWith("wheel") ? Number(link.slice(5)) - WHEELS.first : -1;
@@ -13,7 +13,7 @@ export function wheelOf(link) {
 
 /**
  * @param {number} index of a peripheral wheel, from 0
- * @returns {string} the link's name
+ * @returns {string} name of the link
  */
 export function wheelLink(index) {
   return `wheel${index + WHEELS.first}`;

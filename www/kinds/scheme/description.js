@@ -1,4 +1,4 @@
-// The description of a scheme for screen readers.
+// Description of a scheme for screen readers.
 import { byId, write } from "assur/core/dom.js";
 import { actual, asked } from "assur/kinds/scheme/sums.js";
 

@@ -1,4 +1,4 @@
-// What the rank of the constraints says of this very geometry, and which other pairs leave no redundant constraint.
+// Rank of the constraints in the given geometry, and replacements of pairs that leave no redundant constraint.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -11,7 +11,7 @@ import { change } from "assur/state/change.js";
  * @typedef {Snapshot["summary"]} Summary
  */
 
-/** So many ways to mend it are shown at once. */
+/** Number of replacements shown at once. */
 const SHOWN = 12;
 
 export class GeometryView {
@@ -75,7 +75,7 @@ function lines(snapshot) {
   const right = own.mobility === mobility;
   said.push(words.text(right ? "geometry.agrees" : "geometry.differs", { counted: asked(mobility, "w", snapshot) }));
   const borne = [...(plane?.redundancies ?? []), ...(plane && plane.redundant > 0 ? [] : space.redundancies)];
-  // How many they are is the answer where q is asked for.
+  // Their number is the answer if a lesson asks for q.
   if (snapshot.withheld.has("scheme-q")) return said;
   for (const { count, pairs } of borne) said.push(words.counted("geometry.redundant", count, { pairs: pairs.join(", ") }));
   for (const links of own.idle) said.push(words.counted("geometry.idle", links.length, { links: links.map((link) => called(link, words)).join(", ") }));

@@ -1,4 +1,4 @@
-// What the page shows of a scheme of links and pairs only.
+// Views for a scheme of links and pairs.
 import { Description } from "assur/kinds/scheme/description.js";
 import { FormulasView } from "assur/kinds/scheme/formulas.js";
 import { GeometryView } from "assur/kinds/scheme/geometry.js";

@@ -1,4 +1,4 @@
-// From where a spatial scheme is looked at.
+// Direction of view of a spatial scheme.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { edited } from "assur/state/state.js";

@@ -1,4 +1,4 @@
-// The method of sections: cut step by step, what is counted of the open chain, and what that comes to.
+// The method of sections: cuts step by step, the count of the open chain, and the resulting mobility.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -11,7 +11,7 @@ import { edited } from "assur/state/state.js";
  * @typedef {NonNullable<Snapshot["summary"]["sections"]>} Sections
  */
 
-/** Between two cuts, in milliseconds: the first has fallen open, and was looked at. */
+/** Time between two cuts, in milliseconds: the chain falls open and can be looked at. */
 const PAUSE = 1600;
 
 export class MethodView {
@@ -19,7 +19,7 @@ export class MethodView {
   #step = make("button", { id: "cut-step", class: "control add", type: "button", "data-t": "method.step", onclick: () => this.#begin() });
   #join = make("button", { id: "cut-join", class: "control add", type: "button", "data-t": "method.join", onclick: () => this.#put([]) });
   #said = make("div", { id: "method-said", "aria-live": "polite" });
-  /** @type {readonly string[]} cuts that are still to be shown */
+  /** @type {readonly string[]} cuts still to be shown */
   #coming = [];
   #timer = 0;
   /** @type {Snapshot | null} */
@@ -37,7 +37,7 @@ export class MethodView {
     const { state: { document }, summary, words, stale, withheld } = snapshot;
     if (this.#shown.same(document, summary, words, stale, withheld)) return;
     this.#snapshot = snapshot;
-    // Whoever cuts another pair meanwhile does it by hand from there.
+    // Another cut by hand stops the automatic ones.
     if (this.#coming.length > 0 && !document.cut.every((name, i) => name === summary.automatic[i])) this.#stop();
     this.#step.hidden = document.task != null;
     this.#step.disabled = summary.automatic.length === 0;
@@ -53,7 +53,7 @@ export class MethodView {
     if (closed.length > 0) return [words.text("method.closed", { pairs: closed.join(", ") })];
     if (apart.length > 0) return [words.text("method.apart", { links: apart.map((link) => called(link, words)).join(", ") })];
     if (!sections || document.task != null) return [];
-    // Of a chain that was open W₀ is W.
+    // In a chain that was open from the start W₀ is W.
     const total = sections.cuts.length > 0 ? numbers.exact(sections.open) : asked(sections.open, "w", snapshot);
     const lines = [words.text("method.open"), `W₀ = ${freedomsOf(sections.left, total, words)}`];
     if (sections.cuts.length > 0) {
@@ -74,7 +74,7 @@ export class MethodView {
     this.#timer = setTimeout(() => this.#next(0), PAUSE / 4);
   }
 
-  /** @param {number} count of the cuts that are there */
+  /** @param {number} count of the cuts already made */
   #next(count) {
     if (this.#coming.length <= count) {
       this.#stop();
@@ -104,7 +104,7 @@ export class MethodView {
 /**
  * @param {Sections} sections of a planar scheme
  * @param {Snapshot} snapshot
- * @returns {string} q = ΣS + W − W₀, both in space
+ * @returns {string} q = ΣS + W − W₀, with ΣS and W₀ in space
  */
 function redundant({ loops, removed_spatial: removed, open_spatial: open }, snapshot) {
   const { numbers } = snapshot.words;

@@ -1,13 +1,13 @@
-// The chain falls open where a pair was cut: not at once, so that it is seen.
+// Animation of the chain that falls open at a cut pair.
 
 /** @typedef {import("assur/state/model.js").OwnSnapshot<"scheme">} Snapshot */
 
-/** So long it takes, in milliseconds. */
+/** Duration of the animation, in milliseconds. */
 const LASTS = 700;
 
 export class Opening {
   #page;
-  /** @type {Snapshot["state"]["document"] | null} what was shown last */
+  /** @type {Snapshot["state"]["document"] | null} document shown last */
   #document = null;
   #begun = 0;
   #handle = 0;

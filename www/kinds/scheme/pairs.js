@@ -1,4 +1,4 @@
-// The table of pairs: what form each has, which links it joins, whether it is cut, where it is.
+// The table of pairs: form, links, cuts and place of each.
 import { CardList } from "assur/controls/card-list.js";
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
@@ -14,7 +14,7 @@ import { edited } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** More pairs do not fit a drawing. */
+/** Limit of the number of pairs in a drawing. */
 const MOST = 60;
 
 /** @type {readonly Pair["kind"][]} */
@@ -22,10 +22,10 @@ const FORMS = Object.freeze([
   "revolute", "prismatic", "screw", "cylindrical", "universal", "spherical", "planar", "sphere_in_cylinder", "cylinder_on_plane", "sphere_on_plane", "class",
 ]);
 
-/** The value of the choice of a link that is not there yet. */
+/** Value of the entry for a new link. */
 const NEW = "";
 
-/** What of a pair is a list of numbers, with how each is called. */
+/** Lists of numbers of a pair, with the names of the numbers. */
 const TRIPLES = Object.freeze(/** @type {const} */ ([
   { part: "at", said: ["field.pairs.at.x", "field.pairs.at.y", "field.pairs.at.z"] },
   { part: "axis", said: ["field.pairs.axis.x", "field.pairs.axis.y", "field.pairs.axis.z"] },
@@ -166,7 +166,7 @@ export class PairsView {
   /**
    * @param {HTMLElement} place
    * @param {string} n
-   * @param {readonly string[]} known the cuts that there are of the pair
+   * @param {readonly string[]} known possible cuts of the pair
    * @param {Document} document
    * @param {Words} words
    */
@@ -199,7 +199,7 @@ function isOf(cut, pair) {
 /**
  * @param {Pair} pair
  * @param {Pair["kind"]} kind
- * @returns {Pair} the same of another form: how the old one was turned is not how this one is
+ * @returns {Pair} the pair in another form, without the axis of the old one
  */
 function shaped({ name, links, at }, kind) {
   const place = at ? { at } : {};
@@ -208,9 +208,9 @@ function shaped({ name, links, at }, kind) {
 
 /**
  * @param {readonly number[] | null | undefined} before
- * @param {number} k which of the numbers
+ * @param {number} k index of the number
  * @param {number} value
- * @param {boolean} flat whether there are two
+ * @param {boolean} flat whether there are two numbers
  */
 function placed(before, k, value, flat) {
   const numbers = [0, 0, 0].map((zero, i) => (i === k ? value : (before?.[i] ?? zero)));
@@ -230,7 +230,7 @@ function another(document) {
 
 /**
  * @param {Document} document
- * @returns {string} the first number that no link has
+ * @returns {string} the first free number, as the name of a link
  */
 function newLink({ pairs }) {
   const taken = new Set(pairs.flatMap(({ links }) => links));

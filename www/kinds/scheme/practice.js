@@ -1,4 +1,4 @@
-// Practice: a mechanism that nobody has counted yet. Every step of the method is asked for and checked.
+// Practice with a generated mechanism: every step of the method is asked for and checked.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -14,7 +14,7 @@ import { edited } from "assur/state/state.js";
  * `opened`: whether it can be answered only when every contour is open.
  */
 
-/** How many tasks there are: numbers of theirs are short. */
+/** Number of tasks, which keeps their numbers short. */
 const TASKS = 100000;
 
 /** @type {readonly Question[]} */
@@ -34,11 +34,11 @@ export class PracticeView {
   #end = make("button", { id: "practice-end", class: "control add", type: "button", "data-t": "practice.end" });
   #said = make("p", { id: "practice-said" });
   #rows = make("div", { id: "practice-rows" });
-  /** What is asked. */
+  /** Key of the current questions. */
   #asked = "";
-  /** @type {number | null} of which task the answers are */
+  /** @type {number | null} task of the answers */
   #answered = null;
-  /** @type {Map<string, number>} what was answered, by the question */
+  /** @type {Map<string, number>} answers by question */
   #answers = new Map();
   /** @type {{ question: Question, box: NumberBox, verdict: HTMLElement, input: HTMLInputElement }[]} */
   #questions = [];
@@ -72,7 +72,7 @@ export class PracticeView {
     this.#judge();
   }
 
-  /** Another mechanism, other than the one there is. */
+  /** Opens another mechanism than the present one. */
   #task() {
     const { engine, store } = this.#page;
     const { document } = store.get();
@@ -84,7 +84,7 @@ export class PracticeView {
   }
 
   /**
-   * @param {readonly number[]} classes of the pairs that there are
+   * @param {readonly number[]} classes of the pairs in the scheme
    * @param {Words} words
    */
   #build(classes, words) {

@@ -1,4 +1,4 @@
-// The status line of a scheme: what is counted, and what the rank says.
+// The status line of a scheme: counts, and the mobility by rank.
 import { StatusLine } from "assur/controls/status.js";
 import { actual, symbolOf } from "assur/kinds/scheme/sums.js";
 
@@ -19,7 +19,7 @@ export const ENTRIES = Object.freeze({
   pairs: ({ counts }, { numbers }) => ({ text: counts.pairs.map(({ freedoms, count }) => `${symbolOf(freedoms)} = ${numbers.exact(count)}`).join(", ") }),
 });
 
-/** Empty for a task, which asks for all of it. @returns {StatusLine<Snapshot>} */
+/** The status line, empty for a task, which asks for all its entries. @returns {StatusLine<Snapshot>} */
 export function schemeStatus() {
   return new StatusLine("scheme", Object.entries(ENTRIES).map(([name, say]) => ({
     name: `scheme-${name}`,

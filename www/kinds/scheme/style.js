@@ -1,4 +1,4 @@
-// The style sheet of what only a scheme needs. Who imports this waits until it is there.
+// The style sheet for schemes. Importing this module waits until it is loaded.
 import { addStyle } from "assur/core/dom.js";
 
 await addStyle("kinds/scheme/style.css");

@@ -1,24 +1,24 @@
-// Sums as they are written: 2·1 + 1·3 = 5.
+// Sums in written form: 2·1 + 1·3 = 5.
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {Readonly<{ freedoms: number, count: number }>} Class how many pairs leave so many freedoms
+ * @typedef {Readonly<{ freedoms: number, count: number }>} Class number of pairs with the given number of freedoms
  */
 
 /**
  * @param {number} value of W, by the count or by rank, or of q
  * @param {"w" | "rank" | "q"} which
  * @param {Pick<import("assur/kinds/scheme/opening.js").Snapshot, "withheld" | "words">} snapshot
- * @returns {string} a question mark while a lesson asks for it
+ * @returns {string} the value, or a question mark while a lesson asks for it
  */
 export function asked(value, which, { withheld, words }) {
   return withheld.has(`scheme-${which}`) ? "?" : words.numbers.exact(value);
 }
 
 /**
- * W and q as they are: by the rank of the constraints in space, where place and axis of every pair are known, else by the count.
+ * Actual W and q: by the rank of the constraints in space if place and axis of every pair are known, else by the count.
  * @param {Pick<import("assur/kinds/scheme/opening.js").Snapshot["summary"], "mobility" | "redundant" | "space">} summary
- * @returns {Readonly<{ mobility: number, redundant: number, ranked: boolean }>} `ranked`: whether the count says otherwise
+ * @returns {Readonly<{ mobility: number, redundant: number, ranked: boolean }>} `ranked`: whether the rank differs from the count
  */
 export function actual({ mobility, redundant, space }) {
   const judged = space ?? { mobility, redundant };
@@ -35,7 +35,7 @@ export function symbolOf(freedoms) {
 /**
  * @param {readonly number[]} terms
  * @param {Words} words
- * @returns {string} their sum with its terms, where there are several
+ * @returns {string} their sum, with its terms if there are several
  */
 export function sum(terms, { numbers }) {
   const total = numbers.exact(terms.reduce((all, one) => all + one, 0));
@@ -53,12 +53,12 @@ export function freedomsOf(classes, total, { numbers }) {
 }
 
 /**
- * Of so many freedoms of each link what pairs leave: 3·3 − 2·4.
+ * Structural formula: the freedoms of all links less the constraints of the pairs, as 3·3 − 2·4.
  * @param {3 | 6} space freedoms of a link
  * @param {number} links
  * @param {readonly Class[]} classes
  * @param {Words} words
- * @returns {[string, string]} with symbols, with numbers
+ * @returns {[string, string]} the formula with symbols, and with numbers
  */
 export function structural(space, links, classes, { numbers }) {
   const [symbols, values] = [[`${space}n`], [`${space}·${numbers.exact(links)}`]];

@@ -1,4 +1,4 @@
-// The conditions and theorems of the paper for one position at its coupler angle, as they are printed, and beside each what is true.
+// Conditions and theorems of the paper for one position at its coupler angle: as printed, and beside each the true result.
 import { radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
@@ -47,7 +47,7 @@ export class ConditionsView {
     this.#paint();
   }
 
-  /** The region in which some input closes the contour in every position, and the lengths that are drawn. */
+  /** Paints the region in which some input closes the contour in every position, and the drawn lengths. */
   #paint() {
     if (!this.#snapshot) return;
     const { summary: { frame, closed, wanted, drawn }, words } = this.#snapshot;
@@ -81,7 +81,7 @@ function table({ at, conditions, theorems, pair, ranges, interval }, k, words) {
   ]);
 }
 
-/** What is said of a theorem, by whether its conditions hold and what it concludes is so. */
+/** Texts on a theorem, by whether its conditions hold and whether its conclusion is true. */
 const JUDGED = Object.freeze(/** @type {Readonly<Record<string, string>>} */ ({
   "true true": "conditions.right", "true false": "conditions.wrong", "false true": "conditions.missed", "false false": "conditions.silent",
 }));
@@ -89,7 +89,7 @@ const JUDGED = Object.freeze(/** @type {Readonly<Record<string, string>>} */ ({
 /**
  * @param {string} name
  * @param {string} said
- * @param {readonly (boolean | null)[]} verdicts as printed, and in fact; null where there is none
+ * @param {readonly (boolean | null)[]} verdicts the printed condition and the true result; null if there is none
  * @param {Words} words
  * @param {boolean} [fails] whether a theorem is false here
  */
@@ -121,14 +121,14 @@ function whole(name, said, kind = "range") {
  * @param {string | null} about
  * @param {readonly (number | null)[]} values
  * @param {Words} words
- * @returns {string} the numbers whose signs a condition judges
+ * @returns {string} the numbers whose signs decide a condition
  */
 function valued(number, about, values, words) {
   const [one, other] = values.map((value) => (value === null ? "∞" : words.numbers.short(value)));
   if (about === null) return one;
   // (33) to (38) judge two fractions, the others P and Q.
   const k = subscript(about.slice(1));
-  // A line may end between the two, and nowhere else.
+  // A line may break only between the two.
   return number < 33 ? `P${k}\u00a0=\u00a0${one}; Q${k}\u00a0=\u00a0${other}` : `${one}; ${other}`;
 }
 

@@ -1,15 +1,15 @@
-// The cone of the links' directions in one position: the frame's direction must lie inside it, else some length is not positive.
+// The cone of the links' directions in one position: the frame's direction must lie inside it, or some length is not positive.
 import { makeSvg } from "assur/core/dom.js";
 
-/** The directions as readers meet them, the frame's first. */
+/** Names and roles of the directions, the frame's first. */
 const LOOKS = Object.freeze([["e₀", "ink"], ["e₁", "coupler"], ["e₂", "rocker"], ["e₃", "crank"]]);
 
-/** Distance of names from the middle, the extra distance of a name that would cover another, and the reach of the picture. */
+/** Distance of names from the middle, extra distance of a name that would overlap, half the size of the picture. */
 const NAME = 1.16;
 const FARTHER = 0.22;
 const SIZE = 1.5;
 
-/** Directions nearer to each other than this have names that would cover each other, radians. */
+/** Angle between directions, in radians, below which their names would overlap. */
 const NEAR = 0.2;
 
 /**
@@ -35,7 +35,7 @@ export function cone(turns, label) {
 
 /**
  * @param {readonly number[]} turns
- * @returns {string} the path around all sums of positive multiples: all of the disc where no gap between neighbours is half a turn
+ * @returns {string} path around all sums of positive multiples: the whole disc if no gap between neighbours reaches half a turn
  */
 function sector(turns) {
   const around = turns.map((turn) => (turn < 0 ? (turn % TURN) + TURN : turn % TURN)).sort((a, b) => a - b);
@@ -52,7 +52,7 @@ const TURN = 2 * Math.PI;
 /**
  * @param {number} turn
  * @param {number} far
- * @returns {[number, number]} a place, with y downwards
+ * @returns {[number, number]} the point at that distance, with y downwards
  */
 function at(turn, far) {
   return [far * Math.cos(turn), -far * Math.sin(turn)];

@@ -1,4 +1,4 @@
-// What there is to choose from: the family of two positions, a curve to slide along; of more the solutions in the same plane.
+// The choice of a linkage: for two positions a family, as a curve to slide along; for more the solutions in the same plane.
 import { NumberRow } from "assur/controls/number-row.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
@@ -7,14 +7,14 @@ import { section } from "assur/controls/section.js";
 import { change, inputNow } from "assur/state/change.js";
 import { edited } from "assur/state/state.js";
 
-/** The lengths as readers meet them. */
+/** Symbols, names and roles of the lengths. */
 const LENGTHS = Object.freeze([
   { symbol: "l₁", key: "map.coupler", role: "coupler" },
   { symbol: "l₂", key: "map.output", role: "rocker" },
   { symbol: "l₃", key: "map.input", role: "crank" },
 ]);
 
-/** What the parts of the curve are called. */
+/** Names of the parts of the curve. */
 const PARTS = Object.freeze({ turns: "map.turns", rocks: "map.rocks", disorder: "map.disorder", branch: "map.branch" });
 
 export class FamilyView {

@@ -1,4 +1,4 @@
-// The dialog of a wanted function: it puts the positions of a synthesis on it. Loaded when it is asked for.
+// The dialog of a wanted function: it places the positions of a synthesis on it. Loaded on demand.
 import { functionPositions } from "assur/pkg/assur_web.js";
 import { numberField } from "assur/controls/number-box.js";
 import { sentence } from "assur/controls/problems.js";
@@ -17,15 +17,15 @@ import { alone, edited } from "assur/state/state.js";
  * @typedef {import("assur/core/problem.js").Problem} Problem
  */
 
-/** What the dialog begins with: three positions meet it to 0.2 % of its range. */
+/** Initial function: three positions approximate it to 0.2 % of its range. */
 const USUAL = Object.freeze(/** @type {Wanted} */ ({ of: "log10", x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] }));
 const POWER = 2;
 const COUNT = 3;
 
-/** What goes from one end to the other, with its unit. */
+/** The ranges of the form, with their units. */
 const RANGES = Object.freeze(/** @type {const} */ ([["x", ""], ["input_deg", "°"], ["output_deg", "°"]]));
 
-/** What separates two numbers of a row; a comma alone may be that of a decimal. */
+/** Separator of two numbers in a row; a comma alone may be a decimal sign. */
 const BETWEEN = /\s*;\s*|,?\s+/;
 
 /**
@@ -67,7 +67,7 @@ export function openFunction(page) {
 /**
  * @param {ReturnType<typeof makeForm>} form
  * @param {import("assur/app/page.js").Page} page
- * @returns {Partial<Document> & Pick<Document, "positions">} what the document has then: nothing that was chosen for other positions
+ * @returns {Partial<Document> & Pick<Document, "positions">} the new fields of the document, without the choices made for other positions
  */
 function made(form, { engine, store }) {
   const { wanted, count, even } = form.read();
@@ -113,13 +113,13 @@ function makeForm(document, words) {
   const fit = () => {
     powered.hidden = chosen.value !== "power";
     for (const one of pasted) one.hidden = chosen.value !== "table";
-    // A table tells from where to where it goes.
+    // A table determines the range of x itself.
     for (const one of ranges[0].row) one.hidden = chosen.value === "table";
   };
   chosen.addEventListener("change", fit);
   fit();
 
-  /** Those that may be at fault, by their fields. */
+  /** Fields that may be at fault, by name. */
   const boxes = new Map([["function.of", [rows]], ["function.power", [power]], ...ranges.map(({ part, boxes }) => /** @type {const} */ ([`function.${part}`, boxes]))]);
   return {
     rows: [
@@ -132,7 +132,7 @@ function makeForm(document, words) {
     mark(wrong) {
       for (const [field, all] of boxes) for (const one of all) one.setAttribute("aria-invalid", String(wrong.has(field)));
     },
-    /** @returns {{ wanted: Wanted, count: number, even: boolean }} what is typed; it throws what is no number */
+    /** @returns {{ wanted: Wanted, count: number, even: boolean }} the typed values; throws a refusal if some are no numbers */
     read() {
       /** @type {Problem[]} */
       const problems = [];
@@ -157,8 +157,8 @@ function makeForm(document, words) {
 }
 
 /**
- * @param {string} text two numbers to a line, with a space, a semicolon or a comma between
- * @param {Problem[]} problems where lines that are none are put down
+ * @param {string} text two numbers to a line, separated by a space, a semicolon or a comma
+ * @param {Problem[]} problems list that receives invalid lines
  * @returns {[number, number][]}
  */
 export function tableOf(text, problems) {

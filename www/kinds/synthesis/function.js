@@ -1,5 +1,5 @@
-// The wanted function of a synthesis: the error of the drawn linkage, in a sentence and over x. The dialog that puts positions on it is
-// loaded when it is asked for.
+// The wanted function of a synthesis: the error of the drawn linkage, in a sentence and over x. The dialog for it is loaded on
+// demand.
 import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";
 import { make, makeSvg, write } from "assur/core/dom.js";
@@ -12,7 +12,7 @@ import { edited } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** How wide and high the plot is, in units of its own; it is stretched. */
+/** Width and height of the plot in its own units, which are stretched to its size. */
 const [WIDE, HIGH] = [100, 30];
 
 export class FunctionView {
@@ -45,7 +45,7 @@ export class FunctionView {
   /** @param {import("assur/kinds/synthesis/positions.js").Snapshot} snapshot */
   render({ state: { document: { function: wanted } }, summary: { function: error }, words }) {
     const { document } = this.#model.good;
-    // What is drawn may have come of positions on another function, where those on this one have no linkage.
+    // While the positions on this function have no linkage, the drawn one may belong to another function.
     const isDrawn = "function" in document && document.function === wanted;
     if (this.#shown.same(wanted, isDrawn, error, words)) return;
     this.#there.hidden = !isDrawn || !wanted || !error;
@@ -61,7 +61,7 @@ export class FunctionView {
 /**
  * @param {Wanted["of"]} of
  * @param {Words} words
- * @returns {string} what y is of x, as a formula where it has one
+ * @returns {string} y as a function of x, as a formula if there is one
  */
 export function formula(of, words) {
   if (of === "log10") return "y = log₁₀ x";
@@ -84,9 +84,9 @@ function said({ of }, { greatest, complete }, words) {
 
 /**
  * @param {Error} error
- * @param {readonly [number, number]} x between which it is drawn
- * @param {number} most the greatest error, which comes to the edge
- * @returns {string} its path, broken where the linkage does not go
+ * @param {readonly [number, number]} x ends of the plotted range
+ * @param {number} most the greatest error, which reaches the edge of the plot
+ * @returns {string} path of the error, interrupted where the linkage cannot go
  */
 function curve({ curve: samples }, [from, to], most) {
   let pen = "M";

@@ -1,4 +1,4 @@
-// What the page shows of a synthesis only. Loaded with the first.
+// Views for a synthesis. Loaded with the first one.
 import { ConditionsView } from "assur/kinds/synthesis/conditions.js";
 import { FamilyView } from "assur/kinds/synthesis/family.js";
 import { PositionsView } from "assur/kinds/synthesis/positions.js";

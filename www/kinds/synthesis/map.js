@@ -1,5 +1,5 @@
-// The plane of the output's and the input's length: the family of two positions as a curve, the sum of squares of more positions
-// as a shade, the solutions and the one that is drawn as points.
+// The plane of the lengths of output link and driver: the family of two positions as a curve, the sum of squares for more
+// positions as a shade, the solutions and the drawn one as points.
 import { Plane } from "assur/kinds/synthesis/plane.js";
 
 /**
@@ -8,7 +8,7 @@ import { Plane } from "assur/kinds/synthesis/plane.js";
  * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
  */
 
-/** How the parts of the family are drawn, by their verdict: colour and dashes, as colour alone is not seen by all. */
+/** Colour and dashes of the parts of the family, by verdict: colour alone is not visible to all. */
 export const LOOKS = Object.freeze(/** @type {Readonly<Record<Verdict, { role: string, dash: readonly number[] }>>} */ ({
   turns: { role: "rocker", dash: [] },
   rocks: { role: "crank", dash: [] },
@@ -16,7 +16,7 @@ export const LOOKS = Object.freeze(/** @type {Readonly<Record<Verdict, { role: s
   branch: { role: "secondary", dash: [2, 4] },
 }));
 
-/** So near the curve a pointer takes it, in pixels. */
+/** Greatest distance at which a pointer takes a point of the curve, in pixels. */
 const REACH = 24;
 
 export class FamilyMap {
@@ -27,7 +27,7 @@ export class FamilyMap {
 
   /**
    * @param {import("assur/canvas/theme.js").Theme} theme
-   * @param {(member: [number, number]) => void} choose a member of the family, by l₂ and l₃
+   * @param {(member: [number, number]) => void} choose takes a member of the family, by l₂ and l₃
    */
   constructor(theme, choose) {
     this.#plane = new Plane("synthesis-map", theme, ["l₂", "l₃"], () => this.#paint());
@@ -59,7 +59,7 @@ export class FamilyMap {
 
   /**
    * @param {PointerEvent} event
-   * @returns {[number, number] | null} l₂ and l₃ of the member of the family that is drawn next to a place
+   * @returns {[number, number] | null} l₂ and l₃ of the nearest member of the family within reach
    */
   #member({ offsetX, offsetY }) {
     const curve = this.#snapshot?.summary.family?.curve;
@@ -78,7 +78,7 @@ export class FamilyMap {
     const { summary: { frame, family, found, solutions, drawn }, words } = this.#snapshot;
     if (!this.#plane.begin(frame, words)) return;
     if (found) {
-      // The darker the less.
+      // The smaller the sum, the darker.
       const all = found.sum.values.flat();
       const [low, high] = [Math.min(...all), Math.max(...all)];
       this.#plane.shade(found.sum, (value) => (high - value) / (high - low || 1));
@@ -91,7 +91,7 @@ export class FamilyMap {
   }
 
   /**
-   * The family, each part by its verdict.
+   * Paints the family, each part by its verdict.
    * @param {NonNullable<Summary["family"]>["curve"]} curve
    */
   #curve({ l2, l3, verdicts }) {

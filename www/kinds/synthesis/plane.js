@@ -1,21 +1,21 @@
-// A plane of two lengths, both on logarithmic scales, with what is shaded over it, lines and points in it.
+// A plane of two lengths on logarithmic scales, with shades, lines and points in it.
 import { Surface } from "assur/canvas/surface.js";
 import { make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/types/web.js").PlaneSummary} Shade
- * @typedef {readonly number[]} Place the length to the right and that upwards
+ * @typedef {readonly number[]} Place the horizontal length and the vertical one
  */
 
 /** Room for the numbers of the axes, in pixels. */
 const MARGIN = Object.freeze({ left: 34, bottom: 30, top: 10, right: 10 });
 
-/** Lengths relative to the frame at which lines are drawn, from end to end. */
+/** Positions of the grid lines, as lengths relative to the frame. */
 const LINES = Object.freeze([0.1, 0.3, 1, 3, 10]);
 
 const DOT = 6;
 
-/** In so many steps it is shaded, up to this strength. */
+/** Number of steps of a shade, and opacity of the darkest. */
 const STEPS = 12;
 const DARKEST = 0.75;
 
@@ -29,8 +29,8 @@ export class Plane {
   /**
    * @param {string} id
    * @param {import("assur/canvas/theme.js").Theme} theme
-   * @param {readonly [string, string]} symbols of the length to the right and of that upwards
-   * @param {() => void} repaint what is painted in it
+   * @param {readonly [string, string]} symbols of the horizontal length and of the vertical one
+   * @param {() => void} repaint paints the content again
    */
   constructor(id, theme, symbols, repaint) {
     this.element = make("canvas", { id, class: "map", role: "img" });
@@ -40,10 +40,10 @@ export class Plane {
   }
 
   /**
-   * Lines and numbers, and nothing else; what comes next is painted between them.
-   * @param {number} frame its length
+   * Paints only grid and numbers. The content follows, up to `end`.
+   * @param {number} frame length of the frame
    * @param {import("assur/core/words.js").Words} words
-   * @returns {boolean} whether there is anything to paint on
+   * @returns {boolean} whether there is a visible area to paint on
    */
   begin(frame, words) {
     this.#frame = frame;
@@ -61,7 +61,7 @@ export class Plane {
       this.#trace([[x, MARGIN.top], [x, bottom]]);
       this.#trace([[MARGIN.left, y], [width - MARGIN.right, y]]);
       const text = words.numbers.short(line * frame);
-      // In the corner two numbers meet.
+      // In the corner the numbers of both axes meet.
       write(context, text, x, bottom + 3, i === 0 ? "left" : "center", "top");
       write(context, text, MARGIN.left - 4, y, "right", i === 0 ? "bottom" : "middle");
     }
@@ -75,14 +75,14 @@ export class Plane {
     return true;
   }
 
-  /** What was begun is painted. */
+  /** Ends the painting of the content. */
   end() {
     this.#surface.context.restore();
   }
 
   /**
    * @param {Place} place
-   * @returns {[number, number]} where it is, in pixels
+   * @returns {[number, number]} its position in pixels
    */
   at([right, up]) {
     const { width, height } = this.#surface;
@@ -93,9 +93,9 @@ export class Plane {
   }
 
   /**
-   * Values in steps, the darker the more.
+   * Paints values as shades in steps, the greatest share darkest.
    * @param {Shade} shade
-   * @param {(value: number) => number} share how much of the strength a value has, from 0 to 1
+   * @param {(value: number) => number} share gives the share of the darkest shade for a value, from 0 to 1
    */
   shade({ bounds: [least, most], values }, share) {
     const { context } = this.#surface;

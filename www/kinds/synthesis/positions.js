@@ -1,4 +1,4 @@
-// What is wanted: the frame, and the positions of output and input that the linkage is to pass through.
+// The task of a synthesis: the frame, and the wanted positions of output link and driver.
 import { CardList } from "assur/controls/card-list.js";
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { NumberRow } from "assur/controls/number-row.js";
@@ -16,10 +16,10 @@ import { edited } from "assur/state/state.js";
  * @typedef {Document["positions"][number]} Position
  */
 
-/** How many positions there may be on the page; more are solved, but cannot be told apart in a drawing. */
+/** Limit of the number of positions on the page; more can be solved, but not distinguished in a drawing. */
 export const MOST = 12;
 
-/** Another position is put so far from the last one, or as often so far as it must be: degrees of the input. */
+/** Step of the input to a new position, in degrees, repeated as often as necessary. */
 const NEXT = 30;
 
 /** @type {readonly (import("assur/controls/number-row.js").RowKind & { field: "frame" | "phi0_deg" })[]} */
@@ -28,7 +28,7 @@ const FRAME = Object.freeze([
   { field: "phi0_deg", symbol: "φ₀", role: "secondary", unit: "°" },
 ]);
 
-/** Of a position what is given, and how it is drawn. */
+/** Given angles and weight of a position, with symbol, role and unit. */
 const PARTS = Object.freeze(/** @type {const} */ ([
   { part: "coupler_deg", symbol: "φ₁", role: "coupler", unit: "°" },
   { part: "output_deg", symbol: "φ₂", role: "rocker", unit: "°" },
@@ -36,7 +36,7 @@ const PARTS = Object.freeze(/** @type {const} */ ([
   { part: "weight", symbol: "w", role: "secondary", unit: "" },
 ]));
 
-/** A coupler angle begins as that of what is drawn, to so many parts of a degree. */
+/** Parts of a degree to which initial coupler angles are rounded. */
 const PARTS_OF_DEGREE = 10;
 
 /** @type {Omit<import("assur/controls/card-list.js").ListKind<"synthesis", Position>, "another">} */
@@ -93,7 +93,7 @@ export class PositionsView {
 
   /**
    * @param {Snapshot} snapshot
-   * @returns {Position} one that the linkage that is drawn takes up, farther on than the last one
+   * @returns {Position} a position of the drawn linkage beyond the last one
    */
   #another({ state: { document: { positions } }, summary: { drawn: { starts: [outputStart, inputStart] } } }) {
     const last = positions[positions.length - 1];
@@ -116,7 +116,7 @@ function areGiven({ positions }) {
 
 /**
  * @param {Snapshot} snapshot
- * @returns {Position[]} with the coupler angles of what is drawn
+ * @returns {Position[]} the positions with the coupler angles of the drawn linkage
  */
 function withCouplers({ state: { document: { positions } }, summary: { wanted } }) {
   return positions.map((position, k) => {
@@ -139,7 +139,7 @@ function card(index, put, drafts, remove) {
   return {
     lines: [make("div", { class: "position" }, [name, ...boxes.map(({ label }) => label), remove])],
     show(position, { words: { numbers }, state, summary }, wrong) {
-      // With as many positions as there are lengths to choose, each is met whatever its weight.
+      // Three positions or fewer are met exactly, whatever their weights.
       const weighed = state.document.positions.length > 3;
       const shown = { output_deg: true, input_deg: true, weight: weighed, coupler_deg: areGiven(state.document) };
       for (const { part, field, unit, box, label } of boxes) {

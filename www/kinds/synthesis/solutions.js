@@ -1,4 +1,4 @@
-// The solutions, each with its verdict: one of them is drawn, it can go on to the simulator, and all of them into a file.
+// The solutions with their verdicts: one is drawn and can be opened in the simulator, all can be saved in a file.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
@@ -13,13 +13,13 @@ import { edited } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** What is said of where the solutions come from. */
+/** Texts on the source of the solutions. */
 const FROM = Object.freeze({ family: "solutions.family", exact: "solutions.exact", found: "solutions.found", trial: "solutions.trial" });
 
-/** A contour that is open by less than this is closed, as far as can be read. */
+/** Gap below which a contour counts as closed, as far as can be read. */
 const EXACT = 5e-7;
 
-/** The columns of the file: lengths, starts, how far off it is, the verdict. */
+/** Columns of the file: lengths, starting angles, errors, verdict. */
 const COLUMNS = Object.freeze([
   "l1", "l2", "l3", "phi20_deg", "phi30_deg", "gap", "sum", "at_bound",
   "passage", "order", "grashof", "input_turns", "transmission_deg", "size_ratio", "output_error_deg",
@@ -80,7 +80,7 @@ export class SolutionsView {
   }
 
   /**
-   * What the method of the paper comes to, and Levitsky's.
+   * Writes the results of the paper's method and of Levitsky's.
    * @param {Snapshot["summary"]} summary
    * @param {Words} words
    */
@@ -115,8 +115,8 @@ export class SolutionsView {
 
 /**
  * @param {Snapshot["summary"]} summary
- * @returns {readonly [number, Solution][]} the solutions with their numbers, in the order in which they are shown; of a
- *   family the member that is drawn
+ * @returns {readonly [number, Solution][]} the solutions with their numbers, in the order in which they are shown; for a
+ *   family the drawn member
  */
 function listed({ solutions, shown, drawn }) {
   return shown.length > 0 ? shown.map((number) => [number, solutions[number - 1]]) : [[1, drawn]];
@@ -141,10 +141,10 @@ function verdict({ verdict: one, gap, output_error: off, at_bound: bound }, word
 }
 
 /**
- * The main equation of a position, step by step with its numbers.
+ * Writes the main equation of a position step by step, with its numbers.
  * @param {number} k
  * @param {Wanted} wanted
- * @param {number} frame its length
+ * @param {number} frame length of the frame
  * @param {Words} words
  */
 function mainEquation(k, { output, input, error, at, open, equation: [left, constant, byInput, byOutput] }, frame, words) {
@@ -162,7 +162,7 @@ function mainEquation(k, { output, input, error, at, open, equation: [left, cons
 /**
  * @param {number} open
  * @param {Words} words
- * @returns {string} nothing where it is less than can be read
+ * @returns {string} the gap, or 0 if it is too small to be read
  */
 function length(open, words) {
   return words.numbers.upTo(open < EXACT ? 0 : open, 4);

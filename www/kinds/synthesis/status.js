@@ -1,4 +1,4 @@
-// The status line of a synthesis: the verdict of the linkage that is drawn.
+// The status line of a synthesis: the verdict on the drawn linkage.
 import { StatusLine } from "assur/controls/status.js";
 import { degrees } from "assur/core/angles.js";
 

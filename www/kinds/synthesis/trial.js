@@ -1,4 +1,4 @@
-// Lengths that are tried instead of a solution, typed or by sliders.
+// Lengths to try instead of a solution, typed or set by sliders.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
@@ -11,14 +11,14 @@ import { edited } from "assur/state/state.js";
  * @typedef {NonNullable<import("assur/state/state.js").Documents["synthesis"]["trial"]>} Lengths
  */
 
-/** Of coupler, output link and driver. */
+/** Subscripts and roles of the lengths of coupler, output link and driver. */
 const LENGTHS = Object.freeze([{ n: "₁", role: "coupler" }, { n: "₂", role: "rocker" }, { n: "₃", role: "crank" }]);
 
-/** Between these lengths a slider goes, and its steps, relative to the frame's. */
+/** Range and step of a slider, relative to the frame's length. */
 const RANGE = Object.freeze([0.05, 3]);
 const STEP = 0.01;
 
-/** Lengths begin with those of what is drawn, with so many digits. */
+/** Digits to which the initial lengths, those of the drawn linkage, are rounded. */
 const DIGITS = 4;
 
 export class TrialView {
@@ -62,7 +62,7 @@ export class TrialView {
     }
   }
 
-  /** @returns {Lengths | null} those that are tried, or else drawn */
+  /** @returns {Lengths | null} the tried lengths, or else the drawn ones */
   #lengths() {
     if (!this.#snapshot) return null;
     const { state: { document: { trial } }, summary: { drawn } } = this.#snapshot;
@@ -74,7 +74,7 @@ export class TrialView {
 
 /**
  * @param {Lengths} lengths
- * @param {number} index of the one that is another
+ * @param {number} index index of the changed length
  * @param {number} value
  * @returns {Lengths}
  */
