@@ -104,8 +104,8 @@ fn damaged_arguments_end_with_a_status() {
         "differential --z1 24 --z4 60 --w1 100 --w4 -20 --satellites 3",
         "plot mixer-a --svg -",
         "synth --frame 10 --position 240,45 --position 253,60",
-        "synth --frame 10 --function x^1.5 --x 0,2 --input 0,90 --output 10,80 --positions 3",
-        "structure https://designengrlab.github.io/PMKS/pmks.html?mech=ground,a,R,0,0,0,tfff|a,b,R,1,0|",
+        "synth --frame 10 --function log10 --x 1,2 --input 90,150 --output 210,270 --positions 3",
+        "structure https://designengrlab.github.io/PMKS/pmks.html?mech=ground,crank,R,0,0,0,tfft|crank,rod,R,25,0,0,tfff|rod,rocker,R,30,38,0,tfff|rocker,ground,R,50,0,0,tfff|",
     ];
     let folder = Folder::new("arguments");
     // Before they are damaged, all are accepted.
