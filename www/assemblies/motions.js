@@ -21,7 +21,7 @@ export class Motions {
   #state = null;
   /** Input and assembly of the last question. */
   #asked = "";
-  /** @type {MotionsMap | null} of the newest linkage whose map was found */
+  /** @type {MotionsMap | null} map of the newest linkage that has one */
   map = null;
   /** Whether the map belongs to the present linkage. */
   current = false;
