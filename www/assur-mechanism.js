@@ -1,14 +1,14 @@
-// <assur-mechanism src="…">: a frame with the page in it, for slides and learning platforms (docs/embedding.md). A script of its own
-// for pages that are not ours, of any kind: it uses nothing of theirs, and nothing that is given to it becomes markup.
+// <assur-mechanism src="…">: a frame with the page, for slides and learning platforms (docs/embedding.md). A separate script
+// for foreign pages of any kind: it uses nothing of theirs, and nothing given to it becomes markup.
 (() => {
-  /** Attributes that are parameters of the page, by the names of these. */
+  /** Parameters of the page, by the attributes that set them. */
   const PARAMETERS = Object.freeze({ show: "embed", lesson: "lesson", step: "step", edit: "edit", bar: "bar", play: "play", lang: "lang" });
 
-  /** The page that the script lies beside; an address that begins with # is one of this page. */
+  /** The page beside the script; an address that begins with # belongs to it. */
   const script = document.currentScript;
   const own = script instanceof HTMLScriptElement ? script.src : location.href;
 
-  /** Other addresses would run in the page with the element, or are none. */
+  /** Protocols of allowed addresses: others would run in the surrounding page, or are no addresses. */
   const PROTOCOLS = Object.freeze(["https:", "http:", "file:"]);
 
   class AssurMechanism extends HTMLElement {
@@ -19,8 +19,8 @@
     constructor() {
       super();
       const frame = this.#frame;
-      // It may run, keep what is its own, and give files to the reader; not lead the page elsewhere, open windows or send forms.
-      // Without an origin it could load nothing of itself from a host that says nothing about who may.
+      // The frame may run scripts, keep data and offer downloads, but not redirect the surrounding page, open windows or send forms.
+      // Without an origin it could not load its own files from a host without CORS headers.
       frame.setAttribute("sandbox", "allow-scripts allow-same-origin allow-downloads");
       frame.referrerPolicy = "no-referrer";
       frame.loading = "lazy";
@@ -52,7 +52,7 @@
       }
     }
 
-    /** @returns {URL | null} of the page with its parameters; null where it is none */
+    /** @returns {URL | null} address of the page with its parameters; null if invalid */
     #address() {
       const given = this.getAttribute("src") ?? "#";
       const base = given.startsWith("#") ? new URL(".", own).href : document.baseURI;

@@ -1,4 +1,4 @@
-// The engine as the page sees it: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
+// The engine for the page: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
 import { fetched } from "assur/core/fetched.js";
 import { Refusal, attempt } from "assur/core/problem.js";
 import { Compared, discard } from "assur/state/compared.js";
@@ -10,7 +10,7 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").Frozen<import("assur/types/file.js").Preset>} Preset of the catalogue
- * @typedef {Readonly<import("assur/types/file.js").Shelf>} Shelf where a mechanism of the catalogue is shown
+ * @typedef {Readonly<import("assur/types/file.js").Shelf>} Shelf place of a mechanism in the gallery
  * @typedef {import("assur/types/web.js").Between} Swing
  * @typedef {import("assur/types/web.js").CycleSummary} Cycle
  * @typedef {import("assur/types/web.js").MarkLayout} Mark
@@ -19,32 +19,32 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").ProfileSummary} Profile
  * @typedef {import("assur/types/web.js").EquationSummary} Equation
  * @typedef {import("assur/types/web.js").RelationHere} Relation
- * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled which of the assemblies at the drawn input moves, from 1, how many are known, whether they are all; null where that is unknown
+ * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled number of the moving assembly at the drawn input, from 1; count of the known ones, and whether these are all; null if unknown
  * @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled: Assembled }} MotionSummary
  * @typedef {import("assur/types/web.js").MixerSummary} MixerSummary
  * @typedef {import("assur/types/web.js").DimensionSummary} Dimension
  * @typedef {import("assur/types/web.js").LinkageSummary} LinkageSummary
  * @typedef {{ [K in Kind]: import("assur/types/web.js").Summaries[K] & (import("assur/types/web.js").Summaries[K] extends { home: number, groups: unknown } ? { readonly assembled: Assembled } : {}) }} Summaries
- * What the engine says of a document, by its kind. The assemblies of a linkage take some time to find: they are found when they are first read.
+ * Summary of a document by the engine, by kind. The assemblies of a linkage take some time to find: they are found when first read.
  * @typedef {Summaries[Kind]} Summary
  * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
- * A place of the motion: where the bodies are with a display list of what is not rigid, x and y of the handles, values by name,
- * of each series of the plots the value and both derivatives, or of what is plotted against each other abscissa and ordinate; the last two are null where derivatives are unbounded.
+ * A place of the motion: poses of the bodies with a display list of all shapes that are not rigid, x and y of the handles, values by name,
+ * value and both derivatives of each series of the plots, or abscissa and ordinate of one quantity against another; the last two are null where derivatives are unbounded.
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
- * @typedef {import("assur/types/web.js").AgainstLayout} Field where one quantity is plotted against another
+ * @typedef {import("assur/types/web.js").AgainstLayout} Field plot of one quantity against another
  * @typedef {import("assur/types/web.js").AxisLayout} FieldAxis
  * @typedef {Readonly<Record<string, number>>} Readouts
- * @typedef {{ input?: number, document?: import("assur/state/state.js").Change }} Changed where the input goes, which fields of the document become others
+ * @typedef {{ input?: number, document?: import("assur/state/state.js").Change }} Changed the new input, and the changed fields of the document
  * @typedef {import("assur/types/web.js").SweepTable} SweepTable
  */
 
-/** How many lists a place of the motion has. */
+/** Number of lists for a place of the motion. */
 const LISTS = 4;
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
 
-/** @returns {Promise<WebAssembly.Module>} the engine, compiled once for the page and its workers; what did not arrive is asked for again */
+/** @returns {Promise<WebAssembly.Module>} the engine, compiled once for the page and its workers; a failed load is repeated */
 export function compiledWasm() {
   if (!compiled) {
     compiled = fetched("assur/pkg/assur_web_bg.wasm", "application/wasm").then(compile);
@@ -54,7 +54,7 @@ export function compiledWasm() {
 }
 
 /**
- * Compiles wasm while it arrives, where the server says that it is wasm.
+ * Compiles wasm while it arrives, if the server declares it as wasm.
  * @param {Response} response
  */
 async function compile(response) {
@@ -62,13 +62,13 @@ async function compile(response) {
   return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
-/** @param {Float64Array} flat how many numbers each of the lists has, then the lists */
+/** @param {Float64Array} flat lengths of the lists, then the lists */
 function lists(flat) {
   let end = LISTS;
   return [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
 }
 
-/** Of a text of another program the engine reads no more characters, and refuses one with as many as too large: its memory only grows. */
+/** Limit of characters that the engine reads of another program's text, refused as too large at this length: its memory only grows. */
 const LONGEST_FOREIGN = 2 ** 20 + 1;
 
 /** @param {string} text */
@@ -78,37 +78,37 @@ function begun(text) {
 
 export class Engine {
   #simulator = new module.Simulator();
-  /** @type {State | null} the last state the simulator took */
+  /** @type {State | null} the last state that the simulator took */
   #good = null;
   #compared = new Compared(() => new module.Simulator());
 
-  /** How many instances of the module there were before. */
+  /** Number of earlier instances of the module. */
   #instances = 0;
-  /** How many documents were set. */
+  /** Number of documents set so far. */
   #sets = 0;
 
-  /** Whether it broke down since it last took a state. */
+  /** Whether the engine broke down since it last took a state. */
   trapped = false;
   /** @type {readonly string[]} */
   roles = module.roleNames();
-  /** @type {readonly string[]} of the display lists */
+  /** @type {readonly string[]} labels of the display lists */
   labels = [];
-  /** @type {import("assur/types/file.js").LengthUnit} what lengths of the document are in */
+  /** @type {import("assur/types/file.js").LengthUnit} unit of lengths in the document */
   lengths = "none";
-  /** Whether the document may say so itself. */
+  /** Whether the document may choose the unit of lengths. */
   choosesLengths = false;
   /** @type {readonly Preset[]} */
   catalogue = module.catalogue();
   /** @type {readonly string[]} */
   #names = [];
-  /** @type {readonly string[]} the points whose coordinates can be plotted */
+  /** @type {readonly string[]} points whose coordinates can be plotted */
   points = [];
-  /** @type {readonly string[]} the links whose angles are read */
+  /** @type {readonly string[]} links whose angles are read */
   links = [];
-  /** @type {readonly string[]} what is read with its derivatives */
+  /** @type {readonly string[]} quantities read with their derivatives */
   quantities = [];
 
-  /** @returns {readonly Shelf[]} where the mechanisms of the catalogue are shown */
+  /** @returns {readonly Shelf[]} places of the mechanisms in the gallery */
   shelves() {
     return this.ask(() => module.shelves());
   }
@@ -123,7 +123,7 @@ export class Engine {
 
   /**
    * @param {Pick<State, "kind" | "document">} state
-   * @returns {Preset | undefined} what its document came from: by the origin it has, else by its dimensions, whatever is traced of it
+   * @returns {Preset | undefined} preset of its document: by its origin, or else by its dimensions without the traced points
    */
   presetOf({ kind, document }) {
     if ("origin" in document) return this.preset(document.origin ?? "");
@@ -135,7 +135,7 @@ export class Engine {
 
   /**
    * @param {State} state
-   * @returns {string} what files of it are called: `jansen`, of what comes from no preset `linkage`
+   * @returns {string} name of its files: `jansen`, or `linkage` without a preset
    */
   fileName(state) {
     return this.presetOf(state)?.id ?? state.kind;
@@ -143,7 +143,7 @@ export class Engine {
 
   /**
    * @param {string} text
-   * @returns {Uint8Array | undefined} the cells of its QR code, row by row, 1 is dark; none where it is too long
+   * @returns {Uint8Array | undefined} the cells of its QR code, row by row, 1 is dark; undefined if it is too long
    */
   code(text) {
     return this.ask(() => module.qr_code(text));
@@ -178,8 +178,8 @@ export class Engine {
 
   /**
    * @template {object} S
-   * @param {S} summary of what has just been set
-   * @returns {S} the same; a linkage's with its assemblies, found when they are first read
+   * @param {S} summary of the document just set
+   * @returns {S} the summary; a linkage's has its assemblies, found when first read
    */
   #withAssembled(summary) {
     if (!("groups" in summary && "home" in summary)) return summary;
@@ -197,7 +197,7 @@ export class Engine {
 
   /**
    * @param {unknown} value from outside
-   * @returns {State} the same, read and checked
+   * @returns {State} the state, read and checked
    */
   read(value) {
     return this.ask(() => module.readState(value));
@@ -205,7 +205,7 @@ export class Engine {
 
   /**
    * @param {unknown} value
-   * @returns {import("assur/state/state.js").Written} the same lesson, read and checked as far as what it shows is not looked at
+   * @returns {import("assur/state/state.js").Written} the lesson, read and checked except for its documents
    */
   readLesson(value) {
     return this.ask(() => module.readLesson(value));
@@ -219,14 +219,14 @@ export class Engine {
     return this.ask(() => module.numbersOf(alone(state)));
   }
 
-  /** @param {string} text of JSON, in which no key may stand twice: the browser takes the last one */
+  /** @param {string} text JSON in which no key may occur twice, as the browser would take the last one */
   checkKeys(text) {
     this.ask(() => module.checkKeys(text));
   }
 
   /**
    * @param {string} text
-   * @returns {boolean} whether it is meant as something of another program
+   * @returns {boolean} whether the text comes from another program
    */
   isForeign(text) {
     return this.ask(() => module.isImport(begun(text)));
@@ -234,15 +234,15 @@ export class Engine {
 
   /**
    * @param {string} text of another program
-   * @returns {{ read: Pick<State, "kind" | "document">, left_out: readonly Problem[] }} what it says, and codes of what could not be taken over as it was
+   * @returns {{ read: Pick<State, "kind" | "document">, left_out: readonly Problem[] }} its document, and codes of parts that could not be taken over unchanged
    */
   readForeign(text) {
     return this.ask(() => module.readImport(begun(text)));
   }
 
   /**
-   * @param {State} state another than the one that is set, which stays
-   * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float64Array, labels: readonly string[] }} its drawing as it is drawn in the document
+   * @param {State} state state to draw; the one that is set stays
+   * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float64Array, labels: readonly string[] }} its drawing at the drawn input
    */
   sketch(state) {
     return this.beside((other) => {
@@ -252,7 +252,7 @@ export class Engine {
   }
 
   /**
-   * @param {import("assur/pkg/assur_web.js").Simulator} other that a state is set in
+   * @param {import("assur/pkg/assur_web.js").Simulator} other simulator with a state
    * @param {number} input
    * @returns {Readouts | null} values by name, null where derivatives are unbounded
    */
@@ -263,23 +263,23 @@ export class Engine {
   }
 
   /**
-   * @param {import("assur/pkg/assur_web.js").Simulator} other that a state is set in
+   * @param {import("assur/pkg/assur_web.js").Simulator} other simulator with a state
    * @param {number} input
-   * @returns {{ frame: Float64Array, values: Float64Array }} what is drawn and read there
+   * @returns {{ frame: Float64Array, values: Float64Array }} drawing and values there
    */
   placeOf(other, input) {
     const [frame, , values] = lists(other.at(input));
     return { frame, values };
   }
 
-  /** Whether what is compared with it is shown. */
+  /** Whether mechanism A is shown. */
   get compares() {
     return this.#compared.shown !== null;
   }
 
   /**
    * @param {number} input
-   * @returns {import("assur/state/compared.js").Beside | null} what is compared with it there, where it can be assembled
+   * @returns {import("assur/state/compared.js").Beside | null} mechanism A there, if it can be assembled
    */
   compared(input) {
     const beside = this.#compared.at(input, this);
@@ -287,7 +287,7 @@ export class Engine {
     return beside;
   }
 
-  /** What is compared with the mechanism may break down, and the instance of the module with it. */
+  /** Takes over after mechanism A broke down, and the instance of the module with it. */
   #outliveCompared() {
     if (!this.#compared.broken) return;
     this.#compared.hide();
@@ -295,7 +295,7 @@ export class Engine {
   }
 
   /**
-   * Puts questions to a simulator of its own; the one that is set stays as it is.
+   * Puts questions to a separate simulator; the one that is set stays as it is.
    * @template T
    * @param {(other: module.Simulator) => T} questions
    * @returns {T}
@@ -307,19 +307,19 @@ export class Engine {
       try {
         return questions(other);
       } finally {
-        // With its instance it is gone already.
+        // Another instance means that this simulator is already gone.
         if (instance === this.#instances) discard(other);
       }
     });
   }
 
-  /** @returns {Float32Array} display list of all that is rigid */
+  /** @returns {Float32Array} display list of all rigid shapes */
   scene() {
     return this.ask((simulator) => simulator.scene());
   }
 
   /**
-   * Everything at a place of the motion, from one pose.
+   * All values at a place of the motion, from one pose.
    * @param {number} input
    * @returns {Here}
    */
@@ -331,7 +331,7 @@ export class Engine {
 
   /**
    * @param {number} input
-   * @returns {readonly Problem[]} why there is no pose, or none of its derivatives
+   * @returns {readonly Problem[]} reasons for a missing pose or missing derivatives
    */
   why(input) {
     return this.ask((simulator) => simulator.why(input));
@@ -339,16 +339,16 @@ export class Engine {
 
   /**
    * @param {number} input
-   * @returns {Float64Array} of each series of the plots the value and both derivatives
+   * @returns {Float64Array} value and both derivatives of each series of the plots
    */
   plotted(input) {
     return this.ask((simulator) => simulator.plotted(input));
   }
 
   /**
-   * What dragging a joint or a traced point to a place changes.
+   * Change made by dragging a joint or a traced point to a place.
    * @param {string} point
-   * @param {number} input where it is
+   * @param {number} input the current input
    * @param {number} x
    * @param {number} y
    * @returns {Changed}
@@ -358,7 +358,7 @@ export class Engine {
   }
 
   /**
-   * What pressing a handle without dragging it changes.
+   * Change made by pressing a handle without dragging it.
    * @param {string} name of the handle
    * @returns {Changed}
    */
@@ -380,7 +380,7 @@ export class Engine {
   }
 
   /**
-   * What is open, at an input, as a document of another kind.
+   * The open document, at an input, as a document of another kind.
    * @template {Kind} K
    * @param {K} kind
    * @param {number} input
@@ -391,10 +391,10 @@ export class Engine {
   }
 
   /**
-   * What setting a dimension changes; its assembly is kept by following it from the pose at hand.
+   * Change made by setting a dimension; the assembly is kept by following it from the current pose.
    * @param {string} field of the dimension
    * @param {number} value
-   * @param {number} input where it is
+   * @param {number} input the current input
    * @returns {Changed}
    */
   setDimension(field, value, input) {
@@ -402,9 +402,9 @@ export class Engine {
   }
 
   /**
-   * What driving another link changes, from the pose at hand.
+   * Change made by driving another link, from the current pose.
    * @param {string} link
-   * @param {number} input where it is
+   * @param {number} input the current input
    * @returns {Changed}
    */
   drive(link, input) {
@@ -415,7 +415,7 @@ export class Engine {
    * @param {number} input
    * @param {number} x
    * @param {number} y
-   * @returns {import("assur/types/web.js").LinkHere | null} the link that is drawn nearest to a place
+   * @returns {import("assur/types/web.js").LinkHere | null} the link drawn nearest to a place
    */
   linkAt(input, x, y) {
     return this.ask((simulator) => simulator.linkAt(input, x, y));
@@ -431,7 +431,7 @@ export class Engine {
 
   /**
    * @param {number} input
-   * @param {number} shown how many of their steps are drawn
+   * @param {number} shown number of their steps to draw
    * @returns {import("assur/types/web.js").PolygonsHere} the polygons of velocities and accelerations there
    */
   polygons(input, shown) {
@@ -439,9 +439,9 @@ export class Engine {
   }
 
   /**
-   * What choosing another assembly changes.
+   * Change made by choosing another assembly.
    * @param {number} number of an assembly at the input
-   * @param {number} input where it is
+   * @param {number} input the current input
    * @returns {Changed}
    */
   assemble(number, input) {
@@ -449,8 +449,8 @@ export class Engine {
   }
 
   /**
-   * What tracing the point at a place changes.
-   * @param {number} input where it is
+   * Change made by tracing the point at a place.
+   * @param {number} input the current input
    * @param {number} x
    * @param {number} y
    * @returns {{ document: { tracers: { name?: string, link: string }[] } & import("assur/state/state.js").Change }}
@@ -462,7 +462,7 @@ export class Engine {
   /**
    * @param {number} input
    * @param {number} delta
-   * @returns {{ input: number, sign: number }} sign −1: it turned back at the end of the range
+   * @returns {{ input: number, sign: number }} sign −1 if the driver turned back at the end of its range
    */
   advance(input, delta) {
     const [next, sign] = this.ask((simulator) => simulator.advance(input, delta));
@@ -482,7 +482,7 @@ export class Engine {
 
   /**
    * @param {number} steps to a turn, or to the range of a driven slide
-   * @returns {SweepTable} the motion as a table, with that of what is compared with it
+   * @returns {SweepTable} the motion as a table, with that of mechanism A if it is shown
    */
   sweep(steps) {
     const { shown } = this.#compared;
@@ -490,7 +490,7 @@ export class Engine {
   }
 
   /**
-   * Puts a question to the simulator: a part that is loaded later puts its own.
+   * Puts a question to the simulator, also for parts that are loaded later.
    * @template T
    * @param {(simulator: module.Simulator) => T} question
    * @returns {T}
@@ -510,7 +510,7 @@ export class Engine {
 
   /**
    * @param {Float64Array} values
-   * @returns {Readouts} ′ and ″ are derivatives of the axes
+   * @returns {Readouts} values by name, with ′ and ″ for the derivatives that the plots show
    */
   #named(values) {
     /** @type {Record<string, number>} */
@@ -530,8 +530,8 @@ export class Engine {
   }
 
   /**
-   * After a trap the stack of the instance stays as it was, and what was borrowed stays borrowed: a new instance takes over, with the last good
-   * state. All simulators of the old one are gone.
+   * Starts a new instance of the module with the last good state. After a trap the old one keeps its full stack and its borrowed
+   * objects. All its simulators are lost.
    */
   #renew() {
     module.__wbg_reset_state();

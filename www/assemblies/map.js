@@ -1,29 +1,29 @@
-// The map of all branches: the output over the input, folds and crossings, and where the assemblies are now.
+// The map of all branches: the output over the input, with folds, crossings and the present assemblies.
 import { makeSvg } from "assur/core/dom.js";
 
 /** @typedef {{ input: number, shown: number | null, angles: readonly number[] }} Now */
 
-/** Width and height of the map, in its units, and of the room for the scales. */
+/** Size of the map, and space for the scales to the left and below, in the map's units. */
 const SIZE = 300;
 const LEFT = 42;
 const BELOW = 26;
-/** Room for half a number beyond the last lines. */
+/** Space for half a number beyond the last lines. */
 const BEYOND = 18;
 const TOP = 8;
 const TURN = 2 * Math.PI;
-/** The colours of circuits, one after the other. */
+/** Roles of the circuits in turn. */
 const COLOURS = ["crank", "coupler", "rocker", "accent1", "accent2", "accent3", "accent4", "accent5", "accent6", "accent7"];
 
 export class BranchMap {
   #branches = makeSvg("g");
   #now = makeSvg("g");
   #scale = makeSvg("g", { class: "map-scale" });
-  /** In which language it is drawn. */
+  /** Language of the drawn map. */
   lang = "";
   #from = 0;
   #to = TURN;
 
-  /** @param {(input: number, output: number) => void} chosen where it was clicked */
+  /** @param {(input: number, output: number) => void} chosen called with the place of a click */
   constructor(chosen) {
     this.element = makeSvg("svg", { id: "assembly-map", class: "assembly-map", viewBox: `0 0 ${LEFT + SIZE + BEYOND} ${TOP + SIZE + BELOW}`, role: "img" });
     this.element.append(this.#scale, this.#branches, this.#now);
@@ -60,7 +60,7 @@ export class BranchMap {
 
   /**
    * @param {Now} now
-   * @param {number | null} branch the one that is followed
+   * @param {number | null} branch index of the branch that is followed
    */
   mark({ input, shown, angles }, branch) {
     for (const line of this.#branches.querySelectorAll("path")) line.classList.toggle("shown", branch !== null && line.getAttribute("data-branch") === String(branch));
@@ -105,7 +105,7 @@ export class BranchMap {
       const left = LEFT + (SIZE * quarter) / 4;
       parts.push(makeSvg("line", { x1: LEFT, x2: LEFT + SIZE, y1: at, y2: at }));
       parts.push(makeSvg("line", { x1: left, x2: left, y1: TOP, y2: TOP + SIZE }));
-      // The names of the axes stand where the numbers of the third quarter would.
+      // The names of the axes replace the numbers of the third quarter.
       const up = quarter === 3 ? output : `${90 * quarter}°`;
       const value = this.#from + ((this.#to - this.#from) * quarter) / 4;
       const across = turns ? `${90 * quarter}°` : numbers.upTo(value, 2);

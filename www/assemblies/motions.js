@@ -1,5 +1,5 @@
-// All motions of the linkage that is shown, from the worker that finds them. It is asked one thing at a time, the newest first:
-// while a length is dragged the map follows some times a second.
+// All motions of the shown linkage, found by a worker. It gets one question at a time, the newest first: while a length is
+// dragged, the map follows a few times a second.
 import { compiledWasm } from "assur/engine.js";
 
 /**
@@ -11,26 +11,26 @@ export class Motions {
   #changed;
   /** @type {Worker | null} */
   #worker = null;
-  /** When the worker was asked last. */
+  /** Time of the last question. */
   #since = 0;
-  /** What is asked when the worker is free. */
+  /** Question for the worker once it is free. */
   #next = /** @type {object | null} */ (null);
   #busy = true;
   #revision = 0;
-  /** @type {object | null} the state of that linkage, by which a new worker begins */
+  /** @type {object | null} state of the linkage, from which a new worker starts */
   #state = null;
-  /** The input and the assembly that were asked for last. */
+  /** Input and assembly of the last question. */
   #asked = "";
-  /** @type {MotionsMap | null} of the newest linkage whose map was found */
+  /** @type {MotionsMap | null} map of the newest linkage that has one */
   map = null;
-  /** Whether the map is that of the linkage as it is. */
+  /** Whether the map belongs to the present linkage. */
   current = false;
-  /** @type {Belonging | null} where the assemblies at the input that was asked for belong */
+  /** @type {Belonging | null} branches of the assemblies at the input of the last question */
   belonging = null;
-  /** Whether it could not be found. */
+  /** Whether the last question failed. */
   lost = false;
 
-  /** @param {() => void} changed when something was found */
+  /** @param {() => void} changed called when something was found */
   constructor(changed) {
     this.#changed = changed;
   }
@@ -49,7 +49,7 @@ export class Motions {
     this.#ask({ revision, state });
   }
 
-  /** Ends the worker, and forgets what was found: nobody looks at it. */
+  /** Ends the worker and forgets its results, when the panel is closed. */
   close() {
     this.#end();
     this.#next = this.#state = this.map = this.belonging = null;
@@ -60,7 +60,7 @@ export class Motions {
 
   /**
    * @param {number} input
-   * @param {number} number of the assembly that is shown, from 0
+   * @param {number} number of the shown assembly, from 0
    */
   at(input, number) {
     const asked = `${input} ${number}`;
@@ -93,7 +93,7 @@ export class Motions {
     try {
       const wasm = await compiledWasm();
       if (worker !== this.#worker) return;
-      // A worker knows nothing of the linkage that another one broke at: what is asked of it waits for the map.
+      // A new worker has no linkage yet: other questions wait for the map.
       const question = this.#next && "state" in this.#next ? this.#next : { revision: this.#revision, state: this.#state };
       if (question === this.#next) this.#next = null;
       worker.postMessage({ wasm, ...question });
@@ -124,13 +124,13 @@ export class Motions {
       if (current) this.map = null;
     }
     if (broken) {
-      // What is asked next gets a worker of its own.
+      // The next question gets a new worker.
       this.#end();
       if (this.#next) this.#begin();
       this.#changed();
       return;
     }
-    // While a length is dragged it rests twice as long as it worked: the page draws with the same processors.
+    // During a drag the worker rests twice as long as it worked, because the page draws with the same processors.
     const rest = map && this.#next ? 2 * (performance.now() - this.#since) : 0;
     const worker = this.#worker;
     setTimeout(() => {

@@ -1,5 +1,5 @@
-// All assemblies of the linkage that is shown: a picture of each where the input is, a map of their branches, and which can be
-// reached from the one that moves. Loaded when they are asked for.
+// All assemblies of the shown linkage: a picture of each at the current input, a map of their branches, and which of them can
+// be reached from the moving one. Loaded on demand.
 import "assur/assemblies/style.js";
 import { BranchMap } from "assur/assemblies/map.js";
 import { Motions } from "assur/assemblies/motions.js";
@@ -17,7 +17,7 @@ import { change } from "assur/state/change.js";
 
 /** Free room around a picture, in pixels. */
 const MARGIN = 7;
-/** Pictures are painted anew after so many milliseconds: the mechanism that moves has all other frames. */
+/** Shortest time between two paintings of the pictures, in milliseconds: the frames between belong to the moving mechanism. */
 const PERIOD = 30;
 
 export class Assemblies {
@@ -36,13 +36,13 @@ export class Assemblies {
   #here = null;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** The rectangle in which all were so far, of the linkage with this revision. */
+  /** Rectangle around all assemblies so far, of the linkage with this revision. */
   #bounds = [Infinity, Infinity, -Infinity, -Infinity];
   #revision = 0;
-  /** When pictures were painted last, and whether they are to be painted later. */
+  /** Time of the last painting, and whether another is scheduled. */
   #painted = -Infinity;
   #later = false;
-  /** @type {object | null} what the map was drawn of */
+  /** @type {object | null} data of the drawn map */
   #drawn = null;
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -64,7 +64,7 @@ export class Assemblies {
     const { state, frameInput, stale } = snapshot;
     if (stale) return;
     this.#snapshot = snapshot;
-    // A document that is not a linkage has none.
+    // A document that is not a linkage has no assemblies.
     this.#here = (state.view.all_assemblies && attempt(() => this.#page.engine.assemblies(frameInput)).value) || null;
     this.element.hidden = !this.#here;
     if (!state.view.all_assemblies) this.#motions.close();
@@ -76,7 +76,7 @@ export class Assemblies {
     this.#draw(this.#here, snapshot);
   }
 
-  /** Whether pictures are to be painted now; else they will be later. */
+  /** Whether the pictures are due now; if not, another frame is scheduled. */
   #due() {
     const now = performance.now();
     const due = now - this.#painted >= PERIOD;
@@ -92,7 +92,7 @@ export class Assemblies {
   }
 
   /**
-   * As many pictures as there are assemblies, and which one moves.
+   * Shows a picture for each assembly, and marks the moving one.
    * @param {Here} here
    * @param {Snapshot} snapshot
    */
@@ -143,7 +143,7 @@ export class Assemblies {
   }
 
   /**
-   * Makes room for where the bodies are.
+   * Enlarges the rectangle to contain the bodies.
    * @param {readonly number[]} bodies
    */
   #hold(bodies) {
@@ -158,7 +158,7 @@ export class Assemblies {
   }
 
   /**
-   * How many there are, and which can be reached.
+   * Writes the number of assemblies, and which of them can be reached.
    * @param {Here} here
    * @param {Snapshot} snapshot
    */
@@ -168,7 +168,7 @@ export class Assemblies {
     write(this.#count, whole ? count : `${count} ${words.text("assemblies.partial")}`);
     if (shown === null) return;
     const { map, current } = this.#motions;
-    // While it moves, the announcement waits for rest.
+    // In motion the announcement waits for rest.
     if (!state.view.playing) this.#motions.at(frameInput, shown);
     const belonging = current ? this.#motions.belonging : null;
     const fits = belonging?.branches.length === all.length ? belonging : null;
@@ -214,7 +214,7 @@ export class Assemblies {
     } else write(this.#mapped, words.text(lost ? "assemblies.lost" : "assemblies.coming"));
   }
 
-  /** @param {number} k which of the pictures */
+  /** @param {number} k index of the picture */
   #follow(k) {
     const here = this.#here;
     const snapshot = this.#snapshot;
@@ -224,7 +224,7 @@ export class Assemblies {
   }
 
   /**
-   * Goes to an input of the map, and there to the assembly whose output is next to one.
+   * Goes to an input of the map, and there to the assembly with the nearest output.
    * @param {number} input
    * @param {number} output
    */
@@ -243,5 +243,5 @@ function angled(number) {
   return `φ${number ? subscript(number) : ""}`;
 }
 
-/** How others are reached from the one that moves. */
+/** Texts on the ways from the moving assembly to others. */
 const REACH = Object.freeze({ same: "assemblies.same", folds: "assemblies.folds", never: "assemblies.never" });

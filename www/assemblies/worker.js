@@ -1,4 +1,4 @@
-// All motions of a linkage, found beside the page: the map of their branches, and where the assemblies at an input belong.
+// All motions of a linkage, in a worker: the map of their branches, and the branches of the assemblies at an input.
 import load, { AllMotions } from "assur/pkg/assur_web.js";
 
 /** @type {Promise<unknown> | null} */

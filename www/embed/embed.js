@@ -1,5 +1,5 @@
-// The page within another one, as the parameters of its address say (docs/embedding.md): `?embed=stage&edit=no#jansen`. Loaded
-// where there is `embed` among them; else the address has no parameters.
+// The page within another page, by the parameters of its address (docs/embedding.md): `?embed=stage&edit=no#jansen`. Loaded
+// if `embed` is one of them; without it the parameters have no effect.
 import { addStyle, setData } from "assur/core/dom.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { LESSONS } from "assur/lessons/index.js";
@@ -14,7 +14,7 @@ import { withView } from "assur/state/state.js";
 
 const SWITCH = Object.freeze(["yes", "no"]);
 
-/** What a parameter may be. */
+/** Allowed values of the parameters. */
 const VALUES = Object.freeze(/** @type {Record<string, readonly string[] | RegExp>} */ ({
   embed: ["stage", "plots", "lesson", "page"],
   lesson: LESSONS.map(({ id }) => id),
@@ -25,7 +25,7 @@ const VALUES = Object.freeze(/** @type {Record<string, readonly string[] | RegEx
   lang: LANGUAGES,
 }));
 
-/** Commands that change nothing but where the mechanism stands, and those that change the mechanism as well. */
+/** Commands that change only the pose or the motion, and further ones that change the mechanism. */
 const MOVING = Object.freeze(["play", "back", "forward", "back10", "forward10", "start", "end", "faster", "slower", "reverse", "close"]);
 const EDITING = Object.freeze(["assembly1", "assembly2", "trace", "undo", "redo"]);
 
@@ -47,7 +47,7 @@ export class Embedding {
       else if (values instanceof RegExp ? values.test(value) : values.includes(value)) given[name] = value;
       else problems.push({ code: "embed_value", name, value });
     }
-    // Steps of lessons ask for changes, and show mechanisms of their own.
+    // Steps of lessons ask for changes and open documents of their own.
     if (given.edit === "no" && (given.embed === "lesson" || given.lesson)) {
       problems.push({ code: "embed_value", name: "edit", value: "no" });
       delete given.edit;
@@ -65,7 +65,7 @@ export class Embedding {
 
   /**
    * @param {Habits} habits of the reader
-   * @returns {Habits} as the address wants them
+   * @returns {Habits} the habits changed by the parameters
    */
   habits({ calm, lang }) {
     return { calm: calm || this.#given.play === "no", lang: this.#given.lang ?? lang, embedding: this };
@@ -73,8 +73,8 @@ export class Embedding {
 
   /**
    * @param {import("assur/app/opening.js").Opening} opening
-   * @param {boolean} calm no motion unasked
-   * @returns {Promise<import("assur/app/opening.js").Opening>} the same as the parameters say, with what they cannot say
+   * @param {boolean} calm whether no motion may start by itself
+   * @returns {Promise<import("assur/app/opening.js").Opening>} the opening changed by the parameters, with the problems of invalid ones
    */
   async opened({ state, failures }, calm) {
     await addStyle("embed/style.css");
@@ -87,7 +87,7 @@ export class Embedding {
 
   /**
    * @param {Readonly<Record<string, () => void>>} commands of the keys
-   * @returns {Readonly<Record<string, () => void>>} those that the frame has do something
+   * @returns {Readonly<Record<string, () => void>>} the commands; those that the frame lacks do nothing
    */
   commands(commands) {
     const there = new Set([...MOVING, ...(this.edits ? EDITING : [])]);
@@ -98,14 +98,14 @@ export class Embedding {
   /**
    * @param {State} next
    * @param {State} now
-   * @returns {State} what a change may come to: where nothing is edited, no other document, and no tools for drawing
+   * @returns {State} the next state if it is allowed; without editing neither the document nor the drawing tools may change
    */
   limit(next, now) {
     return this.edits || (next.document === now.document && !next.view.drawing) ? next : now;
   }
 
   /**
-   * A lesson without a mechanism in the address shows that of its step.
+   * Opens the document of a lesson's step, unless the address has a document.
    * @param {import("assur/app/page.js").Page} page
    */
   async begin(page) {

@@ -1,4 +1,4 @@
-// The part of the dialog for what moves: animations, and several poses in one picture. What writes a file is loaded when it is asked for.
+// Exports of motion in the dialog: animations, and several poses in one picture. Modules that write files are loaded on demand.
 import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";
 import { sentence } from "assur/controls/problems.js";
@@ -9,7 +9,7 @@ import { measured } from "assur/core/units.js";
 
 /** @typedef {import("assur/export/moments.js").Work} Work */
 
-/** Pixels of its width, moments of a period, seconds of a period, poses in one picture; which is usual. */
+/** Choices of width in pixels, moments of a period, seconds of a period, poses in one picture; the initial choices. */
 const WIDTHS = Object.freeze([320, 480, 640, 800]);
 const MOMENTS = Object.freeze([12, 24, 36, 48, 72]);
 const SECONDS = Object.freeze([2, 3, 4, 6, 12]);
@@ -20,7 +20,7 @@ const USUAL = Object.freeze({ width: 480, moments: 48, seconds: 4, poses: 8 });
  * @param {import("assur/app/page.js").Page} page
  * @param {import("assur/canvas/theme.js").Theme} theme
  * @param {string} name of the files
- * @param {() => string} title what is shown, in words
+ * @param {() => string} title gives a description of the picture
  * @returns {{ rows: (Node | string)[], stop: () => void }}
  */
 export function animations(page, theme, name, title) {
@@ -35,7 +35,7 @@ export function animations(page, theme, name, title) {
   const buttons = [];
 
   /**
-   * One file at a time: it can be given up, and then there is none.
+   * Writes one file at a time. The work can be cancelled, and then there is no file.
    * @param {string} file
    * @param {(work: Work) => Promise<Blob>} make
    */
@@ -61,7 +61,7 @@ export function animations(page, theme, name, title) {
       }
     } finally {
       running = null;
-      // The focus is not lost with the button that had it.
+      // The focus is passed on before the focused button disappears.
       if (document.activeElement === cancel) buttons[0]?.focus();
       working.hidden = true;
       for (const button of buttons) button.removeAttribute("aria-disabled");
@@ -126,7 +126,7 @@ export function animations(page, theme, name, title) {
   return { rows, stop: () => running?.abort() };
 }
 
-/** @returns {boolean} whether the browser records what a canvas shows */
+/** @returns {boolean} whether the browser can record a canvas */
 function records() {
   return typeof MediaRecorder !== "undefined" && "captureStream" in HTMLCanvasElement.prototype && MediaRecorder.isTypeSupported("video/webm");
 }

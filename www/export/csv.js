@@ -1,4 +1,4 @@
-// The table of a sweep as CSV: numbers so short that they read back as the very same.
+// The table of a sweep as CSV, in the shortest numbers that read back as exactly the same.
 import { degrees } from "assur/core/angles.js";
 import { called } from "assur/core/names.js";
 import { parseNumber } from "assur/core/numbers.js";
@@ -12,15 +12,15 @@ import { calledWhole, isLength } from "assur/core/symbols.js";
  */
 
 /**
- * How a table is written.
+ * Choices for a table.
  * @typedef {object} Choices
- * @property {boolean} comma 0,5 for 0.5, and so a semicolon between cells
- * @property {boolean} degrees angles in degrees, else in radians; derivatives are by radians and in them either way, as everywhere on the page
- * @property {boolean} worded columns are called in words, else as in the terminal
- * @property {boolean} dimensions those of the linkage stand first, as comments
+ * @property {boolean} comma whether 0,5 is written for 0.5, with a semicolon between cells
+ * @property {boolean} degrees whether angles are in degrees instead of radians; derivatives are always in radians and with respect to radians
+ * @property {boolean} worded whether columns are named in words instead of as in the terminal
+ * @property {boolean} dimensions whether the dimensions of the linkage come first, as comments
  */
 
-/** What columns are called in words, by their order. */
+/** Names of columns in words, by the order of the derivative. */
 const COLUMNS = Object.freeze({
   angle: Object.freeze(["export.column.angle", "export.column.omega", "export.column.epsilon"]),
   x: Object.freeze(["export.column.x", "export.column.vx", "export.column.ax"]),
@@ -35,18 +35,18 @@ const COLUMNS = Object.freeze({
   centre_y: Object.freeze(["export.column.centre_y"]),
 });
 
-/** What stands before all that is of the mechanism with which it is compared. */
+/** Prefix of names of the compared mechanism. */
 const OF_A = "A: ";
 
-/** Digits of a dimension: those it had before it was drawn. */
+/** Significant digits of a dimension: those it had before conversion to the drawing. */
 const DIGITS = 12;
 
 const DIMENSIONS = Object.freeze({ length: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
 
 /**
- * The table of the mechanism, and beside it that of the one it is compared with.
+ * The table of the mechanism, with that of the compared mechanism beside it.
  * @param {SweepTable} table
- * @param {Coordinate} coordinate how the input is counted
+ * @param {Coordinate} coordinate unit and range of the input
  * @param {Choices} choices
  * @param {Words} words
  */
@@ -69,7 +69,7 @@ export function toCsv(table, coordinate, choices, words) {
     return line([number(input), ...cells]);
   });
   const text = [...(choices.dimensions ? comments : []), line([inputName(coordinate, words), ...heads]), ...lines].join("");
-  // A spreadsheet takes letters beyond ASCII for others, unless a byte order mark tells that it is UTF-8.
+  // A spreadsheet misreads letters beyond ASCII without a byte order mark, which stands for UTF-8.
   const mark = /[^\0-\x7f]/.test(text) ? "\ufeff" : "";
   return new Blob([mark, text], { type: "text/csv" });
 }
@@ -79,7 +79,7 @@ export function toCsv(table, coordinate, choices, words) {
  * @param {Coordinate} coordinate
  * @param {Choices} choices
  * @param {Words} words
- * @returns {string} what it is called, with its unit
+ * @returns {string} its name with its unit
  */
 function named({ name, quantity }, { moves }, choices, words) {
   if (!quantity) return name;
@@ -129,13 +129,13 @@ function writtenInDegrees({ kind, order }, choices) {
   return choices.degrees && order === 0 && !isLength(kind);
 }
 
-/** The beginning of a cell that a spreadsheet takes for a formula. */
+/** Beginning of a cell that a spreadsheet takes for a formula. */
 const FORMULA = /^[=+\-@\t\r]/;
 
 /**
  * @param {string} text
  * @param {string} separator
- * @returns {string} a cell; a name that begins as a formula would has an apostrophe before it, by which spreadsheets leave it a text
+ * @returns {string} a cell; text that looks like a formula gets an apostrophe in front, so that spreadsheets leave it as text
  */
 function quoted(text, separator) {
   const cell = FORMULA.test(text) && parseNumber(text) === null ? `'${text}` : text;

@@ -1,4 +1,4 @@
-// The dialog of exports: table, drawing and plots as files. Loaded when it is asked for.
+// The dialog of exports: table, drawing and plots as files. Loaded on demand.
 import { byId, make } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { attempt } from "assur/core/problem.js";
@@ -8,7 +8,7 @@ import { paperTheme, toPng, toSvg, withCaption, withLegend } from "assur/export/
 
 /** @typedef {import("assur/app/page.js").Page} Page */
 
-/** Rows of the table to a turn of the crank: every 10° to every 0.1°. */
+/** Choices of rows for a turn of the crank: every 10° to every 0.1°. */
 const STEPS = Object.freeze([36, 72, 180, 360, 720, 3600]);
 const USUAL = 360;
 
@@ -29,7 +29,7 @@ export function openExport(page) {
 }
 
 /**
- * How the table is written: the decimal sign is that of the page's language, unless another is chosen.
+ * Choices for the table. The decimal sign is by default that of the page's language.
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
  */
@@ -50,7 +50,7 @@ function tableChoices({ moves }, words) {
     make("div", {}, [made]),
   ];
   const signs = row(decimal, "export.decimal");
-  // What goes by time is no linkage: its columns have units of their own.
+  // A motion over time is no linkage: its columns have units of their own.
   const rows = moves === "time" ? signs : [
     ...signs,
     ...row(angles, "export.angles"),
@@ -70,7 +70,7 @@ function tableChoices({ moves }, words) {
  * @param {import("assur/state/model.js").Model} model
  * @param {import("assur/state/state.js").State} state
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} what is drawn, and in which place of its motion
+ * @returns {string} the drawn mechanism and its input
  */
 function caption({ summary, coordinate }, state, words) {
   const name = byId("mechanism-name", HTMLElement).textContent ?? "";
@@ -109,7 +109,7 @@ function makeDialog(page) {
     if (value) download(toCsv(value, coordinate, choices.chosen(), words), `${name}.csv`);
   };
   const drawn = [head("export-drawing", "export.drawing"), pictures("drawing", "mechanism", drawing)];
-  // What does not move has neither a turn nor plots of it.
+  // A document that does not move has neither table nor plots.
   const exports = model.summary.moves === null ? drawn : [
     head("export-table", "export.table"),
     make("div", {}, [button("table", "csv", saveTable), head("export-step-name", "export.step"), step]),

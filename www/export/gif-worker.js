@@ -1,24 +1,24 @@
-// Makes a GIF (version 89a) beside the page: it receives the size first, then the pictures, then it writes one after another. Colours are
-// counted over all pictures, so that all have the same; of each picture but the first only what is another than before is written.
+// Writer of a GIF (version 89a) in a worker: it receives the size, then all pictures, then writes one after another. The colours are
+// counted over all pictures, which share one table; of every picture after the first only the changed part is written.
 
-/** Colours of the table; the last entry stands for what stays as it is. */
+/** Number of colours in the table; the last entry stands for unchanged pixels. */
 const COLOURS = 255;
 const SAME = 255;
 
-/** Colours are distinguished by five bits of red, green and blue each. */
+/** Number of bins of colours, with five bits each for red, green and blue. */
 const BINS = 1 << 15;
 
 /** @type {{ width: number, height: number, delay: number } | null} delay in hundredths of a second */
 let sheet = null;
-/** @type {Uint16Array[]} of each pixel the bin */
+/** @type {Uint16Array[]} bins of the pixels of each picture */
 const pictures = [];
 const counts = new Float64Array(BINS);
-/** Of each bin the sums of red, green and blue. */
+/** Sums of red, green and blue in each bin. */
 const sums = new Float64Array(3 * BINS);
-/** @type {Uint8Array | null} of each bin the colour of the table */
+/** @type {Uint8Array | null} index in the table for each bin */
 let indices = null;
 let written = 0;
-/** @type {Uint8Array | null} the picture before */
+/** @type {Uint8Array | null} the previous picture */
 let before = null;
 /** @type {(number | Uint8Array)[]} bytes, or lists of them */
 const file = [];
@@ -59,7 +59,7 @@ function writeNext() {
       part[at] = before && before[i] === now[i] ? SAME : now[i];
     }
   }
-  // What was there stays under what comes, which may let it through.
+  // The previous picture stays visible under the transparent pixels of the next.
   file.push(0x21, 0xf9, 4, (1 << 2) | 1, ...short(delay), SAME, 0);
   file.push(0x2c, ...short(left), ...short(top), ...short(right - left), ...short(bottom - top), 0);
   pack(part);
@@ -69,9 +69,9 @@ function writeNext() {
 }
 
 /**
- * Head of the file and table of colours, the most frequent ones.
+ * Writes the head of the file and the table of the most frequent colours.
  * @param {{ width: number, height: number }} size
- * @returns {Uint8Array} of each bin the colour of the table
+ * @returns {Uint8Array} index in the table for each bin
  */
 function begun({ width, height }) {
   const used = [...counts.keys()].filter((bin) => counts[bin] > 0).sort((a, b) => counts[b] - counts[a]);
@@ -83,7 +83,7 @@ function begun({ width, height }) {
   const bytes = new Uint8Array(3 * 256);
   bytes.set(table.flat().map(Math.round));
   file.push(bytes);
-  // Again and again, for ever.
+  // Endless repetition.
   file.push(0x21, 0xff, 11, ...[..."NETSCAPE2.0"].map((letter) => letter.charCodeAt(0)), 3, 1, 0, 0, 0);
   return nearest;
 }
@@ -102,7 +102,7 @@ function closest(colour, table) {
  * @param {Uint8Array} then
  * @param {number} width
  * @param {number} height
- * @returns {[number, number, number, number]} left, top, right, bottom of what is another: at least a pixel
+ * @returns {[number, number, number, number]} left, top, right, bottom of the changed part, which has at least one pixel
  */
 function changed(now, then, width, height) {
   let [left, top, right, bottom] = [width, height, 0, 0];
@@ -118,7 +118,7 @@ function changed(now, then, width, height) {
 }
 
 /**
- * Packs the indices of a picture as GIF wants it, by Lempel, Ziv and Welch, in blocks of at most 255 bytes.
+ * Packs the indices of a picture by the method of Lempel, Ziv and Welch as required by GIF, in blocks of at most 255 bytes.
  * @param {Uint8Array} pixels
  */
 function pack(pixels) {

@@ -1,10 +1,10 @@
-// An animation as GIF: the page paints, a worker makes the file.
+// An animation as GIF: the page paints, a worker writes the file.
 import { inputs, moments, targetOn } from "assur/export/moments.js";
 
-/** GIF counts in hundredths of a second, and programs do not show pictures for less than two. */
+/** Shortest delay in hundredths of a second, the unit of GIF: programs do not show pictures for less. */
 const SHORTEST = 2;
 
-/** Of the work painting is a third. */
+/** Share of painting in the work. */
 const PAINTING = 1 / 3;
 
 /**
@@ -19,7 +19,7 @@ export async function toGif(page, theme, { moments: count, width, seconds }, { s
   const canvas = new OffscreenCanvas(1, 1);
   const target = targetOn(canvas, size, width, { alpha: false, willReadFrequently: true });
   const { ground, moment } = begin(theme);
-  // The one that the picture was begun with: it may be another once the worker answers.
+  // The moments belong to the present mechanism: the page may have another one when the worker answers.
   const all = moments(page, inputs(page, count), { signal, tell: (share) => tell(PAINTING * share) });
   const worker = new Worker(import.meta.resolve("assur/export/gif-worker.js"), { type: "module" });
   const stop = () => worker.terminate();

@@ -1,20 +1,20 @@
-// The moments of a motion that an animation or a picture of several poses shows: one whole period, so that it goes on without a jump.
+// Moments of a motion for an animation or for several poses in one picture: one whole period, so that it repeats without a jump.
 import { Refusal, attempt } from "assur/core/problem.js";
 
 /**
  * @typedef {import("assur/export/pictures.js").Moment} Moment
  * @typedef {import("assur/app/page.js").Page} Page
- * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number }} Wishes how many, pixels, and of a period
- * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Work that can be given up, and says how far it is
+ * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number }} Wishes number of moments, width in pixels, seconds of a period
+ * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Work work that can be cancelled and reports its progress
  */
 
-/** A place so near to the end of an arc is on it. */
+/** Tolerance for a place at the end of an arc. */
 const HAIR = 1e-9;
 
 /**
  * @param {Page} page
  * @param {number} count
- * @returns {number[]} inputs of the engine at equal steps over a period, from where it is; a crank that cannot turn, and a slide, go there and back
+ * @returns {number[]} inputs of the engine at equal steps over a period from the current one; a rocking crank and a slide go there and back
  */
 export function inputs({ model: { summary, coordinate }, store }, count) {
   if (summary.moves === null) return [];
@@ -23,7 +23,7 @@ export function inputs({ model: { summary, coordinate }, store }, count) {
   const steps = Array.from({ length: count }, (_, number) => number / count);
   if (full) return steps.map((step) => start + modulo(here - start + step * (end - start), end - start));
   const [from, to] = arcs.find(([first, last]) => here >= first - HAIR && here <= last + HAIR) ?? arcs[0] ?? [start, end];
-  // Time does not go back.
+  // Time does not run backwards.
   if (summary.moves === "time") return steps.map((step) => from + step * (to - from));
   return steps.map((step) => from + (to - from) * (1 - Math.abs(1 - 2 * step)));
 }
@@ -37,7 +37,7 @@ function modulo(value, period) {
 }
 
 /**
- * The same without what is seen twice, nor where it is.
+ * The same inputs without repeated poses and without the current one.
  * @param {Page} page
  * @param {number} count
  * @returns {number[]}
@@ -51,7 +51,7 @@ export function others(page, count) {
 }
 
 /**
- * Each moment of the mechanism that is there when this is called, in its turn; between two of them the page may do something else.
+ * Gives each moment of the present mechanism in turn; between two of them the page may do other work.
  * @param {Page} page
  * @param {readonly number[]} inputs of the engine
  * @param {Work} work
@@ -62,7 +62,7 @@ export function moments(page, inputs, work) {
 }
 
 /**
- * @param {Page["model"]["good"]["document"]} document that is meant
+ * @param {Page["model"]["good"]["document"]} document document of the moments
  * @param {Page} page
  * @param {readonly number[]} inputs
  * @param {Work} work
@@ -75,7 +75,7 @@ async function* momentsOf(document, page, inputs, { signal, tell }) {
   for (const [number, input] of inputs.entries()) {
     await breath();
     signal.throwIfAborted();
-    // Of another mechanism it would be no motion.
+    // Another mechanism would break the motion.
     if (page.model.good.document !== document) throw new DOMException("", "AbortError");
     const { value, problems } = attempt(() => page.engine.at(input));
     if (value) found = true;
@@ -86,7 +86,7 @@ async function* momentsOf(document, page, inputs, { signal, tell }) {
   if (!found) throw new Refusal([...why]);
 }
 
-/** @returns {Promise<void>} once the page has done what it had to */
+/** @returns {Promise<void>} resolves after other work of the page */
 function breath() {
   const channel = new MessageChannel();
   return new Promise((resolve) => {
@@ -101,13 +101,13 @@ function breath() {
 /**
  * @param {HTMLCanvasElement | OffscreenCanvas} canvas
  * @param {import("assur/stage/figure.js").Size} size of the sheet
- * @param {number} width pixels that it is to have
+ * @param {number} width wanted width in pixels
  * @param {CanvasRenderingContext2DSettings} [settings]
  * @returns {{ context: import("assur/canvas/painter.js").Context & CanvasRenderingContext2D, ratio: number }}
  */
 export function targetOn(canvas, size, width, settings = { alpha: false }) {
   const ratio = width / size.width;
-  // Even numbers, as films are made of pairs of pixels, and none beyond the sheet.
+  // Even numbers of pixels, which video formats require, and none beyond the sheet.
   canvas.width = 2 * Math.floor(width / 2);
   canvas.height = 2 * Math.floor((size.height * ratio) / 2);
   const context = /** @type {CanvasRenderingContext2D | null} */ (canvas.getContext("2d", settings));

@@ -1,4 +1,4 @@
-// An animation as one SVG that moves by itself, and several poses in one picture.
+// An animation as an SVG file that moves by itself, and several poses in one picture.
 import { inputs, moments, others, targetOn } from "assur/export/moments.js";
 import { Svg, SvgPath } from "assur/export/svg.js";
 
@@ -10,7 +10,7 @@ import { Svg, SvgPath } from "assur/export/svg.js";
 
 const SVG = "image/svg+xml";
 
-/** How strong the first of several poses is, and the last but one. */
+/** Opacity of the first of several poses, and of the last but one. */
 const FAINT = 0.12;
 const STRONG = 0.5;
 
@@ -22,7 +22,7 @@ const SHARPNESS = 3;
  * @param {Theme} theme
  * @param {import("assur/export/moments.js").Wishes} wishes
  * @param {Work} work
- * @param {string} title what it shows, in words
+ * @param {string} title description of the picture
  * @returns {Promise<Blob>}
  */
 export async function toMovingSvg(page, theme, { moments: count, width, seconds }, work, title) {
@@ -42,7 +42,7 @@ export async function toMovingSvg(page, theme, { moments: count, width, seconds 
 }
 
 /**
- * Poses of one period over each other, the last one, which is where the mechanism is, with its labels.
+ * Paints poses of one period over each other, at last the current one with its labels.
  * @param {Page} page
  * @param {Theme} theme
  * @param {number} count
@@ -92,7 +92,7 @@ export async function posesAsPng(page, theme, count, work) {
 }
 
 /**
- * All poses but the one where the mechanism is, the last one strongest.
+ * Gives all poses but the current one, with increasing opacity.
  * @param {Page} page
  * @param {number} count
  * @param {Work} work

@@ -1,4 +1,4 @@
-// Drawing and plots as pictures: what is on the screen, painted by the same code on light paper, by itself.
+// Drawing and plots as separate pictures: the content of the screen, painted by the same code on light paper.
 import { textWidth } from "assur/canvas/text-width.js";
 import { Theme } from "assur/canvas/theme.js";
 import { make } from "assur/core/dom.js";
@@ -10,14 +10,14 @@ import { setChartFont } from "assur/plots/text.js";
  * @typedef {import("assur/stage/figure.js").Size} Size
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {{ readonly size: Size, paint: (target: Target, theme: Theme, newPath?: () => Path2D) => void }} Picture
- * @typedef {Pick<import("assur/stage/figure.js").Snapshot, "frame" | "frameInput" | "readouts" | "compared">} Moment a place of the motion
- * @typedef {object} Sheet a picture of any places of a motion
+ * @typedef {Pick<import("assur/stage/figure.js").Snapshot, "frame" | "frameInput" | "readouts" | "compared">} Moment state at a place of the motion
+ * @typedef {object} Sheet picture for any places of a motion
  * @property {Size} size
- * @property {(theme: Theme, newPath?: () => Path2D, places?: import("assur/canvas/places.js").Places) => Drawing} begin with labels that keep
- * their places from one to the next
+ * @property {(theme: Theme, newPath?: () => Path2D, places?: import("assur/canvas/places.js").Places) => Drawing} begin begins a series of paintings, whose labels keep
+ * their places
  * @typedef {object} Drawing
- * @property {(target: Target) => void} ground what stands still
- * @property {(target: Target, here?: Moment, labelled?: boolean) => void} moment what moves, where the motion is if it is not said otherwise
+ * @property {(target: Target) => void} ground paints the fixed shapes
+ * @property {(target: Target, here?: Moment, labelled?: boolean) => void} moment paints the moving shapes, by default at the current input
  */
 
 const SVG = "image/svg+xml";
@@ -25,20 +25,20 @@ const SVG = "image/svg+xml";
 /** Pixels of a PNG per CSS pixel: sharp in print and on a projector. */
 const SHARPNESS = 3;
 
-/** Of the legend over the plots: height of a row, length of a sample of the curve, room beside it, in pixels. */
+/** Legend over the plots, in pixels: height of a row, length of a sample of the curve, space beside it, left edge. */
 const ROW = 20;
 const SAMPLE = 22;
 const ROOM = 7;
 const LEFT = 44;
 
-/** Size of the text under a drawing. */
+/** Size of the text under a drawing, in pixels. */
 const CAPTION = 14;
 
 /** @type {Theme | null} */
 let paper = null;
 
 /**
- * The colours and text of light paper, whatever the page is in: pictures are for print.
+ * Colours and text of light paper for print, whatever theme the page has.
  * @param {readonly string[]} roles
  */
 export function paperTheme(roles) {
@@ -53,17 +53,17 @@ export function paperTheme(roles) {
 /**
  * @param {Picture} picture
  * @param {Theme} theme
- * @param {string} title what it shows, in words
+ * @param {string} title description of the picture
  */
 export function toSvg(picture, theme, title) {
   return new Blob([svgText(picture, theme, title)], { type: SVG });
 }
 
 /**
- * The same as an element of a page.
+ * The picture as an SVG element for a page.
  * @param {Picture} picture
  * @param {Theme} theme
- * @param {string} title what it shows, in words
+ * @param {string} title description of the picture
  * @returns {Element}
  */
 export function toSvgElement(picture, theme, title) {
@@ -97,7 +97,7 @@ export function toPng(picture, theme) {
 }
 
 /**
- * The drawing over a line of text.
+ * The drawing with a line of text below.
  * @param {import("assur/stage/view.js").MechanismView} mechanism
  * @param {Theme} theme
  * @param {string} text
@@ -124,7 +124,7 @@ export function withCaption(mechanism, theme, text) {
   return { size, paint: withText };
 }
 
-/** A context to measure on. */
+/** A context for measuring text. */
 function blank() {
   const context = new OffscreenCanvas(1, 1).getContext("2d");
   if (!context) throw new Error("no 2d context");
@@ -132,7 +132,7 @@ function blank() {
 }
 
 /**
- * The plots under a legend of their curves: exported plots have no table that explains the colours.
+ * The plots with a legend of their curves above, because exported plots have no table to explain the colours.
  * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
  * @param {import("assur/core/words.js").Words} words

@@ -1,4 +1,4 @@
-// The style sheet of what is printed. Who imports this waits until it is there.
+// The style sheet for print. Importing this module waits until it is loaded.
 import { addStyle } from "assur/core/dom.js";
 
 await addStyle("export/print.css");

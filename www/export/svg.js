@@ -1,5 +1,5 @@
-// A drawing context that writes SVG: what is painted on it becomes elements of a document. It has what our painting,
-// and plotters by way of the engine, use of a canvas's context, and nothing else.
+// A drawing context that writes SVG: paintings become elements of a document. It has only those parts of a canvas's context that
+// the page's painting uses, and the engine's plotters.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
 
@@ -10,7 +10,7 @@ const ESCAPES = Object.freeze({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&q
 
 const ANCHORS = Object.freeze({ left: "start", start: "start", center: "middle", right: "end", end: "end" });
 
-/** A path with the data that SVG writes. */
+/** A path that also keeps its SVG data. */
 export class SvgPath extends Path2D {
   data = "";
 
@@ -35,11 +35,11 @@ export class SvgPath extends Path2D {
    * @param {number} y
    * @param {number} radius
    * @param {number} from radians
-   * @param {number} to at most a turn farther
+   * @param {number} to end angle, at most a turn farther
    */
   arc(x, y, radius, from, to) {
     const point = (/** @type {number} */ angle) => `${short(x + radius * Math.cos(angle))} ${short(y + radius * Math.sin(angle))}`;
-    // In two halves: an arc of a whole turn would end where it begins, and be none.
+    // Two halves, because an SVG arc over a whole turn would have equal ends and vanish.
     const halves = [(from + to) / 2, to].map((angle) => `A${short(radius)} ${short(radius)} 0 0 1 ${point(angle)}`);
     this.data += `${this.data ? "L" : "M"}${point(from)}${halves.join("")}`;
   }
@@ -72,15 +72,15 @@ export class Svg {
   #size;
   #title;
   #scale;
-  /** Measures texts and knows colours. */
+  /** Canvas that measures texts and converts colours. */
   #canvas;
   /** @type {Map<string, [string, number]>} */
   #colours = new Map();
 
   /**
    * @param {{ readonly width: number, readonly height: number }} size
-   * @param {string} title what it shows, in words
-   * @param {number} [scale] as how many times as large it is shown
+   * @param {string} title description of the picture
+   * @param {number} [scale] magnification
    */
   constructor(size, title, scale = 1) {
     const canvas = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
@@ -100,11 +100,11 @@ export class Svg {
   }
 
   /**
-   * What is painted between this and {@link end} is seen at one of several moments, which come one after another for ever; programs that show
-   * no motion have the first.
+   * Begins a moment: painting up to {@link end} is visible at one of several moments, repeated endlessly. Programs without animation show
+   * the first moment.
    * @param {number} number of the moment, from 0
    * @param {number} count of moments
-   * @param {number} seconds that all of them take
+   * @param {number} seconds duration of all moments
    */
   moment(number, count, seconds) {
     const shown = { display: number === 0 ? "inline" : "none" };
@@ -117,7 +117,7 @@ export class Svg {
     this.#elements.push(`<g${attributes(shown)}><animate${attributes(motion)}/>`);
   }
 
-  /** @param {number} strength of what is painted between this and {@link end} */
+  /** @param {number} strength opacity of the painting from here to {@link end} */
   faded(strength) {
     this.#elements.push(`<g${attributes({ opacity: short(strength) })}>`);
   }
@@ -180,7 +180,7 @@ export class Svg {
   }
 
   /**
-   * @param {SvgPath} [path] the context's own where none is given
+   * @param {SvgPath} [path] by default the context's own path
    * @param {CanvasFillRule} [rule]
    */
   fill(path = this.#path, rule = "nonzero") {
@@ -212,7 +212,7 @@ export class Svg {
    * @param {string} text
    * @param {number} x
    * @param {number} y
-   * @param {number} [widest] the width into which it is squeezed if need be
+   * @param {number} [widest] width into which a longer text is squeezed
    */
   fillText(text, x, y, widest = Infinity) {
     const squeezed = this.measureText(text).width > widest;
@@ -227,7 +227,7 @@ export class Svg {
    * @param {number} y
    */
   strokeText(text, x, y) {
-    // The halo of a text that follows: it is not to be read twice.
+    // This is the halo of the text that follows, which must not be read twice.
     this.#text(text, x, y, { fill: "none", ...this.#line(), "aria-hidden": "true" });
   }
 
@@ -258,8 +258,8 @@ export class Svg {
   }
 
   /**
-   * Programs that show SVG agree on the alphabetic baseline only.
-   * @returns {number} how far it is below the one that was asked for
+   * Offset between baselines: programs that show SVG agree on the alphabetic baseline only.
+   * @returns {number} distance of the alphabetic baseline below the wanted one
    */
   #drop() {
     const ascent = (/** @type {CanvasTextBaseline} */ baseline) => {
@@ -287,7 +287,7 @@ export class Svg {
   }
 
   /**
-   * @param {string} css any colour of style sheets; other programs know the plain ones only
+   * @param {string} css any colour of a style sheet; other programs know only plain ones
    * @returns {[string, number]} #rrggbb and opacity
    */
   #colour(css) {
@@ -325,7 +325,7 @@ function opacity(value) {
   return value === 1 ? "" : String(Number(value.toFixed(3)));
 }
 
-/** @param {Readonly<Record<string, string | number>>} values an empty one is left out */
+/** @param {Readonly<Record<string, string | number>>} values values of attributes; empty ones are omitted */
 function attributes(values) {
   const given = Object.entries(values).filter(([, value]) => value !== "");
   return given.map(([name, value]) => ` ${name}="${escaped(String(value))}"`).join("");
@@ -333,7 +333,7 @@ function attributes(values) {
 
 /**
  * @param {string} text
- * @returns {string} the same as XML, without what XML cannot hold
+ * @returns {string} the text escaped for XML, without characters that XML forbids
  */
 function escaped(text) {
   const legal = text.replace(/[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\u{10000}-\u{10ffff}]/gu, "");

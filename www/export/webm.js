@@ -1,9 +1,9 @@
-// An animation as WebM, as the browser records it: in as much time as it lasts.
+// An animation as WebM, recorded by the browser in real time.
 import { inputs, moments, targetOn } from "assur/export/moments.js";
 
 const KINDS = Object.freeze(["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"]);
 
-/** Bits per second and pixel: lines stay sharp. */
+/** Bits per second and pixel, enough to keep lines sharp. */
 const BITS = 8;
 
 /**
@@ -26,7 +26,7 @@ export async function toWebm(page, theme, { moments: count, width, seconds }, wo
     for await (const here of moments(page, inputs(page, count), work)) {
       ground(target);
       moment(target, here);
-      // What is on the canvas as it begins is the first picture.
+      // The canvas already shows the first picture when the recording begins.
       recording ??= record(canvas);
       number += 1;
       await until(recording.start + number * step, work.signal);
@@ -38,7 +38,7 @@ export async function toWebm(page, theme, { moments: count, width, seconds }, wo
 }
 
 /**
- * Records what a canvas shows from now on.
+ * Starts to record a canvas.
  * @param {HTMLCanvasElement} canvas
  */
 function record(canvas) {
@@ -47,7 +47,7 @@ function record(canvas) {
   /** @type {Blob[]} */
   const recorded = [];
   recorder.addEventListener("dataavailable", ({ data }) => recorded.push(data));
-  /** @type {Promise<Blob[]>} all that was recorded, once it is stopped */
+  /** @type {Promise<Blob[]>} all recorded parts, once the recording is stopped */
   const parts = new Promise((resolve) => recorder.addEventListener("stop", () => resolve(recorded)));
   recorder.start();
   const stop = () => {
@@ -58,7 +58,7 @@ function record(canvas) {
 }
 
 /**
- * @param {number} time of the page
+ * @param {number} time time of the page to wait for
  * @param {AbortSignal} signal
  */
 async function until(time, signal) {

@@ -1,5 +1,5 @@
-// The worksheet that is printed instead of the page: what is shown, what is given of it, its values, the steps of the lesson with
-// lines to answer on, and the address to come back by. Loaded once the page is drawn: printing does not wait.
+// The worksheet that is printed instead of the page: drawing and plots, given numbers, values, the steps of the lesson with
+// lines for answers, and the address of the page. Loaded once the page is drawn, because printing does not wait.
 import { byId, make, makeSvg } from "assur/core/dom.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 import { paperTheme, toSvgElement, withLegend } from "assur/export/pictures.js";
@@ -12,16 +12,16 @@ import { END } from "assur/lesson/panel.js";
  * @typedef {import("assur/app/page.js").Page} Page
  */
 
-/** What belongs to another mechanism, or is not said of this one. */
+/** Elements of other kinds of mechanism, and hidden ones. */
 const ELSEWHERE = ".elsewhere, [hidden]";
 
-/** Of a cell of the code, in millimetres: a telephone reads it from the paper. */
+/** Size of a cell of the code, in millimetres, readable from paper by a telephone. */
 const CELL = 0.45;
-/** The quiet zone around it, in cells. */
+/** Quiet zone around the code, in cells. */
 const QUIET = 4;
 
 /**
- * From now on a worksheet is what is printed.
+ * Makes the browser print a worksheet instead of the page.
  * @param {Page} page
  */
 export function printWorksheets(page) {
@@ -29,7 +29,7 @@ export function printWorksheets(page) {
   addEventListener("beforeprint", () => {
     clear();
     const steps = page.lesson.steps();
-    // A worksheet does not answer what it asks.
+    // A worksheet must not answer its own questions.
     const hidden = steps.flatMap(({ question }) => question?.hides ?? []);
     document.body.append(page.sheet ?? page.posed(hidden, () => worksheet(page, steps)));
   });
@@ -70,7 +70,7 @@ function worksheet(page, steps) {
 
 /**
  * @param {Page} page
- * @returns {HTMLElement} every number that is given of the mechanism that is drawn
+ * @returns {HTMLElement} all given numbers of the drawn mechanism
  */
 function dimensions({ engine, model, words }) {
   const rows = given(model.good, engine, words).map((one) => make("tr", {}, [make("td", {}, withSubscripts(one))]));
@@ -78,8 +78,8 @@ function dimensions({ engine, model, words }) {
 }
 
 /**
- * @param {boolean} moves whether the table of values is that of what is shown
- * @returns {HTMLElement} the read-outs and the status line as they are read on the page: what a lesson withholds stays so
+ * @param {boolean} moves whether the mechanism moves, so that the table of values belongs to it
+ * @returns {HTMLElement} read-outs and status line as on the page; values hidden by a lesson stay hidden
  */
 function values(moves) {
   const copied = moves ? document.querySelectorAll("#readouts > :not(caption) tr") : [];
@@ -92,7 +92,7 @@ function values(moves) {
 
 /**
  * @param {Element} output
- * @returns {string} what it says; of one that is withheld only that
+ * @returns {string} its text, or a question mark if it is withheld
  */
 function read(output) {
   if (output instanceof HTMLElement && output.dataset.asked) return "?";

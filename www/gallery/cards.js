@@ -1,4 +1,4 @@
-// What there is to choose: a card for each lesson and each mechanism of the catalogue, in groups.
+// Cards of the gallery: one for each lesson and each mechanism of the catalogue, in groups.
 import { begin } from "assur/lesson/begin.js";
 import { readLesson } from "assur/lesson/offer.js";
 import { Progress } from "assur/lesson/progress.js";
@@ -11,17 +11,17 @@ import { initialState } from "assur/state/state.js";
 /**
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {{ button: HTMLButtonElement, words: readonly string[] }} Card and what it is found by
- * @typedef {{ key: string, cards: Card[] }} Group with the key of its heading
+ * @typedef {{ button: HTMLButtonElement, words: readonly string[] }} Card card with its search words
+ * @typedef {{ key: string, cards: Card[] }} Group group with the key of its heading
  */
 
-/** The groups of the catalogue in the order in which they are taught. */
+/** Groups of the catalogue, in the order of teaching. */
 const GROUPS = Object.freeze(["four_bars", "six_bars", "guides", "geared", "higher", "schemes"]);
 
 /**
  * @param {Page} page
  * @param {import("assur/gallery/pictures.js").Pictures} pictures
- * @param {Words} english names that a mechanism is found by, too
+ * @param {Words} english words in English, in which mechanisms can also be found
  * @returns {Group[]}
  */
 export function groups(page, pictures, english) {
@@ -41,7 +41,7 @@ export function groups(page, pictures, english) {
  * @param {Page} page
  * @param {import("assur/gallery/pictures.js").Pictures} pictures
  * @param {Words} english
- * @returns {Card[]} one; none of what the catalogue has not
+ * @returns {Card[]} one card, or none if the catalogue lacks the mechanism
  */
 function mechanismCard({ id, class: highest }, group, page, pictures, english) {
   const { words, store, engine } = page;
@@ -54,7 +54,7 @@ function mechanismCard({ id, class: highest }, group, page, pictures, english) {
   const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), line(words), about);
   if (engine.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
   button.addEventListener("click", () => page.choose(kind, document));
-  // The numeral in the name of a group is not that of each in it.
+  // The numeral in the name of a group does not apply to all its members.
   const texts = [words, english].flatMap((table) =>
     [table.text(key), table.text(`about.${id}`), table.text(group).replace(/[IVX]+/, ""), line(table)]);
   return [{ button, words: findable(texts, highest ?? "") }];
@@ -89,7 +89,7 @@ function lessonCard(entry, page, pictures, english) {
  * @param {string} id
  * @param {HTMLCanvasElement} picture
  * @param {string} title
- * @param {string} line what is said below it
+ * @param {string} line line below the title
  * @param {...HTMLElement} more
  */
 function card(id, picture, title, line, ...more) {

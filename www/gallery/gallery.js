@@ -1,4 +1,4 @@
-// Lessons and mechanisms, as pictures to choose from. Loaded when it is asked for.
+// The gallery: lessons and mechanisms as pictures to choose from. Loaded on demand.
 import { byId, make, write } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
 import { groups } from "assur/gallery/cards.js";
@@ -11,7 +11,7 @@ import "assur/gallery/style.js";
  * @typedef {{ section: HTMLElement, cards: readonly Card[] }} Section
  */
 
-/** What the colours of the pictures depend on. */
+/** Media query on which the colours of the pictures depend. */
 const DARK = "(prefers-color-scheme: dark)";
 
 /**
@@ -48,17 +48,17 @@ export async function openGallery(page) {
   });
   search.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" || search.value.trim() === "") return;
-    // Else the button that has the focus next would be pressed, too.
+    // Otherwise the button focused next would be pressed, too.
     event.preventDefault();
-    // What was looked for is the first that is left.
+    // Enter chooses the first remaining card.
     shown()[0]?.click();
   });
   dialog.addEventListener("keydown", (event) => walk(event, search, shown()));
-  // A press beside it closes it.
+  // A click outside closes the dialog.
   dialog.addEventListener("click", ({ target }) => {
     if (target === dialog) dialog.close();
   });
-  // The theme reads its colours first.
+  // The theme must read its colours first.
   const repaint = () => requestAnimationFrame(() => pictures.repaint());
   matchMedia(DARK).addEventListener("change", repaint, { signal });
   addEventListener("resize", repaint, { signal });
@@ -88,7 +88,7 @@ function section(key, cards) {
 /**
  * @param {readonly Section[]} sections
  * @param {string} query
- * @returns {boolean} whether anything is left
+ * @returns {boolean} whether any card is left
  */
 function filter(sections, query) {
   for (const { section, cards } of sections) {
@@ -99,10 +99,10 @@ function filter(sections, query) {
 }
 
 /**
- * The arrow keys go from card to card, as they stand on the screen; from the search down to the first.
+ * Moves the focus by arrow keys from card to card on the screen, and from the search down to the first card.
  * @param {KeyboardEvent} event
  * @param {HTMLElement} search
- * @param {readonly HTMLElement[]} cards that are shown
+ * @param {readonly HTMLElement[]} cards visible cards
  */
 function walk(event, search, cards) {
   const at = cards.findIndex((card) => card === event.target);
@@ -116,7 +116,7 @@ function walk(event, search, cards) {
  * @param {readonly HTMLElement[]} cards
  * @param {number} at
  * @param {string} key
- * @returns {HTMLElement | null | undefined} null above the first row; undefined where the key leads nowhere
+ * @returns {HTMLElement | null | undefined} the next card; null above the first row; undefined if the key leads nowhere
  */
 function neighbour(cards, at, key) {
   if (key === "ArrowLeft") return cards[at - 1];

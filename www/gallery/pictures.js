@@ -1,4 +1,4 @@
-// Small drawings of mechanisms, made as they come into view: by the same code as the large one, in the colours of the page.
+// Small drawings of mechanisms, painted when they come into view, by the code and in the colours of the page's drawing.
 import { Transform } from "assur/canvas/transform.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
@@ -6,7 +6,7 @@ import { Figure } from "assur/stage/figure.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {() => Promise<State | null>} Source what a picture shows; null where it cannot be had
+ * @typedef {() => Promise<State | null>} Source loads the state of a picture; null if that fails
  * @typedef {{ figure: Figure, bounds: readonly number[] }} Sketch
  */
 
@@ -15,17 +15,17 @@ const MARGIN = 9;
 
 export class Pictures {
   #page;
-  /** @type {Map<Element, Source>} those that were not in view yet */
+  /** @type {Map<Element, Source>} sources of pictures not yet in view */
   #coming = new Map();
-  /** @type {Map<HTMLCanvasElement, Sketch>} those that were drawn */
+  /** @type {Map<HTMLCanvasElement, Sketch>} drawn pictures */
   #drawn = new Map();
   #watch;
-  /** The end of the drawing that was begun last: there is one in a frame, so that what is pressed or typed meanwhile is heard. */
+  /** End of the last drawing in the queue: only one is drawn in a frame, so that the page stays responsive. */
   #turn = Promise.resolve();
 
   /**
    * @param {import("assur/app/page.js").Page} page
-   * @param {HTMLElement} window in which they are scrolled
+   * @param {HTMLElement} window area in which they scroll
    */
   constructor(page, window) {
     this.#page = page;
@@ -48,7 +48,7 @@ export class Pictures {
     return canvas;
   }
 
-  /** Paints again what was drawn: in other colours, or for another screen. */
+  /** Paints the drawn pictures again, in other colours or for another screen. */
   repaint() {
     for (const [canvas, sketch] of this.#drawn) this.#paint(canvas, sketch);
   }

@@ -1,13 +1,13 @@
-// Finds cards by words: names in the language of the page and in English, groups, classes.
+// Search for cards by words: names in the page's language and in English, groups, classes.
 
-/** Numerals of classes with their values: typed on a keyboard without Latin letters, too. */
+/** Numerals of classes at their values, which also can be typed as digits. */
 const CLASSES = Object.freeze(["", "i", "ii", "iii", "iv", "v", "vi"]);
 
 /**
- * What a card is found by.
+ * Search words of a card.
  * @param {readonly string[]} texts
  * @param {string} [highest] the class of its mechanism
- * @returns {readonly string[]} words
+ * @returns {readonly string[]} search words
  */
 export function findable(texts, highest = "") {
   const value = CLASSES.indexOf(highest.toLowerCase());
@@ -15,7 +15,7 @@ export function findable(texts, highest = "") {
 }
 
 /**
- * Whether every word of a query begins one of the words; the numeral of a class is a whole word.
+ * Whether every word of a query is the beginning of a search word; the numeral of a class must match as a whole.
  * @param {readonly string[]} words
  * @param {string} query
  */
@@ -27,6 +27,6 @@ export function found(words, query) {
 
 /** @param {string} text */
 function wordsOf(text) {
-  // Of two alphabets, one letter.
+  // The Ukrainian і counts as the Latin i.
   return text.toLowerCase().replaceAll("і", "i").split(/[^\p{L}\p{N}]+/u).filter((word) => word !== "");
 }

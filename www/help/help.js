@@ -1,10 +1,10 @@
-// Help: what can be done with a pointer and with keys, which papers all this is after, how to cite it. Loaded when it is asked for.
+// Help: pointer and keys, the source papers, notes for teachers, how to cite. Loaded on demand.
 import { combinations } from "assur/app/keys.js";
 import { byId, make } from "assur/core/dom.js";
 import { notesOf, served } from "assur/core/served.js";
 import { LESSONS } from "assur/lessons/index.js";
 
-/** What can be done with a pointer, and what that does. */
+/** Gestures of the pointer, with their effects. */
 const GESTURES = Object.freeze([
   ["gesture.hinge", "gesture.hinge.does"],
   ["gesture.plot", "gesture.plot.does"],
@@ -22,7 +22,7 @@ export function openHelp(words) {
   const heading = (/** @type {string} */ key) => make("h3", {}, [words.text(key)]);
   const dialog = make("dialog", { id: "help", class: "dialog help", "aria-labelledby": "help-title" }, [
     make("form", { method: "dialog" }, [
-      // It takes the focus: the button at the end would have the dialog scrolled there.
+      // The title takes the focus: the button at the end would scroll the dialog down.
       make("h2", { id: "help-title", tabindex: "-1", autofocus: "" }, [words.text("help.label")]),
       make("p", {}, [words.text("welcome.text")]),
       heading("help.pointer"),
@@ -43,7 +43,7 @@ export function openHelp(words) {
 }
 
 /**
- * The notes for teachers: of lessons in the reader's language, misprints in English.
+ * Links to the notes for teachers: those of lessons in the reader's language, misprints in English.
  * @param {import("assur/core/words.js").Words} words
  */
 function notes(words) {

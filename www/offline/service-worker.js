@@ -1,8 +1,8 @@
-// Keeps the hosted page for days without a network. The build puts before it what the page is made of: names of files hold the hash of
-// what is in them, so a file that any version kept is the right one, and a page goes on with those that it began with.
+// Storage of the hosted page for use without a network. The build writes a list of the page's files before this script. Their names contain
+// hashes of their contents, so that a file from any version is the right one, and an open page continues with its own files.
 
 /**
- * @typedef {Event & { waitUntil(done: Promise<unknown>): void }} Step of its life
+ * @typedef {Event & { waitUntil(done: Promise<unknown>): void }} Step step in the life of the worker
  * @typedef {Event & { request: Request, respondWith(answer: Promise<Response>): void }} Asked
  * @typedef {Window & typeof globalThis & {
  *   version: string, registration: { scope: string }, clients: { claim(): Promise<void> }, skipWaiting(): Promise<void>
@@ -11,15 +11,15 @@
 
 const worker = /** @type {Keeper} */ (self);
 
-/** The build, then the files. */
+/** Number of the build, then names of the files. */
 const [BUILD, ...FILES] = worker.version.split(" ");
 const { scope } = worker.registration;
 const PREFIX = `assur ${scope} `;
 
-/** Of a version before: a page of it that is still open may ask for more of its parts. */
+/** Number of versions kept: an open page of an earlier version may ask for more of its parts. */
 const KEPT = 2;
 
-/** Hosts answer differently to those who take packed files, which is all the same here. */
+/** Option that ignores the header Vary: hosts vary their answers by compression, which makes no difference here. */
 const ANY = Object.freeze({ ignoreVary: true });
 
 addEventListener("install", (event) => {
@@ -38,10 +38,10 @@ addEventListener("fetch", (event) => {
   if (method === "GET" && url.startsWith(scope)) asked.respondWith(answer(asked.request));
 });
 
-/** All files or none: a version that is not whole never answers. */
+/** Stores all files or none: an incomplete version never answers. */
 async function install() {
   const own = PREFIX + BUILD;
-  // One that is there already may be what the page lives on.
+  // An existing store may be in use by the page.
   const begun = !(await caches.has(own));
   const cache = await caches.open(own);
   try {
@@ -62,12 +62,12 @@ async function keep(cache, name) {
   const hashed = name.startsWith("files/");
   const before = hashed ? await caches.match(url, ANY) : undefined;
   let response = before ?? (await fetch(url, { cache: hashed ? "default" : "no-cache" }));
-  // That it was missing once may have been kept as well.
+  // The browser's cache may hold an earlier failure.
   if (!response.ok) response = await fetch(url, { cache: "reload" });
   if (!response.ok) throw new Error(`${response.status} ${name}`);
-  // While a version is being put in its place the page may be of another one.
+  // During the deployment of a version the page may still be another one's.
   if (name === "./" && !(await response.clone().text()).includes(BUILD)) throw new Error(`not of ${BUILD}`);
-  // Made anew: a page that was redirected would be refused.
+  // A new response, because browsers refuse a stored page that was redirected.
   const { headers, status, statusText } = response;
   await cache.put(url, new Response(response.body, { headers, status, statusText }));
 }

@@ -1,4 +1,4 @@
-// What the steps of the polygons say: vector equations with the numbers that are known by then.
+// Equations of the polygons' steps: vector equations with the numbers known so far.
 import { make } from "assur/core/dom.js";
 import { measured } from "assur/core/units.js";
 
@@ -8,7 +8,7 @@ import { measured } from "assur/core/units.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** What stands above a letter, and how its direction is to what gives it. */
+/** Superscript of each addend, and whether it is perpendicular to its line. */
 const LEGS = Object.freeze({
   turning: { above: "", across: true },
   normal: { above: "n", across: false },
@@ -20,7 +20,7 @@ const LEGS = Object.freeze({
 
 /**
  * @param {Step} step
- * @param {boolean} done whether what it leads to is known
+ * @param {boolean} done whether the result of the step is known
  * @param {readonly [string, string]} units of velocities and accelerations
  * @param {Words} words
  * @returns {readonly HTMLElement[]}
@@ -53,7 +53,7 @@ export function amount(value, unit, words) {
 }
 
 /**
- * v or a, with what stands above and below.
+ * The letter v or a, with superscript and subscript.
  * @param {number} order
  * @param {string} above
  * @param {string} below
@@ -74,7 +74,7 @@ function equation({ target, from }, legs, order) {
 }
 
 /**
- * One of what is added: how large it is, if that is known, and in which direction.
+ * An addend: its size, if known, and its direction.
  * @param {Step} step
  * @param {Leg} leg
  * @param {number} order

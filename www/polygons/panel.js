@@ -1,5 +1,5 @@
-// The polygons of velocities and accelerations where the input is, drawn step by step as at the board, to scale. Loaded when they
-// are asked for.
+// Polygons of velocities and accelerations at the current input, drawn to scale step by step as on a blackboard. Loaded on
+// demand.
 import "assur/polygons/style.js";
 import { readDisplayList } from "assur/canvas/display-list.js";
 import { Painter } from "assur/canvas/painter.js";
@@ -19,11 +19,11 @@ import { amount, told } from "assur/polygons/equations.js";
 
 /** Free room around a polygon, in pixels, for the names at its ends. */
 const MARGIN = 26;
-/** More steps than any has: all are shown. */
+/** Number of steps greater than any, to show all. */
 const ALL = 1e6;
-/** What the engine says of what is no linkage. */
+/** Problem of the engine with a document that is no linkage. */
 const NO_LINKAGE = "bad_state";
-/** What there is to paint is in the coordinates of the frame. */
+/** Pose of the only body, the frame: the drawing is in its coordinates. */
 const POSES = Object.freeze([Object.freeze([0, 0, 0])]);
 
 export class Polygons {
@@ -71,7 +71,7 @@ export class Polygons {
     if (this.element.hidden) return;
     const { value, problems } = attempt(() => this.#page.engine.polygons(frameInput, this.#shown));
     this.#here = value;
-    // What is no linkage has none anywhere.
+    // A document that is no linkage has no polygons at any input.
     this.element.hidden = problems.some(({ code }) => code === NO_LINKAGE);
     this.#none.hidden = this.#here !== null;
     this.#drawn.hidden = this.#here === null;
@@ -81,7 +81,7 @@ export class Polygons {
   }
 
   /**
-   * One step on, or back; from the last one on to the first, so that it can be shown again.
+   * Shows one step more or less; after the last step it starts again with the first.
    * @param {number} by
    */
   #go(by) {
@@ -100,7 +100,7 @@ export class Polygons {
     write(this.#step, words.text("polygons.step", { n: words.numbers.exact(at), count: words.numbers.exact(steps.length) }));
     this.#back.disabled = at <= 1;
     const physical = state.view.axes === "physical";
-    // Units as in the plots of lengths, of numbers of usual size, so that the unit needs no power of ten.
+    // Units as in the plots of lengths with numbers of usual size, so that no power of ten is needed.
     const panels = [1, 2].map((order) => /** @type {import("assur/engine.js").Panel} */ ({ kind: "length", order, physical, y0: -1, y1: 1 }));
     const [velocity, acceleration] = panels.map((panel) => unitOf(panel, coordinate, words));
     this.#sheets.forEach(({ canvas, title, scale }, order) => {

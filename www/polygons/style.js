@@ -1,4 +1,4 @@
-// The style sheet of the polygons. Who imports this waits until it is there.
+// The style sheet of the polygons. Importing this module waits until it is loaded.
 import { addStyle } from "assur/core/dom.js";
 
 await addStyle("polygons/style.css");

@@ -30,7 +30,7 @@ const BETWEEN = /\s*;\s*|,?\s+/;
 
 /**
  * Shows the dialog in the language of the words.
- * @param {import("assur/app/page.js").Page} page of which a synthesis is open
+ * @param {import("assur/app/page.js").Page} page page with an open synthesis
  */
 export function openFunction(page) {
   const { words } = page;

@@ -1,16 +1,16 @@
-// The steps of the lesson on the assemblies of a linkage: what each shows, and what is asked of it as it then is.
-// Its words are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on the assemblies of a linkage: the document of each, and the question on it.
+// The texts are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 
 /** @typedef {import("assur/engine.js").MotionSummary} Summary */
 
-/** What every step lays over the drawing, the other assemblies among it; and that there is a picture of each, with the map of their branches. */
+/** Overlays of every step: the other assemblies among them, and a picture of each assembly with the map of their branches. */
 const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);
 
-/** The section with these pictures and the map, in every step. */
+/** The section with pictures and map, in every step. */
 const SECTION = Object.freeze(["all_assemblies"]);
 
-/** How many assemblies a group of revolute pairs has over the complex numbers, by its class and the number of its links. */
+/** Number of assemblies of a group of revolute pairs over the complex numbers, by its class and number of links. */
 const COMPLEX = Object.freeze({ "II 2": "two", "III 4": "six", "IV 6": "fourteen" });
 
 /** @type {import("assur/lesson/folder.js").Lesson<"linkage">} */
@@ -68,7 +68,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
 
 /**
  * @param {Summary} summary
- * @returns {number} the input at which it is drawn
+ * @returns {number} the drawn input
  */
 function home({ home: drawn }) {
   return drawn;
@@ -76,7 +76,7 @@ function home({ home: drawn }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} how many real assemblies there are at the input at which it is drawn
+ * @returns {number | undefined} number of real assemblies at the drawn input
  */
 function real({ assembled }) {
   return assembled?.count;
@@ -84,7 +84,7 @@ function real({ assembled }) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} how many assemblies its group has over the complex numbers, of one that is driven by a crank alone
+ * @returns {string | undefined} number of complex assemblies of its group, if it has one group besides the crank
  */
 function complex({ class: highest, counts: { links }, groups }) {
   const group = groups.length === 2 ? `${highest} ${links - 1}` : "";
@@ -93,7 +93,7 @@ function complex({ class: highest, counts: { links }, groups }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} of a driver that swings, how far, degrees
+ * @returns {number | undefined} swing of the driver in degrees, if it does not turn fully
  */
 function range({ cycle: { full, arcs } }) {
   const [[from, to]] = arcs;
@@ -101,7 +101,7 @@ function range({ cycle: { full, arcs } }) {
 }
 
 /**
- * How many circuits a four-bar has follows from its links, of how many branches they are from the driver.
+ * Kind of circuits of a four-bar: their number follows from the links, the number of their branches from the driver.
  * @param {Summary} summary
  */
 function circuits({ four_bars: [bar, ...more], cycle }) {
@@ -112,7 +112,7 @@ function circuits({ four_bars: [bar, ...more], cycle }) {
 
 /**
  * @param {Summary} summary
- * @returns {string} a motion that meets no other is alone on its circuit
+ * @returns {string} whether branches can be reached; a motion that meets no other is alone on its circuit
  */
 function reached({ dead_points: dead, change_points: changes }) {
   return dead.length + changes.length === 0 ? "none" : "some";

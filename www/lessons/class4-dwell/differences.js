@@ -1,4 +1,4 @@
-// The analogue ψ″ over a turn, exact, and as differences of positions with a step that the reader sets: what the combined method is compared with.
+// The analogue ψ″ over a turn: exact, and by differences of positions with a step set by the reader, for comparison with the combined method.
 import { radians } from "assur/core/angles.js";
 import { make, makeSvg, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
@@ -11,9 +11,9 @@ import { attempt } from "assur/core/problem.js";
  * @typedef {readonly [number, number]} Pair of ψ′ and ψ″
  */
 
-/** The step is a power of ten, degrees: the exponents in tenths. */
+/** Tenths of the exponent of the step, a power of ten in degrees. */
 const EXPONENTS = Object.freeze({ least: -60, most: 15, first: 13 });
-/** The plot in its own units, how many places of the turn it has, and every which of them has a dot. */
+/** Size of the plot in its own units, number of places in the turn, and interval of the dots. */
 const SIZE = Object.freeze({ width: 320, height: 180 });
 const PLACES = 144;
 const DOTTED = 3;
@@ -29,7 +29,7 @@ export class Differences {
   #legend = make("p", { class: "note" });
   #errors = make("p", { id: "differences-errors" });
   #plot = makeSvg("svg", { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, class: "lesson-plot", role: "img" });
-  /** @type {Summary | null} of which the exact curve is */
+  /** @type {Summary | null} summary of the mechanism of the exact curve */
   #summary = null;
   /** @type {{ at: number, exact: Pair }[]} */
   #places = [];

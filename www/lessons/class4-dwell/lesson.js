@@ -1,5 +1,5 @@
-// The steps of the lesson on the Class IV mechanism with dwell: what each shows, and what is asked of the mechanism as it then is.
-// Its words are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on the Class IV mechanism with dwell: the document of each, and the question on it.
+// The texts are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 import { Differences } from "assur/lessons/class4-dwell/differences.js";
 import { System } from "assur/lessons/class4-dwell/system.js";
@@ -66,7 +66,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     formula: "(x_P − x_Q)² + (y_P − y_Q)² = l²_PQ\nx_PQ x′_PQ + y_PQ y′_PQ = 0\nx_PQ x″_PQ + y_PQ y″_PQ = −x′²_PQ − y′²_PQ",
     shows: [{ preset: PRESET, ...SIXTY }],
     lends: ["equations"],
-    // Of hinges there are as many equations as coordinates of moving points, less the mobility.
+    // A linkage of hinges has as many equations as coordinates of moving points, less the mobility.
     question: {
       whole: true, within: 0, answer: ({ equations }) => equations.length,
       places: ({ equations, counts: { mobility } }) => ({ coordinates: equations.length + mobility, mobility }),
@@ -144,7 +144,7 @@ function classOf({ class: highest }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} how much of the crank's turn the dwell takes, degrees
+ * @returns {number | undefined} arc of the crank's turn during the dwell, in degrees
  */
 function dwell({ profile }) {
   return profile?.dwell ? degrees(profile.dwell.arc[1] - profile.dwell.arc[0]) : undefined;
@@ -152,7 +152,7 @@ function dwell({ profile }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} how much of the turn the output rises and returns, degrees
+ * @returns {number | undefined} arc of the turn during rise and return of the output, in degrees
  */
 function moving({ profile }) {
   const moved = profile?.phases.filter(({ kind }) => kind !== "dwell") ?? [];
@@ -161,7 +161,7 @@ function moving({ profile }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} degrees
+ * @returns {number | undefined} stroke of the output in degrees
  */
 function stroke({ profile }) {
   return profile && profile.stroke !== null ? degrees(profile.stroke) : undefined;

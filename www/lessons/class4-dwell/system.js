@@ -8,11 +8,11 @@ import { withSubscripts } from "assur/core/subscripts.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  */
 
-/** The equations by their links, the unknowns, and the two right sides. */
+/** Links of the equations, the unknowns, and the two right-hand sides. */
 const LINKS = Object.freeze(["EB", "EG", "GH", "FK", "LC", "CD"]);
 const UNKNOWNS = Object.freeze(["x_E", "y_E", "x_G", "y_G", "x_C", "y_C"]);
 const ORDERS = Object.freeze(["′", "″"]);
-/** The items of the paper that hold the solution, by order and point. */
+/** Items of the paper with the solution, by order and point. */
 const SOLVED = Object.freeze([["003.vE", "003.cramer1", "003.vC"], ["003.aE", "003.cramer2", "003.aC"]]);
 const DECIMALS = 3;
 

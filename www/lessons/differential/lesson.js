@@ -1,5 +1,5 @@
-// The steps of the lesson on the differential with magnetic couplings: what each shows, and what is asked of it as it then is.
-// Its words are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on the differential with magnetic couplings: the document of each, and the question on it.
+// The texts are in words.*.json of this folder, under the step's id.
 
 /**
  * @typedef {import("assur/engine.js").Summaries["gear-train"]} Summary
@@ -107,7 +107,7 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
 
 /**
  * @param {Summary["ratios"]} ratios
- * @param {string} name as 1/3(4)
+ * @param {string} name such as 1/3(4)
  */
 function valueOf(ratios, name) {
   return ratios.find((ratio) => ratio.name === name)?.value;
@@ -124,14 +124,14 @@ function largest({ ratios }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} (z₁ + z₄)/k of what can be built; as long as it cannot, what nobody can answer
+ * @returns {number | undefined} (z₁ + z₄)/k of a train that can be assembled; otherwise a value that no answer matches
  */
 function pitchesEach({ builds, conditions }) {
   const assembly = conditions.find(({ kind }) => kind === "assembly");
   return builds && assembly ? assembly.left / assembly.right : Infinity;
 }
 
-/** A gap is m(z₄ − z₁ − 2z₂)/4, and two teeth of the height m have room in it if this is more than 2m: so much more than z₁ + 2z₂ is too little. */
+/** Difference z₄ − z₁ − 2z₂ up to which a gap m(z₄ − z₁ − 2z₂)/4 is at most 2m, too little for two teeth of the height m. */
 const TEETH_OF_GAPS = 8;
 
 /**

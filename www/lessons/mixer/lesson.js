@@ -1,5 +1,5 @@
-// The steps of the mixer's lesson: what each shows, and what is asked of the mechanism as it then is.
-// Its words are in words.*.json of this folder, under the step's id.
+// Steps of the mixer's lesson: the document of each, and the question on it.
+// The texts are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 
 /**
@@ -7,7 +7,7 @@ import { degrees } from "assur/core/angles.js";
  * @typedef {import("assur/engine.js").MixerSummary} Summary
  */
 
-/** What differs between two cases is compared with the crank upright. */
+/** View for the comparison of two cases, with the crank upright. */
 const COMPARED = Object.freeze({ at: () => Math.PI / 2, overlays: ["traces", "transmission"] });
 
 /** @type {import("assur/lesson/folder.js").Lesson<"mixer">} */
@@ -83,7 +83,7 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
 
 /**
  * @param {Summary} summary
- * @returns {{ near: Limit, far: Limit } | undefined} that of the smaller φ₃ and the other
+ * @returns {{ near: Limit, far: Limit } | undefined} the limit with the smaller φ₃, and the other
  */
 function limits({ outputs: [{ limits: all }] }) {
   if (all.length !== 2) return undefined;
@@ -93,7 +93,7 @@ function limits({ outputs: [{ limits: all }] }) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} which choice is right; none where all links come into one line
+ * @returns {string | undefined} the right choice; undefined if all links come into one line
  */
 function leastTransmission({ dead_points: dead, change_points: change }) {
   if (change.length > 0) return undefined;

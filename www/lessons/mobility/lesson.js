@@ -1,11 +1,11 @@
-// The steps of the lesson on mobility by sections: what each shows, and what is asked of it as it then is.
-// Its words are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on mobility by sections: the document of each, and the question on it.
+// The texts are in words.*.json of this folder, under the step's id.
 
 /**
  * @typedef {import("assur/engine.js").Summaries["scheme"]} Summary
  */
 
-/** What the count says, by what the rank of the constraints says. */
+/** Results of the count in comparison with the rank of the constraints. */
 const COUNTS = Object.freeze(["low", "right", "high"]);
 
 /** @type {import("assur/lesson/folder.js").Lesson<"scheme">} */
@@ -44,7 +44,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     formula: "W = W₀ − ΣS\nW = Σ i·Pᵢ − Σλₖ",
     shows: [{ preset: "mobility-2c" }],
     controls: ["method"],
-    // So many cuts open every contour.
+    // This is the number of cuts that open every contour.
     question: { whole: true, within: 0, answer: ({ counts }) => pairs(counts) - counts.links, places: ({ counts }) => ({ pairs: pairs(counts), links: counts.links }) },
   },
   {
@@ -107,7 +107,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
 
 /**
  * @param {Summary["counts"]} counts
- * @returns {number} all pairs; a hinge of k links is k − 1 of them
+ * @returns {number} number of pairs; a hinge of k links counts as k − 1
  */
 function pairs({ pairs: all }) {
   return all.reduce((sum, { count }) => sum + count, 0);
@@ -115,7 +115,7 @@ function pairs({ pairs: all }) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} what the count of W is by the rank in its own space
+ * @returns {string | undefined} result of the count of W in comparison with the rank in its own space
  */
 function counted({ planar, plane, space, mobility }) {
   const judged = planar ? plane : space;

@@ -1,18 +1,18 @@
-// The steps of the lesson on synthesis from given positions: what each shows, and what is asked of it as it then is.
-// Its words are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on synthesis from given positions: the document of each, and the question on it.
+// The texts are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 
 /**
  * @typedef {import("assur/types/web.js").SynthesisSummary} Summary
  */
 
-/** Which of the lengths the shortest one is, in the order of the links. */
+/** Choices for the shortest length, in the order of the links. */
 const LINKS = Object.freeze(["coupler", "output", "input", "frame"]);
 
-/** The example of the paper: l₀, and φ₂ and φ₃ of its positions, degrees. */
+/** Example of the paper: l₀, and φ₂ and φ₃ of the positions in degrees. */
 const EXAMPLE = Object.freeze({ frame: 10.4, positions: [[240, 45], [253, 60]] });
 
-/** Numbers that differ by less are the same. */
+/** Difference below which numbers count as equal. */
 const SAME = 1e-9;
 
 /** @type {import("assur/lesson/folder.js").Lesson<"synthesis">} */
@@ -125,7 +125,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} where the input is in the first position
+ * @returns {number | undefined} the input in the first position
  */
 function first({ wanted: [one] }) {
   return one?.input;
@@ -133,7 +133,7 @@ function first({ wanted: [one] }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} the least l₂ at which the class of a family's members changes, of the example of the paper
+ * @returns {number | undefined} the least l₂ at which the Grashof type changes within the family of the paper's example
  */
 function grashofFrom({ family, wanted, frame }) {
   const near = (/** @type {number} */ one, /** @type {number} */ other) => Math.abs(one - other) < SAME;
