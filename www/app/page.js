@@ -157,7 +157,7 @@ export class Page {
   }
 
   /**
-   * Takes in a state from outside, as a step that can be undone.
+   * Takes in a state from outside, in one step of undo.
    * @param {Promise<import("assur/app/opening.js").Taken | null>} coming
    */
   async take(coming) {

@@ -97,7 +97,7 @@ export class Work {
   }
 
   /**
-   * A pressed link slides with its first point, where the guide starts.
+   * Moves the target of a press on a link to the link's first point, which slides and where the guide starts.
    * @param {Target} target
    * @returns {Target}
    */

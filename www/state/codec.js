@@ -108,7 +108,7 @@ export function fromFile(text) {
 /** @param {unknown} value */
 function encode(value) {
   const text = typeof value === "string" && parsed(value) === undefined ? value : JSON.stringify(value);
-  // A comma and brackets may stand in an address; text stays legible.
+  // Commas and brackets are allowed in an address, and keep the text legible.
   return encodeURIComponent(text).replaceAll("%2C", ",");
 }
 

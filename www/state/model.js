@@ -117,7 +117,7 @@ export class Model {
   /**
    * @param {Engine} engine
    * @param {import("assur/state/drafts.js").Drafts} drafts
-   * @param {State} state must be one the engine takes
+   * @param {State} state state that the engine takes
    */
   constructor(engine, drafts, state) {
     this.#engine = engine;
@@ -216,7 +216,7 @@ export class Model {
     const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
     const drafted = this.#drafts.problems;
     const stale = this.#refused.length > 0 || this.#drafts.fields().some((field) => partOf(field) in state.document);
-    // While it plays, a dead point is passed within one frame: too short for a sentence.
+    // In motion a dead point is passed within one frame, too short for a sentence.
     const unread = state.view.playing ? [] : this.#unread;
     const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;
     const trapped = this.#engine.trapped ? [TRAPPED] : [];

@@ -1,4 +1,4 @@
-// The plotted output over a turn: stroke, dwell and cyclogram in the panel; the dwell shaded on the plots and magnified in an
+// The plotted output over a turn: stroke, dwell and cyclogram in the rail; the dwell shaded on the plots and magnified in an
 // inset.
 import { NumberRow } from "assur/controls/number-row.js";
 import { withhold, writeReadout } from "assur/controls/readout.js";
