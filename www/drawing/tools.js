@@ -36,7 +36,7 @@ export const TOOLS = Object.freeze([
   { name: "remove", key: "X", icon: "M6 6l12 12M18 6 6 18", prompts: ["remove_1"] },
 ]);
 
-/** State and means of the tools. */
+/** State shared by the tools, and their access to edits. */
 export class Work {
   #page;
   /** The tool in use. */

@@ -119,7 +119,7 @@ export class MechanismView {
     return nearest;
   }
 
-  /** @returns {Transform} from the model to the pixels of the canvas */
+  /** @returns {Transform} transform from the model to the pixels of the canvas */
   get view() {
     const { width, height } = this.#surface;
     return this.#held ?? this.#zoom.upon(this.#fit(), width, height);

@@ -1,4 +1,4 @@
-// From the state to all that is shown. The engine is asked only for what a change requires.
+// Model of all that is shown, derived from the state. The engine is asked only for what a change requires.
 import { attempt } from "assur/core/problem.js";
 import { Coordinate, FIELDS } from "assur/state/coordinate.js";
 import { partOf } from "assur/state/drafts.js";
@@ -60,7 +60,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * @typedef {Shown & Drawn<K>} Snapshot
  */
 
-/** @typedef {Snapshot<Kind>} AnySnapshot snapshot also of a document that does not move */
+/** @typedef {Snapshot<Kind>} AnySnapshot snapshot of any document, also one that does not move */
 
 /**
  * Snapshot in which the drawn mechanism is of the state's own kind.
@@ -192,7 +192,7 @@ export class Model {
   }
 
   /**
-   * Updates everything to a state.
+   * Brings everything up to date with a state.
    * @param {State} state
    */
   follow(state) {

@@ -141,7 +141,7 @@ export class CourseView {
   #row;
   /** The foldable part, initially open if the document asks for a dwell. */
   #fold = make("details", { id: "course" });
-  /** Key of the last folding: the mechanism, and whether it has a band. */
+  /** Key of the mechanism for which the part was last folded or unfolded. */
   #folded = "";
   #name = make("caption");
   /** Name of the output's travel: swing of an angle, stroke of a length. */
