@@ -287,7 +287,7 @@ export class Engine {
     return beside;
   }
 
-  /** Takes over after mechanism A broke down, and the instance of the module with it. */
+  /** Renews the instance of the module if mechanism A broke it. */
   #outliveCompared() {
     if (!this.#compared.broken) return;
     this.#compared.hide();

@@ -1,4 +1,4 @@
-// Display of loading: a line below the header, and a busy state of the page for assistive software.
+// Display of pending loads: a line below the header, and a busy state of the page for assistive software.
 import { byId } from "assur/core/dom.js";
 
 let waiting = 0;
@@ -17,7 +17,7 @@ export async function awaited(coming) {
   }
 }
 
-/** @param {1 | -1} more change of the number of pending loads */
+/** @param {1 | -1} more change in the number of pending loads */
 function tell(more) {
   waiting += more;
   byId("app", HTMLElement).ariaBusy = waiting > 0 ? "true" : null;

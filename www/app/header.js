@@ -1,4 +1,4 @@
-// Buttons of the header: undo, redo, the menu, projector mode and, in that mode, the folded settings.
+// Buttons of the header: undo, redo, the menu, projector mode and, in that mode, the folded rail.
 import { byId, setData } from "assur/core/dom.js";
 
 /** Buttons with the command of the same name. */

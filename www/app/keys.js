@@ -106,7 +106,7 @@ function combination(event, scrubber) {
   if (/^Key[A-Z]$/.test(code) && !/^[ -~]$/.test(key)) return control + shift + code.slice(3);
   if (key === " ") return `${control}${shift}Space`;
   if (key === "+") return `${control}Plus`;
-  // A sign is taken as typed, with whatever keys.
+  // A sign counts as typed, whichever keys produced it.
   if (key.length === 1) return control + key;
   const arrow = scrubber ? Object.entries(SCRUBBER).find(([name]) => name === key)?.[1] : undefined;
   return control + shift + (arrow ?? key);

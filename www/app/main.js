@@ -11,7 +11,7 @@ async function start() {
   const framed = new URLSearchParams(search).has("embed") ? import("assur/embed/embed.js") : null;
   const lang = (framed ? null : chosenLanguage()) ?? document.documentElement.lang;
   const reader = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
-  // These words are mostly those of the state, too.
+  // These are usually the words of the state's language, too.
   const [engine, part] = await Promise.all([Engine.load(), framed, Words.load(lang)]);
   const embedding = part && new part.Embedding(search);
   const habits = embedding?.habits(reader) ?? reader;

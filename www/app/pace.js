@@ -1,5 +1,5 @@
-// Pacing of views beside the drawing while a drag makes a new mechanism in every frame: they are written as often as leaves most of the
-// time to the drag.
+// Pacing of the views beside the drawing during a drag that makes a new mechanism in every frame: most of the time is left to
+// the drag.
 import { whenReleased } from "assur/core/released.js";
 
 /** Longest writing time, in milliseconds, that fits into every frame. */

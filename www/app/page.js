@@ -157,7 +157,7 @@ export class Page {
   }
 
   /**
-   * Takes in a state from outside, as a step that can be undone.
+   * Takes in a state from outside, in one step of undo.
    * @param {Promise<import("assur/app/opening.js").Taken | null>} coming
    */
   async take(coming) {
@@ -175,7 +175,7 @@ export class Page {
    * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
    * @param {readonly import("assur/state/change.js").Edit[]} edits changes that the engine makes to it
-   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look its view, by the engine's summary, which
+   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look gives its view from the engine's summary, which
    * is null if the engine refuses it
    */
   choose(kind, document, edits = [], look = () => ({})) {

@@ -3,7 +3,7 @@
 /** @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot */
 
 export class Rendering {
-  /** @type {WeakMap<object, number>} broken views with the revision of the mechanism at which they broke: another revision tries them again */
+  /** @type {WeakMap<object, number>} broken views with the revision of the mechanism at which they broke; they are tried again at another one */
   #broken = new WeakMap();
   #broke;
 

@@ -1,4 +1,4 @@
-// All views of the state. Those of one kind of document are loaded with the kind, sentences for screen readers at the
+// All views of the state. Those of one kind of document are loaded with the kind, and sentences for screen readers at the
 // first rest.
 import { Becoming } from "assur/app/becoming.js";
 import { awaited } from "assur/app/busy.js";

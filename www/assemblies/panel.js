@@ -243,5 +243,5 @@ function angled(number) {
   return `φ${number ? subscript(number) : ""}`;
 }
 
-/** Texts on the ways from the moving assembly to others. */
+/** Texts on the reachability of the other assemblies. */
 const REACH = Object.freeze({ same: "assemblies.same", folds: "assemblies.folds", never: "assemblies.never" });

@@ -25,7 +25,7 @@ export class Theme {
   scale = 1;
   /** Thickness of lines relative to the usual one. */
   weight = 1;
-  /** Counts the changes. */
+  /** Number of changes so far. */
   revision = 0;
 
   /**

@@ -84,7 +84,7 @@ export class Transform {
   }
 }
 
-/** The reader's zoom, applied to the fitted view. It has no pixels and so holds in a canvas of any size. */
+/** The reader's zoom, applied to the fitted view. It is independent of pixels and so holds in a canvas of any size. */
 export class Zoom {
   /** The fitted view itself. */
   static NONE = new Zoom(1, 0, 0);

@@ -1,4 +1,4 @@
-// A list of the document in the panel: a card for each entry, with buttons to add and remove one.
+// A list of the document in the rail: a card for each entry, with buttons to add and remove one.
 import { make } from "assur/core/dom.js";
 import { numberEntries } from "assur/core/names.js";
 import { edited } from "assur/state/state.js";

@@ -1,4 +1,4 @@
-// A number of the document in the panel: its symbol and name, a slider if it has one, a number field.
+// A number of the document in the rail: its symbol and name, a slider if it has one, a number field.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { make } from "assur/core/dom.js";
 import { withSubscripts } from "assur/core/subscripts.js";

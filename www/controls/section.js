@@ -1,4 +1,4 @@
-// A section of the panel for one kind of document.
+// A section of the rail for one kind of document.
 import { byId, make } from "assur/core/dom.js";
 
 /**

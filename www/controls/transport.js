@@ -13,7 +13,7 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Entry of the speeds at which the crank turns by ω₁. */
+/** Choice of speed at which the crank turns with ω₁. */
 const TRUE_TIME = "true_time";
 
 export const SPEEDS = Object.freeze([0.1, 0.25, 0.5, 1, 2, 4]);

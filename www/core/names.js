@@ -48,7 +48,7 @@ export function calledBy(link, points, words) {
 /**
  * @param {string} point
  * @param {readonly string[]} line two points on it
- * @returns {string} symbol of the way from the point to the line
+ * @returns {string} the point and the line with an arrow between them
  */
 export function toLine(point, line) {
   return `${point} → ${between(line)}`;

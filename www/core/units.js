@@ -3,7 +3,7 @@
 /**
  * The unit of a derivative.
  * @param {string} of unit of the quantity, empty if it has none
- * @param {string} by unit of the variable
+ * @param {string} by unit of the variable of differentiation
  * @param {number} order
  */
 export function derived(of, by, order) {
@@ -15,7 +15,7 @@ export function derived(of, by, order) {
 
 /**
  * @param {Readonly<{ kind: string, order: number, physical: boolean }>} quantity an angle, a length or a derivative of one, with respect to time if physical
- * @param {"angle" | "length" | "time"} moves kind of the input, with respect to which other derivatives are
+ * @param {"angle" | "length" | "time"} moves kind of the input, the variable of all other derivatives
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} its unit; angles are in radians
  */

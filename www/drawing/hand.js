@@ -1,4 +1,4 @@
-// The pointer in drawing: the target of a press, and the objects of a drag.
+// The pointer while drawing: what a press hits, and what a drag moves.
 import { attempt } from "assur/core/problem.js";
 import { edit } from "assur/drawing/edit.js";
 import { inputNow } from "assur/state/change.js";

@@ -1,4 +1,4 @@
-// Marks painted over a drawing during drawing: the selection, pressed places, the next bar.
+// Marks painted over the drawing while it is edited: the selection, pressed places, the next bar.
 import { level } from "assur/drawing/tools.js";
 
 /**

@@ -36,7 +36,7 @@ export const TOOLS = Object.freeze([
   { name: "remove", key: "X", icon: "M6 6l12 12M18 6 6 18", prompts: ["remove_1"] },
 ]);
 
-/** State and means of the tools. */
+/** State shared by the tools, and their access to edits. */
 export class Work {
   #page;
   /** The tool in use. */
@@ -97,7 +97,7 @@ export class Work {
   }
 
   /**
-   * A pressed link slides with its first point, where the guide starts.
+   * Moves the target of a press on a link to the link's first point, which slides and where the guide starts.
    * @param {Target} target
    * @returns {Target}
    */

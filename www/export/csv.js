@@ -1,4 +1,4 @@
-// The table of a sweep as CSV, in the shortest numbers that read back as exactly the same.
+// The table of a sweep as CSV, with the fewest digits that read back as exactly the same number.
 import { degrees } from "assur/core/angles.js";
 import { called } from "assur/core/names.js";
 import { parseNumber } from "assur/core/numbers.js";

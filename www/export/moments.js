@@ -75,7 +75,7 @@ async function* momentsOf(document, page, inputs, { signal, tell }) {
   for (const [number, input] of inputs.entries()) {
     await breath();
     signal.throwIfAborted();
-    // Another mechanism would break the motion.
+    // Moments of another mechanism would not belong to this motion.
     if (page.model.good.document !== document) throw new DOMException("", "AbortError");
     const { value, problems } = attempt(() => page.engine.at(input));
     if (value) found = true;
@@ -86,7 +86,7 @@ async function* momentsOf(document, page, inputs, { signal, tell }) {
   if (!found) throw new Refusal([...why]);
 }
 
-/** @returns {Promise<void>} resolves after other work of the page */
+/** @returns {Promise<void>} resolves after the page has done its pending work */
 function breath() {
   const channel = new MessageChannel();
   return new Promise((resolve) => {

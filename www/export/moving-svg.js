@@ -42,7 +42,7 @@ export async function toMovingSvg(page, theme, { moments: count, width, seconds 
 }
 
 /**
- * Paints poses of one period over each other, at last the current one with its labels.
+ * Paints poses of one period over each other, and finally the current one with its labels.
  * @param {Page} page
  * @param {Theme} theme
  * @param {number} count

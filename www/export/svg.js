@@ -1,5 +1,5 @@
-// A drawing context that writes SVG: paintings become elements of a document. It has only those parts of a canvas's context that
-// the page's painting uses, and the engine's plotters.
+// A drawing context that writes SVG: paintings become elements of a document. It has only the parts of a canvas's context used
+// by the page's painting and by the engine's plotters.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
 

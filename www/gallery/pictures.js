@@ -1,4 +1,4 @@
-// Small drawings of mechanisms, painted when they come into view, by the code and in the colours of the page's drawing.
+// Small drawings of mechanisms, painted when they come into view, with the code and the colours of the large drawing.
 import { Transform } from "assur/canvas/transform.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";

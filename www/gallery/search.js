@@ -1,6 +1,6 @@
 // Search for cards by words: names in the page's language and in English, groups, classes.
 
-/** Numerals of classes at their values, which also can be typed as digits. */
+/** Numerals of classes, indexed by their values: a class can also be typed as a digit. */
 const CLASSES = Object.freeze(["", "i", "ii", "iii", "iv", "v", "vi"]);
 
 /**

@@ -1,4 +1,4 @@
-// The place of a lesson or of the settings, one of which is shown. Parts of a lesson are loaded when one is first opened.
+// The part of the page that shows either the settings or a lesson. Modules for lessons are loaded when one is first opened.
 import { awaited } from "assur/app/busy.js";
 import { byId, setData, write } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";

@@ -354,7 +354,7 @@ export class LessonPanel {
 
   /**
    * @param {Question} question
-   * @returns {boolean} whether the page showed another mechanism than the one in the question
+   * @returns {boolean} whether the page showed a mechanism other than the one in the question
    */
   #bringOwn({ ofPage }) {
     if (!ofPage || this.#own.there) return false;

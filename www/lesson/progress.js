@@ -129,7 +129,7 @@ export class Progress {
 
 /**
  * @param {string | null} text text from the storage, which anyone may have written
- * @returns {Readonly<Record<"given" | "tries" | "mechanisms", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} empty where it has not
+ * @returns {Readonly<Record<"given" | "tries" | "mechanisms", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} empty if it does not have
  * this form
  */
 function read(text) {

@@ -16,7 +16,7 @@ export const W = "W";
 const STROKES = Object.freeze(["", "′", "″"]);
 
 /**
- * Read-outs of a property of the motion in the status line or the panel, by the suffix of the quantity; a mixer has names of its own.
+ * Read-outs of a property of the motion in the status line or the rail, by the suffix of the quantity; a mixer has names of its own.
  * @type {Readonly<Record<string, (of: string, what: string) => readonly string[]>>}
  */
 const TELLERS = Object.freeze({
@@ -130,13 +130,13 @@ export function quantityName(quantity, { summary, coordinate, state }, words) {
 
 /**
  * @param {string} quantity as a lesson names it
- * @returns {readonly string[]} the read-outs that tell it, by what follows `out-` in their ids; where the driver stands is no secret
+ * @returns {readonly string[]} ids, without `out-`, of the read-outs that show it; none for the input, which is never hidden
  */
 export function tellers(quantity) {
   if (quantity === "input") return [];
   if (quantity === W) return ["linkage-w"];
   const { bare, of, what, order, whole } = partsOf(quantity);
   if (whole !== undefined) return TELLERS[whole]?.(of, what) ?? [];
-  // The speeds of a differential stand in its status line, too.
+  // The status line of a differential shows its speeds, too.
   return [readoutOf(bare, order), ...(order === 1 && what === "angle" ? [`train-${of}`] : [])];
 }

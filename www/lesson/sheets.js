@@ -1,4 +1,4 @@
-// Worksheets and answer sheets of a lecturer's lesson, made alike: one for each name, with its own numbers.
+// Worksheets and answer sheets of a lecturer's lesson, from the same source: one for each name, with its own numbers.
 import { Transform } from "assur/canvas/transform.js";
 import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";

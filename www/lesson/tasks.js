@@ -22,7 +22,7 @@ import { initialState, withDocument } from "assur/state/state.js";
 /** View of a step that has none. */
 export const RESTING = Object.freeze({ phi_deg: 0, playing: false });
 
-/** Number of draws of numbers before giving up on a mechanism. */
+/** Number of attempts to draw numbers that make a mechanism. */
 const TRIES = 64;
 
 /** Properties of a whole motion that can be asked for, by the suffix of the quantity. */
@@ -69,12 +69,12 @@ export function taskOf(lesson, index, name, engine) {
  * @param {Task["own"]} own
  * @param {ReadonlySet<string>} followed fields to be set by the engine
  * @param {import("assur/pkg/assur_web.js").Simulator} other
- * @returns {State | null} the state with these numbers; null if its motion is no longer unlimited, or has become so
+ * @returns {State | null} the state with these numbers; null if they make an unlimited motion limited or the reverse
  */
 function withOwn(state, own, followed, other) {
   /** @type {Summary} */
   const first = other.set(state);
-  // Numbers that are only written down need not make a mechanism one by one.
+  // Numbers that the engine only stores are set together: a mechanism is needed only after all of them.
   const written = own.filter(({ field }) => !followed.has(field));
   let now = withDocument(state, written.reduce((document, { field, value }) => withNumber(document, field, value), state.document));
   /** @type {Summary} */

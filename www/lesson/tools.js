@@ -22,7 +22,7 @@ export class Tools {
   #document = null;
   /** @type {Map<string, { entry: HTMLElement, name: HTMLElement, value: HTMLElement }>} */
   #mirrors = new Map();
-  // A panel that is rebuilt has new controls.
+  // A rail that is rebuilt has new controls.
   #watch = new MutationObserver(() => this.#borrow());
 
   element = make("div", { class: "lesson-tools" }, [this.#controls, this.#readouts, this.#parts]);

@@ -137,7 +137,7 @@ export class WrittenLesson {
     /** @type {Partial<Question>} */
     const reached = reach ? {
       reached: ({ stale, state, ...here }) => {
-        // A motion that only passes the value is no answer, nor is another mechanism.
+        // A value that is only passed in motion is no answer, nor is the value of another mechanism.
         const value = stale || state.view.playing || !this.#isShown(index, state) ? null : valueOf(reach.quantity, here);
         return value !== null && judged(String(value), reach.value, reach.within, isRound(reach.quantity)) === "right";
       },

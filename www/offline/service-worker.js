@@ -65,7 +65,7 @@ async function keep(cache, name) {
   // The browser's cache may hold an earlier failure.
   if (!response.ok) response = await fetch(url, { cache: "reload" });
   if (!response.ok) throw new Error(`${response.status} ${name}`);
-  // During the deployment of a version the page may still be another one's.
+  // During the deployment of a version the page may still belong to another one.
   if (name === "./" && !(await response.clone().text()).includes(BUILD)) throw new Error(`not of ${BUILD}`);
   // A new response, because browsers refuse a stored page that was redirected.
   const { headers, status, statusText } = response;

@@ -97,7 +97,7 @@ export class PlotBar {
   /**
    * @param {string} moves
    * @param {View["omega_unit"]} unit
-   * @returns {number} the unit in the engine's unit
+   * @returns {number} factor from the unit to the engine's unit
    */
   #per(moves, unit) {
     return moves === "angle" ? UNITS[unit] : 1;

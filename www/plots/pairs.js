@@ -82,7 +82,7 @@ export class PairChoice {
     const option = (/** @type {string} */ key, /** @type {string} */ x, /** @type {string} */ y, /** @type {string} */ name) =>
       make("option", { value: chosen({ x, y }) }, [words.text(key, { name })]);
     const { points, quantities } = this.#engine;
-    // A mechanism without an output has its angles for outputs.
+    // A mechanism without an output uses its angles as outputs.
     const named = summary.outputs.map(({ name }) => name);
     const outputs = named.length > 0 ? named : quantities.filter((name) => name.endsWith("angle"));
     const whose = (/** @type {string} */ name) => {

@@ -3,7 +3,7 @@ import { overlap } from "assur/plots/marks.js";
 
 /** @typedef {import("assur/plots/marks.js").Box} Box */
 
-/** Greatest way, in heights, by which a tag avoids labels: farther away it would seem to belong to another curve. */
+/** Greatest distance, in heights, that a tag moves to avoid labels: farther away it would seem to belong to another curve. */
 const FARTHEST = 3;
 
 /** Space between two tags, in pixels. */

@@ -58,7 +58,7 @@ export function writtenLevel(panel, value, numbers) {
 
 /**
  * @param {Scale} panel
- * @param {import("assur/state/coordinate.js").Coordinate} coordinate input, with respect to which derivatives are if not to time
+ * @param {import("assur/state/coordinate.js").Coordinate} coordinate input, the variable of derivatives that are not with respect to time
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} the power of ten and the unit of a panel's numbers, empty if they have neither
  */

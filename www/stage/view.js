@@ -28,7 +28,7 @@ const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
 
-/** Radius and strength of the ring around a joint that can be dragged. */
+/** Radius and opacity of the ring around a joint that can be dragged. */
 const RING = 15;
 const RING_OPACITY = 0.28;
 
@@ -119,7 +119,7 @@ export class MechanismView {
     return nearest;
   }
 
-  /** @returns {Transform} from the model to the pixels of the canvas */
+  /** @returns {Transform} transform from the model to the pixels of the canvas */
   get view() {
     const { width, height } = this.#surface;
     return this.#held ?? this.#zoom.upon(this.#fit(), width, height);

@@ -21,7 +21,7 @@ export class Address {
 
   /**
    * @param {import("assur/engine.js").Engine} engine
-   * @param {string} lang the reader's, which a short address leaves out
+   * @param {string} lang language of the reader, left out of a short address
    */
   constructor(engine, lang) {
     this.#engine = engine;

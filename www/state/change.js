@@ -71,7 +71,7 @@ export function inputNow({ store, model }) {
  * @param {State["kind"]} kind
  * @param {State["document"]} document of that kind
  * @param {readonly Edit[]} edits changes that the engine makes to it
- * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look its view, by the engine's summary, which
+ * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look gives its view from the engine's summary, which
  * is null if the engine refuses it
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts" | "history" | "mechanism">} page
  */

@@ -75,7 +75,7 @@ export function fromAddress(hash, preset) {
   const own = (/** @type {readonly (string | undefined)[]} */ names) => Object.fromEntries(entries.filter(([key]) => names.includes(key)));
   const [document, view] = [part(PREFIXES.document), part(PREFIXES.view)];
   if (whole) {
-    // Parameters of the document would be ignored silently.
+    // Otherwise parameters of the document would be ignored silently.
     if (Object.keys(document).length > 0) throw unreadable();
     return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(FURTHER) }, unreadable());
   }
@@ -108,7 +108,7 @@ export function fromFile(text) {
 /** @param {unknown} value */
 function encode(value) {
   const text = typeof value === "string" && parsed(value) === undefined ? value : JSON.stringify(value);
-  // A comma and brackets may stand in an address; text stays legible.
+  // Commas and brackets are allowed in an address, and keep the text legible.
   return encodeURIComponent(text).replaceAll("%2C", ",");
 }
 

@@ -29,7 +29,7 @@ export class Drafts {
     if (this.#problems.delete(field)) this.#changed();
   }
 
-  /** @param {readonly string[]} fields; a list is dropped with all that is in it */
+  /** @param {readonly string[]} fields names of fields; a list is dropped with all its entries */
   dropAll(fields) {
     for (const field of this.fields()) {
       if (fields.includes(field) || fields.includes(partOf(field))) this.drop(field);

@@ -1,4 +1,4 @@
-// From the state to all that is shown. The engine is asked only for what a change requires.
+// Model of all that is shown, derived from the state. The engine is asked only for what a change requires.
 import { attempt } from "assur/core/problem.js";
 import { Coordinate, FIELDS } from "assur/state/coordinate.js";
 import { partOf } from "assur/state/drafts.js";
@@ -60,7 +60,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * @typedef {Shown & Drawn<K>} Snapshot
  */
 
-/** @typedef {Snapshot<Kind>} AnySnapshot snapshot also of a document that does not move */
+/** @typedef {Snapshot<Kind>} AnySnapshot snapshot of any document, also one that does not move */
 
 /**
  * Snapshot in which the drawn mechanism is of the state's own kind.
@@ -117,7 +117,7 @@ export class Model {
   /**
    * @param {Engine} engine
    * @param {import("assur/state/drafts.js").Drafts} drafts
-   * @param {State} state must be one the engine takes
+   * @param {State} state state that the engine takes
    */
   constructor(engine, drafts, state) {
     this.#engine = engine;
@@ -192,7 +192,7 @@ export class Model {
   }
 
   /**
-   * Updates everything to a state.
+   * Brings everything up to date with a state.
    * @param {State} state
    */
   follow(state) {
@@ -216,7 +216,7 @@ export class Model {
     const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
     const drafted = this.#drafts.problems;
     const stale = this.#refused.length > 0 || this.#drafts.fields().some((field) => partOf(field) in state.document);
-    // While it plays, a dead point is passed within one frame: too short for a sentence.
+    // In motion a dead point is passed within one frame, too short for a sentence.
     const unread = state.view.playing ? [] : this.#unread;
     const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;
     const trapped = this.#engine.trapped ? [TRAPPED] : [];

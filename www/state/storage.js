@@ -81,7 +81,7 @@ function forgetLessons(digest) {
 
 /**
  * @param {string} key
- * @returns {string} digest of the lecturer's lesson of the key, or an empty string
+ * @returns {string} digest of the lecturer's lesson to which the key belongs, or an empty string
  */
 function lessonOf(key) {
   return OF_LESSON.exec(key)?.[1] ?? "";

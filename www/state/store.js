@@ -26,7 +26,7 @@ export class Store {
     return this.#state;
   }
 
-  /** @param {(state: T) => T} change returns the same value where nothing changes */
+  /** @param {(state: T) => T} change returns the same value if nothing changes */
   update(change) {
     this.put(this.#limit(change(this.#state), this.#state));
   }

@@ -15,7 +15,7 @@ import { edited } from "assur/state/state.js";
  * @typedef {import("assur/app/page.js").Page} Page
  */
 
-/** The shafts with the numbers of their links and their roles of colour. */
+/** The shafts with the numbers of their links and their colour roles. */
 export const SHAFTS = Object.freeze({
   sun: Object.freeze({ number: "1", role: "crank" }),
   carrier: Object.freeze({ number: "3", role: "rocker" }),

@@ -62,7 +62,7 @@ export class RatiosView {
 }
 
 /**
- * A table that may be wider than the panel and scrolls sideways, also by keys.
+ * A table that may be wider than the rail and scrolls sideways, also by keys.
  * @param {string} label the key of its name
  * @param {readonly Node[]} content
  */

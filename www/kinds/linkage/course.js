@@ -1,4 +1,4 @@
-// The plotted output over a turn: stroke, dwell and cyclogram in the panel; the dwell shaded on the plots and magnified in an
+// The plotted output over a turn: stroke, dwell and cyclogram in the rail; the dwell shaded on the plots and magnified in an
 // inset.
 import { NumberRow } from "assur/controls/number-row.js";
 import { withhold, writeReadout } from "assur/controls/readout.js";
@@ -141,7 +141,7 @@ export class CourseView {
   #row;
   /** The foldable part, initially open if the document asks for a dwell. */
   #fold = make("details", { id: "course" });
-  /** Key of the last folding: the mechanism, and whether it has a band. */
+  /** Key of the mechanism for which the part was last folded or unfolded. */
   #folded = "";
   #name = make("caption");
   /** Name of the output's travel: swing of an angle, stroke of a length. */

@@ -1,4 +1,4 @@
-// The panel of a linkage: its driver, its dimensions, its source. The engine computes the effect of every change.
+// The rail of a linkage: its driver, its dimensions, its source. The engine computes the effect of every change.
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { between, called, calledBy, toLine } from "assur/core/names.js";

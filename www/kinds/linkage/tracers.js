@@ -1,4 +1,4 @@
-// Traced points of a linkage in its panel: their places on their links, with buttons to remove them.
+// Traced points of a linkage in its rail: their places on their links, with buttons to remove them.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";

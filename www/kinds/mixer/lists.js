@@ -1,4 +1,4 @@
-// Lists of the mixer in the panel: the peripheral wheels and the traced points.
+// Lists of the mixer in the rail: the peripheral wheels and the traced points.
 import { NumberRow } from "assur/controls/number-row.js";
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";

@@ -1,4 +1,4 @@
-// The panel of the mixer: presets, lengths, wheels, mesh, assembly, traced points.
+// The rail of the mixer: presets, lengths, wheels, mesh, assembly, traced points.
 import { CardList } from "assur/controls/card-list.js";
 import { NumberRow } from "assur/controls/number-row.js";
 import { byId, make } from "assur/core/dom.js";

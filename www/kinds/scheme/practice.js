@@ -14,7 +14,7 @@ import { edited } from "assur/state/state.js";
  * `opened`: whether it can be answered only when every contour is open.
  */
 
-/** Number of tasks, which keeps their numbers short. */
+/** Number of tasks, small enough for short task numbers. */
 const TASKS = 100000;
 
 /** @type {readonly Question[]} */
@@ -72,7 +72,7 @@ export class PracticeView {
     this.#judge();
   }
 
-  /** Opens another mechanism than the present one. */
+  /** Opens a mechanism different from the present one. */
   #task() {
     const { engine, store } = this.#page;
     const { document } = store.get();

@@ -4,7 +4,7 @@ import { degrees } from "assur/core/angles.js";
 
 /** @typedef {import("assur/engine.js").MotionSummary} Summary */
 
-/** Overlays of every step: the other assemblies among them, and a picture of each assembly with the map of their branches. */
+/** Overlays of every step: traces, the other assemblies, and the section with a picture of each assembly. */
 const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);
 
 /** The section with pictures and map, in every step. */
