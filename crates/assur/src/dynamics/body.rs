@@ -7,7 +7,7 @@ use crate::gears::train::Shaft;
 pub enum Body {
     /// The sun, link 1.
     Sun,
-    /// The satellites, link 2: all alike, with one angle.
+    /// The satellites, link 2: all alike, and at one angle.
     Satellite,
     /// The carrier, link 3.
     Carrier,
@@ -25,7 +25,7 @@ impl Body {
     }
 }
 
-/// Shafts can be driven from the ground.
+/// Shafts: the bodies that can be driven from the ground.
 impl Shaft {
     /// The body of the shaft.
     pub fn body(self) -> Body {
