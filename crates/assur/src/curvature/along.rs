@@ -25,7 +25,7 @@ where
     let mut pieces: Vec<Vec<T>> = Vec::new();
     let mut pose = motion.mechanism().blank::<N>();
     for inputs in motion.samples(PLACES) {
-        // Sign at the previous sample; 0 if there is none.
+        // Sign of the number at the previous sample; 0 if there is none.
         let mut side = 0.0;
         for input in inputs {
             let solved = motion.place(input, &mut pose).ok();

@@ -1,5 +1,5 @@
-//! Centrodes: the paths of the pole in the frame (fixed centrode) and on the link (moving centrode, which rolls on the
-//! fixed).
+//! Centrodes: the path of the pole in the frame is the fixed centrode, its path on the link the moving centrode. The
+//! moving centrode rolls on the fixed one.
 
 use super::along::along;
 use crate::index::LinkId;

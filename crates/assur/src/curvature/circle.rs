@@ -15,9 +15,9 @@ pub struct CircleOfCurvature {
 /// Reasons why a path has no circle of curvature at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoCircle {
-    /// The point is at rest, for an instant at a cusp of its path or permanently.
+    /// The point is at rest: permanently, or for an instant at a cusp of its path.
     Still,
-    /// The path is straight, at an inflection or along a line. The centre of curvature is at infinity.
+    /// The path is straight: along a line, or for an instant at an inflection. The centre of curvature is at infinity.
     Straight,
 }
 

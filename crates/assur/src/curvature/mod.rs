@@ -35,8 +35,8 @@ pub struct Curvature {
     pub tangent: Vector,
     /// κ = 1/R, positive if the path bends to the left. Its unit is the inverse of the unit of length.
     pub curvature: f64,
-    /// dκ/ds along the path. Zero if the curvature is stationary: the circle of curvature then meets the path in four
-    /// points.
+    /// dκ/ds along the path. Zero if the curvature is stationary: the circle of curvature then has four-point contact
+    /// with the path.
     pub rate: f64,
     /// The centre of curvature; none if the path is straight.
     pub centre: Option<Point>,
@@ -44,7 +44,7 @@ pub struct Curvature {
 
 impl Curvature {
     /// Finds the curvature for a point with at least three derivatives, in a drawing of this size. None if the point is
-    /// at rest, for an instant at a cusp of its path or permanently.
+    /// at rest: permanently, or for an instant at a cusp of its path.
     pub fn of<const N: usize>(point: &JetPoint<N>, size: f64) -> Option<Self> {
         let [v, a, j] = [1, 2, 3].map(|order| point.derivative(order));
         let speed = v.norm();

@@ -25,11 +25,12 @@ pub enum Defect {
         /// Sum of the periods of sun and ring, p₁ + p₄.
         periods: u32,
     },
-    /// The shaft is meant to follow itself, or a shaft that follows another shaft.
+    /// The shaft is to turn at a multiple of its own speed, or of the speed of a shaft that is itself driven in this
+    /// way.
     Tie {
         /// The shaft.
         shaft: Shaft,
-        /// The shaft to follow.
+        /// The shaft whose speed is multiplied.
         to: Shaft,
     },
     /// The inertia of this body is too small for the torques on it. The body would oscillate or stop too fast for the
@@ -56,7 +57,7 @@ pub enum Quantity {
     Constant(Body),
     /// Friction torque of a load.
     Friction(Body),
-    /// Speed within which the friction changes its sign.
+    /// Creep speed of a friction torque.
     Creep(Body),
     /// Coefficient of the torque of a load that is proportional to the square of the speed.
     Fan(Body),
@@ -94,8 +95,8 @@ const ANGLE: f64 = 1e6;
 pub(super) struct Defects(pub(super) Vec<Defect>);
 
 impl Defects {
-    /// Finds all defects of single parameters, of the numbers of plates together, and of shafts that follow other
-    /// shafts.
+    /// Finds all defects of single parameters, of the numbers of plates together, and of shafts driven at a multiple of
+    /// another shaft's speed.
     pub(super) fn of(parameters: &Parameters) -> Self {
         let mut defects = Self::default();
         defects.plates(parameters);

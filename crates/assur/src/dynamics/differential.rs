@@ -58,9 +58,9 @@ impl Differential {
     /// no other load. For the satellites it is the torque on all of them, with sun, carrier and ring held. The pull-out
     /// torque of a run can be compared with this limit.
     ///
-    /// If the satellites bear no load, E sin δ, the torque on a wheel divided by the periods of that wheel, is the same
-    /// in both meshes. The weaker mesh sets the limit; the torques on sun, ring and carrier are in the ratio p₁ : p₄ :
-    /// −(p₁ + p₄).
+    /// If the satellites bear no load, the torque on a wheel divided by the periods of that wheel, E sin δ, is the same
+    /// in both meshes. So the weaker mesh sets the limit. The torques on sun, ring and carrier are in the ratio
+    /// p₁ : p₄ : −(p₁ + p₄).
     pub fn static_limit(&self, body: Body) -> f64 {
         let [sun, ring] = Mesh::ALL.map(|mesh| self.equations.mesh(mesh));
         let [p1, p4] = [sun.wheel_periods, ring.wheel_periods];
@@ -82,8 +82,8 @@ impl Differential {
         self.equations.stiffness(mesh).sqrt()
     }
 
-    /// Speeds of all bodies at which no mesh slips, by Willis's equation from the speeds of sun and ring, rad/s. They
-    /// are in the order of [`Body::ALL`].
+    /// Speeds of all bodies, in the order of [`Body::ALL`], at which no mesh slips. They follow from the speeds of sun
+    /// and ring by Willis's equation, rad/s.
     pub fn synchronous(&self, sun: f64, ring: f64) -> [f64; 4] {
         let equations = &self.equations;
         let [p1, p4] = Mesh::ALL.map(|mesh| equations.mesh(mesh).wheel_periods);

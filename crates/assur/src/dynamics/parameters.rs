@@ -34,7 +34,7 @@ pub struct Plates {
     pub poles: Poles,
 }
 
-/// Poles of the plates of a wheel that face outward.
+/// Polarity of the outward faces of a wheel's plates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Poles {
     /// Like poles, as in the paper: one period of the field per plate.
@@ -50,7 +50,7 @@ pub struct Satellites {
     pub count: u32,
     /// Moment of inertia of one satellite about its own axis, kg·m².
     pub inertia: f64,
-    /// Mass of one satellite, kg, whose centre moves with the carrier.
+    /// Mass of one satellite, kg. The centre of the satellite moves with the carrier.
     pub mass: f64,
     /// Radius of the circle of the satellites' centres, m.
     pub orbit: f64,
@@ -76,7 +76,7 @@ pub struct Driven {
 /// Drive of a shaft from the ground.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drive {
-    /// A torque over time, N·m. Zero leaves the shaft free. In the energy balance it counts as a load.
+    /// A torque over time, N·m, which counts as a load in the energy balance. Zero leaves the shaft free.
     Torque(Profile),
     /// A speed over time, rad/s; zero holds the shaft.
     Speed(Profile),
@@ -96,8 +96,8 @@ pub struct Load {
     pub constant: f64,
     /// Friction torque against the motion at any speed, as from a brush or a scraper, N·m.
     pub friction: f64,
-    /// Speed within which friction changes its sign, rad/s. Friction is proportional to tanh(ω/creep), so a body held
-    /// by friction creeps. Used only if there is friction.
+    /// Creep speed, rad/s. Friction is proportional to tanh(ω/creep), so a body held by friction still creeps. Used
+    /// only if there is friction.
     pub creep: f64,
     /// Coefficient of the torque of a fan, N·m·s²: against the motion and proportional to the square of the speed.
     pub fan: f64,
@@ -145,7 +145,7 @@ impl Drive {
 }
 
 impl Load {
-    /// Torque of the load on the body at a speed of the body, N·m.
+    /// Torque of the load on the body at this speed of the body, N·m.
     pub fn torque(&self, speed: f64) -> f64 {
         let friction = if self.friction > 0.0 {
             self.friction * (speed / self.creep).tanh()

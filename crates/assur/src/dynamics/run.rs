@@ -12,7 +12,7 @@ pub const TICKS_PER_SECOND: u32 = 1024;
 /// Duration of a tick, seconds.
 pub(super) const TICK: f64 = 1.0 / TICKS_PER_SECOND as f64;
 
-/// Maximum product of a step and the fastest rate, small enough for an error of the method's order.
+/// Maximum product of a step and the fastest rate, small enough for the method to reach its order of accuracy.
 const STEP: f64 = 0.25;
 
 /// Maximum number of halvings of a tick.

@@ -29,8 +29,8 @@ impl Stiffness {
 }
 
 impl Equations {
-    /// Response to a torque on a phase with coefficients n, by body: n²/J of each body that moves under torques, where
-    /// n and J include the bodies that follow it.
+    /// Response of each body to a generalized torque with the coefficients n: n²/J if the body moves under torques,
+    /// otherwise 0. Its n and J include the bodies that follow it.
     fn yielding(&self, factors: &[f64; N]) -> [f64; N] {
         let mut sums = *factors;
         for (body, follows) in self.following.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Motion of all shafts if two of the three are driven, held, or made to follow another shaft.
+//! Motion of all shafts if two of the three are driven, held, or turn at a multiple of another shaft's speed.
 
 use crate::tolerance;
 use nalgebra::Vector3;
@@ -54,7 +54,7 @@ pub enum InputError {
         /// Speed of the shaft, revolutions per minute.
         speed: f64,
     },
-    /// The shaft is meant to follow itself.
+    /// The shaft is to turn at a multiple of its own speed.
     TiedToItself {
         /// The shaft.
         shaft: Shaft,
@@ -74,14 +74,14 @@ pub enum InputError {
         /// Number of inputs.
         given: usize,
     },
-    /// A shaft follows another shaft at a ratio that, with the other input, does not determine the motion: the train is
-    /// at rest or moves at any speed.
+    /// The shaft turns at a multiple of another shaft's speed that, with the other input, does not determine the
+    /// motion: the train is at rest or moves at any speed.
     SingularTie {
-        /// The shaft that follows.
+        /// The shaft of the input.
         shaft: Shaft,
-        /// The shaft to follow.
+        /// The other shaft.
         to: Shaft,
-        /// Ratio of their speeds.
+        /// Ratio of the shaft's speed to the other shaft's speed.
         factor: f64,
     },
 }
@@ -90,7 +90,7 @@ impl Differential {
     /// Finds the motion of all shafts from exactly two inputs. It holds for angles as for speeds, because the equation
     /// is linear with constant coefficients.
     ///
-    /// If both inputs only follow other shafts, the train is at rest.
+    /// The train is at rest if both inputs are multiples of other shafts' speeds.
     ///
     /// # Errors
     /// Every fault of a single input; otherwise the reason why the inputs do not determine the motion.
@@ -161,7 +161,8 @@ fn right_hand_side(input: &Input) -> f64 {
     }
 }
 
-/// The reason why two inputs do not determine the motion: one follows another shaft, or both are of one shaft.
+/// The reason why two inputs do not determine the motion: one is a multiple of another shaft's speed, or both are of
+/// the same shaft.
 fn singular(first: &Input, second: &Input) -> InputError {
     match (first.drive, second.drive) {
         (Drive::Tied { to, factor }, _) => {
