@@ -16,7 +16,7 @@ pub const TEETH: (f64, f64) = (3.0, 1000.0);
 /// Height of a tooth above the pitch circle, in modules.
 const ADDENDUM: f64 = 1.0;
 
-/// How two wheels engage.
+/// Kinds of mesh of two wheels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mesh {
     /// External teeth on both wheels: they turn in opposite senses.
@@ -166,7 +166,7 @@ impl GearPair {
 
     /// The idler that gives the printed sign; None in a real pair.
     pub fn idler(&self) -> Option<Wheel> {
-        // Any number of teeth keeps the ratio; a small wheel keeps the drawing compact.
+        // The ratio does not depend on the teeth of the idler; a small idler keeps the drawing compact.
         let teeth = (self.driver.min(self.driven) / 2).max(12);
         (self.mesh == Mesh::AsPrinted).then(|| self.outer(&self.driver_wheel(), teeth))
     }

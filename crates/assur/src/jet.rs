@@ -23,7 +23,7 @@ impl<const N: usize> Jet<N> {
         Self(std::array::from_fn(|k| if k == 0 { value } else { 0.0 }))
     }
 
-    /// A linear function of the input; the input itself has rate 1.
+    /// A linear function of the input; `rate` is 1 for the input itself.
     pub fn linear(value: f64, rate: f64) -> Self {
         Self(std::array::from_fn(|k| match k {
             0 => value,

@@ -11,9 +11,9 @@ use crate::{Relation, Vector};
 pub(super) struct First {
     pub(super) c: [f64; 22],
     pub(super) b: [f64; 6],
-    /// Δ = y_EG − x_EG y_EB/x_EB.
+    /// The paper's denominator Δ = y_EG − x_EG y_EB/x_EB.
     pub(super) delta: f64,
-    /// Λ = y_LC − y_CD x_LC/x_CD.
+    /// The paper's denominator Λ = y_LC − y_CD x_LC/x_CD.
     pub(super) lambda: f64,
     /// True if the determinants are significant. They vanish if HL is as long as HG.
     pub(super) tells: bool,

@@ -18,7 +18,7 @@ use first::First;
 use places::Places;
 use second::Second;
 
-/// The points of the paper.
+/// Names of the points in the paper.
 const POINTS: [&str; 10] = ["A", "B", "C", "D", "E", "F", "G", "H", "K", "L"];
 /// The links in alphabetical order, each named by its points in alphabetical order.
 const LINKS: [&str; 7] = ["AB", "BE", "CD", "CKL", "EFG", "FK", "GHL"];

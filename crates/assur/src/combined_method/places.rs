@@ -88,17 +88,17 @@ impl Places {
         between(self.l, self.h)
     }
 
-    /// f_L of (3): the ratio HL/HG as a complex number.
+    /// f_L of (3): the ratio of the vectors HL and HG as complex numbers.
     pub(super) fn f_l(&self) -> Vector {
         quotient(self.lh()[0], self.gh()[0])
     }
 
-    /// f_F of (4): the ratio GF/GE as a complex number.
+    /// f_F of (4): the ratio of the vectors GF and GE as complex numbers.
     pub(super) fn f_f(&self) -> Vector {
         quotient(-self.gf()[0], self.eg()[0])
     }
 
-    /// f_K of (5): the ratio CK/CL as a complex number.
+    /// f_K of (5): the ratio of the vectors CK and CL as complex numbers.
     pub(super) fn f_k(&self) -> Vector {
         quotient(self.kc()[0], self.lc()[0])
     }

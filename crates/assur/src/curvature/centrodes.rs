@@ -25,7 +25,7 @@ pub struct Rolling {
 /// infinity, or there is no pose with a derivative. Within a piece the sense of rotation of the link is the same.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Centrodes {
-    /// The pieces, in ascending inputs.
+    /// The pieces, at ascending inputs.
     pub pieces: Vec<Vec<Rolling>>,
 }
 

@@ -31,7 +31,7 @@ impl CircleOfCurvature {
         let centre = bend.centre.ok_or(NoCircle::Straight)?;
         let [vx, vy] = [point.x, point.y].map(|way| derived(&way, 1));
         let [ax, ay] = [point.x, point.y].map(|way| derived(&way, 2));
-        // R = |v|³/|v × a|.
+        // R = |v|³/|v × a|, with the first and second derivatives v and a.
         let speed = (vx.square() + vy.square()).sqrt();
         let turning = (vx * ay - vy * ax) * bend.curvature.signum();
         let radius = speed * speed.square() * turning.recip();

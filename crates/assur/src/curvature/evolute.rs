@@ -12,7 +12,7 @@ use crate::motion::Motion;
 /// pose with derivatives, there is no centre. A cusp of the evolute is the centre for a point of stationary curvature.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Evolute {
-    /// The pieces.
+    /// The pieces, at ascending inputs.
     pub pieces: Vec<Vec<Point>>,
 }
 

@@ -72,12 +72,12 @@ impl Curvature {
         })
     }
 
-    /// R, positive if the path bends to the left; none if it is straight.
+    /// R = 1/κ, positive if the path bends to the left; none if the path is straight.
     pub fn radius(&self) -> Option<f64> {
         self.centre.map(|_| self.curvature.recip())
     }
 
-    /// dR/ds along the path; none if it is straight.
+    /// dR/ds along the path; none if the path is straight.
     pub fn radius_rate(&self) -> Option<f64> {
         self.centre.map(|_| -self.rate / self.curvature.powi(2))
     }

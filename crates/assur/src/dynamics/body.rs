@@ -2,7 +2,7 @@
 
 use crate::gears::train::Shaft;
 
-/// A body of the differential. Its angle is measured in the ground's frame.
+/// A body of the differential. Its angle is measured relative to the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Body {
     /// The sun, link 1.

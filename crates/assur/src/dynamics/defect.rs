@@ -1,4 +1,4 @@
-//! Defects of parameters and starts.
+//! Defects of the parameters, and of the start of a run.
 
 use super::{Body, Mesh, Parameters, Shaft};
 use super::{Drive, Load, Poles};

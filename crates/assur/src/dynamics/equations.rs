@@ -27,7 +27,7 @@ pub(super) struct Equations {
 pub(super) enum Following {
     /// Motion under torques, including the torque of a drive, if any.
     Torques(Option<Profile>),
-    /// Given speed.
+    /// Motion at a given speed.
     Speed(Profile),
     /// Motion of another body, multiplied by a ratio.
     Body {

@@ -28,7 +28,7 @@ pub struct Reading {
 /// Readings of a body. Torques and powers of the satellites are totals over all satellites.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyReading {
-    /// Angle in the ground's frame.
+    /// Angle relative to the ground.
     pub angle: Angle,
     /// Speed, rad/s.
     pub speed: f64,
@@ -167,7 +167,7 @@ impl Run {
         let (state, equations) = (&self.state, &self.differential().equations);
         let field = equations.mesh(mesh);
         let periods = field.factors[mesh.wheel().index()];
-        // The equations count phases in their own sense; readings count them in the sense of the wheel.
+        // The phase in the equations has a sense of its own; readings give it in the sense of the wheel.
         let sense = periods.signum();
         let (_, phase) = field.folded(&state.angles);
         let rate = field.phase(&state.speeds);

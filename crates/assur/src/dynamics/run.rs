@@ -45,7 +45,7 @@ pub struct Start {
 /// Reasons why a run halts. The run stays in its last state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Halt {
-    /// The bodies turn too fast for integration; the given body is the fastest.
+    /// The bodies turn too fast for the integration; `body` is the fastest.
     TooFast {
         /// The body.
         body: Body,
@@ -65,7 +65,7 @@ pub(super) struct State {
     past: Past,
     /// Current number of halvings of a tick.
     halvings: u32,
-    /// Works of drives, dampings and loads since the balance was opened, each with its rounding error, J.
+    /// Works of drives, damping and loads since the balance was opened, each with its rounding error, J.
     pub(super) works: [(f64, f64); 3],
     pub(super) slips: [Slip; 2],
 }
@@ -87,7 +87,7 @@ impl Start {
         }
     }
 
-    /// Start with given speeds of sun and ring, rad/s, carrier and satellites synchronous, and no mesh loaded.
+    /// Start at given speeds of sun and ring, rad/s, with synchronous carrier and satellites, and no mesh loaded.
     pub fn synchronous(differential: &Differential, sun: f64, ring: f64) -> Self {
         Self {
             angles: [0.0; N],

@@ -1,4 +1,4 @@
-//! Limit positions of the rocker, its swing and the time ratio.
+//! Limit positions of the rocker, and its swing.
 
 use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};

@@ -201,7 +201,7 @@ impl FourBar {
 }
 
 impl Dimension {
-    /// The lengths l₁ … l₄.
+    /// The dimensions whose values are the lengths l₁ … l₄.
     const LENGTHS: [Self; 4] = [Self::Crank, Self::Coupler, Self::Rocker, Self::Frame];
 }
 

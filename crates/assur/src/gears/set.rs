@@ -106,7 +106,7 @@ impl GearSet {
     /// Radians, in [−π, π].
     pub fn free_direction(&self) -> f64 {
         let taken: Vec<[f64; 2]> = self.pairs.iter().map(GearPair::shadow).collect();
-        // From the end of each shadow to the start of the next.
+        // From the end of the angle that a wheel covers to the start of the next such angle.
         let gap = |(wheel, [from, to]): (usize, &[f64; 2])| {
             let others = taken
                 .iter()

@@ -120,7 +120,7 @@ pub enum Kind {
     Bevel,
 }
 
-/// The wheels of an epicyclic train; always valid.
+/// The wheels of an epicyclic train. Their numbers of teeth are always valid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Train {
     kind: Kind,

@@ -167,7 +167,7 @@ pub enum Defect {
     },
     /// A link without points.
     Bare { link: String },
-    /// Two points of a link at one place.
+    /// Two points of a link that coincide.
     Coincident { link: String, points: [String; 2] },
     /// A link that lists a point twice.
     Repeated { link: String, point: String },

@@ -9,11 +9,11 @@ pub(super) const GREATEST: f64 = 1e12;
 /// A coaxial shaft of a train.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Shaft {
-    /// Shaft of the sun, 1.
+    /// Shaft of the sun, link 1.
     Sun,
-    /// Shaft of the carrier, 3.
+    /// Shaft of the carrier, link 3.
     Carrier,
-    /// Shaft of the ring, 4.
+    /// Shaft of the ring, link 4.
     Ring,
 }
 

@@ -113,7 +113,7 @@ impl Layout {
             [Member::Sun, Member::Satellite, Member::Step, Member::Ring]
                 .map(|member| f64::from(self.train.teeth(member)));
         match (self.train.kind(), coupling, self.axis_distance) {
-            // The middle of the satellite's pitch circle: r₂ cot δ₂ sin Σ.
+            // The middle of the satellite's pitch circle: r₂ cot δ₂ sin Σ, with pitch radius r₂ and pitch angle δ₂.
             (Kind::Bevel, ..) => 0.25 * self.module * (sun + ring),
             (_, Coupling::Contact, _) => 0.5 * self.module * (sun + satellite),
             (_, Coupling::Magnetic, Some(given)) => given,

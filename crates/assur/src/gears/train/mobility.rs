@@ -4,7 +4,7 @@ use super::TrainError;
 use crate::Fault;
 use crate::gears::GearSet;
 
-/// Moving links and pairs of a train in the plane.
+/// Numbers of moving links and pairs of a train in the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Counts {
     /// Number of satellites, k.
