@@ -1,5 +1,5 @@
-//! Meshing wheels: a pair whose driver turns by a given angle, a [`GearSet`] of several wheels around one driver, and
-//! epicyclic [trains](train).
+//! Meshing wheels: a pair whose driver turns through a given angle, a [`GearSet`] of several wheels around one driver,
+//! and epicyclic [trains](train).
 
 mod set;
 pub mod train;
@@ -16,19 +16,19 @@ pub const TEETH: (f64, f64) = (3.0, 1000.0);
 /// Height of a tooth above the pitch circle, in modules.
 const ADDENDUM: f64 = 1.0;
 
-/// How two wheels engage.
+/// Kinds of mesh of two wheels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mesh {
-    /// Outer teeth on both wheels: the sense of rotation is reversed.
+    /// External teeth on both wheels: they turn in opposite senses.
     External,
-    /// The larger wheel is a ring with inner teeth: the sense is kept.
+    /// The larger wheel is a ring with internal teeth: both wheels turn in the same sense.
     Internal,
-    /// Equation (26) of the mixer paper, ψ₅ = +u φ₃, with outer teeth on both wheels. A real pair of such wheels
-    /// reverses the sense; a train with an idler between them has the printed sign, and so it is drawn.
+    /// External teeth on both wheels, but with equation (26) of the mixer paper, ψ₅ = +u φ₃. A real pair of such wheels
+    /// turns in opposite senses. The printed sign needs an idler between the wheels, which is drawn.
     AsPrinted,
 }
 
-/// A gear pair: u = z₄/z₅ from whole numbers of teeth.
+/// A gear pair with the ratio u = z₄/z₅, from whole numbers of teeth z₄ of the driver and z₅ of the driven wheel.
 ///
 /// ```
 /// use assur::gears::{GearPair, Mesh};
@@ -45,31 +45,32 @@ pub struct GearPair {
     centre_line: f64,
 }
 
-/// Mounted wheel: teeth, centre relative to the driver's centre, and angle as a function of the driver's angle.
+/// A mounted wheel: teeth, centre relative to the driver's centre, and angle as a function of the driver's angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wheel {
     /// Number of teeth.
     pub teeth: u32,
-    /// Inner teeth (a ring) or outer ones.
+    /// True for internal teeth (a ring), false for external teeth.
     pub ring: bool,
-    /// Centre, from the centre of the driving wheel.
+    /// Centre of the wheel relative to the centre of the driver.
     pub centre: Vector,
-    /// Transmission ratio: the angle is `ratio` times the driver's plus `mounting`.
+    /// Transmission ratio: the angle of the wheel is `ratio` times the driver's angle, plus `mounting`.
     pub ratio: f64,
-    /// Angle of the wheel at which teeth meet gaps. A tooth of every wheel (an inward tooth of a ring) is centred on
-    /// the zero direction of the wheel.
+    /// Angle of the wheel at the driver angle 0, such that teeth meet gaps. A tooth of every wheel (an inward tooth of
+    /// a ring) is centred on the zero direction of the wheel.
     pub mounting: f64,
 }
 
 impl GearPair {
-    /// A pair from numbers entered by a person.
+    /// Makes a pair from numbers entered by a person.
     ///
-    /// `teeth`: driver's (z₄), driven wheel's (z₅). `module` in the unit of the lengths. `centre_line`: direction from
-    /// the driver's centre to the driven one's, radians.
+    /// `teeth` are the numbers of teeth of the driver (z₄) and of the driven wheel (z₅). `module` is in the unit of the
+    /// lengths. `centre_line` is the direction from the centre of the driver to the centre of the driven wheel,
+    /// radians.
     ///
     /// # Errors
-    /// Every reason at once, the driven wheel being wheel 0: numbers of teeth that are not whole, positive and within
-    /// [`TEETH`]; a module that is not positive; values that are not finite; equal numbers of teeth in internal mesh.
+    /// Every reason at once: numbers of teeth that are not whole, positive and within [`TEETH`]; a module that is not
+    /// positive; values that are not finite; equal numbers of teeth in internal mesh. The driven wheel has the index 0.
     pub fn new(
         teeth: [f64; 2],
         mesh: Mesh,
@@ -117,7 +118,7 @@ impl GearPair {
         self.module
     }
 
-    /// Direction from the driver's centre to the driven wheel's, radians.
+    /// Direction from the centre of the driver to the centre of the driven wheel, radians.
     pub fn centre_line(&self) -> f64 {
         self.centre_line
     }
@@ -132,12 +133,13 @@ impl GearPair {
         }
     }
 
-    /// The driven wheel's angle and derivatives from the driver's (mixer paper, (26), with the sign of the mesh).
+    /// Angle of the driven wheel with derivatives, from the angle of the driver: mixer paper (26), with the sign of the
+    /// mesh.
     pub fn driven<const N: usize>(&self, driver: Jet<N>) -> Jet<N> {
         driver * self.ratio()
     }
 
-    /// Pitch radius of a wheel of this pair's module.
+    /// Pitch radius of a wheel with this number of teeth and the module of the pair.
     pub fn pitch_radius(&self, teeth: u32) -> f64 {
         0.5 * self.module * f64::from(teeth)
     }
@@ -162,9 +164,9 @@ impl GearPair {
         }
     }
 
-    /// Idler that gives the printed sign; None in a real pair.
+    /// The idler that gives the printed sign; None in a real pair.
     pub fn idler(&self) -> Option<Wheel> {
-        // Any number of teeth keeps the ratio; a small wheel keeps the drawing compact.
+        // The ratio does not depend on the teeth of the idler; a small idler keeps the drawing compact.
         let teeth = (self.driver.min(self.driven) / 2).max(12);
         (self.mesh == Mesh::AsPrinted).then(|| self.outer(&self.driver_wheel(), teeth))
     }
@@ -178,7 +180,7 @@ impl GearPair {
             .collect()
     }
 
-    /// A wheel of `teeth` outer teeth beyond `previous` on the centre line.
+    /// A wheel with `teeth` external teeth, beyond `previous` on the centre line.
     fn outer(&self, previous: &Wheel, teeth: u32) -> Wheel {
         let step = f64::from(previous.teeth) / f64::from(teeth);
         let distance = self.pitch_radius(previous.teeth) + self.pitch_radius(teeth);
@@ -215,7 +217,7 @@ impl GearPair {
     }
 }
 
-/// A valid number of teeth.
+/// Validates a number of teeth.
 fn count(dimension: Dimension, value: f64) -> Result<u32, Invalid> {
     Fault::check_count(value, TEETH).map_err(|fault| Invalid { dimension, fault })
 }
@@ -228,8 +230,9 @@ mod tests {
         GearPair::new([z4, z5], mesh, 0.02, line).unwrap()
     }
 
-    /// At the pitch point the middle of a tooth meets the middle of a gap: the phases of two wheels, in pitches, add up
-    /// (outer) or differ (inner) by a half, at every driver angle.
+    /// At the pitch point the middle of a tooth meets the middle of a gap, at every driver angle. Measured in pitches,
+    /// the sum (external mesh) or difference (internal mesh) of the phases of two wheels is a half, up to whole
+    /// pitches.
     #[test]
     fn teeth_meet_gaps() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {

@@ -1,4 +1,4 @@
-//! Points and vectors of the plane, of different types in nalgebra: a sum of two points does not compile.
+//! Points and vectors of the plane. They are different types of nalgebra, so a sum of two points does not compile.
 
 use crate::Jet;
 
@@ -8,12 +8,12 @@ pub type Point = nalgebra::Point2<f64>;
 /// A displacement in the plane.
 pub type Vector = nalgebra::Vector2<f64>;
 
-/// A vector turned a quarter turn to the left.
+/// Rotates a vector through a quarter turn to the left.
 pub fn perpendicular(vector: Vector) -> Vector {
     Vector::new(-vector.y, vector.x)
 }
 
-/// The point of a segment nearest to a point; the segment may have length 0.
+/// The point of a segment that is nearest to a given point. The segment may have length 0.
 pub fn nearest(place: Point, from: Point, to: Point) -> Point {
     let along = to - from;
     let square = along.norm_squared();
@@ -24,7 +24,7 @@ pub fn nearest(place: Point, from: Point, to: Point) -> Point {
     }
 }
 
-/// A moving point: both coordinates with their derivatives by the input.
+/// A moving point: both coordinates with their derivatives with respect to the input.
 ///
 /// ```
 /// use assur::{Jet, JetPoint, Point, Vector};
@@ -55,13 +55,14 @@ impl<const N: usize> JetPoint<N> {
         Point::new(self.x.value(), self.y.value())
     }
 
-    /// The `order`-th derivative by the input: the analogue of velocity for 1, of acceleration for 2. Zero beyond the
-    /// orders carried.
+    /// The `order`-th derivative with respect to the input: the analogue of velocity for order 1, of acceleration for
+    /// order 2. Zero for an order that is not carried.
     pub fn derivative(&self, order: usize) -> Vector {
         Vector::new(self.x.derivative(order), self.y.derivative(order))
     }
 
-    /// The point at a distance `along` from this one in a direction and `across` to the left of it.
+    /// The point at the distance `along` from this point in the direction `angle`, and `across` to the left of that
+    /// direction.
     pub fn offset(&self, angle: Jet<N>, along: f64, across: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self {

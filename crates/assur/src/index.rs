@@ -1,5 +1,5 @@
-//! Typed indices of links, points, bodies and steps: that of a point cannot be used for a link. An index belongs to the
-//! mechanism it comes from.
+//! Typed indices of links, points, bodies and steps: the index of a point cannot be used for a link. An index is valid
+//! only for the mechanism from which it comes.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -32,15 +32,15 @@ macro_rules! ids {
 }
 
 ids! {
-    /// A moving link, in the order of the draft.
+    /// Index of a moving link, in the order of the specification.
     pub LinkId
-    /// A point, in the order of the draft.
+    /// Index of a point, in the order of the specification.
     pub PointId
-    /// A rigid body: the frame or a link, with what is fixed to it.
+    /// Index of a rigid body: the frame or a link, together with the links fixed to it.
     pub BodyId
-    /// A step of the plan that solves a mechanism: a driver or a group.
+    /// Index of a step of the plan that solves a mechanism. A step is a driver or a group.
     pub StepId
-    /// A prismatic pair, in the order of the draft.
+    /// Index of a prismatic pair, in the order of the specification.
     pub SlideId
 }
 
@@ -59,12 +59,12 @@ macro_rules! places {
 places! { LinkId PointId BodyId StepId SlideId }
 
 impl BodyId {
-    /// The body that does not move.
+    /// The frame.
     pub const FRAME: Self = Self(0);
 }
 
 impl StepId {
-    /// The first step; it stands for the whole plan if no single step fails.
+    /// The first step. It stands for the whole plan if no single step fails.
     pub(crate) const FIRST: Self = Self(0);
 }
 
@@ -107,7 +107,7 @@ impl<I: Id, T> List<I, T> {
         self.items.remove(id.number())
     }
 
-    /// A list of copies of an item with the same indices.
+    /// A list with the same indices as this one, filled with copies of an item.
     pub(crate) fn same_len<U: Clone>(&self, item: U) -> List<I, U> {
         vec![item; self.len()].into()
     }

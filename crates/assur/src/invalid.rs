@@ -1,4 +1,4 @@
-//! Invalid dimensions of a mechanism, as codes with parameters: the words are the caller's.
+//! Invalid dimensions of a mechanism, as codes with parameters. The caller supplies the texts.
 
 use std::fmt;
 
@@ -17,61 +17,61 @@ pub enum Dimension {
     DriverTeeth,
     /// Number of driven wheels.
     Wheels,
-    /// Number of teeth of a driven wheel, counted from 0.
+    /// Number of teeth of the driven wheel with this index.
     DrivenTeeth(usize),
     /// Module of the wheels.
     Module,
-    /// Direction of the line from the driving to a driven wheel's centre.
+    /// Direction of the line from the driver's centre to the centre of the driven wheel with this index.
     CentreLine(usize),
     /// Number of traced points.
     Tracers,
-    /// The body that carries a traced point, counted from 0.
+    /// The body that carries the traced point with this index.
     TracerCarrier(usize),
-    /// Coordinate of a traced point along its body.
+    /// Coordinate of the traced point with this index along its body.
     TracerX(usize),
-    /// Coordinate of a traced point across its body.
+    /// Coordinate of the traced point with this index across its body.
     TracerY(usize),
 }
 
-/// Why a dimension is invalid.
+/// Reasons why a dimension is invalid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
     /// NaN or infinite.
     NotFinite,
     /// Zero or negative.
     NotPositive {
-        /// As given.
+        /// The given value.
         value: f64,
     },
     /// Outside the range that can be computed and drawn.
     OutOfRange {
-        /// As given.
+        /// The given value.
         value: f64,
         /// Minimum.
         min: f64,
         /// Maximum.
         max: f64,
     },
-    /// A number of teeth with a fraction.
+    /// A count, such as a number of teeth, that is not whole.
     NotWhole {
-        /// As given.
+        /// The given value.
         value: f64,
     },
-    /// At least as long as the other links together: the loop closes in one position or in none.
+    /// At least as long as the other links together: the loop closes in one position or not at all.
     TooLong {
         /// Excess over the length of the other links together; 0 or more.
         by: f64,
     },
     /// Internal mesh of wheels with equal numbers of teeth: their centres coincide.
     Concentric,
-    /// Internal mesh of one driver with larger and with smaller wheels: it cannot be both ring and pinion.
+    /// Internal mesh of one driver with larger and with smaller wheels: the driver cannot be both ring and pinion.
     BothSides,
-    /// There is no such part.
+    /// The body that is referred to does not exist.
     Absent,
 }
 
 impl Fault {
-    /// The value if it is in a range.
+    /// Returns the value if it is in the range.
     pub(crate) fn check_within(value: f64, (min, max): (f64, f64)) -> Result<f64, Self> {
         if !value.is_finite() {
             Err(Self::NotFinite)
@@ -82,12 +82,12 @@ impl Fault {
         }
     }
 
-    /// The value if its absolute value is at most a maximum.
+    /// Returns the value if its absolute value is at most the maximum.
     pub(crate) fn check_size(value: f64, max_size: f64) -> Result<f64, Self> {
         Self::check_within(value, (-max_size, max_size))
     }
 
-    /// The value if it is in a positive range.
+    /// Returns the value if it is positive and in the range.
     pub(crate) fn check_positive(value: f64, range: (f64, f64)) -> Result<f64, Self> {
         if value.is_finite() && value <= 0.0 {
             Err(Self::NotPositive { value })
@@ -96,7 +96,7 @@ impl Fault {
         }
     }
 
-    /// The value as a whole number in a positive range.
+    /// Returns the value as an integer if it is whole, positive and in the range.
     pub(crate) fn check_count(value: f64, range: (f64, f64)) -> Result<u32, Self> {
         if value > 0.0 && value.is_finite() && value.fract() != 0.0 {
             return Err(Self::NotWhole { value });
@@ -117,17 +117,17 @@ impl Fault {
 pub struct Invalid {
     /// The dimension at fault.
     pub dimension: Dimension,
-    /// Why it is invalid.
+    /// The reason why the dimension is invalid.
     pub fault: Fault,
 }
 
 impl Invalid {
-    /// The value if its absolute value is at most a maximum.
+    /// Returns the value if its absolute value is at most the maximum.
     pub(crate) fn check_size(dimension: Dimension, value: f64, max_size: f64) -> Result<f64, Self> {
         Fault::check_size(value, max_size).map_err(|fault| Self { dimension, fault })
     }
 
-    /// The value if it is in a positive range.
+    /// Returns the value if it is positive and in the range.
     pub(crate) fn check_positive(
         dimension: Dimension,
         value: f64,
@@ -138,7 +138,7 @@ impl Invalid {
 }
 
 impl fmt::Display for Invalid {
-    /// For the programmer's log; the words for users are in string tables.
+    /// Writes codes for the programmer's log. Texts for users are in string tables.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:?}: {:?}", self.dimension, self.fault)
     }

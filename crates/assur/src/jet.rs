@@ -1,13 +1,13 @@
-//! A value with its derivatives by the input.
+//! A value with its derivatives with respect to the input.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A truncated Taylor series in the input: a value and `N − 1` derivatives, carried through every operation without
-/// differencing.
+/// A truncated Taylor series in the input: a value and `N − 1` derivatives. Every operation calculates the derivatives
+/// exactly, without numerical differentiation.
 ///
-/// `Jet<1>` is a bare value, `Jet<3>` adds the analogues of velocity and acceleration. It stores the Taylor coefficients
-/// cₖ = f⁽ᵏ⁾/k!, for which the recurrences of the elementary functions are shortest (Griewank and Walther, *Evaluating
-/// Derivatives*, ch. 13).
+/// `Jet<1>` is a bare value, `Jet<3>` adds the analogues of velocity and acceleration. A jet stores the Taylor
+/// coefficients cₖ = f⁽ᵏ⁾/k!, for which the recurrences of the elementary functions are shortest (Griewank and Walther,
+/// *Evaluating Derivatives*, ch. 13).
 ///
 /// ```
 /// use assur::Jet;
@@ -23,7 +23,7 @@ impl<const N: usize> Jet<N> {
         Self(std::array::from_fn(|k| if k == 0 { value } else { 0.0 }))
     }
 
-    /// A linear function of the input; the input itself has rate 1.
+    /// A linear function of the input; `rate` is 1 for the input itself.
     pub fn linear(value: f64, rate: f64) -> Self {
         Self(std::array::from_fn(|k| match k {
             0 => value,
@@ -48,7 +48,7 @@ impl<const N: usize> Jet<N> {
         Self(coefficients)
     }
 
-    /// The Taylor coefficient of an order; zero beyond those carried.
+    /// The Taylor coefficient of an order; zero for an order that is not carried.
     pub(crate) fn coefficient(&self, order: usize) -> f64 {
         self.0.get(order).copied().unwrap_or(0.0)
     }
@@ -58,7 +58,7 @@ impl<const N: usize> Jet<N> {
         self.derivative(0)
     }
 
-    /// The `order`-th derivative by the input; zero beyond the orders carried.
+    /// The `order`-th derivative with respect to the input; zero for an order that is not carried.
     pub fn derivative(&self, order: usize) -> f64 {
         let factorial = match order {
             0 | 1 => 1.0,
@@ -74,12 +74,12 @@ impl<const N: usize> Jet<N> {
         self.0.iter().map(|c| 0.0 * c).sum::<f64>() == 0.0
     }
 
-    /// The square. Products of unequal factors are [`Mul`].
+    /// The square. For products of two different jets use [`Mul`].
     pub fn square(self) -> Self {
         self * self
     }
 
-    /// The square root; the value must be positive for finite derivatives.
+    /// The square root. Its derivatives are finite only if the value is positive.
     pub fn sqrt(self) -> Self {
         let c = self.0;
         let mut root = [0.0; N];
@@ -92,7 +92,7 @@ impl<const N: usize> Jet<N> {
         Self(root)
     }
 
-    /// The reciprocal; the value must not vanish for finite derivatives.
+    /// The reciprocal. It is finite only if the value is not zero.
     pub fn recip(self) -> Self {
         let c = self.0;
         let mut inverse = [0.0; N];
@@ -104,14 +104,15 @@ impl<const N: usize> Jet<N> {
         Self(inverse)
     }
 
-    /// The first `M` coefficients; zeros beyond those carried.
+    /// The jet with the first `M` coefficients; those that this jet does not carry are zero.
     pub fn truncated<const M: usize>(self) -> Jet<M> {
         Jet(std::array::from_fn(|k| {
             self.0.get(k).copied().unwrap_or(0.0)
         }))
     }
 
-    /// The angle of the unit vector (`x`, `self`), its value in [−π, π]: [`Self::atan2`] for x² + y² = 1 at any input.
+    /// The angle of the vector (`x`, `self`), with a value in [−π, π]. The vector must have length 1 at any input; for
+    /// other vectors use [`Self::atan2`].
     pub fn unit_atan2(self, x: Self) -> Self {
         let (y, x) = (self.0, x.0);
         Self(std::array::from_fn(|k| {
@@ -145,7 +146,8 @@ impl<const N: usize> Jet<N> {
         (Self(sin), Self(cos))
     }
 
-    /// The angle of the vector (`x`, `self`), its value in [−π, π]. The vector must not vanish for finite derivatives.
+    /// The angle of the vector (`x`, `self`), with a value in [−π, π]. Its derivatives are finite only if the vector is
+    /// not zero.
     pub fn atan2(self, x: Self) -> Self {
         let (y, x) = (self.0, x.0);
         let mut angle = [0.0; N];
@@ -215,7 +217,7 @@ impl<const N: usize> Mul<f64> for Jet<N> {
     }
 }
 
-/// Coefficients of y, y³, … in the series of the arcsine: exact to an ulp for |y| < [`MAX_SINE`].
+/// Coefficients of y, y³, … in the series of the arcsine. The sum is exact to an ulp for |y| < [`MAX_SINE`].
 const ARCSINE: [f64; 8] = [
     1.0,
     1.0 / 6.0,
@@ -228,7 +230,8 @@ const ARCSINE: [f64; 8] = [
 ];
 const MAX_SINE: f64 = 0.1;
 
-/// The angle of a unit vector; a small one, as between neighbouring poses, takes a fraction of the time of an arctangent.
+/// The angle of a unit vector. A small angle, as between neighbouring poses, takes a fraction of the time of an
+/// arctangent.
 fn unit_angle(y: f64, x: f64) -> f64 {
     if x > 0.0 && y.abs() < MAX_SINE {
         let square = y * y;
@@ -253,7 +256,7 @@ mod tests {
         assert_eq!(unit_angle(0.0, -1.0), std::f64::consts::PI);
     }
 
-    /// All derivatives of e^{iωt}, of its argument and of its modulus are known: they check every operation at once.
+    /// All derivatives of e^{iωt}, of its argument and of its modulus are known, so they check every operation at once.
     #[test]
     fn turning_vector() {
         let (t, omega) = (0.7_f64, 3.0_f64);
@@ -277,7 +280,7 @@ mod tests {
         }
     }
 
-    /// √(1 + t) has the derivatives of the binomial series.
+    /// √(4 + t) has the derivatives of its binomial series.
     #[test]
     fn square_root() {
         let root = Jet::<5>::linear(4.0, 1.0).sqrt();

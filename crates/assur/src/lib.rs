@@ -1,16 +1,14 @@
 //! The engine of Assur: positions of planar mechanisms with exact derivatives.
 //!
-//! Conventions, everywhere in this crate: x to the right, y up, angles
-//! counter-clockwise in radians, lengths in any one unit. The input is the
-//! crank angle φ₁; a derivative is by φ₁ (an *analogue*: φ′ of the velocity,
-//! φ″ of the acceleration), never by time. Angles are continuous along a
-//! motion, never folded into (−π, π]. Only [`dynamics`] has a time, and derivatives by it.
+//! Conventions throughout this crate: x to the right, y up, angles counter-clockwise in radians, lengths in any one
+//! unit. The input is the crank angle φ₁. Derivatives are with respect to φ₁, not to time: φ′ is the *analogue* of the
+//! velocity, φ″ of the acceleration. Angles are continuous along a motion and are not reduced to (−π, π]. Only
+//! [`dynamics`] and [`gears::train`] follow a motion over time.
 //!
-//! The crate is pure: no serialisation, screen, clock, I/O or randomness. Bad
-//! input is an [`Invalid`] that names the dimension at fault; an angle at which
-//! there is no pose is an [`Unsolved`] that says why. Nothing panics and no NaN
-//! leaves. Numbers of links and points come from a [`mechanism::Mechanism`] and are
-//! of use with that one: only one of another mechanism could be out of range.
+//! The crate is pure: no screen, clock, I/O or randomness. An invalid dimension returns an [`Invalid`], which names it.
+//! A crank angle without a pose returns an [`Unsolved`], which gives the reason. Nothing panics or returns NaN. Ids of
+//! links and points come from a [`mechanism::Mechanism`] and are valid only with it: an id from another mechanism may
+//! be out of range.
 //!
 //! | module | subject |
 //! |---|---|

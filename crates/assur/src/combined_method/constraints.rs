@@ -1,10 +1,11 @@
-//! The constraint equations (1) and (2), the ratios (3) to (5) of the rigid triangles, the crank.
+//! The paper's constraint equations (1) and (2), the ratios (3) to (5) of the rigid triangles, and the motion of the
+//! crank.
 
 use super::places::{Places, Way};
 use crate::position::product;
 use crate::{Relation, Vector, perpendicular};
 
-/// (1) to (5) with the differences and the letters of fig. 1.
+/// Equations (1) to (5), the differences of coordinates, the letters of fig. 1, and the derivatives of B.
 pub(super) fn relations(places: &Places) -> Vec<Relation> {
     let mut all = first_order(places);
     all.extend(second_order(places));
@@ -21,7 +22,7 @@ pub(super) fn relations(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// (1): the sides of each equation.
+/// Equations (1): both sides of each.
 fn first_order(places: &Places) -> Vec<Relation> {
     let Places {
         b,
@@ -129,8 +130,8 @@ fn first_order(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// (2): the terms with second derivatives on the left, the squares of the first ones on the right. GH and CD are
-/// printed with a superfluous prime.
+/// Equations (2): terms with second derivatives on the left, squares of first derivatives on the right. The squares for
+/// GH and CD are printed with one prime too many.
 fn second_order(places: &Places) -> Vec<Relation> {
     let Places {
         b,
@@ -231,7 +232,7 @@ fn second_order(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// x_EB = x_E − x_B and the other differences, with those of LH, which the paper uses but does not list.
+/// x_EB = x_E − x_B and the other differences, including those of LH, which the paper uses but does not list.
 fn differences(places: &Places) -> Vec<Relation> {
     let all: [([&str; 2], Way); 12] = [
         (["x_EB", "y_EB"], places.eb()),
@@ -253,7 +254,8 @@ fn differences(places: &Places) -> Vec<Relation> {
         .collect()
 }
 
-/// The letters of fig. 1: lengths, and the angles from the first side to the second.
+/// The letters of fig. 1: two sides of each rigid triangle, the angle from the first to the second, and the length of
+/// CD.
 fn letters(places: &Places) -> Vec<Relation> {
     let sides = [
         (["g", "t", "η_H"], places.gh(), places.f_l()),
@@ -273,7 +275,7 @@ fn letters(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// (3) to (5), and the resulting velocities of L, F and K.
+/// Equations (3) to (5), and the first derivatives of L, F and K that follow from them.
 fn ratios(places: &Places) -> Vec<Relation> {
     let [f_l, f_f, f_k] = [places.f_l(), places.f_f(), places.f_k()];
     let polar = |ratio: Vector, [long, short]: [Vector; 2]| {

@@ -1,26 +1,26 @@
-//! The chain of substitutions for the velocity analogues: coefficients c and b, Cramer's rule for G, then the other
-//! points.
+//! The paper's chain of substitutions for the velocity analogues: the coefficients c and b, Cramer's rule for G, then
+//! the other points.
 
 use super::places::Places;
 use crate::position::product;
 use crate::tolerance;
 use crate::{Relation, Vector};
 
-/// The coefficients in a pose, by their numbers in the paper. c₁₃ and the index zero are unused.
+/// The coefficients c and b in a pose, each at the index it has in the paper. Index 0 and c₁₃ are unused.
 #[derive(Clone, Debug)]
 pub(super) struct First {
     pub(super) c: [f64; 22],
     pub(super) b: [f64; 6],
-    /// Δ = y_EG − x_EG y_EB/x_EB.
+    /// The paper's denominator Δ = y_EG − x_EG y_EB/x_EB.
     pub(super) delta: f64,
-    /// Λ = y_LC − y_CD x_LC/x_CD.
+    /// The paper's denominator Λ = y_LC − y_CD x_LC/x_CD.
     pub(super) lambda: f64,
-    /// True if the determinants are significant: not if HL is as long as HG.
+    /// True if the determinants are significant. They vanish if HL is as long as HG.
     pub(super) tells: bool,
 }
 
 impl First {
-    /// The coefficients with misprints corrected.
+    /// Calculates the coefficients, with the misprints of the paper corrected.
     pub(super) fn new(places: &Places) -> Self {
         let [eb, eg, gh, fk] =
             [places.eb(), places.eg(), places.gh(), places.fk()].map(|way| way[0]);
@@ -68,20 +68,20 @@ impl First {
         }
     }
 
-    /// det(x′_G, y′_G), det(x′_G), det(y′_G).
+    /// The determinants of Cramer's rule for G: det(x′_G, y′_G), det(x′_G), det(y′_G).
     fn determinants(&self) -> [f64; 3] {
         let [_, b1, b2, b3, b4, b5] = self.b;
         [b1 * b2 - b3 * b4, b5 * b2, -b3 * b5]
     }
 
-    /// The derivative of G by Cramer's rule; NaN if the determinants are not significant.
+    /// The first derivative of G by Cramer's rule; NaN if the determinants are not significant.
     pub(super) fn solved(&self) -> Vector {
         let [det, x, y] = self.determinants();
         let det = if self.tells { det } else { f64::NAN };
         Vector::new(x / det, y / det)
     }
 
-    /// Derivatives of E, F, C and K from the derivative of G.
+    /// First derivatives of E, F, C and K from the first derivative of G.
     pub(super) fn others(&self, g: Vector) -> [Vector; 4] {
         let c = &self.c;
         let y_e = c[14] * g.x + c[15] * g.y - c[16];
@@ -97,7 +97,7 @@ impl First {
         ]
     }
 
-    /// (6), the coefficients c and b, Cramer's rule and its consequences, with ψ′.
+    /// Equation (6), the coefficients c and b, Cramer's rule, the derivatives that follow from it, and ψ′.
     pub(super) fn relations(&self, places: &Places) -> Vec<Relation> {
         let c = &self.c;
         let [_, b1, b2, b3, b4, b5] = self.b;
@@ -151,7 +151,7 @@ impl First {
         ]
     }
 
-    /// Each coefficient as printed, from the corrected others.
+    /// Compares each coefficient c with its printed formula, in which the other coefficients are the corrected ones.
     fn printed_c(&self, places: &Places) -> Vec<Relation> {
         let c = &self.c;
         let [eb, eg, lc, cd] =

@@ -1,9 +1,10 @@
-//! The combined method for the Class IV linkage with dwell (Sakhabutdinova): positions by iteration, analogues from the
-//! constraint equations. Its equations (1) to (6), coefficients and chain of substitutions, in numbers.
+//! The combined method for the Class IV linkage with dwell (Sakhabutdinova), which finds positions by iteration and
+//! analogues from the constraint equations. The paper's equations (1) to (6), coefficients and chain of substitutions
+//! are evaluated here.
 //!
-//! The crank AB turns about A and drives, through BE, the triangles E-G-F, H-G-L about the fixed H, and C-L-K with the
-//! link FK; the output CD turns about the fixed D. The values of [`CombinedMethod::relations`] come from the pose;
-//! nothing is solved by the paper's chain, which divides by x_EB, x_CD, Δ, Λ and 1 − |f_L|².
+//! The crank AB turns about the fixed A, the triangle GHL about the fixed H, the output CD about the fixed D. The link
+//! BE drives the triangle EFG, which the link FK joins to the triangle CKL. The values of [`CombinedMethod::relations`]
+//! come from the pose, not from the paper's chain, which divides by x_EB, x_CD, Δ, Λ and 1 − |f_L|².
 
 mod constraints;
 mod first;
@@ -17,9 +18,9 @@ use first::First;
 use places::Places;
 use second::Second;
 
-/// The points of the paper.
+/// Names of the points in the paper.
 const POINTS: [&str; 10] = ["A", "B", "C", "D", "E", "F", "G", "H", "K", "L"];
-/// The links, each named by its points in alphabetical order; sorted.
+/// The links in alphabetical order, each named by its points in alphabetical order.
 const LINKS: [&str; 7] = ["AB", "BE", "CD", "CKL", "EFG", "FK", "GHL"];
 
 /// The linkage of the paper, with any lengths.
@@ -29,7 +30,8 @@ pub struct CombinedMethod {
 }
 
 impl CombinedMethod {
-    /// The paper's linkage in a mechanism; none if it has other links or a driver other than the crank AB.
+    /// Finds the paper's linkage in a mechanism; none if the mechanism has other links, or a driver other than the
+    /// crank AB.
     pub fn of(mechanism: &Mechanism) -> Option<Self> {
         let spec = mechanism.spec();
         let sorted = |names: &[String]| {
@@ -55,7 +57,8 @@ impl CombinedMethod {
     }
 
     /// The paper's relations in a pose of that mechanism, in the order of the paper. Lengths are in the unit of the
-    /// drawing, derivatives are with respect to the crank angle. Values with a zero denominator are left out.
+    /// drawing, derivatives are with respect to the crank angle. A relation is left out if a denominator of its value
+    /// is zero.
     pub fn relations(&self, mechanism: &Mechanism, pose: &Pose<3>) -> Vec<Relation> {
         let places = Places::new(self.points.map(|point| mechanism.place(pose, point)));
         let first = First::new(&places);

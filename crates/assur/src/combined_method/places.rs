@@ -1,4 +1,4 @@
-//! Points of the linkage, their differences and the ratios of the rigid triangles.
+//! Positions of the linkage's points, their differences, and the ratios of sides of the rigid triangles.
 
 use crate::position::quotient;
 use crate::{JetPoint, Vector};
@@ -6,7 +6,7 @@ use crate::{JetPoint, Vector};
 /// A vector with two derivatives with respect to the crank angle.
 pub(super) type Way = [Vector; 3];
 
-/// The points in a pose with both derivatives, relative to A.
+/// Positions of the linkage's points relative to A, each with two derivatives.
 #[derive(Clone, Debug)]
 pub(super) struct Places {
     pub(super) b: Way,
@@ -21,7 +21,7 @@ pub(super) struct Places {
 }
 
 impl Places {
-    /// The positions from those of the points A, B, C, D, E, F, G, H, K, L.
+    /// Calculates the relative positions from the points A, B, C, D, E, F, G, H, K, L, in this order.
     pub(super) fn new(points: [JetPoint<3>; 10]) -> Self {
         let of = |point: &JetPoint<3>| [0, 1, 2].map(|order| point.derivative(order));
         let [a, rest @ ..] = points;
@@ -88,22 +88,22 @@ impl Places {
         between(self.l, self.h)
     }
 
-    /// f_L of (3): the ratio HL/HG as a complex number.
+    /// f_L of (3): the ratio of the vectors HL and HG as complex numbers.
     pub(super) fn f_l(&self) -> Vector {
         quotient(self.lh()[0], self.gh()[0])
     }
 
-    /// f_F of (4): the ratio GF/GE as a complex number.
+    /// f_F of (4): the ratio of the vectors GF and GE as complex numbers.
     pub(super) fn f_f(&self) -> Vector {
         quotient(-self.gf()[0], self.eg()[0])
     }
 
-    /// f_K of (5): the ratio CK/CL as a complex number.
+    /// f_K of (5): the ratio of the vectors CK and CL as complex numbers.
     pub(super) fn f_k(&self) -> Vector {
         quotient(self.kc()[0], self.lc()[0])
     }
 
-    /// ψ′ or ψ″, from the derivative of C of that order; the rest of the second derivative is along CD.
+    /// ψ′ or ψ″ of CD from the derivative of C of that order. The rest of the second derivative of C is along CD.
     pub(super) fn turned(&self, c: Vector) -> f64 {
         let cd = self.cd()[0];
         cd.perp(&c) / cd.norm_squared()

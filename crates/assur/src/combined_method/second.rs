@@ -1,18 +1,19 @@
-//! The chain of substitutions for the acceleration analogues: coefficients d, Cramer's rule, the other points, ψ″.
+//! The paper's chain of substitutions for the acceleration analogues: coefficients d, Cramer's rule, the other points,
+//! ψ″.
 
 use super::first::First;
 use super::places::Places;
 use crate::position::product;
 use crate::{Relation, Vector};
 
-/// The coefficients in a pose, by their numbers in the paper. d₁₃ and the index zero are unused.
+/// The coefficients d in a pose, each at the index it has in the paper. Indices 0 and 13 are unused.
 #[derive(Clone, Debug)]
 pub(super) struct Second {
     pub(super) d: [f64; 19],
 }
 
 impl Second {
-    /// The coefficients with misprints corrected, from the first derivatives in `places`.
+    /// Calculates the coefficients from the first derivatives in `places`, with the misprints of the paper corrected.
     pub(super) fn new(places: &Places, first: &First) -> Self {
         let square = |rate: Vector| rate.norm_squared();
         let [eb, eg, fk] = [places.eb(), places.eg(), places.fk()];
@@ -42,7 +43,7 @@ impl Second {
         Self { d }
     }
 
-    /// det(x″_G, y″_G), det(x″_G), det(y″_G).
+    /// The determinants of Cramer's rule for G: det(x″_G, y″_G), det(x″_G), det(y″_G).
     fn determinants(&self, first: &First) -> [f64; 3] {
         let [_, b1, b2, b3, b4, _] = first.b;
         let (left, d18) = (self.d[4] - self.d[3], self.d[18]);
@@ -78,7 +79,7 @@ impl Second {
         ]
     }
 
-    /// The coefficients d, Cramer's rule and its consequences, with ψ″.
+    /// The coefficients d, Cramer's rule, the derivatives that follow from it, and ψ″.
     pub(super) fn relations(&self, places: &Places, first: &First) -> Vec<Relation> {
         let mut all = self.printed(places, first);
         let [_, b1, b2, b3, b4, _] = first.b;
@@ -109,7 +110,8 @@ impl Second {
         all
     }
 
-    /// Each coefficient as printed, from the corrected others. f_Ke in d₁₄ is not defined in the paper; f_Ky is used.
+    /// Compares each coefficient d with its printed formula, in which the other coefficients are the corrected ones.
+    /// The f_Ke printed in d₁₄ is not defined in the paper; f_Ky is used.
     fn printed(&self, places: &Places, first: &First) -> Vec<Relation> {
         let d = &self.d;
         let c = &first.c;
@@ -192,8 +194,8 @@ impl Second {
     }
 }
 
-/// ψ′ and ψ″ by the corrected chain alone, with its denominators, next to the values from the constraint equations;
-/// none if a denominator is zero.
+/// Compares ψ′ and ψ″ by the corrected chain alone with their values in the pose, and lists the denominators of the
+/// chain. The chain has no result if a denominator is zero.
 pub(super) fn chain(places: &Places, first: &First) -> Vec<Relation> {
     let mut chained = places.clone();
     let g = first.solved();

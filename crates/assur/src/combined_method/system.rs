@@ -6,14 +6,14 @@ use super::second::Second;
 use crate::position::{conjugate, product};
 use crate::{Relation, Vector};
 
-/// An equation of the system: its link, the coefficients of x_E, y_E, x_G, y_G, x_C, y_C, the right-hand sides of both
-/// orders.
+/// An equation of the system: the id of its link, the coefficients of x_E, y_E, x_G, y_G, x_C, y_C, and the right-hand
+/// sides for first and second derivatives.
 type Row = (&'static str, [f64; 6], [f64; 2]);
 
-/// The names in a row: coefficients, then right-hand sides.
+/// Names of the numbers in a row: the coefficients, then the right-hand sides for first and second derivatives.
 const NAMES: [&str; 8] = ["x_E", "y_E", "x_G", "y_G", "x_C", "y_C", "′", "″"];
 
-/// The rows as relations, each by the id of its link.
+/// Lists the numbers of all rows as relations, under the id of the row's link.
 pub(super) fn rows(places: &Places, first: &First, second: &Second) -> Vec<Relation> {
     let [eb, eg, gh, fk] = [places.eb(), places.eg(), places.gh(), places.fk()].map(|way| way[0]);
     let [lc, cd] = [places.lc(), places.cd()].map(|way| way[0]);
@@ -51,7 +51,7 @@ pub(super) fn rows(places: &Places, first: &First, second: &Second) -> Vec<Relat
     named.collect()
 }
 
-/// Coefficients of x and y in the scalar product of a vector with a point's analogue multiplied by a complex ratio.
+/// Coefficients of x and y in the scalar product of `way` with ratio·(x + iy), where (x, y) is the analogue of a point.
 fn against(ratio: Vector, way: Vector) -> Vector {
     product(conjugate(ratio), way)
 }

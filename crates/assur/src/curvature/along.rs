@@ -3,7 +3,7 @@
 use crate::mechanism::Pose;
 use crate::motion::{Motion, PoseOrder, Sampling, Shown, Spacing};
 
-/// Sampling of the input. For very many turns only the first ones are sampled.
+/// Sampling of the input. If the whole motion would need too many samples, only its first turns are sampled.
 const PLACES: Sampling = Sampling {
     turn: 720,
     coarsest: 60,
@@ -12,9 +12,9 @@ const PLACES: Sampling = Sampling {
     shown: Shown::First,
 };
 
-/// Samples of a curve in ascending inputs and in continuous pieces. `at` returns with each value a number whose sign is
-/// the side of the curve: a new piece begins after a pose without a value, and at a change of sides, because the curve
-/// has been at infinity in between.
+/// Samples a curve at ascending inputs and divides it into continuous pieces. With each value `at` returns a number
+/// that changes sign where the curve passes through infinity. A new piece begins at a change of sign, and after a pose
+/// without a value.
 pub(super) fn along<const N: usize, T>(
     motion: &Motion,
     mut at: impl FnMut(f64, &Pose<N>) -> Option<(T, f64)>,
@@ -25,7 +25,7 @@ where
     let mut pieces: Vec<Vec<T>> = Vec::new();
     let mut pose = motion.mechanism().blank::<N>();
     for inputs in motion.samples(PLACES) {
-        // Side of the previous sample, if any.
+        // Sign of the number at the previous sample; 0 if there is none.
         let mut side = 0.0;
         for input in inputs {
             let solved = motion.place(input, &mut pose).ok();

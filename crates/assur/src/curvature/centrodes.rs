@@ -1,4 +1,5 @@
-//! Centrodes: the paths of the pole in the frame (fixed) and on the link (moving), which rolls on it.
+//! Centrodes: the path of the pole in the frame is the fixed centrode, its path on the link the moving centrode. The
+//! moving centrode rolls on the fixed one.
 
 use super::along::along;
 use crate::index::LinkId;
@@ -6,7 +7,7 @@ use crate::mechanism::Pose;
 use crate::motion::Motion;
 use crate::{Point, Vector, perpendicular};
 
-/// Distance beyond which a curve is at infinity, in sizes of the mechanism.
+/// Distance beyond which a pole counts as at infinity, in sizes of the mechanism.
 const FARTHEST: f64 = 100.0;
 
 /// A point of contact of the centrodes.
@@ -14,23 +15,23 @@ const FARTHEST: f64 = 100.0;
 pub struct Rolling {
     /// The input.
     pub input: f64,
-    /// The pole, in the drawing.
+    /// The pole in the coordinates of the drawing.
     pub fixed: Point,
-    /// Pole on the link, in the coordinates of [`crate::mechanism::TracerSpec::at`].
+    /// The pole in the coordinates of the link, those of [`crate::mechanism::TracerSpec::at`].
     pub moving: Vector,
 }
 
-/// The centrodes of a link over a motion, pole by pole, in continuous pieces: between two of them the pole is at
-/// infinity, or there is no pose with a derivative. In each piece the link turns in one sense.
+/// The centrodes of a link over a motion, as poles in continuous pieces. Between two pieces the pole passes through
+/// infinity, or there is no pose with a derivative. Within a piece the sense of rotation of the link is the same.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Centrodes {
-    /// The pieces, in ascending inputs.
+    /// The pieces, at ascending inputs.
     pub pieces: Vec<Vec<Rolling>>,
 }
 
 impl Centrodes {
-    /// The centrodes of a link that moves relative to the frame; empty for pure translation, a single point for
-    /// rotation about a hinge of the frame.
+    /// Samples the centrodes of a link that moves relative to the frame. They are empty for a pure translation, and a
+    /// single point for rotation about a hinge of the frame.
     pub fn of(motion: &Motion, link: LinkId) -> Self {
         let at = |input, pose: &Pose<2>| rolling_at(motion, pose, link, input);
         Self {
@@ -44,7 +45,7 @@ fn rolling_at(motion: &Motion, pose: &Pose<2>, link: LinkId, input: f64) -> Opti
     let mechanism = motion.mechanism();
     let (velocity, spin) = mechanism.twist(pose, mechanism.body_of(Some(link)));
     let pole = perpendicular(velocity) / spin;
-    // Without rotation the quotient is NaN or infinite, and not near either.
+    // Without rotation the quotient is NaN or infinite, and the comparison is false.
     let is_near = pole.norm() < FARTHEST;
     if !is_near {
         return None;

@@ -1,4 +1,4 @@
-//! The circle of curvature of a path: its centre, and its radius as a value of the motion.
+//! The circle of curvature of a path: its centre, and its radius with derivatives with respect to the input.
 
 use super::Curvature;
 use crate::{Jet, JetPoint, Point};
@@ -12,37 +12,37 @@ pub struct CircleOfCurvature {
     pub radius: Jet<3>,
 }
 
-/// Reasons why there is none.
+/// Reasons why a path has no circle of curvature at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoCircle {
-    /// The point is at rest, at a cusp of its path or permanently.
+    /// The point is at rest: permanently, or for an instant at a cusp of its path.
     Still,
-    /// The path is straight, at an inflection or along a line: the centre is at infinity.
+    /// The path is straight: along a line, or for an instant at an inflection. The centre of curvature is at infinity.
     Straight,
 }
 
 impl CircleOfCurvature {
-    /// The circle for a point with four derivatives, in a drawing of this size.
+    /// Finds the circle for a point with four derivatives, in a drawing of this size.
     ///
     /// # Errors
-    /// The reason why there is none.
+    /// The reason why the circle does not exist.
     pub fn of(point: &JetPoint<5>, size: f64) -> Result<Self, NoCircle> {
         let bend = Curvature::of(point, size).ok_or(NoCircle::Still)?;
         let centre = bend.centre.ok_or(NoCircle::Straight)?;
         let [vx, vy] = [point.x, point.y].map(|way| derived(&way, 1));
         let [ax, ay] = [point.x, point.y].map(|way| derived(&way, 2));
-        // R = |v|³/|v × a|.
+        // R = |v|³/|v × a|, with the first and second derivatives v and a.
         let speed = (vx.square() + vy.square()).sqrt();
         let turning = (vx * ay - vy * ax) * bend.curvature.signum();
         let radius = speed * speed.square() * turning.recip();
         let circle = Self { centre, radius };
-        // Next to a straight line its derivatives may overflow although it does not.
+        // Where the path is nearly straight, derivatives of the radius may overflow although the radius does not.
         let finite = radius.is_finite();
         finite.then_some(circle).ok_or(NoCircle::Straight)
     }
 }
 
-/// A derivative of a jet with four, with two derivatives of its own.
+/// Derivative of a jet, of the given order (1 or 2), with two further derivatives.
 fn derived(jet: &Jet<5>, order: usize) -> Jet<3> {
     Jet::of_derivatives(std::array::from_fn(|further| {
         jet.derivative(order + further)

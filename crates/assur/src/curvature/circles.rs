@@ -6,34 +6,35 @@ use crate::mechanism::{Mechanism, Pose};
 use crate::tolerance;
 use crate::{Point, Vector, perpendicular};
 
-/// The circles of a body that moves relative to the frame, at an instant at which it turns.
+/// The inflection circle, the return circle and Ball's point of a body that turns relative to the frame, at an instant.
 ///
-/// With r from the pole to a point of the body, θ its angle and p the position of the pole, the velocity is θ′ i r and
-/// the acceleration (θ″ i − θ′²) r − θ′ i p′. They are parallel, so that the path has no curvature, if r² = r·D with
-/// D = −i p′/θ′: on a circle through the pole that is tangent to p′ there. For any other point the centre of curvature
-/// is on its ray from the pole, by Euler (1765) and Savary (1845).
+/// Let p be the position of the pole, θ the angle of the body, and r the vector from the pole to a point of the body,
+/// all as complex numbers. The velocity of the point is θ′ i r, the acceleration (θ″ i − θ′²) r − θ′ i p′. Its path has
+/// no curvature if these are parallel: if r² = r·D with D = −i p′/θ′, on a circle through the pole that is tangent to
+/// p′ there. For any other point the centre of curvature is on its ray from the pole, by Euler (1765) and Savary
+/// (1845).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circles {
     /// The instant centre of the body and the frame.
     pub pole: Point,
-    /// Derivative of the pole's position along both centrodes with respect to the input: the pole tangent; zero if the
-    /// pole is at rest, such as a hinge.
+    /// Derivative of the pole's position with respect to the input, the same along both centrodes. Its direction is the
+    /// pole tangent. Zero if the pole is at rest, as in a hinge to the frame.
     pub pole_velocity: Vector,
-    /// θ′.
+    /// Derivative θ′ of the body's angle with respect to the input.
     pub spin: f64,
-    /// From the pole to the inflection pole: the diameter of the inflection circle, the locus of points whose paths
-    /// have no curvature. That of the return circle, the locus of centres of curvature for points at infinity, is the
-    /// opposite.
+    /// Vector from the pole to the inflection pole: the diameter of the inflection circle, the locus of points whose
+    /// paths have no curvature. The opposite vector is the diameter of the return circle, the locus of centres of
+    /// curvature for points at infinity.
     pub diameter: Vector,
-    /// Ball's point: the point of the body whose path is straight to the third order, the intersection of the
-    /// inflection circle and the curve of stationary curvature (Ball, 1871). None if the pole is at rest, or if every
-    /// point of the circle, or none, is such a point.
+    /// Ball's point: the point of the body whose path is straight to the third order. It is the intersection of the
+    /// inflection circle and the curve of stationary curvature (Ball, 1871). None if the pole is at rest, or if all
+    /// points of the inflection circle, or none of them, have such paths.
     pub ball: Option<Point>,
 }
 
 impl Circles {
-    /// The circles of a body in a pose with at least three derivatives. None without rotation: in a translation all
-    /// points have congruent paths.
+    /// Finds the circles of a body in a pose with at least three derivatives. None if the body does not rotate: in a
+    /// translation all points have congruent paths.
     pub fn of<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>, body: BodyId) -> Option<Self> {
         let angle = mechanism.body_angle(pose, body);
         let [w, e, f] = [1, 2, 3].map(|order| angle.derivative(order));
@@ -45,7 +46,7 @@ impl Circles {
         if !turns {
             return None;
         }
-        // p = z + i z′/θ′ of any point z of the body, differentiated twice.
+        // p = z + i z′/θ′ for any point z of the body; differentiated twice.
         let (w2, w3) = (w * w, w * w * w);
         let pole = middle + perpendicular(v) / w;
         let p1 = v + perpendicular(a / w - v * (e / w2));
@@ -66,25 +67,25 @@ impl Circles {
         })
     }
 
-    /// The inflection circle: its centre and radius.
+    /// Centre and radius of the inflection circle.
     pub fn inflection(&self) -> (Point, f64) {
         (self.pole + self.diameter / 2.0, self.diameter.norm() / 2.0)
     }
 
-    /// Centre of curvature for the body's point at a position, by Euler and Savary: on the ray from the pole through
-    /// it, PA²/AW beyond it, with W the intersection of the ray and the inflection circle. None at the pole and on that
-    /// circle.
+    /// Centre of curvature for the body's point at a position A, by Euler and Savary. It is on the ray from the pole P
+    /// through A, PA²/AW beyond A, where W is the intersection of the ray and the inflection circle. None if A is the
+    /// pole or is on the inflection circle.
     pub fn centre_of_curvature(&self, of: Point) -> Option<Point> {
         let r = of - self.pole;
         let square = r.norm_squared();
-        // PW = r (r·D)/r², so that AW = r (r·D − r²)/r².
+        // With r = PA: PW = r (r·D)/r², and AW = r (r·D − r²)/r².
         let beyond = square / (r.dot(&self.diameter) - square);
         let centre = of + r * beyond;
         centre.coords.norm_squared().is_finite().then_some(centre)
     }
 }
 
-/// Ball's point: the intersection of its ray from the pole with the inflection circle.
+/// Ball's point: the intersection of the inflection circle with the line through the pole in the direction `along`.
 fn ball(pole: Point, diameter: Vector, along: Vector) -> Option<Point> {
     let share = diameter.dot(&along) / along.norm_squared();
     let ball = pole + along * share;

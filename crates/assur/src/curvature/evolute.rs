@@ -7,17 +7,17 @@ use crate::index::PointId;
 use crate::mechanism::Pose;
 use crate::motion::Motion;
 
-/// Centres of curvature of a point's path over a motion, in ascending inputs and in continuous pieces. At an inflection
-/// of the path the centre is at infinity and changes sides; at a cusp of the path, and without a pose with derivatives,
-/// there is none. A cusp of the evolute is a point of stationary curvature.
+/// Centres of curvature of a point's path over a motion, at ascending inputs and in continuous pieces. At an inflection
+/// of the path the centre passes through infinity and changes sides. At a cusp of the path, and at an input without a
+/// pose with derivatives, there is no centre. A cusp of the evolute is the centre for a point of stationary curvature.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Evolute {
-    /// The pieces.
+    /// The pieces, at ascending inputs.
     pub pieces: Vec<Vec<Point>>,
 }
 
 impl Evolute {
-    /// The evolute for a point; empty if it is at rest.
+    /// Samples the evolute for a point; empty if the point is at rest.
     pub fn of(motion: &Motion, point: PointId) -> Self {
         let mechanism = motion.mechanism();
         let size = mechanism.size();

@@ -1,6 +1,6 @@
-//! Curvature of paths: the centre of curvature with its own motion, the circles of a link that give it for all its
-//! points at once, and the centrodes. All follow from derivatives with respect to the input, the curvature from two of
-//! them, its rate from three; nothing depends on the speed of the input.
+//! Curvature of paths: the centre of curvature with its own motion, the circles of a link that give this centre for all
+//! points of the link at once, and the centrodes. All follow from derivatives with respect to the input: the curvature
+//! from two of them, its rate from three. Nothing depends on the speed of the input.
 //!
 //! See Dijksman, *Motion Geometry of Mechanisms*, and Hall, *Kinematics and Linkage Design*, ch. 5.
 
@@ -31,19 +31,20 @@ use crate::{JetPoint, Point, Vector, perpendicular};
 pub struct Curvature {
     /// Position of the point.
     pub at: Point,
-    /// Direction of its motion, of length 1.
+    /// Direction of the point's motion, a unit vector.
     pub tangent: Vector,
-    /// κ = 1/R, positive if the path bends to the left; inverse unit of the lengths.
+    /// κ = 1/R, positive if the path bends to the left. Its unit is the inverse of the unit of length.
     pub curvature: f64,
-    /// dκ/ds along the path: zero if the curvature is stationary and the circle meets the path in four points.
+    /// dκ/ds along the path. Zero if the curvature is stationary: the circle of curvature then has four-point contact
+    /// with the path.
     pub rate: f64,
     /// The centre of curvature; none if the path is straight.
     pub centre: Option<Point>,
 }
 
 impl Curvature {
-    /// The curvature at a point with at least three derivatives, in a drawing of this size. None if it is at rest, at a
-    /// cusp of its path or permanently.
+    /// Finds the curvature for a point with at least three derivatives, in a drawing of this size. None if the point is
+    /// at rest: permanently, or for an instant at a cusp of its path.
     pub fn of<const N: usize>(point: &JetPoint<N>, size: f64) -> Option<Self> {
         let [v, a, j] = [1, 2, 3].map(|order| point.derivative(order));
         let speed = v.norm();
@@ -53,7 +54,7 @@ impl Curvature {
         }
         let tangent = v / speed;
         let curvature = v.perp(&a) / speed.powi(3);
-        // κ = (v × a)/|v|³, differentiated, and divided by ds = |v|.
+        // The derivative of κ = (v × a)/|v|³, divided by the derivative |v| of the arc length.
         let rate =
             (v.perp(&j) / speed.powi(3) - 3.0 * curvature * v.dot(&a) / speed.powi(2)) / speed;
         if !(curvature.is_finite() && rate.is_finite()) {
@@ -71,18 +72,18 @@ impl Curvature {
         })
     }
 
-    /// R, positive if the path bends to the left; none if it is straight.
+    /// R = 1/κ, positive if the path bends to the left; none if the path is straight.
     pub fn radius(&self) -> Option<f64> {
         self.centre.map(|_| self.curvature.recip())
     }
 
-    /// dR/ds along the path; none if it is straight.
+    /// dR/ds along the path; none if the path is straight.
     pub fn radius_rate(&self) -> Option<f64> {
         self.centre.map(|_| -self.rate / self.curvature.powi(2))
     }
 
-    /// Derivative of the centre's position along the evolute with respect to the length of the path: along the normal
-    /// of the path, zero if the curvature is stationary. None if the path is straight.
+    /// Derivative of the centre's position with respect to the arc length of the path. It is normal to the path, and
+    /// zero if the curvature is stationary. None if the path is straight.
     pub fn evolute(&self) -> Option<Vector> {
         self.radius_rate()
             .map(|rate| perpendicular(self.tangent) * rate)

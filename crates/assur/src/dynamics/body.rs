@@ -2,12 +2,12 @@
 
 use crate::gears::train::Shaft;
 
-/// A body of the differential. Its angle is measured in the ground's frame.
+/// A body of the differential. Its angle is measured relative to the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Body {
     /// The sun, link 1.
     Sun,
-    /// The satellites, link 2: all alike, with one angle.
+    /// The satellites, link 2: all alike, and at one angle.
     Satellite,
     /// The carrier, link 3.
     Carrier,
@@ -25,7 +25,7 @@ impl Body {
     }
 }
 
-/// Shafts can be driven from the ground.
+/// Shafts: the bodies that can be driven from the ground.
 impl Shaft {
     /// The body of the shaft.
     pub fn body(self) -> Body {

@@ -1,11 +1,11 @@
-//! Defects of parameters and starts.
+//! Defects of the parameters, and of the start of a run.
 
 use super::{Body, Mesh, Parameters, Shaft};
 use super::{Drive, Load, Poles};
 use crate::Fault;
 use crate::tolerance::FARTHEST;
 
-/// Defect of parameters or of a start.
+/// A defect of the parameters or of the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Defect {
     /// An invalid number.
@@ -20,20 +20,21 @@ pub enum Defect {
     /// Evenly spaced satellites cannot have the same phase: their number does not divide the sum of the periods of sun
     /// and ring.
     Assembly {
-        /// k.
+        /// Number of satellites, k.
         satellites: u32,
-        /// p₁ + p₄.
+        /// Sum of the periods of sun and ring, p₁ + p₄.
         periods: u32,
     },
-    /// The shaft is tied to itself or to a tied shaft.
+    /// The shaft is to turn at a multiple of its own speed, or of the speed of a shaft that is itself driven in this
+    /// way.
     Tie {
         /// The shaft.
         shaft: Shaft,
-        /// Shaft to which it is tied.
+        /// The shaft whose speed is multiplied.
         to: Shaft,
     },
-    /// The inertia of this body is too small for the torques on it: it would oscillate or stop too fast to be
-    /// integrated.
+    /// The inertia of this body is too small for the torques on it. The body would oscillate or stop too fast for the
+    /// integration.
     TooStiff(Body),
 }
 
@@ -52,23 +53,23 @@ pub enum Quantity {
     Orbit,
     /// Viscous damping of a bearing.
     Damping(Body),
-    /// The constant part of a load.
+    /// Constant torque of a load.
     Constant(Body),
-    /// The friction of a load.
+    /// Friction torque of a load.
     Friction(Body),
-    /// Speed at which the friction changes its sign.
+    /// Creep speed of a friction torque.
     Creep(Body),
-    /// The part of a load that is proportional to the square of the speed.
+    /// Coefficient of the torque of a load that is proportional to the square of the speed.
     Fan(Body),
     /// Maximum torque of a mesh.
     Peak(Mesh),
     /// Damping of a mesh.
     MeshDamping(Mesh),
-    /// Torque of a drive, at any time.
+    /// Maximum torque of a drive over time.
     DriveTorque(Shaft),
-    /// Speed given by a drive, at any time.
+    /// Maximum given speed of a drive over time.
     DriveSpeed(Shaft),
-    /// Ratio to the speed of another shaft.
+    /// Ratio of the shaft's speed to the speed of another shaft.
     Ratio(Shaft),
     /// Angle at the start.
     StartAngle(Body),
@@ -76,25 +77,26 @@ pub enum Quantity {
     StartSpeed(Body),
 }
 
-/// Range of numbers of plates.
+/// Allowed numbers of plates of a wheel.
 const PLATES: (f64, f64) = (1.0, 1000.0);
-/// Range of numbers of satellites.
+/// Allowed numbers of satellites.
 const SATELLITES: (f64, f64) = (1.0, 12.0);
-/// Range of positive quantities, in their units.
+/// Allowed values of positive quantities, in their units.
 const POSITIVE: (f64, f64) = (1e-12, FARTHEST);
 /// Maximum speed, rad/s.
 pub(super) const SPEED: f64 = 1e5;
-/// Maximum ratio of tied shafts.
+/// Maximum ratio of the speeds of two shafts.
 const RATIO: f64 = 1e3;
 /// Maximum angle at the start, radians.
 const ANGLE: f64 = 1e6;
 
-/// All defects.
+/// The defects found so far.
 #[derive(Debug, Default)]
 pub(super) struct Defects(pub(super) Vec<Defect>);
 
 impl Defects {
-    /// All defects of single parameters, and of combinations of plates and ties.
+    /// Finds all defects of single parameters, of the numbers of plates together, and of shafts driven at a multiple of
+    /// another shaft's speed.
     pub(super) fn of(parameters: &Parameters) -> Self {
         let mut defects = Self::default();
         defects.plates(parameters);
@@ -173,7 +175,7 @@ impl Defects {
         }
     }
 
-    /// Checks angle and speed of a body at the start.
+    /// Checks the angle and the speed of a body at the start.
     pub(super) fn start(&mut self, body: Body, angle: f64, speed: f64) {
         self.size(Quantity::StartAngle(body), angle, ANGLE);
         self.size(Quantity::StartSpeed(body), speed, SPEED);

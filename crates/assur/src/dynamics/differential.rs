@@ -12,10 +12,10 @@ pub struct Differential {
 }
 
 impl Differential {
-    /// The differential with these parameters.
+    /// Makes the differential with these parameters.
     ///
     /// # Errors
-    /// Every defect.
+    /// All defects of the parameters.
     pub fn new(parameters: &Parameters) -> Result<Self, Vec<Defect>> {
         let defects = Defects::of(parameters).0;
         if !defects.is_empty() {
@@ -36,7 +36,7 @@ impl Differential {
         &self.parameters
     }
 
-    /// p: periods of the field per turn of a wheel; none for the carrier, which has no plates.
+    /// Number p of periods of the field per turn of a wheel; none for the carrier, which has no plates.
     pub fn periods(&self, wheel: Body) -> Option<u32> {
         let plates = &self.parameters.plates;
         let count = match wheel {
@@ -55,11 +55,12 @@ impl Differential {
     }
 
     /// Maximum torque that can be slowly applied to a body, N·m, with the other two of sun, carrier and ring held and
-    /// no other load; pull-out by the equations of motion can be compared with it. For the satellites: all together,
-    /// with sun, carrier and ring held.
+    /// no other load. For the satellites it is the torque on all of them, with sun, carrier and ring held. The pull-out
+    /// torque of a run can be compared with this limit.
     ///
-    /// If the satellites bear no load, both meshes have the same torque relative to the periods of a wheel, E sin δ,
-    /// and the weaker mesh sets the limit; the torques on sun, ring and carrier are in the ratio p₁ : p₄ : −(p₁ + p₄).
+    /// If the satellites bear no load, the torque on a wheel divided by the periods of that wheel, E sin δ, is the same
+    /// in both meshes. So the weaker mesh sets the limit. The torques on sun, ring and carrier are in the ratio
+    /// p₁ : p₄ : −(p₁ + p₄).
     pub fn static_limit(&self, body: Body) -> f64 {
         let [sun, ring] = Mesh::ALL.map(|mesh| self.equations.mesh(mesh));
         let [p1, p4] = [sun.wheel_periods, ring.wheel_periods];
@@ -75,14 +76,14 @@ impl Differential {
         }
     }
 
-    /// Natural frequency of a mesh's phase by itself, rad/s: the root of E Σ nᵢ²/Jᵢ over the bodies that are free to
-    /// move.
+    /// Natural frequency of the phase of one mesh without the other mesh, rad/s: the square root of E Σ nᵢ²/Jᵢ over the
+    /// bodies that are free to move, where nᵢ is the coefficient of the angle φᵢ in the phase.
     pub fn swing_rate(&self, mesh: Mesh) -> f64 {
         self.equations.stiffness(mesh).sqrt()
     }
 
-    /// Speeds of all bodies, in the order of [`Body::ALL`], at which no mesh slips, for these speeds of sun and ring
-    /// (Willis), rad/s.
+    /// Speeds of all bodies, in the order of [`Body::ALL`], at which no mesh slips. They follow from the speeds of sun
+    /// and ring by Willis's equation, rad/s.
     pub fn synchronous(&self, sun: f64, ring: f64) -> [f64; 4] {
         let equations = &self.equations;
         let [p1, p4] = Mesh::ALL.map(|mesh| equations.mesh(mesh).wheel_periods);
@@ -93,7 +94,7 @@ impl Differential {
     }
 }
 
-/// Motion law of each body, in the order of [`Body::ALL`].
+/// Returns the motion law of each body, in the order of [`Body::ALL`].
 pub(super) fn following(parameters: &Parameters) -> [Following; 4] {
     let of = |shaft: Shaft| match &parameters.shaft(shaft).drive {
         Drive::Torque(profile) => Following::Torques(Some(profile.clone())),

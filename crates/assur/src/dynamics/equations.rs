@@ -1,6 +1,6 @@
 //! The equations of motion: torques, accelerations and powers.
 //!
-//! All arrays of bodies are in the order of [`Body::ALL`]; values for the satellites are for all k together.
+//! All arrays of bodies are in the order of [`Body::ALL`]. Values for the satellites are totals over all k of them.
 
 use super::differential::following;
 use super::gauss::{Moment, N};
@@ -12,12 +12,12 @@ use crate::angle::{Angle, combination};
 pub(super) struct Equations {
     pub(super) meshes: [Field; 2],
     inertia: [f64; N],
-    /// Inertia of each body, including the inertia of tied bodies.
+    /// Inertia of each body, including the reflected inertia of the bodies that follow it.
     pub(super) carried: [f64; N],
-    /// Damping of the bearings; for the satellites relative to the carrier.
+    /// Damping of the bearings; for the satellites the bearings on the carrier.
     pub(super) damping: [f64; N],
     pub(super) load: [Load; N],
-    /// Number of bodies of the kind, each with its load.
+    /// Number of bodies that each bear the load: k for the satellites, otherwise 1.
     pub(super) count: [f64; N],
     pub(super) following: [Following; N],
 }
@@ -25,15 +25,15 @@ pub(super) struct Equations {
 /// Motion law of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Following {
-    /// Torques on the body, including the torque of a drive, if any.
+    /// Motion under torques, including the torque of a drive, if any.
     Torques(Option<Profile>),
-    /// Given speed.
+    /// Motion at a given speed.
     Speed(Profile),
-    /// Motion of another body, multiplied.
+    /// Motion of another body, multiplied by a ratio.
     Body {
-        /// The other body.
+        /// Index of the other body.
         to: usize,
-        /// Speed of the body relative to the speed of the other body.
+        /// Ratio of the body's speed to the speed of the other body.
         ratio: f64,
     },
 }
@@ -41,24 +41,24 @@ pub(super) enum Following {
 /// The field in a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Field {
-    /// nᵢ of the phase δ = Σ nᵢφᵢ.
+    /// Coefficients nᵢ of the phase δ = Σ nᵢφᵢ.
     turns: [i64; N],
-    /// nᵢ as floating-point numbers.
+    /// Coefficients nᵢ as floating-point numbers.
     pub(super) factors: [f64; N],
-    /// Periods of the central wheel.
+    /// Periods of the field per turn of the central wheel.
     pub(super) wheel_periods: f64,
-    /// kE: half the potential barrier between periods, J.
+    /// Energy kE, J: half the potential barrier between two periods of the field.
     pub(super) energy: f64,
-    /// Generalized torque along δ per rate of δ.
+    /// Generalized damping torque on the phase δ per unit rate of δ, N·m·s.
     pub(super) damping: f64,
 }
 
-/// Values of the drives during a step, independent of the state.
+/// Values that a step takes from the drives and from the phases at its start.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Driving {
-    /// Torques at the start of the step and their rates.
+    /// Torque of the drive of each body at the start of the step, and its rate of change.
     torque: [(f64, f64); N],
-    /// Accelerations of given speeds.
+    /// Acceleration of each body with a given speed.
     slope: [f64; N],
     /// Phases of the meshes at the start of the step.
     phases: [f64; 2],
@@ -76,18 +76,19 @@ pub(super) struct Powers {
 }
 
 impl Field {
-    /// Linear combination Σ nᵢxᵢ of the bodies' values.
+    /// Linear combination Σ nᵢxᵢ of values xᵢ of the bodies.
     pub(super) fn phase(&self, of: &[f64; N]) -> f64 {
         let n = &self.factors;
         n[0] * of[0] + n[1] * of[1] + n[2] * of[2] + n[3] * of[3]
     }
 
-    /// Phase from all angles: whole periods, and the remainder.
+    /// Phase from the angles of all bodies, as whole periods and a remainder.
     pub(super) fn folded(&self, angles: &[Angle; N]) -> (i64, f64) {
         combination(self.turns, angles)
     }
 
-    /// −∂U/∂δ, which times nᵢ is the torque on a body, and the contribution of damping.
+    /// Generalized torques on the phase: −∂U/∂δ of the field, and damping. Multiplied by nᵢ, they are the torques on
+    /// body i.
     pub(super) fn forces(&self, phase: f64, rate: f64) -> (f64, f64) {
         (-self.energy * phase.sin(), -self.damping * rate)
     }
@@ -100,7 +101,7 @@ impl Field {
 }
 
 impl Equations {
-    /// The equations for valid parameters.
+    /// Sets up the equations for valid parameters.
     pub(super) fn new(parameters: &Parameters) -> Self {
         let (plates, satellites) = (&parameters.plates, &parameters.satellites);
         let [p1, p2, p4] = [plates.sun, plates.satellite, plates.ring]
@@ -160,7 +161,7 @@ impl Equations {
         matches!(self.following[body], Torques(Some(_)) | Speed(_))
     }
 
-    /// The first knot of any drive inside an interval of time.
+    /// Time of the first knot of any drive inside an interval of time.
     pub(super) fn knot_within(&self, start: f64, end: f64) -> Option<f64> {
         let knots = self.following.iter().filter_map(|follows| match follows {
             Following::Torques(Some(profile)) | Following::Speed(profile) => {
@@ -171,7 +172,7 @@ impl Equations {
         knots.min_by(f64::total_cmp)
     }
 
-    /// Drives and phases for a step.
+    /// Evaluates the drives over a step, and the phases at its start.
     pub(super) fn driving(&self, angles: &[Angle; N], start: f64, length: f64) -> Driving {
         let ends = |profile: &Profile| {
             let (first, last) = (profile.value(start), profile.value(start + length));
@@ -192,7 +193,7 @@ impl Equations {
         driving
     }
 
-    /// Torques on the bodies, without torques of given speeds and ties.
+    /// Torques on the bodies, without those that enforce given speeds and ratios.
     fn torques(&self, driving: &Driving, moment: &Moment) -> [f64; N] {
         let v = &moment.rates;
         let mut torques: [f64; N] = std::array::from_fn(|body| {
@@ -220,7 +221,7 @@ impl Equations {
         self.count[body] * self.load[body].torque(speed)
     }
 
-    /// φ̈ of all bodies.
+    /// Accelerations φ̈ of all bodies.
     pub(super) fn accelerations(&self, driving: &Driving, moment: &Moment) -> [f64; N] {
         let mut torques = self.torques(driving, moment);
         for (body, follows) in self.following.iter().enumerate() {
@@ -240,7 +241,7 @@ impl Equations {
         found
     }
 
-    /// Sets the values of tied bodies from the bodies to which they are tied.
+    /// Sets the values of the bodies that follow other bodies.
     pub(super) fn tie(&self, values: &mut [f64; N]) {
         for (body, follows) in self.following.iter().enumerate() {
             if let Following::Body { to, ratio } = follows {
@@ -249,7 +250,8 @@ impl Equations {
         }
     }
 
-    /// Torques of the drives: the residual of the equation for a body with a given speed.
+    /// Torques of the drives. For a body with a given speed the torque is the residual of the body's equation of
+    /// motion.
     pub(super) fn drive_torques(
         &self,
         driving: &Driving,
@@ -276,7 +278,7 @@ impl Equations {
         })
     }
 
-    /// Powers of drives, dampings and loads.
+    /// Powers of drives, damping and loads.
     pub(super) fn powers(
         &self,
         driving: &Driving,
@@ -313,7 +315,7 @@ impl Equations {
         }
     }
 
-    /// ½ Σ Jφ̇².
+    /// Kinetic energy ½ Σ Jφ̇².
     pub(super) fn kinetic(&self, speeds: &[f64; N]) -> f64 {
         let each = self.inertia.iter().zip(speeds);
         each.map(|(inertia, speed)| 0.5 * inertia * speed * speed)

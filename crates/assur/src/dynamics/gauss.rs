@@ -1,10 +1,11 @@
 //! Gauss collocation with three stages, for φ̈ = f(t, φ, φ̇).
 //!
-//! It is of order 6 and symplectic: without damping the energy oscillates within bounds and does not drift (Hairer,
-//! Lubich, Wanner: *Geometric Numerical Integration*, theorems II.1.5 and IV.2.2 for the order and for quadratic
-//! invariants, VI.4.2 for the map). It is A-stable, and all its stages are inside the step: compositions of explicit
-//! maps of an order above 2 also step backwards, which is unstable with damping. Its stages are found by fixed-point
-//! iteration, which contracts by about (hΩ)²/12, where Ω is the greatest natural frequency.
+//! The method is of order 6 and symplectic: without damping the energy oscillates within bounds and does not drift
+//! (Hairer, Lubich, Wanner: *Geometric Numerical Integration*, theorem II.1.5 on the order, IV.2.2 on quadratic
+//! invariants, VI.4.2 on the symplectic map). It is A-stable, and all its stages are inside the step. Compositions of
+//! explicit maps of an order above 2 also step backwards, which is unstable with damping. The stages are found by
+//! fixed-point iteration, which contracts by a factor of about (hΩ)²/12, where h is the step and Ω the greatest natural
+//! frequency.
 
 use crate::tolerance;
 
@@ -14,13 +15,13 @@ pub(super) const N: usize = 4;
 /// √15.
 const ROOT: f64 = 3.872_983_346_207_417;
 
-/// Nodes of the stages in the step.
+/// Nodes cⱼ of the stages, as fractions of the step.
 const C: [f64; 3] = [0.5 - ROOT / 10.0, 0.5, 0.5 + ROOT / 10.0];
 
-/// The weights of the stages.
+/// Weights bⱼ of the stages.
 const B: [f64; 3] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
 
-/// Coefficients of the stages.
+/// Coefficients aᵢⱼ of the stages (Runge–Kutta matrix).
 const A: [[f64; 3]; 3] = [
     [
         5.0 / 36.0,
@@ -39,7 +40,7 @@ const A: [[f64; 3]; 3] = [
     ],
 ];
 
-/// A², which takes accelerations to coordinates.
+/// A², which gives the coordinates of the stages from the accelerations.
 const A2: [[f64; 3]; 3] = squared();
 
 const fn squared() -> [[f64; 3]; 3] {
@@ -56,7 +57,7 @@ const fn squared() -> [[f64; 3]; 3] {
 /// Maximum number of iterations; about 5 are usual.
 const ITERATIONS: usize = 40;
 
-/// Change below which the iteration may end without further decrease.
+/// Relative change of the accelerations below which the iteration ends once the change no longer decreases.
 const FLOOR: f64 = 1e-11;
 
 /// A moment within a step.
@@ -77,11 +78,11 @@ pub(super) struct Step {
     pub(super) moved: [f64; N],
     /// Change of the rates.
     pub(super) gained: [f64; N],
-    /// The stages with their accelerations and weights, for quadrature of other quantities.
+    /// Moment, accelerations and weight of each stage, for quadrature of other quantities.
     pub(super) stages: [(Moment, [f64; N], f64); 3],
 }
 
-/// Accelerations at the stages of the previous step, from which the next accelerations are extrapolated.
+/// Accelerations at the stages of the previous step, from which those of the next step are extrapolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Past {
     length: f64,
@@ -95,9 +96,9 @@ impl Past {
         accelerations: [[0.0; N]; 3],
     };
 
-    /// Extrapolation of the parabola through the stages.
+    /// Extrapolates the parabola through the previous accelerations to the stages of the next step.
     fn guess(&self, length: f64) -> [[f64; N]; 3] {
-        // A parabola from a much shorter step is extrapolated less far.
+        // The parabola of a much shorter step is extrapolated over at most two lengths of that step.
         let reach = (length / self.length).min(2.0);
         C.map(|c| {
             let at = 1.0 + c * reach;
@@ -116,7 +117,7 @@ impl Past {
     }
 }
 
-/// Step of the method; None if the iteration does not converge, because the step is too long.
+/// Makes a step of the method. None if the iteration does not converge, because the step is too long.
 pub(super) fn step(
     past: &mut Past,
     length: f64,
@@ -172,7 +173,7 @@ fn whole(length: f64, rates: &[f64; N], moments: [Moment; 3], known: &[[f64; N];
         let weight = length * B[stage];
         for (n, known) in known.iter().enumerate() {
             step.gained[n] += weight * known;
-            // Σᵢ bᵢ aᵢⱼ = bⱼ (1 − cⱼ).
+            // Uses Σᵢ bᵢ aᵢⱼ = bⱼ (1 − cⱼ).
             step.moved[n] += weight * length * (1.0 - C[stage]) * known;
         }
     }
@@ -231,12 +232,12 @@ mod tests {
     fn closed_forms() {
         let end = 4.0;
         let (q, v) = run(400, end);
-        // φ̈ + 0.6φ̇ + 4φ = 0, from 1 at rest.
+        // Solution of φ̈ + 0.6φ̇ + 4φ = 0, from φ = 1 at rest.
         let (decay, rate) = (0.3_f64, (4.0_f64 - 0.09).sqrt());
         let (sin, cos) = (rate * end).sin_cos();
         let swing = (-decay * end).exp() * (cos + decay / rate * sin);
         assert!((q[1] - swing).abs() < 1e-12);
-        // ω = 2/(1 + 2t), φ = ln(1 + 2t).
+        // The fan: ω = 2/(1 + 2t), φ = ln(1 + 2t).
         assert!((v[2] - 2.0 / 9.0).abs() < 1e-11 && (q[2] - 9.0_f64.ln()).abs() < 1e-11);
         // A polynomial of the seventh degree, t⁷/42.
         assert!((q[3] - end.powi(7) / 42.0).abs() < 1e-9 * q[3]);

@@ -2,30 +2,31 @@
 //!
 //! # The model
 //!
-//! Four bodies turn by the angles φ₁ (sun), φ₂ (each of k satellites, all alike), φ₃ (carrier), φ₄ (ring). There is no
-//! contact: sun and satellites, satellites and ring are coupled by magnet plates. With p₁, p₂, p₄ periods of the field
-//! per turn of a wheel (its plates if like poles all face outward, half of them if poles alternate) a mesh depends on
-//! its *phase* alone,
+//! Four bodies turn through the angles φ₁ (sun), φ₂ (each of k satellites, all alike), φ₃ (carrier), φ₄ (ring). The
+//! wheels do not touch: magnet plates couple the satellites to the sun and to the ring. Let p₁, p₂, p₄ be the numbers
+//! of periods of the field per turn of sun, satellite and ring: the number of plates if like poles all face outward,
+//! half of it if poles alternate. The potential of a mesh depends only on its *phase*,
 //!
 //! δₛ = p₁(φ₁ − φ₃) + p₂(φ₂ − φ₃),  δᵣ = p₂(φ₂ − φ₃) − p₄(φ₄ − φ₃),
 //!
-//! which is constant if the wheels turn by Willis's formula. The Lagrangian is
+//! Both phases are constant if the wheels turn by Willis's equation. The Lagrangian is
 //!
 //! L = ½J₁φ̇₁² + ½kJ₂φ̇₂² + ½(J₃ + kma²)φ̇₃² + ½J₄φ̇₄² − kEₛ(1 − cos δₛ) − kEᵣ(1 − cos δᵣ),  Eₛ = Tₛ/p₁, Eᵣ = Tᵣ/p₄,
 //!
-//! with m the mass of a satellite, a the radius of the circle of its centre, and T the maximum torque of one satellite
-//! on the central wheel. So that wheel is turned by T sin(pΔ), with Δ its angle from the unloaded position, and the
-//! torques on both wheels and the carrier follow from one potential and sum up to zero. Friction comes from Rayleigh's
-//! function ½c₁φ̇₁² + ½kc₂(φ̇₂ − φ̇₃)² + ½c₃φ̇₃² + ½c₄φ̇₄² + ½kdₛ(δ̇ₛ/p₁)² + ½kdᵣ(δ̇ᵣ/p₄)² (bearings and eddy
-//! currents), loads and drives are torques on the bodies.
+//! with J the moments of inertia, m the mass of a satellite, a the radius of the circle of its centre, and T the
+//! maximum torque of one satellite on the central wheel; the subscripts s and r are for the meshes of sun and ring. One
+//! satellite exerts on that wheel a torque of magnitude T sin(pΔ), with Δ the wheel's angle from the unloaded position.
+//! The torques on both wheels and the carrier follow from one potential and sum to zero. Friction (bearings and eddy
+//! currents) follows from Rayleigh's function ½c₁φ̇₁² + ½kc₂(φ̇₂ − φ̇₃)² + ½c₃φ̇₃² + ½c₄φ̇₄² + ½kdₛ(δ̇ₛ/p₁)² +
+//! ½kdᵣ(δ̇ᵣ/p₄)². Loads and drives are torques on the bodies.
 //!
-//! A torque proportional to the sine of the relative angle is the usual model of a synchronous coupling (the first
-//! harmonic of the field; for magnetic couplings E. P. Furlani, *Permanent Magnet and Electromechanical Devices*,
-//! 2001); the source paper on the differential (Mukhametzyanov and others) has none. Synchronous running, pull-out,
-//! slip and recapture of a mesh follow from these equations, without thresholds. The mounting of the wheels is treated
-//! in [`crate::gears`].
+//! A torque proportional to the sine of the relative angle, from the first harmonic of the field, is the usual model of
+//! a synchronous coupling; for magnetic couplings see E. P. Furlani, *Permanent Magnet and Electromechanical Devices*,
+//! 2001. The source paper on the differential (Mukhametzyanov and others) gives no model. Synchronous running,
+//! pull-out, slip and recapture of a mesh follow from these equations, without thresholds. The mounting of the wheels
+//! is treated in [`crate::gears`].
 //!
-//! Valid [`Parameters`] make a [`Differential`]; a [`Run`] of it is advanced tick by tick.
+//! Valid [`Parameters`] make a [`Differential`]. A [`Run`] of the differential is advanced tick by tick.
 
 mod body;
 mod defect;

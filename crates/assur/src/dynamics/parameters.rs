@@ -2,7 +2,7 @@
 
 use super::{Profile, Shaft};
 
-/// All parameters of its motion, as entered by a person and not yet checked.
+/// All parameters of the motion of a differential, as entered by a person and not yet checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
     /// Magnet plates of the wheels.
@@ -24,33 +24,33 @@ pub struct Parameters {
 /// Numbers of magnet plates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Plates {
-    /// z₁, the sun.
+    /// Plates of the sun, z₁.
     pub sun: u32,
-    /// z₂, a satellite.
+    /// Plates of a satellite, z₂.
     pub satellite: u32,
-    /// z₄, the ring.
+    /// Plates of the ring, z₄.
     pub ring: u32,
     /// Magnetization of the plates.
     pub poles: Poles,
 }
 
-/// Outward poles of the plates of a wheel.
+/// Polarity of the outward faces of a wheel's plates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Poles {
     /// Like poles, as in the paper: one period of the field per plate.
     Alike,
-    /// North and south poles in turn: one period per two plates.
+    /// North and south poles in turn: one period per pair of plates.
     Alternating,
 }
 
 /// The satellites, all alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Satellites {
-    /// k.
+    /// Number of satellites, k.
     pub count: u32,
     /// Moment of inertia of one satellite about its own axis, kg·m².
     pub inertia: f64,
-    /// Mass of one satellite, kg; it moves with the carrier.
+    /// Mass of one satellite, kg. The centre of the satellite moves with the carrier.
     pub mass: f64,
     /// Radius of the circle of the satellites' centres, m.
     pub orbit: f64,
@@ -65,7 +65,7 @@ pub struct Satellites {
 pub struct Driven {
     /// Moment of inertia, kg·m².
     pub inertia: f64,
-    /// Viscous damping in its bearing, N·m·s.
+    /// Viscous damping in the bearing of the shaft, N·m·s.
     pub damping: f64,
     /// Load on the shaft.
     pub load: Load,
@@ -76,30 +76,30 @@ pub struct Driven {
 /// Drive of a shaft from the ground.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drive {
-    /// A torque over time, N·m, which counts as a load in the energy balance; zero leaves the shaft free.
+    /// A torque over time, N·m, which counts as a load in the energy balance. Zero leaves the shaft free.
     Torque(Profile),
     /// A speed over time, rad/s; zero holds the shaft.
     Speed(Profile),
-    /// A fixed ratio to the speed of another shaft, which is not tied itself.
+    /// A speed in a fixed ratio to the speed of another shaft, whose own drive must not be of this kind.
     Tied {
         /// The other shaft.
         to: Shaft,
-        /// Speed of the shaft relative to the speed of the other shaft.
+        /// Ratio of the shaft's speed to the speed of the other shaft.
         ratio: f64,
     },
 }
 
-/// Torque of a working member against its body: a sum of parts, zero by default.
+/// Torque of a load, such as mixing blades, on its body: the sum of three terms, zero by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Load {
-    /// Constant torque in the negative sense, as from a weight on a rope, N·m; either sign.
+    /// Constant torque, as from a weight on a rope, N·m. If positive, it acts in the negative sense of rotation.
     pub constant: f64,
     /// Friction torque against the motion at any speed, as from a brush or a scraper, N·m.
     pub friction: f64,
-    /// Speed at which friction changes its sign, as tanh(ω/creep), rad/s: a body held by friction creeps. Used only
-    /// with friction.
+    /// Creep speed, rad/s. Friction is proportional to tanh(ω/creep), so a body held by friction still creeps. Used
+    /// only if there is friction.
     pub creep: f64,
-    /// Coefficient of a torque against the motion, proportional to the square of the speed, as from a fan, N·m·s².
+    /// Coefficient of the torque of a fan, N·m·s²: against the motion and proportional to the square of the speed.
     pub fan: f64,
 }
 
@@ -113,7 +113,7 @@ pub struct Coupling {
 }
 
 impl Parameters {
-    /// A shaft with its inertia, load and drive.
+    /// Inertia, load and drive of a shaft.
     pub fn shaft(&self, shaft: Shaft) -> &Driven {
         match shaft {
             Shaft::Sun => &self.sun,
@@ -122,7 +122,7 @@ impl Parameters {
         }
     }
 
-    /// The shaft with its inertia, load and drive, for changes.
+    /// Inertia, load and drive of a shaft, for changes.
     pub fn shaft_mut(&mut self, shaft: Shaft) -> &mut Driven {
         match shaft {
             Shaft::Sun => &mut self.sun,
@@ -133,19 +133,19 @@ impl Parameters {
 }
 
 impl Drive {
-    /// No drive.
+    /// Drive of a free shaft: zero torque.
     pub fn free() -> Self {
         Self::Torque(Profile::zero())
     }
 
-    /// Held at rest.
+    /// Drive of a held shaft: zero speed.
     pub fn held() -> Self {
         Self::Speed(Profile::zero())
     }
 }
 
 impl Load {
-    /// Torque on the body at a speed, N·m.
+    /// Torque of the load on the body at this speed of the body, N·m.
     pub fn torque(&self, speed: f64) -> f64 {
         let friction = if self.friction > 0.0 {
             self.friction * (speed / self.creep).tanh()
@@ -155,7 +155,7 @@ impl Load {
         -(self.constant + friction + self.fan * speed * speed.abs())
     }
 
-    /// Maximum derivative of the torque against the body with respect to its speed, near this speed, N·m·s.
+    /// Upper bound, near this speed, of the derivative of the resisting torque with respect to the speed, N·m·s.
     pub(super) fn growth(&self, speed: f64) -> f64 {
         let friction = if self.friction > 0.0 {
             self.friction / self.creep

@@ -14,20 +14,20 @@ use crate::tolerance::FARTHEST;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
-    /// Times and values; at least one knot, times strictly increasing.
+    /// Knots as times and values: at least one knot, with strictly increasing times.
     knots: Vec<(f64, f64)>,
 }
 
-/// Reasons why knots make no profile.
+/// Reasons why a list of knots is not a valid profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ProfileFault {
     /// There is no knot.
     Empty,
-    /// The time of this knot, from 0, is invalid.
+    /// The time of the knot at this index is invalid.
     Time(usize, Fault),
-    /// The value at this knot, from 0, is not finite.
+    /// The value of the knot at this index is not finite.
     Value(usize),
-    /// The time of this knot, from 0, does not exceed the time of the knot before.
+    /// The time of the knot at this index does not exceed the time of the knot before.
     Order(usize),
 }
 
@@ -40,7 +40,7 @@ impl Profile {
         Self::new(vec![(0.0, value)])
     }
 
-    /// A linear change from one value to another between two times; seconds.
+    /// A linear change from one value to another between two times, in seconds.
     ///
     /// # Errors
     /// The errors of [`Self::new`].
@@ -51,7 +51,7 @@ impl Profile {
     /// The profile with knots at these times (seconds) and values.
     ///
     /// # Errors
-    /// Every reason at once.
+    /// All faults of the knots.
     pub fn new(knots: Vec<(f64, f64)>) -> Result<Self, Vec<ProfileFault>> {
         let mut faults = vec![];
         if knots.is_empty() {
@@ -101,7 +101,7 @@ impl Profile {
         }
     }
 
-    /// The first knot inside an open interval of time.
+    /// Time of the first knot inside an open interval of time.
     pub(super) fn knot_within(&self, start: f64, end: f64) -> Option<f64> {
         let mut times = self.knots.iter().map(|(time, _)| *time);
         times.find(|time| *time > start).filter(|time| *time < end)

@@ -28,26 +28,27 @@ pub struct Reading {
 /// Readings of a body. Torques and powers of the satellites are totals over all satellites.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyReading {
-    /// Angle in the ground's frame.
+    /// Angle relative to the ground.
     pub angle: Angle,
     /// Speed, rad/s.
     pub speed: f64,
     /// Acceleration, rad/s².
     pub acceleration: f64,
-    /// Torque of the drive on the body, N·m; None for a body without its own drive: a tied body or the satellites.
+    /// Torque of the drive on the body, N·m. None for the satellites and for a shaft that follows another shaft.
     pub drive_torque: Option<f64>,
     /// Torque of the load on the body, N·m.
     pub load_torque: f64,
 }
 
-/// Readings of a mesh, for all satellites together. Senses are positive as for the central wheel, the sun or the ring.
+/// Readings of a mesh, for all satellites together. The wheel is the central wheel of the mesh, the sun or the ring.
+/// Values are positive in the positive sense of the wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshReading {
-    /// Δ: angle of the wheel ahead of its unloaded position, within half a period, radians.
+    /// Load angle Δ: angle of the wheel ahead of its nearest unloaded position, at most half a period, radians.
     pub load_angle: f64,
-    /// The load angle relative to a period of the field: pΔ, from −π to π.
+    /// Phase pΔ: the load angle as a phase of the field, from −π to π.
     pub phase: f64,
-    /// Torque of the field on the wheel, N·m: −T sin(pΔ) of each satellite.
+    /// Torque of the field on the wheel, N·m: −T sin(pΔ) from each satellite.
     pub torque: f64,
     /// Slip speed of the wheel, rad/s, including oscillations.
     pub slip_speed: f64,
@@ -55,13 +56,14 @@ pub struct MeshReading {
     pub slip_acceleration: f64,
     /// Net number of periods of the field by which the wheel has slipped forward.
     pub slipped: i64,
-    /// Angle of the wheel ahead, including slipped periods, radians.
+    /// Load angle plus the angle of the slipped periods, radians.
     pub advance: f64,
-    /// True if the mesh has not slipped for three of its natural periods. For display only.
+    /// True if the mesh has not slipped for three of its natural periods. Used only for display.
     pub synchronous: bool,
 }
 
-/// Energies and works, J. Works are counted from the opening of the balance, at the start or at a change.
+/// Energies and works, J. Works are counted from the opening of the energy balance: at the start of the run or at a
+/// change of its differential.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy {
     /// Kinetic energy.
@@ -72,9 +74,9 @@ pub struct Energy {
     pub driven: f64,
     /// Losses in bearings and by eddy currents.
     pub dissipated: f64,
-    /// Work taken by loads: working members, and torques given over time.
+    /// Work taken by loads, including torques given over time.
     pub delivered: f64,
-    /// Kinetic and potential energy when the balance was opened.
+    /// Sum of kinetic and potential energy when the balance was opened.
     pub opening: f64,
 }
 
@@ -85,9 +87,9 @@ impl Energy {
         stored + self.dissipated + self.delivered - self.driven
     }
 
-    /// The paper's energy relations in numbers, J: work A_d of the drives, A_u taken by loads, A_h dissipated, A_f
-    /// released by the fields since they were unloaded, and the increase ΔE of the kinetic energy; efficiency
-    /// η = A_u/A_d, if drives have done work.
+    /// The paper's energy relations, J. A_d is the work of the drives, A_u the work taken by loads, A_h the losses, A_f
+    /// the energy released by the fields since they were unloaded. ΔE is the kinetic energy less the total energy when
+    /// the balance was opened. The efficiency is η = A_u/A_d, if drives have done work.
     pub fn relations(&self) -> Vec<Relation> {
         let given = -self.potential;
         let gained = self.kinetic - self.opening;
@@ -118,12 +120,12 @@ impl Reading {
         }
     }
 
-    /// A body.
+    /// Readings of a body.
     pub fn body(&self, body: Body) -> &BodyReading {
         &self.bodies[body.index()]
     }
 
-    /// A mesh.
+    /// Readings of a mesh.
     pub fn mesh(&self, mesh: Mesh) -> &MeshReading {
         &self.meshes[mesh as usize]
     }
@@ -165,7 +167,7 @@ impl Run {
         let (state, equations) = (&self.state, &self.differential().equations);
         let field = equations.mesh(mesh);
         let periods = field.factors[mesh.wheel().index()];
-        // The equations count phases in their own sense; readings count them in the sense of the wheel.
+        // The phase in the equations has a sense of its own; readings give it in the sense of the wheel.
         let sense = periods.signum();
         let (_, phase) = field.folded(&state.angles);
         let rate = field.phase(&state.speeds);

@@ -1,4 +1,4 @@
-//! Recorded run that can be read again at any time.
+//! A recorded run that can be read again at any time.
 
 use super::run::{Run, State, TICKS_PER_SECOND};
 use super::{Halt, Reading};
@@ -19,7 +19,7 @@ impl Recording {
     /// Maximum duration, seconds.
     pub const LONGEST: f64 = 3600.0;
 
-    /// Records a run from its current state for this time, at most [`Self::LONGEST`] seconds, or until it halts.
+    /// Records a run from its current state for this time, at most [`Self::LONGEST`] seconds, or until the run halts.
     pub fn new(start: Run, seconds: f64) -> Self {
         let mut run = start.clone();
         // NaN becomes 0.
@@ -42,7 +42,7 @@ impl Recording {
         }
     }
 
-    /// The reason of an early end, if any.
+    /// Reason why the recording ended early, if it did.
     pub fn halt(&self) -> Option<Halt> {
         self.halt
     }
@@ -52,7 +52,7 @@ impl Recording {
         self.states.last().map_or(0.0, State::time)
     }
 
-    /// The run at the last recorded tick not after a time.
+    /// The run at the last tick of the recording that is not later than the given time.
     pub fn at(&self, time: f64) -> Run {
         let time = time.min(self.end());
         let from = self.states.partition_point(|state| state.time() <= time);

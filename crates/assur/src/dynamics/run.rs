@@ -12,7 +12,7 @@ pub const TICKS_PER_SECOND: u32 = 1024;
 /// Duration of a tick, seconds.
 pub(super) const TICK: f64 = 1.0 / TICKS_PER_SECOND as f64;
 
-/// Step times the fastest rate, small enough for the order of the method to make errors small.
+/// Maximum product of a step and the fastest rate, small enough for the method to reach its order of accuracy.
 const STEP: f64 = 0.25;
 
 /// Maximum number of halvings of a tick.
@@ -26,14 +26,14 @@ pub(super) const QUICKEST: f64 = STEP * (1 << MAX_HALVINGS) as f64;
 pub struct Run {
     differential: Differential,
     pub(super) state: State,
-    /// Reference of the count of periods of the meshes.
+    /// Whole periods of each mesh from which its slipped periods are counted.
     origin: [i64; 2],
-    /// Energy when the balance was opened.
+    /// Kinetic and potential energy when the energy balance was opened, J.
     pub(super) opening: f64,
 }
 
-/// Angles and speeds of the bodies at the start, in the order of [`Body::ALL`]. Speeds of bodies with a given speed or
-/// a tie are ignored.
+/// Angles and speeds of the bodies at the start, in the order of [`Body::ALL`]. The speed of a body that has a given
+/// speed, or follows another body, is ignored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// Angles, radians.
@@ -42,10 +42,10 @@ pub struct Start {
     pub speeds: [f64; N],
 }
 
-/// Reasons why a run halts; it stays in its last state.
+/// Reasons why a run halts. The run stays in its last state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Halt {
-    /// The bodies turn too fast for integration; the given body is the fastest.
+    /// The bodies turn too fast for the integration; `body` is the fastest.
     TooFast {
         /// The body.
         body: Body,
@@ -60,12 +60,12 @@ pub(super) struct State {
     pub(super) ticks: u64,
     pub(super) angles: [Angle; N],
     pub(super) speeds: [f64; N],
-    /// Rounding errors of the speeds.
+    /// Rounding errors of the speeds, to be added in the next step.
     lost: [f64; N],
     past: Past,
     /// Current number of halvings of a tick.
     halvings: u32,
-    /// Works of drives, dampings and loads since the balance was opened, each with its rounding error, J.
+    /// Works of drives, damping and loads since the balance was opened, each with its rounding error, J.
     pub(super) works: [(f64, f64); 3],
     pub(super) slips: [Slip; 2],
 }
@@ -87,7 +87,7 @@ impl Start {
         }
     }
 
-    /// Start with given speeds of sun and ring, rad/s, carrier and satellites synchronous, and no mesh loaded.
+    /// Start at given speeds of sun and ring, rad/s, with synchronous carrier and satellites, and no mesh loaded.
     pub fn synchronous(differential: &Differential, sun: f64, ring: f64) -> Self {
         Self {
             angles: [0.0; N],
@@ -97,7 +97,7 @@ impl Start {
 }
 
 impl Run {
-    /// A run from its start, at time zero.
+    /// Makes a run from its start, at time zero.
     ///
     /// # Errors
     /// Every invalid number of the start.
@@ -210,7 +210,7 @@ impl State {
         }
     }
 
-    /// Advances by one tick, divided at knots of the drives.
+    /// Advances by one tick, divided into parts at the knots of the drives.
     fn tick(&mut self, equations: &Equations) -> Option<()> {
         let mut from = self.time();
         let end = (self.ticks + 1) as f64 * TICK;
@@ -223,14 +223,15 @@ impl State {
         Some(())
     }
 
-    /// Advances over an interval of time in equal steps, whose number depends on the state at its start.
+    /// Advances over an interval of time in equal steps. Their number depends on the state at the start of the
+    /// interval.
     fn span(&mut self, equations: &Equations, from: f64, to: f64) -> Option<()> {
         let tick = TICK * equations.rate(&self.angles, &self.speeds);
         if tick.is_nan() || tick > QUICKEST {
             return None;
         }
         let needed = (tick / STEP).max(1.0).log2().ceil() as u32;
-        // Steps are made longer with hysteresis: alternating step lengths would not conserve the energy.
+        // Steps are made longer with hysteresis: if step lengths alternated, the energy would not be conserved.
         if needed > self.halvings {
             self.halvings = needed;
         } else if needed + 1 < self.halvings {
@@ -275,7 +276,7 @@ impl State {
         let mut moved = step.moved;
         for (body, follows) in equations.following.iter().enumerate() {
             if let Following::Speed(profile) = follows {
-                // Exact, because the speed is linear in time.
+                // The trapezoidal rule is exact, because the speed is linear in time.
                 let speeds = profile.value(start) + profile.value(start + length);
                 moved[body] = 0.5 * length * speeds;
             }
@@ -290,7 +291,7 @@ impl State {
         Some(())
     }
 
-    /// Sets the speeds of tied bodies and of bodies with given speeds at a time.
+    /// Sets the speeds at a time of bodies with given speeds and of bodies that follow other bodies.
     fn follow(&mut self, equations: &Equations, time: f64) {
         for (body, follows) in equations.following.iter().enumerate() {
             if let Following::Speed(profile) = follows {

@@ -29,7 +29,8 @@ impl Stiffness {
 }
 
 impl Equations {
-    /// Compliance to a torque of this form: (Σ nᵢ)²/J of each body that follows torques, including bodies tied to it.
+    /// Response of each body to a generalized torque with the coefficients n: n²/J if the body moves under torques,
+    /// otherwise 0. Its n and J include the bodies that follow it.
     fn yielding(&self, factors: &[f64; N]) -> [f64; N] {
         let mut sums = *factors;
         for (body, follows) in self.following.iter().enumerate() {
@@ -43,14 +44,14 @@ impl Equations {
         })
     }
 
-    /// E Σ nᵢ²/Jᵢ, (rad/s)².
+    /// Square of the natural frequency of the phase of a mesh, E Σ nᵢ²/Jᵢ, (rad/s)².
     pub(super) fn stiffness(&self, mesh: Mesh) -> f64 {
         let field = self.mesh(mesh);
         field.energy * self.yielding(&field.factors).iter().sum::<f64>()
     }
 
-    /// Rates of each body at these speeds. They are the traces of the sums of all stiffnesses and dampings, which bound
-    /// the combined rates.
+    /// Rates of each body at these speeds. Their sums over the bodies are the traces of the matrices of stiffness and
+    /// of damping, which bound the combined rates.
     fn stiffness_terms(&self, speeds: &[f64; N]) -> [Stiffness; N] {
         let mut squares = [0.0; N];
         let mut rates = [0.0; N];
@@ -80,20 +81,20 @@ impl Equations {
         })
     }
 
-    /// The fastest rate in a state, rad/s: of oscillations, of damping, of the phases while slipping.
+    /// The fastest rate in a state, rad/s: of oscillation, of damping, or of a phase that slips.
     pub(super) fn rate(&self, angles: &[Angle; N], speeds: &[f64; N]) -> f64 {
         let own = Stiffness::sum(&self.stiffness_terms(speeds)).rate();
         let passing = Mesh::ALL.map(|mesh| {
             let field = self.mesh(mesh);
             let rate = field.phase(speeds);
-            // Rate at the lowest potential of the field, which is constant during slip.
+            // Rate of the phase at the lowest potential of the field. During slip it is the same in every period.
             let height = field.potential(field.folded(angles).1) / field.energy;
             (rate * rate + 2.0 * self.stiffness(mesh) * height).sqrt()
         });
         passing.into_iter().fold(own, f64::max)
     }
 
-    /// The body that is too stiff to be integrated, if any.
+    /// The body with the fastest rate, if the equations are too stiff to be integrated.
     pub(super) fn too_stiff(&self) -> Option<Body> {
         let each = self.stiffness_terms(&[0.0; N]);
         let bodies = Body::ALL.into_iter().zip(&each);

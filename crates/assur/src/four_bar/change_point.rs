@@ -1,22 +1,22 @@
-//! Change points: crossings of the two motions.
+//! Change points: poses in which the two motions of a four-bar cross.
 
 use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};
 
 use super::{Assembly, FourBar, Pose};
 
-/// A crank angle at which all links are in line and two smooth motions cross: they have a common pose with different
+/// A crank angle at which all links are in line and two smooth motions cross: they share a pose there, with different
 /// derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChangePoint {
-    /// φ₁.
+    /// Crank angle φ₁.
     pub crank: f64,
-    /// The pose of each branch, in the order of [`Assembly::ALL`].
+    /// The pose on each of the two motions, in the order of [`Assembly::ALL`].
     pub continuations: [Pose<3>; 2],
 }
 
 impl FourBar {
-    /// The change points within the [cycle](FourBar::cycle)'s axis, without a deltoid's φ₁ = 0, where the pose is
+    /// The change points within the axis of the [cycle](FourBar::cycle), except φ₁ = 0 for a deltoid, where the pose is
     /// undetermined.
     pub fn change_points(&self) -> Vec<ChangePoint> {
         let cycle = self.cycle();
@@ -43,7 +43,8 @@ impl FourBar {
 mod tests {
     use super::*;
 
-    /// A parallelogram is in line at 0 and at π. With links 1, 2, 3, 2 it is at 0 alone, but its motion takes two turns.
+    /// The links of a parallelogram are in line at 0 and at π. Links 1, 2, 3, 2 are in line only at 0, but the motion
+    /// takes two turns.
     #[test]
     fn in_line() {
         for (lengths, expected) in [

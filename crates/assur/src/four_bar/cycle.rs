@@ -1,11 +1,11 @@
-//! Range of crank angles of a four-bar.
+//! The range of the crank angle of a four-bar, and of the input of any linkage.
 
 use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};
 
 use super::FourBar;
 
-/// The crank angles of a motion: one period if the crank turns fully, otherwise the arcs on which the loop closes.
+/// The inputs of a motion: one period if the crank turns fully, otherwise the arcs on which the loop closes.
 ///
 /// ```
 /// use assur::FourBar;
@@ -15,8 +15,8 @@ use super::FourBar;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
-    /// Period of the input after which the motion repeats: turns of a crank (two, for example, at a change point that
-    /// connects both assemblies); none for a driven slide.
+    /// Period of the input after which the motion repeats, in whole turns of a crank: two, for example, if a change
+    /// point connects both assemblies. None for a driven slide, and if inputs a turn apart give different poses.
     period: Option<f64>,
     /// True if the input is the angle of a crank.
     turns: bool,
@@ -36,7 +36,7 @@ impl Cycle {
         }
     }
 
-    /// The cycle of a driver that oscillates between two inputs; `period` is a turn for a crank.
+    /// The cycle of a driver that oscillates between two inputs; `period` is one turn for a crank, none for a slide.
     pub(crate) fn swinging(arc: [f64; 2], period: Option<f64>) -> Self {
         Self {
             period,
@@ -46,7 +46,7 @@ impl Cycle {
         }
     }
 
-    /// The cycle of a crank that oscillates between two inputs and whose whole turns are significant.
+    /// The cycle of a crank that oscillates between two inputs, if inputs a turn apart give different poses.
     pub(crate) fn swinging_by_turns(arc: [f64; 2]) -> Self {
         Self {
             turns: true,
@@ -54,8 +54,8 @@ impl Cycle {
         }
     }
 
-    /// The union of both cycles, with the arcs of the other shifted by whole turns so that they come after these, and
-    /// that shift; none if a driver turns fully or arcs overlap.
+    /// The union of both cycles, and the shift of the other cycle's arcs: the whole turns that bring them after the
+    /// arcs of this cycle. None if a driver turns fully or arcs overlap.
     pub(crate) fn joined(&self, other: &Self) -> Option<(Self, f64)> {
         let ends = |cycle: &Self| Some([cycle.arcs.first()?[0], cycle.arcs.last()?[1]]);
         let ([from, to], [first, last]) = (ends(self)?, ends(other)?);
@@ -93,19 +93,20 @@ impl Cycle {
         self.turns
     }
 
-    /// Period after which the motion repeats, and by which an input outside the arcs is shifted into them: whole turns
-    /// of a crank. None for a driven slide, and for a crank whose whole turns are significant.
+    /// Period after which the motion repeats, in whole turns of a crank. An input outside the arcs is shifted into them
+    /// by whole periods. None for a driven slide, and for a crank if inputs a turn apart give different poses.
     pub fn period(&self) -> Option<f64> {
         self.period
     }
 
-    /// The arcs of crank angle, ascending, including their ends.
+    /// The arcs on which the loop closes: first and last input of each, in ascending order. The ends belong to the
+    /// arcs.
     pub fn arcs(&self) -> &[[f64; 2]] {
         &self.arcs
     }
 
-    /// The interval of the input to show: the period, or the turn that contains every arc in one piece, if possible
-    /// from 0 or from −π; a slide's range.
+    /// The interval of the input to show. For a full cycle it is the period. For an oscillating crank it is one turn
+    /// that contains all arcs, from 0 or from −π if possible. For a slide it is the range.
     pub fn axis(&self) -> [f64; 2] {
         let [from, to] = [self.arcs[0][0], self.arcs[self.arcs.len() - 1][1]];
         match self.period {
@@ -120,12 +121,12 @@ impl Cycle {
         }
     }
 
-    /// The middle of the first arc, far from its ends.
+    /// The input at which the linkage is drawn: the middle of the first arc, far from its ends.
     pub fn drawn_input(&self) -> f64 {
         0.5 * (self.arcs[0][0] + self.arcs[0][1])
     }
 
-    /// `crank` shifted by whole periods into the axis, or into its first period if the axis is longer.
+    /// Shifts `crank` by whole periods into the axis, or into the first period of an axis longer than that.
     pub fn wrap(&self, crank: f64) -> f64 {
         let [start, end] = self.axis();
         match self.period {
@@ -136,7 +137,7 @@ impl Cycle {
         }
     }
 
-    /// True if the loop closes at `crank` (wrapped).
+    /// True if the loop closes at `crank`, shifted by [`Self::wrap`].
     pub fn contains(&self, crank: f64) -> bool {
         let crank = self.wrap(crank);
         self.arcs
@@ -144,10 +145,10 @@ impl Cycle {
             .any(|[from, to]| (*from..=*to).contains(&crank))
     }
 
-    /// The crank moved by `step`: past the end of a full cycle to its start; at the end of an arc it turns back.
-    /// Returns the angle, and −1 after an odd number of reversals, otherwise 1.
+    /// Moves the crank by `step`. At the end of a full cycle it continues from the start; at the end of an arc it turns
+    /// back. Returns the new angle, and −1 after an odd number of reversals, otherwise 1.
     ///
-    /// From an angle outside all arcs it starts at the nearest end of one.
+    /// A crank outside all arcs is first moved to the nearest end of an arc.
     pub fn advance(&self, crank: f64, step: f64) -> (f64, f64) {
         if !(crank + step).is_finite() {
             return (self.arcs[0][0], 1.0);
@@ -158,7 +159,7 @@ impl Cycle {
         let crank = self.wrap(crank);
         let [from, to] = self.nearest_arc(crank);
         let width = to - from;
-        // Oscillation unfolded into a line of period 2 width: there in its first half, back in its second.
+        // The oscillation has the period 2·width: forward in its first half, backward in its second.
         let travelled = (crank.max(from).min(to) - from + step).rem_euclid(2.0 * width);
         if travelled <= width {
             ((from + travelled).min(to), 1.0)
@@ -186,11 +187,11 @@ impl Cycle {
 impl FourBar {
     /// The crank angles of the motion.
     ///
-    /// The loop closes if P ≥ 0 and Q ≥ 0, that is, if cos²(φ₁/2) and sin²(φ₁/2) each exceed a bound; the ends are dead
-    /// points.
+    /// The loop closes if P ≥ 0 and Q ≥ 0, the two factors of the area (see the module): if cos²(φ₁/2) and sin²(φ₁/2)
+    /// each reach a lower bound. The ends of the arcs are dead points.
     pub fn cycle(&self) -> Cycle {
-        // At the ends of an arc tan²(φ₁/2) is minus the ratio of a factor's values at 0 and π: no acos, which loses
-        // digits near 0 and π.
+        // At the end of an arc P or Q is zero, and tan²(φ₁/2) is minus the ratio of this factor's values at φ₁ = 0 and
+        // π. An acos would lose digits near 0 and π.
         let ([p_pi, p_zero], [q_zero, q_pi]) = (self.p_ends(), self.q_ends());
         let high = 2.0 * p_zero.sqrt().atan2((-p_pi).max(0.0).sqrt());
         let low = 2.0 * (-q_zero).max(0.0).sqrt().atan2(q_pi.sqrt());
@@ -211,7 +212,7 @@ impl FourBar {
     }
 
     /// The dead points: crank angles at the ends of the arcs, where coupler and rocker are in line and the crank must
-    /// turn back. Empty if it turns fully.
+    /// turn back. Empty if the crank turns fully.
     pub fn dead_points(&self) -> Vec<f64> {
         let cycle = self.cycle();
         if cycle.is_full() {
@@ -228,7 +229,7 @@ mod tests {
 
     use super::Cycle;
 
-    /// A crank may oscillate over more than a turn; angles are still shifted by whole turns.
+    /// A crank may oscillate over more than one turn. Angles outside its arc are still shifted by whole turns.
     #[test]
     fn an_arc_longer_than_a_turn() {
         let cycle = Cycle::swinging([2.7, 10.2], Some(TAU));

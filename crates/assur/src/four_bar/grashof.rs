@@ -3,20 +3,20 @@
 use super::{FourBar, tolerance};
 use crate::sorting::sort_by;
 
-/// Grashof type of a four-bar: which links turn fully (s shortest, l longest, p and q the others).
+/// Grashof type of a four-bar: which links turn fully. s is the shortest length, l the longest, p and q are the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grashof {
-    /// s + l < p + q, the crank is shortest: it turns, the rocker oscillates.
+    /// s + l < p + q and the crank is shortest: the crank turns, the rocker oscillates.
     CrankRocker,
-    /// s + l < p + q, the rocker is shortest: the input oscillates, the output can turn.
+    /// s + l < p + q and the rocker is shortest: the input oscillates, the output can turn.
     RockerCrank,
-    /// s + l < p + q, the frame is shortest: crank and rocker turn (drag link).
+    /// s + l < p + q and the frame is shortest: crank and rocker turn (drag link).
     DoubleCrank,
-    /// s + l < p + q, the coupler is shortest: it turns, crank and rocker oscillate.
+    /// s + l < p + q and the coupler is shortest: the coupler turns, crank and rocker oscillate.
     DoubleRocker,
     /// s + l > p + q: no link turns fully.
     TripleRocker,
-    /// s + l = p + q: all links can lie in one line, where motions cross.
+    /// s + l = p + q: all links can lie in one line, and there the two motions cross.
     ChangePoint,
 }
 
@@ -35,7 +35,7 @@ impl Grashof {
 }
 
 impl FourBar {
-    /// The Grashof type; tolerance of a change point: |s + l − p − q| ≤ 8 ε (s + l).
+    /// The Grashof type. It is a change point if |s + l − p − q| ≤ 8 ε (s + l), with the machine epsilon ε.
     pub fn grashof(&self) -> Grashof {
         let mut sorted = self.lengths;
         sort_by(&mut sorted, f64::total_cmp);
@@ -64,7 +64,7 @@ impl FourBar {
 mod tests {
     use super::*;
 
-    /// Links of 1, 2, 3, 3: s + l = 4 < 5. Links of 2, 2, 3, 4: 6 > 5. Links of 1, 2, 2, 3: 4 = 4.
+    /// Lengths 1, 2, 3, 3: s + l = 4 < 5 = p + q. Lengths 2, 2, 3, 4: 6 > 5. Lengths 1, 2, 2, 3: 4 = 4.
     #[test]
     fn types() {
         for (lengths, expected) in [

@@ -1,4 +1,4 @@
-//! Limit positions of the rocker, its swing and the time ratio.
+//! Limit positions of the rocker, and its swing.
 
 use crate::sorting::sort_by;
 use std::f64::consts::{PI, TAU};
@@ -16,9 +16,9 @@ use super::{Assembly, FourBar};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
-    /// φ₁ within the cycle's axis.
+    /// Crank angle φ₁ within the axis of the cycle.
     pub crank: f64,
-    /// φ₃ there.
+    /// Rocker angle φ₃ at this crank angle.
     pub rocker: f64,
 }
 
@@ -31,9 +31,9 @@ pub struct Limit {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Swing {
-    /// The link turns fully.
+    /// The rocker turns fully.
     Turns,
-    /// The link oscillates between two angles.
+    /// The rocker oscillates between two angles.
     Between {
         /// Minimum of φ₃.
         min: f64,
@@ -53,14 +53,14 @@ impl Swing {
 }
 
 impl FourBar {
-    /// The limit positions of this assembly in order of ascending crank angle, in closed form from the triangles with
-    /// sides l₄, l₃ and l₂ ± l₁.
+    /// The limit positions of this assembly, by ascending crank angle. They follow in closed form from the triangles
+    /// with sides l₄, l₃ and l₂ ± l₁.
     pub fn limits(&self, assembly: Assembly) -> Vec<Limit> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();
         let mut cranks = Vec::new();
         for (crank, side) in self.in_line() {
-            // If a cycle takes two turns the position belongs to one of them.
+            // If the cycle takes two turns, the position belongs to only one of them.
             let mut turned = start + (crank - start).rem_euclid(TAU);
             while turned < end {
                 let here = cycle.contains(turned) && self.side(assembly, turned) == side;
@@ -79,17 +79,17 @@ impl FourBar {
     }
 
     /// Crank angles with crank and coupler in line, each with the side of BD on which C lies. If all four links are in
-    /// line (a change point) the rocker is not at rest, and no limit is listed.
+    /// line (a change point), the rocker is not at rest, and the angle is not listed.
     fn in_line(&self) -> Vec<(f64, f64)> {
         let [l1, l2, l3, l4] = self.lengths;
         let ([k1, k2, k3], [s1, s2, s3, s4]) = (self.k, self.slack);
         let perimeter = self.perimeter();
-        // Triangle A, C, D with sides l₁ ± l₂, l₃ and l₄, extended and folded: squared length of AC, 16 times its
-        // squared area.
+        // 16 times the squared area of triangle ACD, which has the sides l₃, l₄ and AC: l₁ + l₂ outstretched, |l₂ − l₁|
+        // folded.
         let apart = (l4 - l3) * (l4 + l3);
         let outstretched = k2 * perimeter * s3 * s4;
         let folded = k1 * k3 * s1 * s2;
-        // Crank angle from the direction of C, and the side of BD with C above.
+        // Crank angle less the direction of AC if folded, and the side of BD on which C then lies if C is above AD.
         let beyond = if l2 > l1 { (PI, 1.0) } else { (0.0, -1.0) };
         let mut found = Vec::new();
         for (reach, area, (turn, side)) in [
@@ -112,8 +112,8 @@ mod tests {
 
     use super::*;
 
-    /// Crank 1, coupler 4, rocker 3, frame 4. Outstretched, crank and coupler are the hypotenuse 5 over rocker and
-    /// frame; folded, they make a triangle of 3, 3 and 4 with them.
+    /// Crank 1, coupler 4, rocker 3, frame 4. Outstretched, crank and coupler are the hypotenuse 5 of a right triangle
+    /// with rocker and frame. Folded, they are the side 3 of a triangle with sides 3, 3 and 4.
     #[test]
     fn right_triangle() {
         let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();

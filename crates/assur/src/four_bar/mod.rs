@@ -1,23 +1,24 @@
-//! The loop closure of the four-bar (in analysis, Freudenstein's equation) in closed form; [`FourBar::pose`] solves it.
+//! The four-bar: its loop closure (for analysis, Freudenstein's equation), which [`FourBar::pose`] solves in closed
+//! form.
 //!
-//! A = (0, 0) and D = (l₄, 0) on the frame; crank AB at φ₁, coupler BC at φ₂,
-//! rocker DC at φ₃, all from +x. The diagonal BD = l₅ cuts the loop into two
-//! triangles, and everything depends on two factors of the area of BCD:
+//! The joints A = (0, 0) and D = (l₄, 0) are on the frame. The crank AB, of length l₁, is at the angle φ₁ from +x, the
+//! coupler BC (l₂) at φ₂, the rocker DC (l₃) at φ₃. The diagonal BD = l₅ divides the loop into two triangles.
+//! Everything depends on two factors, P and Q, of the squared area S² of BCD:
 //!
 //! 16 S² = P Q,  P = (l₂ + l₃)² − l₅²,  Q = l₅² − (l₂ − l₃)²,
 //!
-//! which with half the crank angle need no subtraction of nearly equal squares:
+//! In terms of half the crank angle the factors need no subtraction of nearly equal squares:
 //!
 //! P = k₁ Σ + 4 l₁ l₄ cos²(φ₁/2),  Q = k₂ k₃ + 4 l₁ l₄ sin²(φ₁/2),
 //!
-//! k₁ = l₂ + l₃ − l₁ − l₄, k₂ = l₃ + l₄ − l₁ − l₂, k₃ = l₂ + l₄ − l₁ − l₃, Σ the
-//! sum of all lengths. With sᵢ = Σ − 2 lᵢ the same factors are
+//! with k₁ = l₂ + l₃ − l₁ − l₄, k₂ = l₃ + l₄ − l₁ − l₂, k₃ = l₂ + l₄ − l₁ − l₃, and Σ the sum of all lengths. With
+//! sᵢ = Σ − 2 lᵢ the same factors are
 //!
 //! P = s₁ s₄ − 4 l₁ l₄ sin²(φ₁/2),  Q = s₂ s₃ − 4 l₁ l₄ cos²(φ₁/2),
 //!
-//! and the one with the smaller of sine and cosine is free of cancellation. If a k vanishes (a change point of
-//! Grashof), √P or √Q is a plain cosine or sine that changes its sign at the change point; taken with that sign it
-//! keeps a motion on its smooth branch.
+//! Of the two forms of a factor, the one with the smaller of |sin| and |cos| is free of cancellation. If a k is zero,
+//! the linkage has a change point: √P or √Q is a multiple of cos(φ₁/2) or sin(φ₁/2), which changes sign there. With
+//! that sign the pose follows the smooth branch of the motion.
 
 mod change_point;
 mod cycle;
@@ -49,8 +50,8 @@ pub enum Link {
     Frame,
 }
 
-/// The two ways of closing the loop: σ = +1 or −1, C to the left or to the right of the diagonal from B to D. (In a
-/// change point linkage it is the side just after φ₁ = 0.)
+/// The two ways of closing the loop: σ = +1 with C to the left of the diagonal from B to D, σ = −1 with C to the right.
+/// In a linkage with a change point, σ is the side of C just after φ₁ = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Assembly {
     /// The paper's assembly 1, σ = +1.
@@ -60,10 +61,10 @@ pub enum Assembly {
 }
 
 impl Assembly {
-    /// Both, in order.
+    /// Both assemblies, in order.
     pub const ALL: [Self; 2] = [Self::First, Self::Second];
 
-    /// σ.
+    /// Sign σ of the assembly.
     pub fn sign(self) -> f64 {
         match self {
             Self::First => 1.0,
@@ -72,7 +73,7 @@ impl Assembly {
     }
 }
 
-/// A four-bar linkage that can move; its lengths are always valid, as made by [`FourBar::new`].
+/// A four-bar linkage that can move. Its lengths are always valid, because [`FourBar::new`] checks them.
 ///
 /// ```
 /// use assur::{Assembly, FourBar, Grashof};
@@ -86,18 +87,17 @@ impl Assembly {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FourBar {
     lengths: [f64; 4],
-    /// k₁, k₂, k₃, each exactly zero at a change point.
+    /// k₁, k₂, k₃ of the module's formulas. At least one is exactly zero if the linkage has a change point.
     k: [f64; 3],
-    /// s₁ … s₄: the sum of the other links minus each link.
+    /// s₁ … s₄: for each link, the sum of the other three lengths less its own.
     slack: [f64; 4],
-    /// l₄ − l₁ and l₂ − l₃, both zero if the diagonal can vanish (deltoid).
+    /// l₄ − l₁. Exactly zero together with the next field, l₂ − l₃, if the diagonal can vanish (deltoid).
     frame_less_crank: f64,
     coupler_less_rocker: f64,
 }
 
 impl FourBar {
-    /// The linkage with lengths l₁ … l₄ (crank, coupler, rocker, frame), all in
-    /// the same unit.
+    /// Makes the linkage with lengths l₁ … l₄ (crank, coupler, rocker, frame), all in the same unit.
     ///
     /// # Errors
     /// Every reason at once: a length that is not finite, not positive, out of
@@ -149,7 +149,7 @@ impl FourBar {
         }
     }
 
-    /// l₁ … l₄.
+    /// Lengths l₁ … l₄ of crank, coupler, rocker and frame.
     pub fn lengths(&self) -> [f64; 4] {
         self.lengths
     }
@@ -159,17 +159,17 @@ impl FourBar {
         self.lengths[link as usize]
     }
 
-    /// Σ.
+    /// Σ, the sum of all lengths.
     fn perimeter(&self) -> f64 {
         self.lengths.into_iter().sum()
     }
 
-    /// P without its cosine, and P at φ₁ = 0.
+    /// P at φ₁ = π and at φ₁ = 0.
     fn p_ends(&self) -> [f64; 2] {
         [self.k[0] * self.perimeter(), self.slack[0] * self.slack[3]]
     }
 
-    /// Q without its sine, and Q at φ₁ = π.
+    /// Q at φ₁ = 0 and at φ₁ = π.
     fn q_ends(&self) -> [f64; 2] {
         [self.k[1] * self.k[2], self.slack[1] * self.slack[2]]
     }
@@ -179,39 +179,39 @@ impl FourBar {
         4.0 * self.lengths[0] * self.lengths[3]
     }
 
-    /// True if coupler and rocker fold over the frame at φ₁ = π: a change point there, P = 0.
+    /// True if all links are in line at φ₁ = π: a change point, with P = 0.
     fn changes_at_pi(&self) -> bool {
         self.k[0] == 0.0
     }
 
-    /// True if they stretch or fold along the frame at φ₁ = 0: a change point there, Q = 0.
+    /// True if all links are in line at φ₁ = 0: a change point, with Q = 0.
     fn changes_at_zero(&self) -> bool {
         self.k[1] == 0.0 || self.k[2] == 0.0
     }
 
-    /// True if it has a change point.
+    /// True if the linkage has a change point.
     pub(crate) fn changes(&self) -> bool {
         self.changes_at_pi() || self.changes_at_zero()
     }
 
-    /// True for a deltoid or rhombus on the frame, l₁ = l₄ and l₂ = l₃: B coincides with D at φ₁ = 0.
+    /// True for a deltoid or a rhombus with l₁ = l₄ and l₂ = l₃, in which B coincides with D at φ₁ = 0.
     fn is_deltoid(&self) -> bool {
         self.frame_less_crank == 0.0 && self.coupler_less_rocker == 0.0
     }
 }
 
 impl Dimension {
-    /// The lengths l₁ … l₄.
+    /// The dimensions whose values are the lengths l₁ … l₄.
     const LENGTHS: [Self; 4] = [Self::Crank, Self::Coupler, Self::Rocker, Self::Frame];
 }
 
-/// 8 ε (s + l): sums of lengths closer than this are equal.
+/// Tolerance 8 ε (s + l) of the shortest and longest lengths: sums of lengths that differ by less count as equal.
 fn tolerance(lengths: &[f64; 4]) -> f64 {
     let [shortest, longest] = extremes(lengths.iter().copied());
     8.0 * f64::EPSILON * (shortest + longest)
 }
 
-/// Σ − 2 lᵢ for every length.
+/// Σ − 2 lᵢ for every length lᵢ.
 fn slacks(lengths: [f64; 4]) -> [f64; 4] {
     std::array::from_fn(|link| {
         let mut terms = lengths;
@@ -220,8 +220,8 @@ fn slacks(lengths: [f64; 4]) -> [f64; 4] {
     })
 }
 
-/// A sum with doubled precision (Ogita, Rump and Oishi, *Accurate sum and dot product*, 2005): the motion depends on
-/// small differences of lengths that nearly cancel.
+/// Sum in doubled precision (Ogita, Rump and Oishi, *Accurate sum and dot product*, 2005), because the motion depends
+/// on small differences of lengths that nearly cancel.
 fn sum(terms: [f64; 4]) -> f64 {
     let (mut high, mut low) = (0.0, 0.0);
     for term in terms {

@@ -6,26 +6,26 @@ use std::fmt;
 use super::{Assembly, FourBar, Link, tolerance};
 use crate::{Jet, JetPoint, Point};
 
-/// The angles of all moving links at one crank angle, with `N − 1` derivatives with respect to it; continuous along a
-/// motion. Made by [`FourBar::pose`] only.
+/// The angles of all moving links at one crank angle, with `N − 1` derivatives with respect to the crank angle. They
+/// are continuous along a motion. Made by [`FourBar::pose`] and [`FourBar::pose_along`] only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Pose<const N: usize> {
-    /// φ₁, the input.
+    /// Crank angle φ₁, the input.
     pub crank: Jet<N>,
-    /// φ₂.
+    /// Coupler angle φ₂.
     pub coupler: Jet<N>,
-    /// φ₃.
+    /// Rocker angle φ₃, the output.
     pub rocker: Jet<N>,
 }
 
-/// A point on a link, in lengths of that link: `along` from its first joint (A, B or D) towards its second, `across` to
-/// the left of that direction.
+/// A point on a link, in units of the length of the link: `along` from the link's first joint (A, B or D) towards the
+/// second, `across` to the left of that direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Offset {
     /// 0 at the first joint, 1 at the second.
     pub along: f64,
-    /// 0 on the line of the joints.
+    /// 0 on the line through the joints.
     pub across: f64,
 }
 
@@ -59,13 +59,13 @@ pub enum Unsolved {
         /// Coupler or rocker.
         longer: Link,
     },
-    /// B coincides with D: coupler and rocker may point in any direction, together.
+    /// B coincides with D: coupler and rocker coincide too, and may point in any direction.
     Undetermined {
         /// Crank angle.
         crank: f64,
     },
-    /// Coupler and rocker are in line: the pose exists, its derivatives with respect to the crank angle are unbounded.
-    /// Returned only if derivatives are requested.
+    /// Coupler and rocker are in line: the pose exists, but its derivatives with respect to the crank angle are
+    /// unbounded. Returned only if derivatives are requested.
     DeadPoint {
         /// Crank angle.
         crank: f64,
@@ -73,7 +73,7 @@ pub enum Unsolved {
 }
 
 impl fmt::Display for Unsolved {
-    /// For logs; texts for people are in string tables.
+    /// Writes the variant for logs. Texts for users are in string tables.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self:?}")
     }
@@ -85,8 +85,9 @@ impl FourBar {
     /// The pose at crank angle `crank` (φ₁, radians, any number of turns) with `N − 1` derivatives: `pose::<1>` for
     /// positions, `pose::<3>` for φ′ and φ″.
     ///
-    /// φ = φ₅ + σ atan2(4S, dot product), mixer paper (3)–(7) with the quadrant kept, differentiated directly: unlike
-    /// (10)–(13), which divide by sin(φ₃ − φ₂), that remains exact through a change point.
+    /// Each angle is φ₅ + σ atan2(4S, dot product), with φ₅ the direction of BD: mixer paper (3)–(7), with the quadrant
+    /// kept. This is differentiated directly and stays exact through a change point. The paper's (10)–(13) divide by
+    /// sin(φ₃ − φ₂).
     ///
     /// # Errors
     /// [`Unsolved`] with the angle and the reason.
@@ -106,8 +107,8 @@ impl FourBar {
         self.pose_along(assembly, crank)
     }
 
-    /// The pose along the motion of an assembly: if B coincides with D, its limit, which is the same from both sides as
-    /// the motion is smooth there.
+    /// The pose along the motion of an assembly. If B coincides with D it is the limit of the pose, the same from both
+    /// sides because the motion is smooth there.
     ///
     /// # Errors
     /// [`Unsolved`] with the angle and the reason.
@@ -146,7 +147,7 @@ impl FourBar {
         [a, b, c, d]
     }
 
-    /// A point carried by a link, such as its centre of mass: mixer paper (14)–(25) for any point of the link.
+    /// A point fixed to a link, such as the centre of mass: mixer paper (14)–(25), for any point of the link.
     pub fn carried<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -164,7 +165,7 @@ impl FourBar {
         start.offset(angle, offset.along * length, offset.across * length)
     }
 
-    /// φ₅ and the interior angles of BCD at B and D, with the sign of its area.
+    /// The direction φ₅ of BD, and the angles of triangle BCD at B and D, with the sign of the triangle's area.
     fn triangle_angles<const N: usize>(
         &self,
         assembly: Assembly,
@@ -174,8 +175,8 @@ impl FourBar {
     ) -> [Jet<N>; 3] {
         let [l1, l2, l3, l4] = self.lengths;
         let apart = self.frame_less_crank;
-        // φ₅ without a jump: relative to the frame's direction if the crank is shorter than the frame, otherwise to the
-        // crank's.
+        // φ₅ without a jump: measured from the direction of the frame if the crank is shorter than the frame, otherwise
+        // from the direction of the crank.
         let y = sin * cos * 2.0;
         let diagonal = if apart >= 0.0 {
             (y * -l1).atan2(sin.square() * (2.0 * l1) + apart)
@@ -192,8 +193,8 @@ impl FourBar {
         [diagonal, at_b, at_d]
     }
 
-    /// These angles for a deltoid, where l₅ = √Q cancels: with the sign of the root the motion passes smoothly through
-    /// the crank angle at which B is on D.
+    /// The angles of [`Self::triangle_angles`] for a deltoid, where l₅ = √Q cancels. With the sign of √Q the motion
+    /// passes smoothly through the crank angle at which B coincides with D.
     fn deltoid_angles<const N: usize>(
         &self,
         assembly: Assembly,
@@ -202,7 +203,7 @@ impl FourBar {
     ) -> [Jet<N>; 3] {
         let half = Jet::linear(0.5 * crank, 0.5);
         let interior = if self.changes_at_pi() {
-            // All lengths equal: √P and √Q are cosine and sine of half the crank.
+            // All lengths equal: √P and √Q are in the ratio of the cosine and sine of half the crank angle.
             -half + FRAC_PI_2
         } else {
             root_p.atan2(root_q)
@@ -211,8 +212,8 @@ impl FourBar {
         [half + -FRAC_PI_2, interior, interior]
     }
 
-    /// √P and √Q with the signs that keep a motion smooth; their product is 4S. `sin` and `cos` are those of half the
-    /// crank angle.
+    /// √P and √Q with the signs that keep a motion smooth; their product is 4S. `sin` and `cos` are the sine and cosine
+    /// of half the crank angle.
     pub(super) fn area_roots<const N: usize>(
         &self,
         crank: f64,
@@ -242,9 +243,9 @@ impl FourBar {
         Ok([root_p, root_q])
     }
 
-    /// The smooth square root of P or Q: of `ends[0] + weight half²`, which is `ends[1] − weight other²`. `reach` is
-    /// the sum of the two lengths whose difference is the other part of the factor: a gap in length times `reach` is a
-    /// gap in the factor.
+    /// The smooth square root of P or Q, which is `ends[0] + weight half²` or, equally, `ends[1] − weight other²`. P
+    /// and Q are each a difference of two lengths times their sum. `reach` is that sum, which turns a tolerance of the
+    /// difference into a tolerance of the factor.
     fn root<const N: usize>(
         &self,
         [half, other]: [Jet<N>; 2],
@@ -265,23 +266,23 @@ impl FourBar {
         } else if factor.value() > rounding {
             Ok(factor.sqrt())
         } else if N == 1 {
-            // In line within rounding counts as in line: a root would halve the digits.
+            // In line within rounding counts as in line: the root of a rounding error has only half the digits.
             Ok(Jet::constant(0.0))
         } else {
             Err(Fold::At)
         }
     }
 
-    /// Whole turns missing in the principal values of the interior angles at B and D. Only if the area changes its sign
-    /// at φ₁ = 0 can one of them pass π, that at the end of the shorter of coupler and rocker. The number of passes
-    /// follows from the crank's turns, so no history is needed.
+    /// Whole turns missing in the principal values of the angles of BCD at B and D. Only one of them can pass π, and
+    /// only if the area changes its sign at φ₁ = 0: the angle at B if the coupler is shorter than the rocker, otherwise
+    /// at D. The number of passes follows from the turns of the crank, so no history is needed.
     fn turns(&self, assembly: Assembly, crank: f64) -> [f64; 2] {
         if !self.changes_at_zero() {
             return [0.0; 2];
         }
         let turns = crank / TAU;
         let mut whole = turns.floor();
-        // Near a whole turn, rounding must not separate the count from the sign of the sine.
+        // Near a whole turn, rounding must not make the count contradict the sign of the sine.
         if (whole.rem_euclid(2.0) == 0.0) != ((0.5 * crank).sin() >= 0.0) {
             whole += if turns - whole < 0.5 { -1.0 } else { 1.0 };
         }
@@ -298,8 +299,8 @@ impl FourBar {
         }
     }
 
-    /// Sign of the area of BCD on this branch at this crank angle: +1 with C to the left of BD, −1 to the right, 0 in
-    /// line.
+    /// Sign of the area of BCD for this assembly at this crank angle: +1 with C to the left of BD, −1 to the right, 0
+    /// in line.
     pub(crate) fn side(&self, assembly: Assembly, crank: f64) -> f64 {
         let (sin, cos) = (0.5 * crank).sin_cos();
         let sign = |half: f64, changes: bool| if changes { half.signum() } else { 1.0 };
@@ -328,8 +329,8 @@ enum Fold {
 mod tests {
     use super::*;
 
-    /// Crank 1 at 180°, coupler 4, rocker 3, frame 4: the diagonal is 5, so C is at the right angle of a triangle 3-4-5,
-    /// 2.4 from the diagonal.
+    /// Crank 1 at 180°, coupler 4, rocker 3, frame 4: the diagonal is 5. C is at the right angle of a triangle 3-4-5,
+    /// at a distance of 2.4 from the diagonal.
     #[test]
     fn right_triangle() {
         let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();
@@ -340,7 +341,7 @@ mod tests {
             assert!((b - Point::new(-1.0, 0.0)).norm() < 1e-15);
             assert!((c - Point::new(2.2, height)).norm() < 1e-14, "{c}");
             assert_eq!(d, Point::new(4.0, 0.0));
-            // B and C have equal velocities along the coupler, which C's is along: 1 · 3/5 = 3 |φ₃′|.
+            // B and C have the same velocity component along the coupler, and C moves along it: 1 · 3/5 = 3 |φ₃′|.
             let rate = pose.rocker.derivative(1);
             assert!((rate.abs() - 0.2).abs() < 1e-14, "{rate}");
         }
@@ -350,7 +351,7 @@ mod tests {
         );
     }
 
-    /// Crank 4, frame 4, coupler 1, rocker 2: at 180° the joints are 8 apart, 5 more than coupler and rocker reach.
+    /// Crank 4, frame 4, coupler 1, rocker 2: at 180° B and D are 8 apart, 5 more than coupler and rocker reach.
     #[test]
     fn out_of_reach() {
         let linkage = FourBar::new([4.0, 1.0, 2.0, 4.0]).unwrap();

@@ -7,8 +7,8 @@ use super::pose::half_angle;
 use crate::Unsolved;
 
 impl FourBar {
-    /// The transmission angle μ between the lines of coupler and rocker, 0 … π/2 (equal in both assemblies): a measure
-    /// of how well the coupler drives the rocker. Zero at a dead point.
+    /// The transmission angle μ between the lines of coupler and rocker, 0 … π/2: a measure of how well the coupler
+    /// drives the rocker. It is equal in both assemblies, and zero at a dead point.
     ///
     /// # Errors
     /// [`Unsolved`] if the loop cannot be closed.
@@ -22,8 +22,8 @@ impl FourBar {
 
     /// The minimum transmission angle of the motion and its crank angle.
     pub fn worst_transmission(&self) -> (f64, f64) {
-        // μ decreases on either side of 90°, and the diagonal is monotonic from 0 to π: the minimum is at one of these
-        // or at the end of an arc.
+        // The interior angle at C is monotonic between φ₁ = 0 and π, as the diagonal is, and μ decreases on both sides
+        // of 90°. So μ is least at 0, at π or at the end of an arc.
         let cycle = self.cycle();
         let ends = cycle.arcs().iter().flatten().copied();
         ends.chain([0.0, PI])
@@ -40,7 +40,7 @@ impl FourBar {
 mod tests {
     use super::*;
 
-    /// Coupler 4 and rocker 3 over a diagonal of 3, 4 and 5: cos μ = (16 + 9 − d²)/24.
+    /// Coupler 4 and rocker 3 over a diagonal d of 3, 4 or 5: cos μ = (16 + 9 − d²)/24.
     #[test]
     fn law_of_cosines() {
         let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();

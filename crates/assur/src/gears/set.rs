@@ -5,17 +5,17 @@ use std::f64::consts::TAU;
 use super::{ADDENDUM, GearPair, Mesh};
 use crate::{Dimension, Fault, Invalid, Vector};
 
-/// A wheel around the driver, not yet checked.
+/// A driven wheel as entered by a person, not yet checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mate {
     /// Number of teeth.
     pub teeth: f64,
-    /// Direction from the driver's centre to the wheel's, radians.
+    /// Direction from the centre of the driver to the centre of the wheel, radians.
     pub centre_line: f64,
 }
 
-/// Driver and 1 to [`GearSet::MOST`] driven wheels, all of one module and in one kind of mesh: one pair with the common
-/// driver for each driven wheel.
+/// A driver and 1 to [`GearSet::MOST`] driven wheels, all with the same module and the same kind of mesh. Each driven
+/// wheel forms a pair with the driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSet {
     pairs: Vec<GearPair>,
@@ -26,14 +26,14 @@ impl GearSet {
     /// Maximum number of driven wheels.
     pub const MOST: usize = 6;
 
-    /// A set from numbers entered by a person: the driver's teeth (z₄), the wheels around it, their mesh, their module
+    /// Makes a set from numbers entered by a person: teeth of the driver (z₄), driven wheels, kind of mesh, and module
     /// in the unit of the lengths.
     ///
     /// Wheels may overlap: see [`GearSet::overlaps`].
     ///
     /// # Errors
     /// Every reason at once: the reasons of [`GearPair::new`] for each wheel; a number of wheels out of range; internal
-    /// mesh with wheels smaller and larger than the driver.
+    /// mesh with some wheels smaller than the driver and others larger.
     pub fn new(driver: f64, mates: &[Mate], mesh: Mesh, module: f64) -> Result<Self, Vec<Invalid>> {
         let mut reasons = Vec::new();
         if !(1..=Self::MOST).contains(&mates.len()) {
@@ -86,8 +86,8 @@ impl GearSet {
         self.module
     }
 
-    /// Pairs of wheels (counted from 0, the smaller index first) whose tip circles, or the circles of their idlers,
-    /// overlap: in one plane they would collide. Two rings around one driver always do.
+    /// Pairs of driven wheels (counted from 0, the smaller index first) that would collide in one plane: the tip
+    /// circles of the wheels, or of their idlers, overlap. Two rings around one driver always overlap.
     pub fn overlaps(&self) -> Vec<[usize; 2]> {
         let discs: Vec<Vec<Disc>> = self.pairs.iter().map(GearPair::discs).collect();
         let mut found = Vec::new();
@@ -102,11 +102,11 @@ impl GearSet {
         found
     }
 
-    /// Direction of the middle of the widest free angle around the driver, where another wheel has most room. Radians,
-    /// in [−π, π].
+    /// Direction of the middle of the widest free angle around the driver, where another wheel has the most room.
+    /// Radians, in [−π, π].
     pub fn free_direction(&self) -> f64 {
         let taken: Vec<[f64; 2]> = self.pairs.iter().map(GearPair::shadow).collect();
-        // From the end of each shadow to the start of the next.
+        // From the end of the angle that a wheel covers to the start of the next such angle.
         let gap = |(wheel, [from, to]): (usize, &[f64; 2])| {
             let others = taken
                 .iter()
@@ -127,7 +127,7 @@ impl GearSet {
     }
 }
 
-/// Reason of a pair, as a reason of a wheel of the set.
+/// A reason found for a pair, as a reason for a wheel of the set.
 fn of_wheel(reason: Invalid, wheel: usize) -> Invalid {
     let dimension = match reason.dimension {
         Dimension::DrivenTeeth(_) => Dimension::DrivenTeeth(wheel),
@@ -158,7 +158,7 @@ impl GearPair {
         self.driver_wheel().ring
     }
 
-    /// The discs of the pair except the driver's.
+    /// Tip circles of the pair's wheels, without the driver's.
     fn discs(&self) -> Vec<Disc> {
         let mates = self.train().into_iter().skip(1);
         mates
@@ -169,9 +169,9 @@ impl GearPair {
             .collect()
     }
 
-    /// First and last direction from the driver's centre that the discs cover.
+    /// First and last direction from the driver's centre that is covered by the tip circles.
     fn shadow(&self) -> [f64; 2] {
-        // A quarter turn if the disc covers the driver's centre.
+        // Half the angle that a tip circle covers; a quarter turn if it contains the driver's centre.
         let disc = |Disc { centre, radius }: Disc| {
             let tangent = centre.norm_squared() - radius * radius;
             radius.atan2(tangent.max(0.0).sqrt())
@@ -252,8 +252,8 @@ mod tests {
 
     #[test]
     fn overlaps_are_where_tips_pass() {
-        // Six of 36 : 18 are apart: their centres are at 27 modules, so at an angle β they are 54 sin(β/2) apart and
-        // need 20.
+        // Six wheels of 18 teeth around a driver of 36 do not overlap. Their centres are at a radius of 27 modules: two
+        // at an angle β to each other are 54 sin(β/2) modules apart and need 20.
         let even = set(36.0, &[18.0; 6], &SIXTY, Mesh::External);
         assert_eq!(even.overlaps(), [] as [[usize; 2]; 0]);
         let clear = 2.0 * (20.0 / 54.0_f64).asin().to_degrees();
@@ -265,7 +265,7 @@ mod tests {
         assert_eq!(three.overlaps(), [[1, 2]]);
         let rings = set(36.0, &[60.0, 72.0], &[0.0, 180.0], Mesh::Internal);
         assert_eq!(rings.overlaps(), [[0, 1]]);
-        // The driven wheels are apart; idlers of 12 teeth are at 37°, but not at 35°.
+        // The driven wheels do not overlap. Their idlers of 12 teeth overlap at 35°, but not at 37°.
         for (degrees, fouls) in [(37.0, false), (35.0, true)] {
             let idlers = set(34.0, &[3.0; 2], &[0.0, degrees], Mesh::AsPrinted);
             assert_eq!(idlers.overlaps() == [[0, 1]], fouls, "{degrees}");
@@ -280,7 +280,7 @@ mod tests {
         };
         assert!((free(&[18.0], &[-40.0]) - 140.0).abs() < 1e-9);
         assert!((free(&[18.0; 2], &[-40.0, 50.0]) + 175.0).abs() < 1e-9);
-        // A large wheel covers more of the gap: the middle is off the bisector.
+        // A large wheel covers more of the gap, so the middle of the gap is off the bisector.
         let inner = free(&[12.0, 60.0], &[0.0, 180.0]).abs();
         assert!(inner < 80.0 && inner > 40.0, "{inner}");
         let last = free(&[18.0; 5], &SIXTY[..5]);

@@ -1,9 +1,8 @@
 //! Epicyclic trains of two freedoms: sun 1, satellite 2, carrier 3, ring 4.
 //!
-//! One linear equation relates the three coaxial shafts, the [`Differential`]. The [`Train`] is the wheels that realize
 //! One linear equation relates the three coaxial shafts, the [`Differential`]. The [`Train`] is the set of wheels that
-//! realizes it, and the [`Layout`] has their dimensions. Speeds are in radians per any unit of time, positive
-//! counter-clockwise.
+//! realizes this equation, and the [`Layout`] gives their dimensions. Speeds are in radians per any unit of time,
+//! positive counter-clockwise.
 //!
 //! The numbering and the formulas are those of Mukhametzyanov et al., "Differential mechanism with magnetic couplings
 //! of the links"; the equation is Willis's (any textbook of the theory of mechanisms).
@@ -52,9 +51,9 @@ use crate::Fault;
 pub enum Member {
     /// The sun, z₁.
     Sun,
-    /// Wheel of the satellite in mesh with the sun, z₂.
+    /// The wheel of the satellite in mesh with the sun, z₂.
     Satellite,
-    /// Wheel of the satellite in mesh with the ring, z₂′; in a stepped satellite a second wheel.
+    /// The wheel of the satellite in mesh with the ring, z₂′: a second wheel if the satellite is stepped.
     Step,
     /// The ring, z₄.
     Ring,
@@ -63,7 +62,7 @@ pub enum Member {
 /// Defects of the numbers that define a train.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TrainError {
-    /// An invalid number of teeth (poles).
+    /// An invalid number of teeth, or of poles.
     Teeth {
         /// The wheel.
         member: Member,
@@ -72,25 +71,25 @@ pub enum TrainError {
     },
     /// The ring of a planar train is not larger than the sun.
     RingNotLarger {
-        /// z₁.
+        /// Number of teeth of the sun, z₁.
         sun: u32,
-        /// z₄.
+        /// Number of teeth of the ring, z₄.
         ring: u32,
     },
     /// The satellite of a planar train is not smaller than the ring.
     SatelliteNotInside {
-        /// z₂, or z₂′ of a stepped satellite.
+        /// Number of teeth of the satellite, z₂, or z₂′ if it is stepped.
         satellite: u32,
-        /// z₄.
+        /// Number of teeth of the ring, z₄.
         ring: u32,
     },
-    /// Bevel wheels with these numbers have no pitch cones with a common apex: |z₄ − z₁| < 2 z₂ does not hold.
+    /// Bevel wheels with these numbers of teeth have no pitch cones with a common apex: |z₄ − z₁| < 2 z₂ does not hold.
     NoCones {
-        /// z₁.
+        /// Number of teeth of the sun, z₁.
         sun: u32,
-        /// z₂.
+        /// Number of teeth of the satellite, z₂.
         satellite: u32,
-        /// z₄.
+        /// Number of teeth of the ring, z₄.
         ring: u32,
     },
     /// An invalid number of satellites.
@@ -103,7 +102,7 @@ pub enum TrainError {
         /// The fault.
         fault: Fault,
     },
-    /// An invalid distance of the axes.
+    /// An invalid axis distance.
     AxisDistance {
         /// The fault.
         fault: Fault,
@@ -115,13 +114,13 @@ pub enum TrainError {
 pub enum Kind {
     /// Parallel axes, each satellite a single wheel.
     Planar,
-    /// Parallel axes, each satellite two wheels on one shaft: z₂ meets the sun, z₂′ the ring.
+    /// Parallel axes, each satellite two wheels on one shaft: z₂ meshes with the sun, z₂′ with the ring.
     Stepped,
     /// Intersecting axes: the "ring" is the second side wheel, which need not be larger than the sun.
     Bevel,
 }
 
-/// The wheels of an epicyclic train; always valid.
+/// The wheels of an epicyclic train. Their numbers of teeth are always valid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Train {
     kind: Kind,
@@ -132,18 +131,18 @@ pub struct Train {
 }
 
 impl Train {
-    /// A planar train of z₁, z₂, z₄, from numbers entered by a person.
+    /// Makes a planar train with z₁, z₂ and z₄ teeth, from numbers entered by a person.
     ///
     /// The [`Layout`] checks whether the wheels meet, and computes their positions.
     ///
     /// # Errors
-    /// Every reason at once: numbers that are not whole, positive and within [`TEETH`]; a ring not larger than the sun
-    /// or than the satellite.
+    /// Every reason at once: numbers that are not whole, positive and within [`TEETH`]; a ring that is not larger than
+    /// the sun or not larger than the satellite.
     pub fn planar(teeth: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         Self::whole(Kind::Planar, teeth)
     }
 
-    /// A planar train with stepped satellites, of z₁, z₂, z₂′, z₄.
+    /// Makes a planar train with stepped satellites, with z₁, z₂, z₂′ and z₄ teeth.
     ///
     /// # Errors
     /// Those of [`Train::planar`].
@@ -165,15 +164,15 @@ impl Train {
         .checked()
     }
 
-    /// A bevel train of z₁, z₂, z₄; the differential of a car's axle has z₄ = z₁.
+    /// Makes a bevel train with z₁, z₂ and z₄ teeth. In the differential of a car's axle, z₄ = z₁.
     ///
     /// # Errors
-    /// Every reason at once: invalid numbers as in [`Train::planar`]; wheels without common cones.
+    /// Every reason at once: invalid numbers as in [`Train::planar`]; wheels without pitch cones of a common apex.
     pub fn bevel(teeth: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         Self::whole(Kind::Bevel, teeth)
     }
 
-    /// A train of z₁, z₂, z₄ with single-wheel satellites.
+    /// Makes a train with z₁, z₂ and z₄ teeth, in which each satellite is a single wheel.
     fn whole(kind: Kind, [sun, satellite, ring]: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         let members = [
             (Member::Sun, sun),
@@ -191,7 +190,8 @@ impl Train {
         .checked()
     }
 
-    /// The planar train of z₁ and z₄ with gears in contact, z₂ = (z₄ − z₁)/2; none if z₂ is not whole or too small.
+    /// Finds the planar train with gears in contact for z₁ and z₄: z₂ = (z₄ − z₁)/2; none if z₂ is not whole or too
+    /// small.
     ///
     /// # Errors
     /// Those of [`Train::planar`] for the two numbers.
@@ -213,7 +213,7 @@ impl Train {
         self.kind
     }
 
-    /// Number of teeth (poles) of a wheel; z₂′ is z₂ if the satellite is not stepped.
+    /// Number of teeth (or poles) of a wheel; z₂′ is z₂ if the satellite is not stepped.
     pub fn teeth(&self, member: Member) -> u32 {
         match member {
             Member::Sun => self.sun,
@@ -225,7 +225,7 @@ impl Train {
 
     /// The equation of the three shafts.
     pub fn differential(&self) -> Differential {
-        // With a single wheel, z₂ = z₂′, this leaves z₁ and z₄.
+        // If the satellite is a single wheel, z₂ = z₂′, the weights are z₁ and z₄.
         let common = num_integer::gcd(self.satellite, self.step);
         Differential::of(
             self.sun * (self.step / common),
@@ -233,8 +233,9 @@ impl Train {
         )
     }
 
-    /// The angle Σ between the satellite's axis and the main one, radians: 0 in a planar train. In bevel wheels with
-    /// one module cos Σ = (z₄ − z₁)/(2 z₂), as the pitch cones of sun and ring touch the satellite's on opposite sides.
+    /// The angle Σ between the axis of a satellite and the central axis, radians; 0 in a planar train. For bevel wheels
+    /// of one module cos Σ = (z₄ − z₁)/(2 z₂), because the pitch cones of sun and ring touch the satellite's pitch cone
+    /// on opposite sides.
     pub fn inclination(&self) -> f64 {
         match self.kind {
             Kind::Planar | Kind::Stepped => 0.0,
@@ -287,7 +288,7 @@ impl Train {
     }
 }
 
-/// z₁ and z₄ of a planar train.
+/// Validates z₁ and z₄ of a planar train.
 fn planar_shafts([sun, ring]: [f64; 2]) -> Result<[u32; 2], Vec<TrainError>> {
     let [sun, ring] = teeth([(Member::Sun, sun), (Member::Ring, ring)])?;
     if ring <= sun {
@@ -296,7 +297,7 @@ fn planar_shafts([sun, ring]: [f64; 2]) -> Result<[u32; 2], Vec<TrainError>> {
     Ok([sun, ring])
 }
 
-/// Valid numbers of teeth.
+/// Validates numbers of teeth.
 fn teeth<const N: usize>(members: [(Member, f64); N]) -> Result<[u32; N], Vec<TrainError>> {
     let mut reasons = Vec::new();
     let teeth = members.map(|(member, value)| {

@@ -1,4 +1,4 @@
-//! Checks of a specification that need no geometry of the whole: everything named exists, and the numbers are sound.
+//! Checks of a specification without the geometry of the whole linkage: everything named exists, and numbers are valid.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use super::tracer;
 use crate::gears::{Mesh, TEETH};
 use crate::tolerance::{self, FARTHEST};
 
-/// All defects; none if references and numbers are sound.
+/// Finds all defects of names and numbers.
 pub(crate) fn defects(spec: &LinkageSpec) -> Vec<Defect> {
     let mut found = Vec::new();
     names(spec, &mut found);
@@ -121,9 +121,10 @@ fn numbers(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     }
 }
 
-/// Checks the points of a link, or of the frame: none twice, no two at one place.
+/// Checks the points of a link or of the frame: none is listed twice, and the first two points of a link do not
+/// coincide.
 fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<Defect>) {
-    // The points of a link fixed to another are at their places on the other link.
+    // The points of a link fixed to another link have their places in the shape of that other link.
     let own = spec.link(spec.root_of(link));
     let own = own.and_then(|own| Some((own, own.shape.as_ref()?)));
     let in_shape = |name: &String| {
@@ -132,7 +133,7 @@ fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<
         shape.get(index).copied()
     };
     let coincide = |a: &String, b: &String| {
-        // A link may be small in the drawing: its own shape gives its size.
+        // A link may be small in the drawing, so its size is taken from its own shape.
         let (ends, size) = match (in_shape(a), in_shape(b), own) {
             (Some(a), Some(b), Some((_, shape))) => {
                 ((Some(a), Some(b)), extent(shape.iter().map(|at| at.coords)))
@@ -169,7 +170,7 @@ fn shape(link: &crate::mechanism::LinkSpec, found: &mut Vec<Defect>) {
     }
 }
 
-/// Checks links fixed to others, slides, gears and drivers.
+/// Checks slides, gears, drivers, and links that are fixed to other links.
 fn pairs(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     for link in &spec.links {
         if spec.root_of(&link.name).is_empty() {
@@ -249,13 +250,14 @@ fn meshing(spec: &LinkageSpec, gear: &GearSpec, found: &mut Vec<Defect>) {
 }
 
 impl LinkageSpec {
-    /// All defects that can be found without the geometry of the whole; none if everything named exists and the numbers
-    /// are sound.
+    /// All defects that can be found without the geometry of the whole linkage. None if everything named exists and the
+    /// numbers are valid.
     pub fn defects(&self) -> Vec<Defect> {
         defects(self)
     }
 
-    /// The link to which a link is ultimately fixed: itself, another, or the frame; empty if links are fixed in a ring.
+    /// Name of the link to which a link is ultimately fixed: the link itself, another link, or the frame. Empty if
+    /// links are fixed to each other in a ring.
     pub(crate) fn root_of<'a>(&'a self, link: &'a str) -> &'a str {
         let mut root = link;
         for _ in 0..=self.links.len() {
@@ -268,7 +270,7 @@ impl LinkageSpec {
     }
 }
 
-/// True if a link has a point, itself or through links fixed to each other.
+/// True if a point belongs to a link, or to a link with the same root.
 fn has(spec: &LinkageSpec, link: &str, point: &String) -> bool {
     let root = spec.root_of(link);
     let mut links = spec
@@ -278,7 +280,7 @@ fn has(spec: &LinkageSpec, link: &str, point: &String) -> bool {
     root == FRAME && spec.frame.contains(point) || links.any(|other| other.points.contains(point))
 }
 
-/// True if two links share a point.
+/// True if two links share a point, which hinges them to each other.
 fn hinged(spec: &LinkageSpec, links: [&str; 2]) -> bool {
     let shared = |point: &PointSpec| links.iter().all(|link| has(spec, link, &point.name));
     spec.points.iter().any(shared)

@@ -1,4 +1,5 @@
-//! A linkage as given by a person, valid or not. [`crate::mechanism::Mechanism::new`] lists all its defects.
+//! The specification of a linkage as given by a person, valid or not. [`crate::mechanism::Mechanism::new`] lists all
+//! defects.
 
 use super::TracerSpec;
 use crate::gears::Mesh;
@@ -8,7 +9,7 @@ use crate::{Point, Vector};
 /// The name of the frame, a link that every linkage has.
 pub const FRAME: &str = "frame";
 
-/// A linkage, valid or not. Its parts refer to each other by name; lengths are in any one unit.
+/// A linkage, valid or not. Points and links are referred to by name; lengths are in any one unit.
 ///
 /// ```
 /// use assur::linkage::LinkageSpec;
@@ -23,23 +24,23 @@ pub const FRAME: &str = "frame";
 pub struct LinkageSpec {
     /// Every point, with its place in the drawing.
     pub points: Vec<PointSpec>,
-    /// The points of the frame, by name; they stay where they are drawn.
+    /// Names of the points of the frame, which stay where they are drawn.
     pub frame: Vec<String>,
-    /// The moving links. Links that list the same point are hinged there.
+    /// The moving links. Links that list the same point are hinged to each other at this point.
     pub links: Vec<LinkSpec>,
     /// Prismatic pairs.
     pub slides: Vec<SlideSpec>,
     /// Gear couplings.
     pub gears: Vec<GearSpec>,
-    /// Drivers, as many as there are freedoms. The input is the coordinate of the first driver; the coordinate of each
-    /// further driver grows in proportion to it from its drawn value.
+    /// Drivers, one for each degree of freedom. The input is the coordinate of the first driver. The coordinate of each
+    /// further driver changes from its drawn value in proportion to the input.
     pub drivers: Vec<DriverSpec>,
-    /// Points that links carry and that join nothing: tracer points.
+    /// Traced points: points of links that join nothing.
     pub tracers: Vec<TracerSpec>,
 }
 
-/// A point. The drawing shows one pose: it selects the assembly and gives the dimensions of links without a shape of
-/// their own.
+/// A point with its place in the drawing. The drawing shows one pose. This pose selects the assembly, and gives the
+/// dimensions of links without a shape of their own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointSpec {
     /// Unique name of the point.
@@ -53,13 +54,13 @@ pub struct PointSpec {
 pub struct LinkSpec {
     /// Unique name of the link.
     pub name: String,
-    /// Its points, by name: joints with other links that list them too, and
-    /// points of its own (tracer points, centres of mass). The link's angle runs
-    /// from its first to its second point.
+    /// Names of the link's points: joints, which other links list too, and other points, such as a centre of mass. The
+    /// angle of the link is the direction from its first to its second point.
     pub points: Vec<String>,
-    /// The places of the points on the link, in the same order; None if as drawn.
+    /// Coordinates of the points on the link, in the order of `points`; None if the link has the dimensions of the
+    /// drawing.
     pub shape: Option<Vec<Point>>,
-    /// The link to which this one is fixed, as a wheel to its shaft: both turn as one.
+    /// The link to which this link is fixed, as a wheel to its shaft: both turn as one.
     pub fixed_to: Option<String>,
     /// Name of the centre of mass, one of the points of the link.
     pub centre_of_mass: Option<String>,
@@ -80,17 +81,17 @@ pub struct SlideSpec {
     pub line: [String; 2],
 }
 
-/// A gear coupling of two links hinged on the same carrier: relative to it, the second turns with the first in the
-/// ratio of the teeth, `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` (R. Willis, *Principles of Mechanism*, 1841). The drawing
-/// gives the constant; a wheel with nothing but its hinge is mounted so that its angle relative to the carrier is zero
-/// when its mate's is.
+/// A gear coupling of two links hinged to the same carrier. With the angles θ₁ and θ₂ of the links and θ₀ of the
+/// carrier, `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` (R. Willis, *Principles of Mechanism*, 1841). The drawing gives the
+/// constant. A wheel with no point but its hinge is mounted so that the angles of both wheels relative to the carrier
+/// are zero together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSpec {
-    /// The two links.
+    /// The two links in mesh.
     pub links: [String; 2],
-    /// Link on which both links are hinged, or the frame.
+    /// The link, or the frame, to which both links are hinged.
     pub carrier: String,
-    /// Numbers of teeth.
+    /// Numbers of teeth of the two links.
     pub teeth: [f64; 2],
     /// Kind of mesh.
     pub mesh: Mesh,
@@ -99,29 +100,29 @@ pub struct GearSpec {
 /// A driven pair.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DriverSpec {
-    /// A link turned about a point that it shares with `base`; the coordinate is its angle relative to the base.
+    /// A link turned about a point that it shares with `base`; the coordinate is the link's angle relative to the base.
     Crank {
         /// The link that is turned.
         link: String,
-        /// The link, or the frame, relative to which it is turned.
+        /// The link, or the frame, relative to which the driven link turns.
         base: String,
-        /// Rate of its coordinate relative to the first driver's; 1 for the first.
+        /// Rate of this driver's coordinate relative to the first driver's coordinate; 1 for the first driver.
         rate: f64,
     },
-    /// A slide moved along its line; the coordinate is the position of its point along the line, from the first point
-    /// of the line towards the second.
+    /// A slide moved along its line. The coordinate is the position of the slide's point along the line, from the first
+    /// point of the line towards the second.
     Slide {
-        /// Index of the slide.
+        /// Index of the slide in the specification.
         slide: usize,
         /// Minimum and maximum coordinate.
         range: [f64; 2],
-        /// Rate of its coordinate relative to the first driver's; 1 for the first.
+        /// Rate of this driver's coordinate relative to the first driver's coordinate; 1 for the first driver.
         rate: f64,
     },
 }
 
 impl DriverSpec {
-    /// Rate of its coordinate relative to the first driver's.
+    /// Rate of this driver's coordinate relative to the first driver's coordinate.
     pub fn rate(&self) -> f64 {
         match self {
             Self::Crank { rate, .. } | Self::Slide { rate, .. } => *rate,
@@ -135,7 +136,7 @@ impl DriverSpec {
     }
 }
 
-/// A defect of a specification, with the names of the parts at fault.
+/// A defect of a specification, with the names of the points or links at fault.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -147,17 +148,17 @@ impl DriverSpec {
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum Defect {
-    /// Two points, or two links, of one name; or a link named as the frame.
+    /// Two points, or two links, with the same name; or a link with the name of the frame.
     Twice { name: String },
-    /// A point, or a link, that is named somewhere and does not exist.
+    /// The name of a point or of a link that does not exist.
     UnknownName { name: String },
-    /// A coordinate, a mass or a range that is not finite, or out of any range.
+    /// A coordinate, a mass or an end of a range that is not finite, or is outside the allowed values.
     NotFinite { name: String },
-    /// A driven slide with a range given backwards.
+    /// A driven slide whose range has its ends in the wrong order.
     RangeReversed { link: String, from: f64, to: f64 },
-    /// A driven slide whose range begins and ends at one place.
+    /// A driven slide whose range has equal ends.
     RangeEmpty { link: String, at: f64 },
-    /// A driven slide drawn outside its range, so far that the linkage does not close as drawn.
+    /// A driven slide that is drawn so far outside its range that the linkage does not close as drawn.
     DrawnBeyondRange {
         link: String,
         at: f64,
@@ -166,62 +167,63 @@ pub enum Defect {
     },
     /// A link without points.
     Bare { link: String },
-    /// Two points of a link at one place.
+    /// Two points of a link that coincide.
     Coincident { link: String, points: [String; 2] },
     /// A link that lists a point twice.
     Repeated { link: String, point: String },
-    /// A link whose shape does not have one place for each point.
+    /// A link whose shape does not have exactly one place for each point.
     Shape { link: String },
-    /// A point that a link should have and does not.
+    /// A point that should belong to a link, but does not.
     NotOnLink { link: String, point: String },
-    /// A link fixed to, sliding on or geared with itself, or a ring of links
-    /// fixed to each other.
+    /// A link fixed to, sliding on, geared with or driven relative to itself; or a ring of links fixed to each other.
     WithItself { link: String },
-    /// Two links that should be hinged on each other and share no point.
+    /// Two links that should be hinged to each other, but share no point.
     NotHinged { links: [String; 2] },
     /// A number of teeth that is not whole, positive and in range.
     Teeth { link: String, value: f64 },
-    /// Equal wheels in internal mesh: one would lie on the other.
+    /// Wheels with equal numbers of teeth in internal mesh: their centres would coincide.
     Concentric { links: [String; 2] },
     /// No driver, or a driven slide that does not exist.
     NoDriver,
     /// Links that nothing joins to the frame.
     Loose { links: Vec<String> },
-    /// Fewer drivers than freedoms, by the mobility W of the count: these links stay free.
+    /// Fewer drivers than degrees of freedom: these links stay free. `mobility` is W by the count.
     Underdriven { mobility: isize, links: Vec<String> },
-    /// Links locked by too many pairs, or driven twice, with the mobility W by the count.
+    /// Links that are locked by too many pairs, or driven twice. `mobility` is W by the count.
     Locked { mobility: isize, links: Vec<String> },
-    /// Links whose constraints allow a motion by their rank in the drawn pose, but hold in no pose beside it.
+    /// Links that can move only for an instant: the rank of their constraints allows a motion in the drawn pose, but
+    /// the constraints hold in no pose near it.
     Instant { links: Vec<String> },
-    /// A driver whose rate is not finite, or for the first not 1; or with which the motion would not repeat within 24
-    /// turns of the first crank.
+    /// A driver whose rate is not finite, is not 1 for the first driver, or is such that the motion would not repeat
+    /// within 24 turns of the first crank.
     Rate { link: String, rate: f64 },
-    /// Parallel guides of these links that must cross.
+    /// Guides of these links that are parallel, but must cross.
     ParallelGuides { links: Vec<String> },
-    /// Wheels in mesh whose numbers of teeth do not determine the angles of these links: their mates turn alike.
-    TrainUndetermined { links: Vec<String> },
-    /// Two wheels whose mesh closes a ring of wheels with another ratio than the rest of it: they can turn together
-    /// with all the others only if none turns.
-    MeshContradicts { links: [String; 2] },
-    /// A group of these links, which cannot be solved yet.
-    Unsupported { links: Vec<String> },
-    /// Links of a group that cannot be joined in the drawn position, and the distance between the joints that miss each
+    /// Links whose angles their meshes do not determine: the meshes give the same condition twice, or contradict each
     /// other.
+    TrainUndetermined { links: Vec<String> },
+    /// Two wheels whose mesh closes a ring of wheels, but with a ratio that contradicts the rest of the ring: the
+    /// wheels cannot turn together.
+    MeshContradicts { links: [String; 2] },
+    /// A group of these links that cannot be solved yet.
+    Unsupported { links: Vec<String> },
+    /// Links of a group that cannot be joined in the drawn position. `by` is the distance between the joints that
+    /// should coincide.
     Open { links: Vec<String>, by: f64 },
     /// Links of a group drawn in a singular position, at a dead point.
     Singular {
         links: Vec<String>,
         singularity: Singularity,
     },
-    /// Links that may have any angle as drawn: two hinges coincide that are joined by these links only.
+    /// Links whose angle is undetermined as drawn: two hinges coincide that only these links join.
     CoincidentHinges { links: Vec<String> },
-    /// A point whose links put it elsewhere than drawn, too far for the drawing to select the assembly.
+    /// A point that its links put too far from its drawn place for the drawing to select the assembly.
     Misdrawn { point: String, by: f64 },
 }
 
-/// Building a specification line by line; nothing is checked yet.
+/// Methods that build a specification line by line, without checks.
 impl LinkageSpec {
-    /// With a point drawn at (x, y).
+    /// Adds a point drawn at (x, y).
     #[must_use]
     pub fn point(mut self, name: &str, x: f64, y: f64) -> Self {
         let (name, at) = (name.to_owned(), Point::new(x, y));
@@ -229,7 +231,7 @@ impl LinkageSpec {
         self
     }
 
-    /// With points of the frame.
+    /// Adds points of the frame.
     #[must_use]
     pub fn fixed(mut self, points: &[&str]) -> Self {
         self.frame
@@ -237,7 +239,7 @@ impl LinkageSpec {
         self
     }
 
-    /// With a moving link of these points, as drawn.
+    /// Adds a moving link with these points and the dimensions of the drawing.
     #[must_use]
     pub fn bar(mut self, name: &str, points: &[&str]) -> Self {
         self.links.push(LinkSpec {
@@ -248,7 +250,7 @@ impl LinkageSpec {
         self
     }
 
-    /// With a link that slides, by a point of it, along the line of two points.
+    /// Adds a slide: a point of `link` slides along the line through two points of `on`.
     #[must_use]
     pub fn slide(mut self, link: &str, point: &str, on: &str, line: [&str; 2]) -> Self {
         self.slides.push(SlideSpec {
@@ -260,7 +262,7 @@ impl LinkageSpec {
         self
     }
 
-    /// Driven by turning a link on the frame.
+    /// Adds a driver that turns a link relative to the frame.
     #[must_use]
     pub fn crank(mut self, link: &str) -> Self {
         let (link, base) = (link.to_owned(), FRAME.to_owned());
@@ -269,7 +271,7 @@ impl LinkageSpec {
         self
     }
 
-    /// With this rate of the last driver relative to the first.
+    /// Sets the rate of the last driver relative to the first.
     #[must_use]
     pub fn at_rate(mut self, new: f64) -> Self {
         if let Some(driver) = self.drivers.last_mut() {
@@ -289,7 +291,7 @@ impl LinkageSpec {
         }
     }
 
-    /// The links that can be driven: cranks, links that slide along a line of the frame, and links driven now.
+    /// The links that can be driven: cranks, links that slide along a line of the frame, and links that have a driver.
     pub fn drivable(&self) -> Vec<&str> {
         let cranks = self.links.iter().filter(|link| self.is_crank(link));
         let cranks = cranks.map(|link| link.name.as_str());
@@ -303,19 +305,19 @@ impl LinkageSpec {
         found
     }
 
-    /// True if a link can be driven as a crank: hinged on the frame, fixed to no other.
+    /// True if a link can be driven as a crank: it is hinged to the frame and not fixed to another link.
     pub(crate) fn is_crank(&self, link: &LinkSpec) -> bool {
         let hinged = |point: &String| self.frame.contains(point);
         link.fixed_to.is_none() && link.points.iter().any(hinged)
     }
 
-    /// The drawn place of a point.
+    /// Place of a point in the drawing.
     pub(crate) fn place(&self, name: &str) -> Option<Point> {
         let point = self.points.iter().find(|point| point.name == name);
         point.map(|point| point.at)
     }
 
-    /// The link of this name.
+    /// The link with this name.
     pub(crate) fn link(&self, name: &str) -> Option<&LinkSpec> {
         self.links.iter().find(|link| link.name == name)
     }
@@ -326,7 +328,7 @@ impl LinkageSpec {
     }
 }
 
-/// The diagonal of the bounding box of places.
+/// Diagonal of the bounding box of these places.
 pub(crate) fn extent(places: impl Iterator<Item = Vector>) -> f64 {
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {

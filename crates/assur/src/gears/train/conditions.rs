@@ -1,4 +1,4 @@
-//! Conditions on a layout, in numbers.
+//! Conditions that a layout must meet, with their numbers.
 
 use super::{Differential, Kind, Layout, Member};
 
@@ -11,7 +11,7 @@ pub enum Coupling {
     Magnetic,
 }
 
-/// Kinds of conditions.
+/// Kinds of conditions. a_w is the axis distance, d a pitch diameter, d_a a tip diameter, k the number of satellites.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConditionKind {
     /// Sun and ring have a common axis, z₄ = z₁ + z₂ + z₂′ (gears in contact).
@@ -23,9 +23,9 @@ pub enum ConditionKind {
     /// The ring does not touch the satellites, a_w < (d₄ − d₂′)/2 (magnets); (2) of the source paper, which prints the
     /// opposite sign.
     RingGap,
-    /// All satellites can be mounted at equal angles: (z₁ + z₄)/k is whole; with alternating poles, half of it.
+    /// All satellites can be mounted at equal angles: (z₁ + z₄)/k is whole, or (z₁ + z₄)/(2k) if poles alternate.
     Assembly,
-    /// Neighbouring satellites do not touch, sin(π/k) > d_a2/(2 a_w), if there are two or more.
+    /// Neighbouring satellites, if there are two or more, do not touch: sin(π/k) > d_a2/(2 a_w).
     Neighbours,
 }
 
@@ -69,13 +69,12 @@ pub struct Condition {
     pub right: f64,
 }
 
-/// Maximum difference of z₄ from z₁ + z₂ + z₂′ in gears with profile shift: one tooth changes the axis distance by half
-/// a module, and usual profile shifts of a mesh add up to about one module at most.
+/// Maximum difference of z₄ from z₁ + z₂ + z₂′ in gears with profile shift. One tooth changes the axis distance by half
+/// a module, and the profile shifts of a mesh usually add up to one module at most.
 const SHIFTED_TEETH: f64 = 2.0;
 
 impl Condition {
-    /// True for an unmet condition of coaxiality if gears with profile shift may still have a common axis: the numbers
-    /// differ by at most two teeth.
+    /// True for an unmet condition of coaxiality that profile shift may satisfy: its sides differ by at most two teeth.
     pub fn within_profile_shift(&self) -> bool {
         let off = (self.left - self.right).abs();
         self.kind == ConditionKind::Coaxiality && !self.met() && off <= SHIFTED_TEETH
@@ -93,8 +92,8 @@ impl Condition {
 }
 
 impl Differential {
-    /// Condition that this number of satellites can be mounted at equal angles. For stepped satellites, all alike, the
-    /// sum is (z₁z₂′ + z₂z₄)/gcd(z₂, z₂′).
+    /// The condition that this number of satellites can be mounted at equal angles. For stepped satellites, if all are
+    /// alike, (z₁z₂′ + z₂z₄)/gcd(z₂, z₂′) replaces z₁ + z₄.
     pub fn assembly(&self, satellites: u32) -> Condition {
         Condition {
             kind: ConditionKind::Assembly,
@@ -106,7 +105,7 @@ impl Differential {
 }
 
 impl Layout {
-    /// Conditions for a coupling, met or not. Bevel wheels are always coaxial; their gaps are set by axial
+    /// The conditions for a coupling, met or not. Bevel wheels are always coaxial, and their gaps are set by axial
     /// displacement.
     pub fn conditions(&self, coupling: Coupling) -> Vec<Condition> {
         let mut conditions = match (self.train().kind(), coupling) {
@@ -117,7 +116,7 @@ impl Layout {
         let satellites = self.counts().satellites;
         let assembly = self.train().differential().assembly(satellites);
         conditions.push(Condition {
-            // In periods of the field.
+            // In periods of the field, not in teeth.
             left: assembly.left / f64::from(self.plates_to_period(coupling)),
             ..assembly
         });
@@ -132,7 +131,7 @@ impl Layout {
         conditions
     }
 
-    /// True if all conditions for this coupling are met, and poles of magnets can alternate if they have to.
+    /// True if all conditions for this coupling are met, and alternating poles, if any, fit on all wheels.
     pub fn can_be_built(&self, coupling: Coupling) -> bool {
         let poles = coupling == Coupling::Contact || self.odd_wheels().next().is_none();
         poles && self.conditions(coupling).iter().all(Condition::met)

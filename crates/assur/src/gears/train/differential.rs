@@ -3,17 +3,17 @@
 use super::{TrainError, planar_shafts};
 use crate::Fault;
 
-/// Maximum absolute value of a speed, angle, torque and factor of a tie.
+/// Maximum absolute value of a speed, an angle, a torque, or the ratio of two shafts' speeds.
 pub(super) const GREATEST: f64 = 1e12;
 
 /// A coaxial shaft of a train.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Shaft {
-    /// Shaft of the sun, 1.
+    /// Shaft of the sun, link 1.
     Sun,
-    /// Shaft of the carrier, 3.
+    /// Shaft of the carrier, link 3.
     Carrier,
-    /// Shaft of the ring, 4.
+    /// Shaft of the ring, link 4.
     Ring,
 }
 
@@ -40,7 +40,7 @@ impl Shaft {
     }
 }
 
-/// A number for each shaft: angle turned since assembly, speed, torque or power.
+/// A value for each shaft: angle of rotation since assembly, speed, torque or power.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shafts {
     /// Value of the sun.
@@ -52,7 +52,7 @@ pub struct Shafts {
 }
 
 impl Shafts {
-    /// The value for a shaft.
+    /// The value of a shaft.
     pub fn of(&self, shaft: Shaft) -> f64 {
         match shaft {
             Shaft::Sun => self.sun,
@@ -66,8 +66,8 @@ impl Shafts {
         self.sun + self.ring + self.carrier
     }
 
-    /// Power taken in by each shaft, for torques at these speeds; negative if it is given off. Without losses they sum
-    /// up to zero.
+    /// Power that each shaft takes in, with these values as torques; negative if the shaft gives off power. Without
+    /// losses the powers sum to zero.
     pub fn powers(&self, speeds: &Self) -> Self {
         Self::from_each(|shaft| self.of(shaft) * speeds.of(shaft))
     }
@@ -90,7 +90,7 @@ impl Shafts {
 /// The equation of the shafts: a ω₁ + b ω₄ − (a + b) ω₃ = 0.
 ///
 /// It is Willis's equation (ω₁ − ω₃)/(ω₄ − ω₃) = −b/a. With single-wheel satellites, planar or bevel, a = z₁ and
-/// b = z₄: the source paper's (7). With stepped ones −b/a = −z₂z₄/(z₁z₂′), and a and b are divided by the common
+/// b = z₄: the source paper's (7). With stepped satellites a = z₁z₂′ and b = z₂z₄, both divided by the greatest common
 /// divisor of z₂ and z₂′. Ratios, torques and powers all follow from the three weights of this equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Differential {
@@ -99,12 +99,12 @@ pub struct Differential {
 }
 
 impl Differential {
-    /// Both weights are within 1 … 10⁶ by the limits of the teeth.
+    /// Makes the equation with the weights a and b. Both are within 1 … 10⁶, because numbers of teeth are limited.
     pub(super) fn of(sun: u32, ring: u32) -> Self {
         Self { sun, ring }
     }
 
-    /// The differential of a planar train of z₁ and z₄, for any satellites.
+    /// The differential of a planar train with z₁ and z₄ teeth, whatever the satellites.
     ///
     /// # Errors
     /// Every reason at once: numbers that are not whole, positive and within [`TEETH`](crate::gears::TEETH); a ring not
@@ -123,7 +123,7 @@ impl Differential {
         }
     }
 
-    /// Sum a + b, which must be a multiple of the number of satellites for mounting them at equal angles.
+    /// The sum a + b. Satellites can be mounted at equal angles if it is a multiple of their number.
     pub fn pitches(&self) -> u32 {
         self.sun + self.ring
     }
@@ -135,13 +135,13 @@ impl Differential {
     /// work the torques are proportional to the weights.
     ///
     /// # Errors
-    /// The torque is not a number, or out of range.
+    /// The torque is not finite, or is out of range.
     pub fn torques(&self, known: Shaft, torque: f64) -> Result<Shafts, Fault> {
         Fault::check_size(torque, GREATEST)?;
         Ok(self.balanced(known, torque))
     }
 
-    /// Torques relative to the torque on one of the shafts.
+    /// Torques of all shafts, relative to the torque on one of them.
     pub fn torques_relative_to(&self, known: Shaft) -> Shafts {
         self.balanced(known, 1.0)
     }
@@ -149,7 +149,7 @@ impl Differential {
     fn balanced(&self, known: Shaft, torque: f64) -> Shafts {
         let unit = torque / self.weight(known) as f64;
         Shafts::from_each(|shaft| {
-            // The known torque exactly, not rounded.
+            // The known torque is returned as given, not rounded.
             if shaft == known {
                 torque
             } else {

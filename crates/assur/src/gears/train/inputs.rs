@@ -1,4 +1,4 @@
-//! Motion of all shafts when two of the three are driven, held or tied.
+//! Motion of all shafts if two of the three are driven, held, or turn at a multiple of another shaft's speed.
 
 use crate::tolerance;
 use nalgebra::Vector3;
@@ -21,9 +21,9 @@ pub struct Input {
 pub enum Drive {
     /// Prescribed speed or angle of rotation; 0 holds the shaft.
     Given(f64),
-    /// Multiple of another shaft's speed, as from a train between both shafts.
+    /// A multiple of another shaft's speed, as by a gear train between the two shafts.
     Tied {
-        /// Other shaft.
+        /// The other shaft.
         to: Shaft,
         /// Ratio of this shaft's speed to the other shaft's speed.
         factor: f64,
@@ -33,28 +33,28 @@ pub enum Drive {
 /// Reasons why inputs do not determine the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InputError {
-    /// A speed or a factor that is not a number, or out of range.
+    /// A speed or a factor that is not finite, or is out of range.
     Number {
         /// The shaft of the input.
         shaft: Shaft,
         /// The fault.
         fault: Fault,
     },
-    /// An invalid rise time of a shaft.
+    /// An invalid rise time of a shaft's speed.
     Rise {
         /// The shaft.
         shaft: Shaft,
         /// The fault.
         fault: Fault,
     },
-    /// The speed of a shaft that results from the inputs is too high to compute its angles.
+    /// The speed of a shaft that follows from the inputs is too high to compute its angles.
     TooFast {
         /// The shaft.
         shaft: Shaft,
         /// Speed of the shaft, revolutions per minute.
         speed: f64,
     },
-    /// A shaft tied to itself.
+    /// The shaft is to turn at a multiple of its own speed.
     TiedToItself {
         /// The shaft.
         shaft: Shaft,
@@ -74,22 +74,23 @@ pub enum InputError {
         /// Number of inputs.
         given: usize,
     },
-    /// A tie with which the train is at rest or moves at any speed; no other input determines the speed.
+    /// The shaft turns at a multiple of another shaft's speed that, with the other input, does not determine the
+    /// motion: the train is at rest or moves at any speed.
     SingularTie {
-        /// The shaft that is tied.
+        /// The shaft of the input.
         shaft: Shaft,
-        /// Shaft to which it is tied.
+        /// The other shaft.
         to: Shaft,
-        /// The factor.
+        /// Ratio of the shaft's speed to the other shaft's speed.
         factor: f64,
     },
 }
 
 impl Differential {
-    /// Motion of all shafts from exactly two inputs, for angles as for speeds, because the equation is linear with
-    /// constant coefficients.
+    /// Finds the motion of all shafts from exactly two inputs. It holds for angles as for speeds, because the equation
+    /// is linear with constant coefficients.
     ///
-    /// Two ties leave the train at rest.
+    /// The train is at rest if both inputs are multiples of other shafts' speeds.
     ///
     /// # Errors
     /// Every fault of a single input; otherwise the reason why the inputs do not determine the motion.
@@ -112,7 +113,7 @@ impl Differential {
         if determinant.abs() <= tolerance::NEGLIGIBLE * size {
             return Err(vec![singular(first, second)]);
         }
-        // Cramer's rule for three equations; the train's has no right-hand side.
+        // Cramer's rule for three equations. The right-hand side of the train's equation is zero.
         let [value, other] = [first, second].map(right_hand_side);
         let solution =
             (rows[1].cross(&train) * value + train.cross(&rows[0]) * other) / determinant;
@@ -121,7 +122,7 @@ impl Differential {
             carrier: solution.y,
             ring: solution.z,
         };
-        // Given values exactly, not rounded.
+        // Given values are returned as given, not rounded.
         Ok(Shafts::from_each(|shaft| {
             let given = [first, second].map(|input| match input.drive {
                 Drive::Given(value) if input.shaft == shaft => Some(value),
@@ -132,7 +133,7 @@ impl Differential {
     }
 }
 
-/// The fault of a single input.
+/// Finds the fault of a single input.
 fn fault(input: &Input) -> Option<InputError> {
     let shaft = input.shaft;
     let number = match input.drive {
@@ -144,7 +145,7 @@ fn fault(input: &Input) -> Option<InputError> {
     Some(InputError::Number { shaft, fault })
 }
 
-/// Left-hand side of the equation of an input, in the order of [`Shaft::ALL`].
+/// Left-hand side of an input's equation: coefficients of the speeds, in the order of [`Shaft::ALL`].
 fn row(input: &Input) -> Vector3<f64> {
     Vector3::from(Shaft::ALL.map(|shaft| match input.drive {
         _ if shaft == input.shaft => 1.0,
@@ -160,7 +161,8 @@ fn right_hand_side(input: &Input) -> f64 {
     }
 }
 
-/// The reason why two inputs do not determine the motion: a tie, or two inputs of one shaft.
+/// The reason why two inputs do not determine the motion: one is a multiple of another shaft's speed, or both are of
+/// the same shaft.
 fn singular(first: &Input, second: &Input) -> InputError {
     match (first.drive, second.drive) {
         (Drive::Tied { to, factor }, _) => {

@@ -5,7 +5,7 @@ use crate::Fault;
 use crate::gears::ADDENDUM;
 use crate::tolerance::LENGTH;
 
-/// Train with its satellites at equal angles, with lengths; always valid.
+/// A train with its dimensions, and with satellites at equal angles. Its numbers are always valid.
 ///
 /// The [conditions](Layout::conditions) decide whether the train can be built.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,8 +19,9 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// A layout from numbers entered by a person: number of satellites; module m, with the diameter d = m z of a wheel;
-    /// for magnets the distance a_w of the satellites' axes from the main one, or none for equal gaps at sun and ring.
+    /// Makes a layout from numbers entered by a person: the number of satellites, the module m, which gives a wheel
+    /// with z teeth the diameter d = m z, and the axis distance. The axis distance a_w, from the central axis to a
+    /// satellite's axis, is for magnets only; none means equal gaps at sun and ring.
     ///
     /// # Errors
     /// Every reason at once: a number of satellites outside 1 to [`GearSet::MOST`](crate::gears::GearSet::MOST);
@@ -36,7 +37,7 @@ impl Layout {
         if let Err(fault) = Fault::check_positive(module, LENGTH) {
             reasons.push(TrainError::Module { fault });
         }
-        // Up to one module per tooth of the largest wheel.
+        // Enough for one module per tooth of the largest wheel.
         let range = (LENGTH.0, 1e3 * LENGTH.1);
         if let Some(Err(fault)) = axis_distance.map(|given| Fault::check_positive(given, range)) {
             reasons.push(TrainError::AxisDistance { fault });
@@ -53,7 +54,7 @@ impl Layout {
         }
     }
 
-    /// The layout with poles that alternate around each wheel: two plates per period of the field.
+    /// The layout with poles that alternate around each wheel, so that a period of the field has two plates.
     pub fn alternating(self) -> Self {
         Self {
             alternating: true,
@@ -72,7 +73,7 @@ impl Layout {
         members.filter(|member| self.train.teeth(*member) % 2 == 1)
     }
 
-    /// The wheels.
+    /// The wheels of the layout.
     pub fn train(&self) -> &Train {
         &self.train
     }
@@ -82,7 +83,7 @@ impl Layout {
         Self { train, ..*self }
     }
 
-    /// Plates per period of the field; for gears one tooth per pitch.
+    /// Number of plates per period of the field; for gears, of teeth per pitch.
     pub(super) fn plates_to_period(&self, coupling: Coupling) -> u32 {
         match coupling {
             Coupling::Magnetic if self.alternating => 2,
@@ -100,19 +101,19 @@ impl Layout {
         self.module
     }
 
-    /// The diameter of a wheel, d = m z.
+    /// Pitch diameter of a wheel, d = m z.
     pub fn diameter(&self, member: Member) -> f64 {
         self.module * f64::from(self.train.teeth(member))
     }
 
-    /// Distance a_w of a satellite's middle from the main axis. For gears in contact it is the distance of sun and
-    /// satellite; for magnets it is the given distance, or by default the distance with equal gaps.
+    /// Axis distance a_w, from the central axis to the middle of a satellite. For gears in contact it follows from sun
+    /// and satellite. For magnets it is the given distance, or by default the distance with equal gaps.
     pub fn axis_distance(&self, coupling: Coupling) -> f64 {
         let [sun, satellite, step, ring] =
             [Member::Sun, Member::Satellite, Member::Step, Member::Ring]
                 .map(|member| f64::from(self.train.teeth(member)));
         match (self.train.kind(), coupling, self.axis_distance) {
-            // The middle of the satellite's pitch circle: r₂ cot δ₂ sin Σ.
+            // The middle of the satellite's pitch circle: r₂ cot δ₂ sin Σ, with pitch radius r₂ and pitch angle δ₂.
             (Kind::Bevel, ..) => 0.25 * self.module * (sun + ring),
             (_, Coupling::Contact, _) => 0.5 * self.module * (sun + satellite),
             (_, Coupling::Magnetic, Some(given)) => given,
@@ -120,8 +121,8 @@ impl Layout {
         }
     }
 
-    /// Gaps of magnets at sun and ring, between pitch circles; negative if these overlap. None for bevel wheels, whose
-    /// gaps are set by axial displacement.
+    /// Gaps of magnets at sun and ring, between pitch circles; negative if the circles overlap. None for bevel wheels,
+    /// whose gaps are set by axial displacement.
     pub fn gaps(&self) -> Option<[f64; 2]> {
         let planar = self.train.kind() != Kind::Bevel;
         let distance = self.axis_distance(Coupling::Magnetic);
@@ -129,15 +130,16 @@ impl Layout {
         planar.then_some([distance - least, most - distance])
     }
 
-    /// Clearances between the tips of teeth of the standard addendum m, at sun and ring, in the [gaps](Self::gaps) of
-    /// magnets; negative if the teeth reach into one another, so that no wheel can slip. None for bevel wheels.
+    /// Clearances between teeth of the standard addendum m at sun and ring, if magnets have such teeth:
+    /// [gaps](Self::gaps) less two addenda. Negative if the teeth reach into one another, so that no wheel can slip.
+    /// None for bevel wheels.
     pub fn tip_clearances(&self) -> Option<[f64; 2]> {
         let teeth = 2.0 * ADDENDUM * self.module;
         self.gaps().map(|gaps| gaps.map(|gap| gap - teeth))
     }
 
-    /// Distances of the axes between which no pitch circles touch: (d₁ + d₂)/2 and (d₄ − d₂′)/2, the source paper's (1)
-    /// and (2).
+    /// Least and greatest axis distance without contact of pitch circles: (d₁ + d₂)/2 and (d₄ − d₂′)/2, the source
+    /// paper's (1) and (2).
     pub(super) fn free_distances(&self) -> [f64; 2] {
         let teeth = |member| f64::from(self.train.teeth(member));
         [
@@ -146,7 +148,8 @@ impl Layout {
         ]
     }
 
-    /// Sine of half the angle that a satellite covers around the main axis, up to the tips of its teeth, if any.
+    /// Sine of half the angle that a satellite covers, seen from the central axis, up to the tips of its teeth if gears
+    /// are in contact.
     pub(super) fn half_width(&self, coupling: Coupling) -> f64 {
         let teeth = |member| f64::from(self.train.teeth(member));
         let largest = teeth(Member::Satellite).max(teeth(Member::Step));
@@ -159,7 +162,8 @@ impl Layout {
                 self.module * (0.5 * largest + addendum) / self.axis_distance(coupling)
             }
             Kind::Bevel => {
-                // Tip cones of neighbours touch if sin(π/k) sin Σ = sin δ_a.
+                // Tip cones of neighbouring satellites touch if sin(π/k) sin Σ = sin δ_a, with the tip angle δ_a and k
+                // satellites.
                 let sine = self.train.inclination().sin();
                 let cone = (2.0 * largest * sine).atan2(teeth(Member::Sun) + teeth(Member::Ring));
                 let tip = cone + (2.0 * addendum * cone.sin() / largest).atan();

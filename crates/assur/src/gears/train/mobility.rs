@@ -1,28 +1,29 @@
-//! The mobility of a train by counting its links and pairs.
+//! The mobility of a train, from the numbers of its links and pairs.
 
 use super::TrainError;
 use crate::Fault;
 use crate::gears::GearSet;
 
-/// Moving links and pairs of a train in the plane.
+/// Numbers of moving links and pairs of a train in the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Counts {
     /// Number of satellites, k.
     pub satellites: u32,
     /// Moving links n: sun, carrier, ring and the satellites.
     pub links: u32,
-    /// P₁, the paper's p₅: sun, carrier and ring turn in the frame, each satellite in the carrier. In the paper the
-    /// carrier turns in the ring instead of the frame; the count is the same.
+    /// Number P₁ of pairs with one freedom, p₅ in the paper: sun, carrier and ring with the frame, each satellite with
+    /// the carrier. In the paper the carrier turns in the ring instead of the frame; the count is the same.
     pub one_freedom: u32,
-    /// P₂: each satellite meets sun and ring. A magnetic coupling counts as a pair while it does not slip.
+    /// Number P₂ of pairs with two freedoms: each satellite with sun and ring. A magnetic coupling counts until it
+    /// slips.
     pub two_freedoms: u32,
 }
 
 impl Counts {
-    /// The counts of a train with this number of satellites, entered by a person.
+    /// Counts for a train with this number of satellites, entered by a person.
     ///
     /// # Errors
-    /// The number is not 1 to [`GearSet::MOST`].
+    /// The number is not whole, or not within 1 … [`GearSet::MOST`].
     pub fn new(satellites: f64) -> Result<Self, TrainError> {
         let most = GearSet::MOST as f64;
         let satellites = Fault::check_count(satellites, (1.0, most))
@@ -39,13 +40,12 @@ impl Counts {
         }
     }
 
-    /// W = 3n − 2P₁ − P₂ (Chebyshev); with one satellite 3·4 − 2·4 − 2 = 2, the
-    /// source paper's (3).
+    /// Mobility W = 3n − 2P₁ − P₂ (Chebyshev); with one satellite 3·4 − 2·4 − 2 = 2, the source paper's (3).
     pub fn mobility(&self) -> i64 {
         3 * i64::from(self.links) - 2 * i64::from(self.one_freedom) - i64::from(self.two_freedoms)
     }
 
-    /// Number of passive constraints: every satellite after the first repeats the constraint of the first, so the train
+    /// Number of passive constraints. Every satellite after the first repeats the constraint of the first, so the train
     /// has two freedoms although the count gives fewer.
     pub fn passive(&self) -> i64 {
         2 - self.mobility()

@@ -8,14 +8,14 @@ use crate::Point;
 /// Position of a satellite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Centre of the satellite, from the main axis.
+    /// Centre of the satellite, relative to the central axis.
     pub centre: Point,
     /// Angle of the satellite's zero direction, on which a tooth (a plate) of each of its wheels is centred.
     pub angle: f64,
 }
 
-/// Mounting angles of wheels with parallel axes: the angles of their zero directions, on which a tooth (a plate) is
-/// centred, when the angles of sun and carrier are 0.
+/// Mounting angles of wheels with parallel axes: the angles of their zero directions if the angles of sun and carrier
+/// are 0. A tooth (or a plate) of each wheel is centred on its zero direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mounting {
     /// Mounting angle of the ring.
@@ -25,20 +25,20 @@ pub struct Mounting {
 }
 
 impl Train {
-    /// Mounting angle of the ring, with a tooth (a plate) of the sun and an inward one of the ring centred on their
-    /// zero directions. Then teeth meet gaps at all satellites that can be [mounted](super::Differential::assembly).
-    /// Like poles of magnets without a load are positioned in the same way.
+    /// Mounting angle of the ring for which teeth meet gaps at all satellites that can be
+    /// [mounted](super::Differential::assembly). A tooth (or a plate) of the sun, and an inward one of the ring, are
+    /// centred on the zero directions of these wheels. Like poles of unloaded magnets are positioned in the same way.
     pub fn ring_mounting(&self) -> f64 {
         self.ring_mounting_of(1)
     }
 
-    /// The mounting angle for this number of plates per period of the field.
+    /// The ring's mounting angle for this number of plates per period of the field.
     fn ring_mounting_of(&self, plates: u32) -> f64 {
         let [_, satellite, step, ring] = self.periods(plates);
         (PI + step * (PI - PI / satellite)) / ring
     }
 
-    /// Periods of z₁, z₂, z₂′ and z₄ teeth (plates), for this number of plates per period.
+    /// Numbers of periods of the wheels z₁, z₂, z₂′ and z₄, for this number of teeth (or plates) per period.
     fn periods(&self, plates: u32) -> [f64; 4] {
         let members = [Member::Sun, Member::Satellite, Member::Step, Member::Ring];
         members.map(|member| f64::from(self.teeth(member)) / f64::from(plates))
@@ -46,9 +46,9 @@ impl Train {
 }
 
 impl Layout {
-    /// Mounting of satellites and ring, with this number of plates per period: one for teeth and like poles, which face
-    /// gaps, two for alternating poles, where north faces south. Wheels in mesh differ by half a period; satellites
-    /// that cannot be [mounted](super::Differential::assembly) do so only at the sun.
+    /// Mounting of satellites and ring for this number of plates per period: one for teeth and like poles, which face
+    /// gaps, two for alternating poles, where north faces south. The phases of wheels in mesh differ by half a period.
+    /// Satellites that cannot be [mounted](super::Differential::assembly) have this difference only at the sun.
     pub fn mounting(&self, plates: u32) -> Mounting {
         let [sun, satellite, step, ring] = self.train().periods(plates);
         let mounted = self.train().ring_mounting_of(plates);
@@ -56,7 +56,7 @@ impl Layout {
         let one = |k: u32| {
             let line = TAU * f64::from(k) / f64::from(count);
             let at_sun = line + PI + (line * sun - PI) / satellite;
-            // A shift by a period at the sun changes the position of z₂′ at the ring.
+            // A shift by a period of the field at the sun changes the phase of z₂′ at the ring.
             let off = |period: u32| {
                 let angle = at_sun + TAU * f64::from(period) / satellite;
                 let phase = ring * (line - mounted) - step * (line - angle);
@@ -70,7 +70,7 @@ impl Layout {
             };
             let first = off(0);
             let best = (1..others).map(off).fold(first, |best, other| {
-                // Differences due to rounding do not count.
+                // Differences due to rounding are ignored.
                 if other.0 < best.0 - 1e-6 { other } else { best }
             });
             best.1
@@ -81,8 +81,8 @@ impl Layout {
         }
     }
 
-    /// Positions of all satellites after the shafts have turned by these angles from the position with the first
-    /// satellite on the right; none for bevel wheels. Each satellite meets the gaps of the sun.
+    /// Positions of all satellites after the shafts have turned through these angles, starting with the first satellite
+    /// on the right. None for bevel wheels. The teeth of each satellite meet the gaps of the sun.
     pub fn places(&self, coupling: Coupling, angles: &Shafts) -> Option<Vec<Place>> {
         if self.train().kind() == Kind::Bevel {
             return None;

@@ -4,16 +4,16 @@ use std::fmt;
 
 use super::{Differential, Shaft};
 
-/// The ratio u = ω_i/ω_j with the third shaft held, as a fraction of whole numbers.
+/// The ratio u = ω_i/ω_j of two shafts' speeds with the third shaft held, as a fraction of whole numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ratio {
-    /// i, the shaft of the numerator.
+    /// Shaft i of the numerator.
     pub of: Shaft,
-    /// j, the shaft of the denominator.
+    /// Shaft j of the denominator.
     pub to: Shaft,
     /// The shaft that is held.
     pub held: Shaft,
-    /// Numerator, with the sign.
+    /// Numerator, which carries the sign.
     pub numerator: i64,
     /// Denominator, positive.
     pub denominator: i64,
@@ -27,14 +27,14 @@ impl Ratio {
 }
 
 impl fmt::Display for Ratio {
-    /// The notation `1/3(4)`: link 1 relative to link 3, link 4 held.
+    /// Writes the notation `1/3(4)`: link 1 relative to link 3, link 4 held.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [of, to, held] = [self.of, self.to, self.held].map(Shaft::number);
         write!(f, "{of}/{to}({held})")
     }
 }
 
-/// Identity u_ij⁽ᵏ⁾ + u_ik⁽ʲ⁾ = 1, one for each i.
+/// The identity u_ij⁽ᵏ⁾ + u_ik⁽ʲ⁾ = 1 for a shaft i; the superscript is the shaft held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Identity {
     /// The two ratios, with a common denominator.
@@ -42,7 +42,7 @@ pub struct Identity {
 }
 
 impl Identity {
-    /// The sum as a fraction: numerator and denominator.
+    /// The sum of both terms as a fraction: numerator and denominator.
     pub fn sum(&self) -> (i64, i64) {
         let [first, second] = self.terms;
         (first.numerator + second.numerator, first.denominator)
@@ -50,9 +50,9 @@ impl Identity {
 }
 
 impl Differential {
-    /// u_ij with the third shaft held, for different i and j.
+    /// The ratio u_ij with the third shaft held, for different i and j.
     fn ratio(&self, of: Shaft, to: Shaft, held: Shaft) -> Ratio {
-        // w_i ω_i + w_j ω_j = 0.
+        // With the third shaft held, w_i ω_i + w_j ω_j = 0 for the weights w.
         let (numerator, denominator) = (-self.weight(to), self.weight(of));
         Ratio {
             of,
@@ -63,8 +63,8 @@ impl Differential {
         }
     }
 
-    /// The six ratios: 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3); (5) and (6)
-    /// of the source paper are the second and the third.
+    /// The six ratios: 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3). The second and third are (5) and (6) of the
+    /// source paper.
     pub fn ratios(&self) -> [Ratio; 6] {
         use Shaft::{Carrier, Ring, Sun};
         [
@@ -90,7 +90,8 @@ impl Differential {
         ]
     }
 
-    /// True for the largest positive ratio, which characterizes the differential; if z₁ = z₄ two ratios are largest.
+    /// True if no ratio of the differential is larger. The largest ratio characterizes the differential; if z₁ = z₄
+    /// there are two.
     pub fn is_largest(&self, ratio: &Ratio) -> bool {
         let greater = |other: &Ratio| {
             other.numerator * ratio.denominator > ratio.numerator * other.denominator

@@ -1,14 +1,14 @@
-//! The relations of the source paper on the differential, (1) to (10), in numbers.
+//! Relations (1) to (10) of the source paper on the differential, evaluated.
 
 use super::{Counts, Coupling, Kind, Layout, Member};
 use crate::relation::Relation;
 
 impl Layout {
-    /// The paper's relations at these speeds of sun, satellite, carrier and ring, rad/s, in the order of the paper;
-    /// none for trains that it does not treat, stepped and bevel ones. Lengths are in the unit of the module.
+    /// The paper's relations at these speeds of sun, satellite, carrier and ring, rad/s, in the order of the paper.
+    /// None for stepped and bevel trains, which the paper does not treat. Lengths are in the unit of the module.
     ///
-    /// δ₁₂ and δ₂₄ are the gaps between pitch circles, for magnets only; c₁₂ and c₂₄ are those between tips of standard
-    /// teeth.
+    /// For magnets only: δ₁₂ and δ₂₄ are the gaps between pitch circles at sun and ring, c₁₂ and c₂₄ the clearances
+    /// between tips of standard teeth.
     pub fn relations(&self, coupling: Coupling, speeds: &[f64; 4]) -> Vec<Relation> {
         if self.train().kind() != Kind::Planar {
             return Vec::new();
@@ -22,13 +22,13 @@ impl Layout {
         all
     }
 
-    /// z₁, z₂, z₄.
+    /// Numbers of teeth z₁, z₂, z₄ of sun, satellite and ring.
     fn numbers(&self) -> [f64; 3] {
         [Member::Sun, Member::Satellite, Member::Ring]
             .map(|member| f64::from(self.train().teeth(member)))
     }
 
-    /// (1), (2), and the resulting distances of the axes.
+    /// Equations (1) and (2), and the gaps and clearances.
     fn distances(&self) -> Vec<Relation> {
         let ([Some(gaps), Some(clearances)], [d1, d2, d4]) = (
             [self.gaps(), self.tip_clearances()],
@@ -50,7 +50,7 @@ impl Layout {
         ]
     }
 
-    /// (4) to (7), and the satellite's speed, which is not printed in the paper.
+    /// Equations (4) to (7), and the speed of the satellite, which the paper does not print.
     fn motion(&self, &[w1, w2, w3, w4]: &[f64; 4]) -> Vec<Relation> {
         let [z1, z2, z4] = self.numbers();
         let [u13, u31, u34, u43, ..] = self.values();
@@ -92,7 +92,7 @@ impl Layout {
         ]
     }
 
-    /// The six ratios, and (8) to (10).
+    /// The six ratios, and identities (8) to (10).
     fn ratios_and_identities(&self) -> Vec<Relation> {
         let [z1, _, z4] = self.numbers();
         let [u13, u31, u34, u43, u14, u41] = self.values();
@@ -109,7 +109,7 @@ impl Layout {
         ]
     }
 
-    /// The ratios 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3).
+    /// Values of the ratios 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3).
     fn values(&self) -> [f64; 6] {
         self.train()
             .differential()
@@ -118,7 +118,7 @@ impl Layout {
     }
 }
 
-/// (3): the count with one satellite, as in the paper.
+/// Equation (3): numbers of links and pairs, and the mobility, with one satellite as in the paper.
 fn counts() -> Vec<Relation> {
     let one = Counts::of(1);
     let count =

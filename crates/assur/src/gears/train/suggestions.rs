@@ -1,4 +1,4 @@
-//! Similar numbers of teeth for a train that can be built.
+//! Numbers of teeth, similar to given ones, with which a train can be built.
 
 use super::{Coupling, Kind, Layout, Member, Train};
 use crate::sorting::sort_by_key;
@@ -8,12 +8,12 @@ use crate::sorting::sort_by_key;
 pub struct Suggestion {
     /// Train with the suggested numbers of teeth.
     pub train: Train,
-    /// Sum of the changes of all numbers of teeth.
+    /// Sum of the absolute changes of all numbers of teeth.
     pub change: u32,
 }
 
 impl Layout {
-    /// Maximum change to search; with a fourth wheel there are many more candidates.
+    /// Maximum total change to search. It is less for stepped satellites: their fourth wheel adds many candidates.
     fn reach(&self) -> i32 {
         match self.train().kind() {
             Kind::Planar | Kind::Bevel => 60,
@@ -21,8 +21,9 @@ impl Layout {
         }
     }
 
-    /// Buildable trains with the same number of satellites, module and distance of the axes, if given: by increasing
-    /// total change, then by increasing greatest change of a wheel. This train comes first if it can be built itself.
+    /// Trains that can be built with the same number of satellites, the same module and the same axis distance, if
+    /// given. They are sorted by total change, then by the greatest change of a wheel. This train comes first if it can
+    /// be built.
     ///
     /// At most `count` trains, with a total change of at most 60 teeth, 20 with stepped satellites.
     pub fn suggestions(&self, coupling: Coupling, count: usize) -> Vec<Suggestion> {
@@ -64,7 +65,8 @@ impl Train {
     }
 }
 
-/// All changes of z₁, z₂, z₂′, z₄ with this total. For single-wheel satellites only z₂ changes.
+/// All changes of z₁, z₂, z₂′, z₄ whose absolute values add up to `total`. For single-wheel satellites z₂′ is not
+/// changed.
 fn changes(kind: Kind, total: i32) -> Vec<[i32; 4]> {
     let mut changes = Vec::new();
     for sun in -total..=total {

@@ -13,11 +13,12 @@ const MINUTE: f64 = 60.0;
 pub struct TimedInput {
     /// The shaft and its speed, in revolutions per minute.
     pub input: Input,
-    /// Time in which the speed rises linearly from rest, seconds; 0 if at once. Ignored for a tied shaft.
+    /// Time in which the speed rises linearly from rest, seconds; 0 for an instantaneous start. Ignored if the shaft
+    /// turns at a multiple of another shaft's speed.
     pub rise: f64,
 }
 
-/// State of a train at a time: sun, satellite, carrier and ring.
+/// State of a train at a time. All arrays are in the order sun, satellite, carrier, ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turned {
     /// Angles since time 0.
@@ -26,7 +27,8 @@ pub struct Turned {
     pub speeds: [f64; 4],
     /// Accelerations, rad/s².
     pub accelerations: [f64; 4],
-    /// True if the values of the satellite are relative to the carrier, about its axis, as for bevel wheels.
+    /// True for bevel wheels: the values of the satellite are then relative to the carrier, about the satellite's own
+    /// axis.
     pub spins: bool,
 }
 
@@ -53,12 +55,12 @@ impl Turned {
     }
 }
 
-/// A train with two inputs given over time. Angles are computed from the time, not from previous angles: they are exact
-/// at any time, and wheels stay in mesh however long they turn.
+/// A train with two inputs given over time. Angles are computed from the time and not from previous angles, so they are
+/// exact at any time. Wheels stay in mesh however long they turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
     train: Train,
-    /// The driven shafts with their motors.
+    /// The two driven shafts, each with its law of motion.
     driven: [(Shaft, Motor); 2],
     /// Shaft without an input.
     free: Shaft,
@@ -76,7 +78,7 @@ enum Motor {
     Rest,
 }
 
-/// Whole turns and a fraction of a turn.
+/// A number of turns, as whole turns and a fraction.
 #[derive(Clone, Copy)]
 struct Turns {
     whole: i64,
@@ -89,7 +91,7 @@ impl Turns {
         part: 0.0,
     };
 
-    /// Turns at a speed in this number of seconds, with whole turns split off an exact product.
+    /// Number of turns at a speed over this number of seconds. Whole turns are split off the exact product.
     fn of(rpm: f64, seconds: f64) -> Self {
         let product = rpm * seconds;
         let low = rpm.mul_add(seconds, -product);
@@ -100,7 +102,7 @@ impl Turns {
         }
     }
 
-    /// An exact product, in turns.
+    /// The exact product of a number of turns and a factor.
     fn product(turns: f64, factor: f64) -> Self {
         let product = turns * factor;
         let low = turns.mul_add(factor, -product);
@@ -116,7 +118,7 @@ impl Turns {
         Self::combined([(1, whole), (1, part)], 1)
     }
 
-    /// (Σ nᵢ turnsᵢ)/divisor, with integer arithmetic for whole turns.
+    /// Linear combination (Σ nᵢ turnsᵢ)/divisor, with integer arithmetic for whole turns.
     fn combined<const N: usize>(terms: [(i64, Self); N], divisor: i64) -> Self {
         let (mut whole, mut part) = (0, 0.0);
         for (n, turns) in terms {
@@ -148,11 +150,10 @@ impl Turning {
     /// Minimum positive rise time, seconds; it keeps accelerations finite.
     pub const SHORTEST_RISE: f64 = 1e-6;
 
-    /// A train turned by these inputs.
+    /// Makes the motion of a train with these inputs.
     ///
-    /// # Errors
-    /// Every invalid rise time; errors of [`Differential::solve`](super::Differential::solve); two inputs of one shaft;
-    /// given speeds above [`Self::FASTEST`], otherwise resulting speeds above it.
+    /// # Errors Every invalid rise time; errors of [`Differential::solve`](super::Differential::solve); two inputs of
+    /// one shaft; given speeds above [`Self::FASTEST`], or, if there are none, resulting speeds above it.
     pub fn new(train: Train, inputs: &[TimedInput]) -> Result<Self, Vec<InputError>> {
         let rises: Vec<InputError> = inputs.iter().filter_map(rise_fault).collect();
         let asked: Vec<Input> = inputs.iter().map(|timed| timed.input).collect();
@@ -165,7 +166,7 @@ impl Turning {
         let driven = |shaft: &Shaft| asked.iter().any(|input| input.shaft == *shaft);
         let free: Vec<Shaft> = Shaft::ALL.into_iter().filter(|one| !driven(one)).collect();
         let ([free], [one, other]) = (&free[..], inputs) else {
-            // Two inputs with more than one other shaft are of the same shaft.
+            // If two shafts have no input, both inputs are of the same shaft.
             let shaft = asked[0].shaft;
             return Err(vec![InputError::Twice { shaft }]);
         };
@@ -203,7 +204,8 @@ impl Turning {
                     Motor::Other(factor)
                 }
                 (Drive::Tied { factor, .. }, Drive::Given(_)) => {
-                    // From x = factor · free in the equation of the weights.
+                    // This shaft turns by x = factor · free. The equation of the three shafts then makes x a multiple
+                    // of the other driven shaft's motion.
                     let weight = |shaft| train.differential().weight(shaft) as f64;
                     let [this, other] = [one, other].map(|input| weight(input.input.shaft));
                     Motor::Other(-factor * other / factor.mul_add(this, weight(*free)))
@@ -300,7 +302,7 @@ impl Turning {
         })
     }
 
-    /// Motor of a driven shaft, and the multiple of its motion.
+    /// Motor that moves a driven shaft, and the factor by which its motion is multiplied.
     fn motor(&self, this: usize) -> (Motor, f64) {
         match (self.driven[this].1, self.driven[1 - this].1) {
             (Motor::Other(factor), other) => (other, factor),
@@ -309,7 +311,7 @@ impl Turning {
     }
 }
 
-/// The fault of the rise time of an input.
+/// Finds the fault of an input's rise time.
 fn rise_fault(timed: &TimedInput) -> Option<InputError> {
     if matches!(timed.input.drive, Drive::Tied { .. }) || timed.rise == 0.0 {
         return None;
@@ -326,7 +328,7 @@ fn rise_fault(timed: &TimedInput) -> Option<InputError> {
     Some(InputError::Rise { shaft, fault })
 }
 
-/// Equivalent time at full speed, seconds.
+/// Time at full speed in which a shaft turns through the same angle, seconds.
 fn run(time: f64, rise: f64) -> f64 {
     if time < rise {
         time * time / (2.0 * rise)
@@ -335,12 +337,12 @@ fn run(time: f64, rise: f64) -> f64 {
     }
 }
 
-/// Speed relative to the full speed.
+/// Speed as a fraction of the full speed.
 fn speed(time: f64, rise: f64) -> f64 {
     if time < rise { time / rise } else { 1.0 }
 }
 
-/// Acceleration relative to the full speed, 1/s.
+/// Acceleration divided by the full speed, 1/s.
 fn acceleration(time: f64, rise: f64) -> f64 {
     if time < rise { rise.recip() } else { 0.0 }
 }

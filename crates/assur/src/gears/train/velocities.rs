@@ -2,20 +2,21 @@
 
 use super::{Coupling, Kind, Layout, Member, Shafts, Train};
 
-/// Angular velocity of a satellite, or its angle turned.
+/// Angular velocity of a satellite, or its angle of rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spin {
-    /// Component relative to the carrier, about the satellite's own axis.
+    /// Angular velocity relative to the carrier, about the satellite's own axis.
     pub relative: f64,
-    /// Absolute component ω₂ along the main axis; the only component in a planar train.
+    /// Component of the absolute angular velocity along the central axis, ω₂; the only component in a planar train.
     pub along: f64,
-    /// Component across the main axis, away from it on the satellite's side; zero except for bevel wheels.
+    /// Component of the absolute angular velocity at a right angle to the central axis, positive away from the axis on
+    /// the satellite's side. Zero except for bevel wheels.
     pub across: f64,
 }
 
 impl Train {
-    /// ω₂ from the speeds of the shafts: ω₂ − ω₃ = −(ω₁ − ω₃) z₁/z₂ about the satellite's axis. In a planar train it
-    /// also holds for angles.
+    /// Angular velocity of a satellite from the speeds of the shafts: ω₂ − ω₃ = −(ω₁ − ω₃) z₁/z₂ about the satellite's
+    /// axis. In a planar train the equation also holds for angles.
     pub fn spin(&self, speeds: &Shafts) -> Spin {
         let ratio = f64::from(self.teeth(Member::Sun)) / f64::from(self.teeth(Member::Satellite));
         let relative = (speeds.carrier - speeds.sun) * ratio;
@@ -28,32 +29,32 @@ impl Train {
     }
 }
 
-/// A point of a satellite on the line from the main axis through its centre. Its velocity is perpendicular to that
-/// line.
+/// A point of a satellite on the line from the central axis through the satellite's centre. The velocity of the point
+/// is perpendicular to this line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointVelocity {
-    /// Distance from the main axis, positive towards the satellite.
+    /// Distance from the central axis, positive towards the satellite.
     pub radius: f64,
-    /// Velocity, positive counter-clockwise about the main axis for a positive radius.
+    /// Velocity, positive counter-clockwise about the central axis for a positive radius.
     pub velocity: f64,
 }
 
-/// Velocities of a satellite in the plane. Over the radius they lie on a straight line: the velocity triangle.
+/// Velocities of a satellite in the plane. Plotted over the radius they lie on a straight line: the velocity triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Velocities {
-    /// Point of rolling on the sun; satellite and sun have this velocity.
+    /// Rolling point on the sun, where satellite and sun have the same velocity.
     pub sun: PointVelocity,
-    /// Centre of the satellite, with the velocity of the carrier.
+    /// Centre of the satellite, which has the velocity of the carrier.
     pub centre: PointVelocity,
-    /// Point of rolling in the ring; satellite and ring have this velocity.
+    /// Rolling point on the ring, where satellite and ring have the same velocity.
     pub ring: PointVelocity,
     /// Radius of the satellite's instant centre; None if the satellite does not turn and all velocities are equal.
     pub instantaneous_centre: Option<f64>,
 }
 
 impl Layout {
-    /// Radii of sun and ring on which the satellite rolls kinematically: a_w z₁/(z₁ + z₂) and a_w z₄/(z₄ − z₂′). For
-    /// gears in contact these are the pitch circles d/2; for magnets they are in the gaps or nearby.
+    /// Radii of the circles of sun and ring on which the satellite rolls: a_w z₁/(z₁ + z₂) and a_w z₄/(z₄ − z₂′). For
+    /// gears in contact these are the pitch radii d/2. For magnets the circles are in the gaps or near them.
     pub fn rolling_radii(&self, coupling: Coupling) -> [f64; 2] {
         let teeth = |member| f64::from(self.train().teeth(member));
         let [sun, ring] = [teeth(Member::Sun), teeth(Member::Ring)];
@@ -70,8 +71,8 @@ impl Layout {
         self.velocities_of(coupling, speeds.carrier, spin)
     }
 
-    /// Velocities of a satellite from the speeds of the carrier and its own, ω₂; for slipping magnets ω₂ does not
-    /// follow from the shafts.
+    /// Velocities of a satellite from the speed of the carrier and the satellite's own speed ω₂. If magnets slip, ω₂
+    /// does not follow from the speeds of the shafts.
     pub fn velocities_of(&self, coupling: Coupling, carrier: f64, spin: f64) -> Option<Velocities> {
         if self.train().kind() == Kind::Bevel {
             return None;
@@ -82,7 +83,7 @@ impl Layout {
             velocity: carrier * distance + spin * (radius - distance),
         };
         let [sun, ring] = self.rolling_radii(coupling);
-        // The carrier's and the relative speed may cancel up to rounding.
+        // The speed of the carrier and the relative speed may cancel except for rounding.
         let turns = spin.abs() > 4.0 * f64::EPSILON * (carrier.abs() + (spin - carrier).abs());
         Some(Velocities {
             sun: at(sun),
