@@ -1,5 +1,5 @@
-//! The exact drawing nearest to one whose redundant constraints only nearly hold: drawn by hand, or from a file with
-//! four decimals.
+//! The exact drawing nearest to a drawing whose redundant constraints only nearly hold, because it was drawn by hand or
+//! is from a file with four decimals.
 //!
 //! The unknowns are the points in the drawing and in several poses of its motion. Each constrained quantity has the
 //! same value in every pose as in the drawing. The Gauss–Newton method finds the solution with the least change of the
@@ -84,7 +84,7 @@ impl LinkageSpec {
     }
 }
 
-/// Quantity of given points that is constant over the motion. Points are given by their indices.
+/// Quantity that is constant over the motion. Its points are given by their indices.
 enum Constant {
     /// |p − q|² of points p and q.
     Distance([usize; 2]),
@@ -223,7 +223,7 @@ impl System {
                 }
                 row += 1;
             }
-            // The crank is rotated from the drawing through the angle.
+            // The crank is rotated through the angle from its drawn direction.
             let [centre, pin] = self.crank;
             let [pivot, then, now] =
                 [(0, centre), (0, pin), (k + 1, pin)].map(|(pose, point)| self.column(pose, point));

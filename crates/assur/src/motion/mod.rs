@@ -1,5 +1,5 @@
-//! Motion of a mechanism: the branch of poses that contains the drawn pose, followed by continuity. The quantities,
-//! dead points, extrema, profiles and tables over a motion.
+//! Motion of a mechanism: the branch of poses that contains the drawn pose, followed by continuity. Quantities, dead
+//! points, extrema, profiles and tables are found over the motion.
 
 mod change;
 mod closed_form;
@@ -51,7 +51,7 @@ use turn_count::range_between;
 /// Number of samples per turn in the search for extrema. One sample is also the unit of length of continuation steps.
 const SAMPLES_PER_TURN: usize = 360;
 /// Maximum number of turns of a motion searched for extrema, and maximum number of visits to one crank angle. A plot
-/// could not resolve more turns, and wheels that carry nothing may take a million.
+/// could not resolve more turns, and wheels that carry nothing may need a million.
 pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input

@@ -140,7 +140,7 @@ impl<'a> OutputProfile<'a> {
         Some(jet.value() + cycles * self.gain)
     }
 
-    /// Station with a given number; the numbers continue over the cycles before and after.
+    /// Station, an end of a piece, with a given number; the numbers continue over the cycles before and after.
     fn station(&self, number: isize) -> Option<[f64; 2]> {
         let Some(period) = self.period else {
             return self.stations.get(usize::try_from(number).ok()?).copied();
@@ -246,7 +246,7 @@ impl<'a> OutputProfile<'a> {
     }
 
     /// Longest arc on which the quantity stays within a band of full width `tolerance`: the whole cycle if the quantity
-    /// varies less. None if the tolerance is not positive, or the motion has no poses.
+    /// varies by less. None if the tolerance is not positive, or the motion has no poses.
     pub fn dwell(&self, tolerance: f64) -> Option<Dwell> {
         self.longest(&self.touching(tolerance), tolerance)
     }

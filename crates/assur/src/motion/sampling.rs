@@ -174,7 +174,7 @@ mod tests {
             let end = pieces[0][720 * turns];
             assert!((end - TAU * turns as f64).abs() < 1e-12 * end);
         }
-        // Beyond the maximum number the density falls.
+        // Beyond the maximum number of samples the density falls.
         let pieces = Cycle::turning(1000).samples(EACH);
         assert_eq!((pieces.len(), pieces[0].len()), (1, 100_001));
     }

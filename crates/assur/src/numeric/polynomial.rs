@@ -55,8 +55,8 @@ pub(crate) fn positive_roots(coefficients: &[f64]) -> Vec<f64> {
     found
 }
 
-/// All real zeros of a homogeneous polynomial in x and y, as directions (x, y) in which the larger coordinate is 1. The
-/// coefficients are in ascending powers of y.
+/// All real zeros of a homogeneous polynomial in x and y, as directions (x, y) in which the coordinate of larger
+/// magnitude equals one. The coefficients are in ascending powers of y.
 pub(crate) fn directions(coefficients: &[f64]) -> Vec<[f64; 2]> {
     let flat = roots_within(coefficients, [-1.0, 1.0]).into_iter();
     let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();

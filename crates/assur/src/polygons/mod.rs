@@ -5,10 +5,10 @@
 //! `a_C = a_B + aⁿ_CB + aᵗ_CB` with aⁿ = ω² CB along CB and aᵗ perpendicular to CB. For a point C that slides along a
 //! line, let C′ be the coincident point of the link with the line. Then `v_C = v_C′ + v_CC′` with v_CC′ along the line,
 //! and `a_C = a_C′ + aᵏ + aʳ` with the Coriolis acceleration aᵏ = 2 ω × v_CC′ and aʳ along the line. Two such equations
-//! of one point have two unknown lengths: the point is the intersection of the two directions. All other points of a
-//! link follow from the image of the link, which is similar to the link (Mehmke; see Artobolevsky, *Theory of
-//! mechanisms and machines*, and Hall, *Kinematics and Linkage Design*). In a group that is not a dyad, no point has
-//! two such equations from known points; its points are given without them.
+//! of one point have two unknown lengths: the point is the intersection of lines in the two directions. All other
+//! points of a link follow from the image of the link, which is similar to the link (Mehmke; see Artobolevsky, *Theory
+//! of mechanisms and machines*, and Hall, *Kinematics and Linkage Design*). In a group that is not a dyad, no point has
+//! two such equations from known points. The points of such a group are given without a construction.
 //!
 //! Points are exact derivatives and legs come from the formulas, so a polygon closes within rounding.
 
@@ -34,7 +34,7 @@ pub enum Order {
 pub struct Node {
     /// The point.
     pub point: PointId,
-    /// Body, if the point is not on it: the node is then the point fixed to this body that coincides with the point.
+    /// None for the point itself; otherwise the node is the point fixed to this body that coincides with `point`.
     pub on: Option<BodyId>,
 }
 
@@ -45,7 +45,7 @@ pub enum Kind {
     Turning,
     /// aⁿ: normal acceleration of a point relative to a known point of its body, towards the known point.
     Normal,
-    /// aᵗ: tangential acceleration of a point relative to a known point of its body, across the line between them.
+    /// aᵗ: tangential acceleration of a point relative to a known point of its body, perpendicular to their line.
     Tangential,
     /// vʳ: velocity of a point relative to a body on which it slides, along the line of sliding.
     Sliding,

@@ -16,7 +16,8 @@ const MIN_MARGIN: f64 = 1.0 / 64.0;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CrankFourBar {
     pub(crate) linkage: FourBar,
-    /// Body of the crank; `angle_offset` is φ₁, measured from the line AD, minus the angle of this body, as drawn.
+    /// Body of the crank; `angle_offset` is the drawn φ₁, measured from the frame's line AD, minus the angle of this
+    /// body.
     pub(crate) crank: BodyId,
     angle_offset: f64,
     /// Body of the coupler; `rocker` is the body of the rocker.
@@ -42,7 +43,7 @@ impl CrankFourBar {
         let out = coupler.outer.local - hinge;
         let base = rocker.outer.local - a;
         let lengths = [out.norm(), coupler.length(), rocker.length(), base.norm()];
-        // Maximum distance of B and D from the origin.
+        // Maximum distance of the crank pin B and the pivot D of the rocker from the origin.
         let distance = (a.norm() + lengths[0]).max(rocker.outer.local.norm());
         let linkage = FourBar::new(lengths).ok()?;
         let [out, frame] = [out, base].map(|v| v.y.atan2(v.x));

@@ -5,9 +5,9 @@
 //! The pose of every body and its first derivative are known at the start of the step. For a point p, a bound b on the
 //! second derivative over the step then encloses the path: after a change t of the input, the point is within t²b/2 of
 //! p + t p′. In the order of solving, the bound of each body follows from the bounds of the bodies joined to it, and
-//! from a bound on the sine of the angle between its links. The same enclosures give the latter bound. (For groups of
-//! higher class: L. V. Kantorovich's theorem, J. M. Ortega and W. C. Rheinboldt, *Iterative Solution of Nonlinear
-//! Equations in Several Variables*, 1970, 12.6.)
+//! from a bound on the sine of the angle between its links. The same enclosures give the latter bound. Groups of higher
+//! class are certified by L. V. Kantorovich's theorem (J. M. Ortega and W. C. Rheinboldt, *Iterative Solution of
+//! Nonlinear Equations in Several Variables*, 1970, 12.6).
 
 mod dyads;
 

@@ -72,7 +72,8 @@ impl Motion {
         Ok(moves.then_some(range))
     }
 
-    /// Returns the linkage with a new rate of the further driver with an index, starting from the pose at an input.
+    /// Returns the linkage with a further driver, given by its index, at a new rate, starting from the pose at an
+    /// input.
     ///
     /// # Errors
     /// The defects of the linkage at the new rate.
@@ -131,8 +132,8 @@ impl Motion {
     }
 }
 
-/// Makes a driver the first. If the linkage already has it, it changes places with the first driver, and the rates of
-/// the further drivers are divided by its old rate. Otherwise it replaces the first driver.
+/// Makes a driver the first. A driver that the linkage already has changes places with the first one, and the rates of
+/// the further drivers are divided by its old rate. Any other driver replaces the first one.
 fn drive_first(spec: &mut LinkageSpec, driver: &DriverSpec) {
     let driven = spec.driven(driver);
     let mut all = spec.drivers.iter();

@@ -1,5 +1,5 @@
-//! Change of a dimension in one assembly, followed in steps from the given pose to the new value. If a loop would
-//! otherwise open, the input gives way: it moves as well.
+//! Change of a dimension within one assembly, in steps from the given pose to the new value. If a loop would otherwise
+//! open, the input gives way: it moves as well.
 
 mod driver;
 mod path;
@@ -47,7 +47,7 @@ pub enum Refusal {
     Defects(Vec<Defect>),
 }
 
-/// Resolution of the last possible value, relative to the range of the dimension. Rounding is to a power of ten.
+/// Resolution of the last possible value, relative to the range of the dimension, before rounding to a power of ten.
 const RESOLUTION: f64 = 2e-4;
 /// Steps by which the input gives way, relative to the span of the input. The first is also the distance kept from the
 /// input at which the loop opens.

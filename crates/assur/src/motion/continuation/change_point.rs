@@ -9,8 +9,8 @@ use crate::{Jet, tolerance};
 /// Distance from a change point, relative to the span of the input, within which margins lose too many digits. Poses
 /// ahead are also probed at this distance.
 pub(super) const PROBE_DISTANCE: f64 = 1e-5;
-/// Maximum relative deviation of the square of a root from its Taylor series. So near the centre of the series the
-/// remainder is far smaller; a larger deviation indicates another singularity nearby.
+/// Maximum relative deviation of a square from its Taylor series at a change point. The deviation is far smaller so
+/// near to the change point; a larger one indicates another singularity nearby.
 const MAX_DEVIATION: f64 = 0.1;
 
 /// A change point: steps of the plan whose links pass through in line at one input.
@@ -131,7 +131,7 @@ impl Continuation<'_> {
                 (second > 0.0).then_some(input - slope / second)
             };
             let mut input = minimum(self.input, [1, 2].map(|order| margin.derivative(order)))?;
-            // Newton's method converges from nearby in four steps.
+            // From so near, Newton's method converges in four steps.
             for _ in 0..4 {
                 if !ahead(&input) {
                     return None;

@@ -1,6 +1,6 @@
 //! Folds of a group: poses in which two of its assemblies meet and the driver must turn back. The poses of a group with
 //! their inputs form a curve that is smooth at a fold. The fold is the simple root of the rate of the input along this
-//! curve, as exact as the equations.
+//! curve, and is as exact as the equations.
 //!
 //! The curve is followed by Keller's pseudo-arclength continuation: a step along the tangent, and Newton's method
 //! across it. Two branches may come very close without meeting; a jump from one to the other changes the sign of the
@@ -44,7 +44,7 @@ struct CurvePoint {
 }
 
 impl Continuation<'_> {
-    /// Input of the next fold of a group in a sense of motion, searched for within a window of the input.
+    /// Input of the next fold of a group in the given sense; None if there is no fold within the window.
     pub(super) fn fold(&self, step: StepId, sense: f64, window: f64) -> Option<f64> {
         let Step::Group(group) = &self.mechanism.steps()[step] else {
             return None;
@@ -100,7 +100,7 @@ impl Continuation<'_> {
 }
 
 impl Curve<'_> {
-    /// Unit of the scaled input, in which its span is 2π.
+    /// Unit of the scaled input, whose span is then 2π.
     fn input_unit(&self) -> f64 {
         self.motion.mechanism.span() / std::f64::consts::TAU
     }
@@ -117,7 +117,8 @@ impl Curve<'_> {
     /// The input of the fold between two points a step apart: the root of the rate.
     fn fold_between(&self, here: &CurvePoint, next: &CurvePoint, step_len: f64) -> Option<f64> {
         let [first, last] = [here, next].map(|point| self.rate(point));
-        // The input differs from that of the fold by rate² / (2 · slope of the rate); smaller rates count as zero.
+        // The input differs from that of the fold by rate² / (2 · slope of the rate). If this is only rounding, the
+        // rate counts as zero.
         let negligible = f64::EPSILON * (last - first).abs() / step_len;
         let point = |length: f64| self.corrected(&here.at, &here.tangent, length);
         let rate = |length: f64| {

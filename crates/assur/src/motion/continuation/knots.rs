@@ -8,7 +8,7 @@ use crate::position::{Nearby, Orientation, Predictor, Sign, SmoothRoot};
 use crate::sorting::sort_by;
 use crate::{Cycle, Vector, tolerance};
 
-/// Maximum angle, in radians, through which a body turns from knot to knot, so that whole turns can be counted.
+/// Maximum angle, in radians, through which a body may turn from knot to knot, so that whole turns can be counted.
 pub(super) const MAX_TURN: f64 = 1.0;
 /// Maximum ratio of the lengths of two merged intervals. The interpolation error is greatest near the middle of the
 /// merged interval, so it is tested at a knot near the middle.
@@ -26,7 +26,7 @@ pub(in crate::motion) struct Knots {
     first: f64,
     /// Smooth roots of steps around change points.
     smooth_roots: Vec<SmoothRoot>,
-    /// Maximum distance between neighbouring knots between which a guess is interpolated.
+    /// Maximum distance of neighbouring knots for which a guess is interpolated.
     longest: f64,
     /// Minimum and maximum of the first margin of each step over all samples, including dropped ones.
     margins: List<StepId, [f64; 2]>,

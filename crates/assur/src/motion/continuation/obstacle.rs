@@ -83,8 +83,8 @@ impl Continuation<'_> {
             });
             self.dead_point_at(last, step, cause)
         });
-        // Guides may become parallel between two poses, and a step beyond them may fail first: the rates of links that
-        // depend on the guides grow without bound.
+        // Guides may become parallel between two tried poses. A dependent step of the plan may then fail first, because
+        // the rates of links that depend on the guides grow without bound.
         let steps = self.mechanism.steps().ids();
         let parallel = steps.filter_map(|step| self.parallel(step, sense));
         let nearest = parallel

@@ -13,7 +13,7 @@ use crate::{Cycle, Jet, tolerance};
 use roots::ordered_roots;
 use samples::{Sample, Samples, closed, grids, searchable};
 
-/// Zeros and extrema of a quantity over a motion, in ascending inputs.
+/// Zeros and extrema of a quantity over a motion, in ascending order of input.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Features {
     /// Inputs of the zeros.
@@ -38,7 +38,7 @@ impl Features {
 /// Maximum number of samples held at once, for all quantities together: about ten megabytes.
 const MAX_SAMPLES: usize = 1 << 18;
 
-/// Error of a motion that repeats only after more turns than are searched for zeros and extrema.
+/// Error: the motion repeats only after more turns than are searched for zeros and extrema.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooManyTurns {
     /// Number of turns of the crank after which the motion repeats.

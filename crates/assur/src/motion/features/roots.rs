@@ -29,7 +29,7 @@ pub(super) fn ordered_roots(
     });
     let mut ordered: Vec<Sample> = cells.flatten().collect();
     sort_by(&mut ordered, |a, b| a.input.total_cmp(&b.input));
-    // Near a root rounding may change the sign several times; not near input 0, where floating-point numbers are
+    // Near a root, rounding may change the sign several times, except near input 0, where floating-point numbers are
     // densest.
     ordered
         .dedup_by(|later, one| later.input - one.input <= tolerance::CONVERGED * later.input.abs());

@@ -236,8 +236,8 @@ pub(super) struct System {
 }
 
 impl System {
-    /// System without the unknowns that follow from forms equal to zero. None if these forms are dependent, or if the
-    /// numbers of equations and of unknowns differ.
+    /// System after elimination of the unknowns that follow from `zeros`, forms equal to zero. None if these forms are
+    /// dependent, or if the numbers of equations and of unknowns differ.
     pub(super) fn new(
         unknowns: usize,
         equations: Vec<VaryingBilinear>,
@@ -305,12 +305,12 @@ impl System {
         (system.equations.len() == 2 * unknowns).then_some(system)
     }
 
-    /// Unknowns of the group for unknowns of the system.
+    /// Unknowns of the group from the unknowns of the system.
     pub(super) fn own(&self, z: &[C]) -> impl Iterator<Item = C> {
         self.own.iter().map(|form| form.at(z))
     }
 
-    /// Unknowns and conjugates of the group for unknowns and conjugates of the system.
+    /// Unknowns and conjugates of the group from those of the system.
     pub(super) fn own_both(&self, at: &[C]) -> impl Iterator<Item = C> {
         let (z, w) = at.split_at(self.unknowns);
         let part = |which: usize| self.own.iter().map(move |form| form.both(z, w)[which]);

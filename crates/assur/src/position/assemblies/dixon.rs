@@ -12,8 +12,9 @@
 //! where X is the product of 1/vₖ over a set of m directions, and Y over m − 1. (Wampler, Solving the kinematics of
 //! planar mechanisms by Dixon determinant and a complex-plane formulation, J. Mech. Des. 123, 2001.)
 //!
-//! If λ has length 1, the second equation is λ times the conjugate of the first, with Y_V for X̄_U. Let X_U = p + iq,
-//! Y_V = p − iq and λ = ρ(1 + it)/(1 − it), where ρ is any number of length 1. Then the real and imaginary parts of
+//! If λ has length 1, the second equation is λ times the conjugate of the first, with Y_V in place of X̄_U.
+//! Let X_U = p + iq, Y_V = p − iq and λ = ρ(1 + it)/(1 − it), where ρ is any number of length 1. Then the real and
+//! imaginary parts of
 //!
 //! > (a₀(1 − it) + ρ a₁(1 + it)) X_U + (1 − it) Σ_{k ∈ U} aₖ X̄_{V∪k} = 0
 //!
@@ -44,8 +45,8 @@ struct Loops {
     constants: Vec<C>,
 }
 
-/// Approximate unknowns and conjugates of all solutions, with one solution of each conjugate pair. Newton's method does
-/// not converge from spurious ones. None if the group has pairs other than hinges.
+/// Approximate unknowns and conjugates of all solutions, with one solution of each conjugate pair. From spurious
+/// candidates Newton's method does not converge. None if the group has pairs other than hinges.
 pub(super) fn candidates(system: &System, hidden: usize) -> Option<Vec<Vec<C>>> {
     let forms: Option<Vec<&Affine>> = system.equations.iter().map(unit).collect();
     let mut forms = forms?;

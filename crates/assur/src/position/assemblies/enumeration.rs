@@ -6,7 +6,7 @@ use super::solutions::{REAL, Solutions, conjugate, distance, distance_to_conjuga
 use super::{ComplexPair, Method, dixon, homotopy};
 use crate::tolerance;
 
-/// Maximum number of random sets of paths. Each set has all paths, so the next set finds a solution lost by one set.
+/// Maximum number of random sets of paths. Each set has all paths, so a solution lost by one set is found by the next.
 const MAX_PATH_SETS: u64 = 6;
 /// Number of hidden directions that must give the same solutions, if the general number of solutions is unknown.
 const AGREEING_DIRECTIONS: usize = 2;
@@ -144,7 +144,7 @@ impl System {
         is_confirmed.into_iter().filter(|one| *one).count()
     }
 
-    /// The real solution near a solution that is real except for rounding; None for another solution.
+    /// The real solution near a solution that is real except for rounding; None for other solutions.
     fn real(&self, at: &[C], workspace: &mut Workspace) -> Option<Vec<C>> {
         let (z, w) = at.split_at(self.unknowns);
         let conjugates: Vec<C> = w.iter().map(|w| w.conj()).collect();
@@ -165,7 +165,7 @@ impl System {
     }
 }
 
-/// Number of hidden directions for a group of general dimensions with a number of unknowns.
+/// Number of hidden directions tried for a group of general dimensions, by its number of unknowns.
 fn hidden_directions(unknowns: usize) -> usize {
     if unknowns < 4 { 1 } else { AGREEING_DIRECTIONS }
 }

@@ -4,8 +4,8 @@ use super::bilinear::System;
 use super::solutions::Solutions;
 use crate::{Vector, tolerance};
 
-/// Maximum distance, relative to the links, between the parameters and those of a branch that is tracked. At greater
-/// distances the extrapolation is a poor guess.
+/// Maximum distance, relative to the links, between the present parameters and those of a branch that is tracked. At
+/// greater distances the extrapolation is a poor guess.
 pub(super) const MAX_DISTANCE: f64 = 0.25;
 /// Maximum extrapolation, in units of the distance between the last two samples. Errors of samples grow with the square
 /// of the extrapolation.
@@ -19,7 +19,7 @@ pub(crate) struct Tracker {
     pub(super) branches: Vec<Branch>,
     /// Greatest number of complex assemblies found, which is taken as the number for general parameters.
     pub(super) general_count: usize,
-    /// True if clearly different parameters gave this number.
+    /// True if clearly different parameters gave `general_count` assemblies.
     pub(super) agreed: bool,
     /// Equations for the last parameters.
     pub(super) system: Option<System>,

@@ -63,7 +63,8 @@ impl Group {
         known.chain(driven).collect()
     }
 
-    /// All assemblies from their extrapolations; None if they are not distinct. True if none became real or complex.
+    /// All assemblies from their extrapolations; None if they are not distinct. The flag is false if some became real
+    /// or complex.
     fn track<const N: usize>(
         &self,
         extrapolation: &Extrapolation<'_>,
@@ -144,8 +145,8 @@ impl Group {
         all.are_distinct().then_some((all, false))
     }
 
-    /// Adds two assemblies from their mean and their half difference, whose square is multiplied by `growth`. They are
-    /// real if `growth` is positive, and conjugate otherwise.
+    /// Adds two assemblies from their mean and their half difference, whose square is multiplied by `growth`. The
+    /// assemblies are real if `growth` is positive, and conjugate otherwise.
     fn add_pair<const N: usize>(
         &self,
         all: &mut Solutions,

@@ -24,7 +24,7 @@ pub(crate) struct Side {
     pub(crate) joint: PointId,
     /// Direction of sliding in the coordinates of the link, of length 1.
     pub(crate) direction: Vector,
-    /// Distance of the line to the left of the hinge.
+    /// Offset of the line from the hinge, positive to the left.
     pub(crate) offset: f64,
 }
 

@@ -78,7 +78,7 @@ impl<const N: usize> Triangle<N> {
     }
 
     /// Leg of the triangle as a vector. If the other arm is much longer, only the direction of the vector is exact, and
-    /// the vector is scaled to the length of its arm.
+    /// the vector is scaled to the length of the arm.
     #[inline(always)]
     fn leg(&self, arm: &Arm, along: Complex<N>) -> Complex<N> {
         if arm.length() < CLOSE * self.sum {
