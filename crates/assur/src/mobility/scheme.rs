@@ -1,4 +1,4 @@
-//! A valid scheme.
+//! A validated scheme of links and pairs.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,11 +6,11 @@ use super::screw::{Form, across};
 use super::{PairKind, PairSpec, Point3, SchemeDefect, SchemeSpec, Vector3};
 use crate::numeric::graph::Partition;
 
-/// Maximum coordinate: squares and products remain finite.
+/// Maximum magnitude of a coordinate, a component of a direction or a pitch: squares and products remain finite.
 const RANGE: f64 = 1e60;
 
-/// Links and pairs, connected to the ground. Links are numbered in the order in which the pairs name them, the ground
-/// is number 0.
+/// Links joined by pairs, all connected to the ground. Links are numbered in the order in which the pairs first name
+/// them; the ground is number 0.
 ///
 /// ```
 /// use assur::mobility::{PairKind, PairSpec, Scheme, SchemeSpec};
@@ -28,7 +28,7 @@ pub struct Scheme {
     planar: bool,
     links: Vec<String>,
     pairs: Vec<Pair>,
-    /// Freedoms of each pair in the scheme's own space.
+    /// Number of freedoms of each pair, in the plane for a planar scheme and otherwise in space.
     freedoms: Vec<u8>,
 }
 
@@ -39,33 +39,33 @@ pub struct Pair {
     pub name: String,
     /// Form of the pair.
     pub kind: PairKind,
-    /// The links it joins, by number: two, or k in a compound hinge, which counts as k − 1 pairs.
+    /// Numbers of the links that the pair joins: two, or k links in a compound hinge, which counts as k − 1 pairs.
     pub links: Vec<usize>,
     /// Position of the pair.
     pub place: Option<Point3>,
     /// Axis or normal of the pair, of length 1.
     pub axis: Option<Vector3>,
-    /// The second direction, if any, of length 1 and perpendicular to the axis.
+    /// Second direction, of length 1 and perpendicular to the axis; only a universal pair or a line contact has one.
     pub second: Option<Vector3>,
 }
 
 impl Pair {
-    /// Number of pairs of two links it counts as.
+    /// Number of two-link pairs that this pair counts as.
     pub fn count(&self) -> usize {
         self.links.len() - 1
     }
 
-    /// True if more than two links meet in it.
+    /// True if the pair joins more than two links.
     pub fn is_compound(&self) -> bool {
         self.links.len() > 2
     }
 }
 
 impl Scheme {
-    /// The scheme of a specification.
+    /// Builds the scheme of a specification.
     ///
     /// # Errors
-    /// Every defect.
+    /// All defects of the specification.
     pub fn new(spec: &SchemeSpec) -> Result<Self, Vec<SchemeDefect>> {
         let mut defects = vec![];
         if spec.pairs.is_empty() {
@@ -154,27 +154,27 @@ impl Scheme {
         &self.links[link]
     }
 
-    /// The link with a name.
+    /// Number of the link with a given name.
     pub fn link(&self, name: &str) -> Option<usize> {
         self.links.iter().position(|link| link == name)
     }
 
-    /// The pair with a name.
+    /// Number of the pair with a given name.
     pub fn pair(&self, name: &str) -> Option<usize> {
         self.pairs.iter().position(|pair| pair.name == name)
     }
 
-    /// i: freedoms of a pair in the scheme's own space, the plane or space.
+    /// Number of freedoms of a pair, i: in the plane for a planar scheme, otherwise in space.
     pub fn freedoms(&self, pair: usize) -> u8 {
         self.freedoms[pair]
     }
 
-    /// S: constraints of a pair in the scheme's own space.
+    /// Number of constraints of a pair, S: in the plane for a planar scheme, otherwise in space.
     pub fn constraints(&self, pair: usize) -> u8 {
         (if self.planar { 3 } else { 6 }) - self.freedoms[pair]
     }
 
-    /// Pairs of each link.
+    /// Numbers of the pairs on each link.
     pub(super) fn pairs_of(&self) -> Vec<Vec<usize>> {
         let mut pairs_of = vec![vec![]; self.links.len()];
         for (at, pair) in self.pairs.iter().enumerate() {
@@ -190,7 +190,8 @@ impl Scheme {
         Scale::of(&self.pairs)
     }
 
-    /// A pair with its screws; none if its place or a direction is missing.
+    /// Place and directions of a pair, in units of `scale`; None if one of them is missing, or for a
+    /// [`PairKind::Class`].
     pub(super) fn form(&self, pair: usize, scale: &Scale) -> Option<Form> {
         let pair = &self.pairs[pair];
         let kind = match pair.kind {
@@ -212,7 +213,7 @@ impl Scheme {
         Some(Form::new(kind, place, axis, second))
     }
 
-    /// The scheme as a specification, with directions that were implied in the first one.
+    /// Specification of the scheme, including directions that the original specification left to defaults.
     pub fn spec(&self) -> SchemeSpec {
         let pairs = self.pairs.iter().map(|pair| PairSpec {
             name: pair.name.clone(),
@@ -234,7 +235,7 @@ impl Scheme {
     }
 }
 
-/// Centre of the places, and unit of length, chosen to minimize rounding.
+/// Centre of the pairs and unit of length, chosen to reduce rounding errors.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {
     pub(super) centre: Vector3,
@@ -252,7 +253,7 @@ impl Scale {
             _ => 0.0,
         });
         let size = distances.chain(pitches).fold(0.0, f64::max);
-        // 1 if all pairs are at one place.
+        // The size is 1 if all pairs are at the same place.
         let size = if size > 0.0 { size } else { 1.0 };
         Self { centre, size }
     }
@@ -268,7 +269,7 @@ fn links(spec: &SchemeSpec) -> Vec<&str> {
     [ground].into_iter().chain(others).collect()
 }
 
-/// Adds defects in the links of a pair.
+/// Checks the links of a pair and adds their defects.
 fn joins(pair: &PairSpec, defects: &mut Vec<SchemeDefect>) {
     let mut seen = BTreeSet::new();
     let again = pair.links.iter().find(|link| !seen.insert(link.as_str()));
@@ -281,7 +282,7 @@ fn joins(pair: &PairSpec, defects: &mut Vec<SchemeDefect>) {
     }
 }
 
-/// A pair with its directions, given or implied, of length 1.
+/// A pair with its given or default directions as unit vectors.
 struct Directed<'a> {
     pair: &'a PairSpec,
     axis: Option<Vector3>,
@@ -329,20 +330,20 @@ fn directed(pair: &PairSpec, planar: bool) -> Result<Directed<'_>, SchemeDefect>
     Ok(Directed { pair, axis, second })
 }
 
-/// The direction with length 1.
+/// Unit vector of a direction; None for a zero vector.
 fn unit(direction: Vector3) -> Option<Vector3> {
     // Scaled to a length of about 1 first, so that squares do not underflow.
     let longest = direction.amax();
     (longest > 0.0).then(|| (direction / longest).normalize())
 }
 
-/// Unit vector along the component of a direction perpendicular to an axis.
+/// Unit vector along the component of a direction perpendicular to an axis; None if that component vanishes.
 fn unit_across(axis: &Vector3, direction: &Vector3) -> Option<Vector3> {
     let across = direction - axis * axis.dot(direction);
     (across.norm() > super::screw::ZERO).then(|| across.normalize())
 }
 
-/// Freedoms of the pair in the plane, or in space.
+/// Number of freedoms of a pair, in the plane or in space.
 fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefect> {
     let pair = directed.pair;
     let freedoms = pair.kind.freedoms();
@@ -358,7 +359,7 @@ fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefec
     if !planar {
         return Ok(freedoms);
     }
-    // A missing direction is chosen to fit the plane: directions of slides and normals of contacts are in it.
+    // Missing directions are chosen to suit the plane: directions of slides and normals of contacts lie in the plane.
     let axis = directed.axis.unwrap_or_else(Vector3::x);
     let second = directed
         .second
@@ -375,7 +376,7 @@ fn own_freedoms(directed: &Directed<'_>, planar: bool) -> Result<u8, SchemeDefec
     }
 }
 
-/// Links that are not connected to the ground, number 0.
+/// Numbers of the links that are not connected to the ground, which is number 0.
 fn apart(spec: &SchemeSpec, numbers: &BTreeMap<&str, usize>) -> Vec<usize> {
     let mut parts = Partition::new(numbers.len());
     for pair in &spec.pairs {

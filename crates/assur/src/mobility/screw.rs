@@ -1,8 +1,8 @@
 //! Freedoms and constraints of a pair as screws.
 //!
-//! A twist is (ω, v): angular velocity, and velocity of the point of the body at the origin. A wrench is (m, f): it
-//! forbids the twists with m·ω + f·v ≠ 0. The twists and the wrenches of a pair are reciprocal (Hunt, *Kinematic
-//! Geometry of Mechanisms*, 1978, chapter 12).
+//! A twist (ω, v) is the angular velocity of a body with the velocity of its point at the origin. A wrench (m, f), a
+//! moment with a force, forbids the twists for which m·ω + f·v ≠ 0. The twists and the wrenches of a pair are
+//! reciprocal (Hunt, *Kinematic Geometry of Mechanisms*, 1978, chapter 12).
 
 use std::f64::consts::TAU;
 
@@ -13,24 +13,24 @@ use crate::tolerance;
 /// A twist or a wrench: the angular components, then the linear ones.
 pub(super) type Screw = nalgebra::Vector6<f64>;
 
-/// Tolerance for screws of length about 1.
+/// Length below which a screw counts as zero; screws have lengths of about 1.
 pub(super) const ZERO: f64 = tolerance::COINCIDENT;
 
-/// Components of a screw in the plane: ω_z, v_x, v_y.
+/// Indices of the planar components of a screw: ω_z, v_x, v_y.
 pub(super) const IN_PLANE: [usize; 3] = [2, 3, 4];
 
-/// A pair with its place and frame. Lengths are relative to the size of the scheme.
+/// A pair with its place and directions. Lengths are relative to the size of the scheme.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Form {
     pub(super) kind: PairKind,
     pub(super) place: Vector3,
-    /// The axis or normal, the second direction, and their vector product.
+    /// Axis or normal, second direction, and their vector product.
     pub(super) frame: [Vector3; 3],
 }
 
 impl Form {
-    /// A pair of this kind with an axis and a second direction perpendicular to it, both of length 1. By default the
-    /// second direction is arbitrary, for kinds that do not depend on it.
+    /// Builds a pair from an axis and a second direction, which are perpendicular unit vectors. If no second direction
+    /// is given, an arbitrary one is taken; it has no effect on kinds without a second direction.
     pub(super) fn new(
         kind: PairKind,
         place: Vector3,
@@ -42,7 +42,7 @@ impl Form {
         Self { kind, place, frame }
     }
 
-    /// Basis of the twists that the pair allows, one for each freedom; empty for a [`PairKind::Class`].
+    /// Basis of the twists that the pair allows, one twist for each freedom; empty for a [`PairKind::Class`].
     pub(super) fn freedoms(&self) -> Vec<Screw> {
         let [axis, second, third] = self.frame;
         let turn = |about: Vector3| screw(about, self.place.cross(&about));
@@ -69,7 +69,7 @@ impl Form {
         }
     }
 
-    /// Basis of the wrenches of the pair, 6 less its freedoms; empty for a [`PairKind::Class`].
+    /// Basis of the wrenches of the pair: six minus the number of its freedoms; empty for a [`PairKind::Class`].
     pub(super) fn constraints(&self) -> Vec<Screw> {
         let [axis, second, third] = self.frame;
         let force = |along: Vector3| screw(self.place.cross(&along), along);
@@ -108,7 +108,7 @@ impl Form {
         }
     }
 
-    /// Basis of the wrenches of the pair in the plane, 3 less its freedoms there.
+    /// Basis of the planar components of the pair's wrenches: three minus the number of its freedoms in the plane.
     pub(super) fn constraints_in_plane(&self) -> Vec<Screw> {
         let in_plane = |wrench: &Screw| {
             Screw::from_fn(|row, _| {
@@ -133,10 +133,10 @@ pub(super) fn across(axis: &Vector3) -> Vector3 {
     (unit - axis * axis.dot(&unit)).normalize()
 }
 
-/// Orthonormal basis of the span of screws of length about 1 or less; remainders up to [`ZERO`] after orthogonalization
-/// count as zero.
+/// Orthonormal basis of the span of screws of length about 1 or less. A remainder of at most [`ZERO`] after
+/// orthogonalization counts as zero.
 pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
-    /// Minimum remainder of a clearly independent screw.
+    /// Minimum length of the remainder of a clearly independent screw.
     const CLEAR: f64 = 0.1;
     let mut basis = Vec::with_capacity(6);
     let mut doubtful = vec![];
@@ -152,7 +152,7 @@ pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
             doubtful.push(rest);
         }
     }
-    // Doubtful remainders are taken by decreasing length, so that rounding is not taken for a direction.
+    // Doubtful remainders are added longest first, so that a rounding error is not mistaken for a direction.
     loop {
         doubtful
             .iter_mut()
@@ -169,7 +169,7 @@ pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
 mod tests {
     use super::*;
 
-    /// Freedoms and constraints of a pair are reciprocal, independent, and six together.
+    /// The twists and wrenches of a pair are reciprocal and independent, and six in total.
     #[test]
     fn reciprocal() {
         for kind in PairKind::forms(0.5) {

@@ -1,30 +1,30 @@
-//! The method of sections: the open chain is counted, and the constraints of the cut pairs are subtracted.
+//! The method of sections: mobility as the freedoms of an open chain minus the constraints of the cut pairs.
 
 use std::collections::{BTreeMap, VecDeque};
 
 use super::screw::{Screw, basis};
 use super::{Cut, CutError, Scheme};
 
-/// A scheme opened by cuts, and its W.
+/// A scheme opened by cuts, with its mobility W. The own space of a planar scheme is the plane.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sections {
     /// The cuts, in the order in which they were given.
     pub cuts: Vec<Cut>,
-    /// P_i of the open chain, in the scheme's own space.
+    /// P_i: number of pairs of the open chain with i freedoms in the scheme's own space, by i.
     pub left: BTreeMap<u8, usize>,
-    /// W_open = Σ i·P_i of the open chain, in the scheme's own space (mobility paper, (4)).
+    /// W_open = Σ i·P_i: freedoms of the open chain in the scheme's own space (mobility paper, (4)).
     pub open: usize,
     /// ΣS: constraints of the cut pairs, in the scheme's own space.
     pub removed: usize,
-    /// W_open in space.
+    /// W_open with the freedoms that the pairs have in space.
     pub open_spatial: usize,
-    /// ΣS in space.
+    /// ΣS with the constraints that the cut pairs have in space.
     pub removed_spatial: usize,
-    /// W = W_open − ΣS (mobility paper, (5)).
+    /// W = W_open − ΣS in the scheme's own space (mobility paper, (5)).
     pub mobility: isize,
-    /// q in space with W of the own space: q = ΣS + W − W_open. For a spatial scheme it is zero by construction.
+    /// q = ΣS + W − W_open: ΣS and W_open in space, W as above. Zero by construction for a spatial scheme.
     pub redundant: isize,
-    /// The contours opened by the cuts, one for each.
+    /// The contours opened by the cuts, one for each cut.
     pub loops: Vec<Loop>,
 }
 
@@ -35,19 +35,19 @@ pub struct Loop {
     pub cut: Cut,
     /// Pairs along the contour, the cut pair first.
     pub pairs: Vec<usize>,
-    /// S of the cut pair in the scheme's own space.
+    /// S, the constraints of the cut pair, in the scheme's own space.
     pub constraints: u8,
-    /// S of the cut pair in space.
+    /// S, the constraints of the cut pair, in space.
     pub spatial_constraints: u8,
-    /// λ: dimension of the space of relative motions in the contour, 2 to 6. If places and axes are known it is the
-    /// rank of the pairs' screws; otherwise 3 in the plane and 6 in space.
+    /// λ: dimension of the space of relative motions in the contour, 2 to 6. It is the rank of the pairs' screws if
+    /// places and axes are known; otherwise it is 3 in the plane and 6 in space.
     pub motion_space: u8,
     /// 6 − λ: number of redundant constraints in space from closing the contour.
     pub redundant: u8,
 }
 
 impl Sections {
-    /// W in space by the formula of loops, W = ΣiP_i − Σλ (Moroshkin; Voinea and Atanasiu).
+    /// Mobility in space by the loop formula, W = Σ i·P_i − Σλ (Moroshkin; Voinea and Atanasiu).
     pub fn by_loops(&self) -> isize {
         let closed = self.loops.iter().map(|closed| {
             isize::from(6 - closed.spatial_constraints) - isize::from(closed.motion_space)
@@ -57,10 +57,10 @@ impl Sections {
 }
 
 impl Scheme {
-    /// Opens the scheme by cuts.
+    /// Opens the scheme by cuts and counts its mobility.
     ///
     /// # Errors
-    /// A pair is cut twice; a contour is still closed; links are disconnected.
+    /// A cut does not exist or is repeated, a contour is still closed, or links are disconnected from the ground.
     pub fn sections(&self, cuts: &[Cut]) -> Result<Sections, CutError> {
         let open = Open::new(self, cuts)?;
         if let Some(contour) = open.closed() {
@@ -110,8 +110,8 @@ impl Scheme {
 }
 
 impl Scheme {
-    /// The contour opened by a cut: the path in the open chain from the pair to the link. `freedoms` are those of each
-    /// pair, if known.
+    /// Contour opened by a cut: the path in the open chain from the cut pair to the detached link. `freedoms` gives the
+    /// twists of each pair, if known.
     fn contour(
         &self,
         cut: Cut,
@@ -135,13 +135,13 @@ impl Scheme {
         }
     }
 
-    /// λ of a contour with these pairs.
+    /// λ of a contour through the given pairs.
     fn motion_space(&self, pairs: &[usize], freedoms: &[Option<Vec<Screw>>]) -> u8 {
         if pairs.iter().all(|pair| freedoms[*pair].is_some()) {
             let screws = pairs
                 .iter()
                 .flat_map(|pair| freedoms[*pair].iter().flatten());
-            // The length is at most 6, the number of components of a screw.
+            // The cast is safe: a basis has at most 6 screws.
             basis(screws.copied()).len() as u8
         } else if self.is_planar() {
             3
@@ -151,7 +151,7 @@ impl Scheme {
     }
 }
 
-/// A scheme after cuts. Its nodes are the links, then the pairs.
+/// A scheme after cuts, as a graph. Its nodes are the links, then the pairs.
 struct Open {
     links: usize,
     /// Remaining links of each pair, at least one.
@@ -167,7 +167,7 @@ impl Open {
         let mut left: Vec<_> = pairs.iter().map(|pair| pair.links.clone()).collect();
         for cut in cuts {
             let pair = pairs.get(cut.pair);
-            // In messages numbers start at 1.
+            // Numbers in messages start at 1.
             let pair = pair.ok_or_else(|| CutError::NoSuchPair {
                 pair: (cut.pair + 1).to_string(),
             })?;
@@ -194,7 +194,7 @@ impl Open {
         Ok(Self { links, left, near })
     }
 
-    /// The pairs of the shortest contour that is still closed, in their order along it.
+    /// Pairs of the shortest contour that is still closed, in order around the contour.
     fn closed(&self) -> Option<Vec<usize>> {
         let ends: usize = self.left.iter().map(Vec::len).sum();
         let mut been = vec![None; self.near.len()];
@@ -214,7 +214,7 @@ impl Open {
         let mut pairs: Vec<usize> = pairs
             .filter_map(|node| node.checked_sub(self.links))
             .collect();
-        // Starts at the first pair and continues to its neighbour with the lower index.
+        // The list starts at the pair with the lowest index and continues to its neighbour with the lower index.
         let first = (0..pairs.len()).min_by_key(|at| pairs[*at])?;
         pairs.rotate_left(first);
         if pairs.last() < pairs.get(1) {
@@ -223,7 +223,8 @@ impl Open {
         Some(pairs)
     }
 
-    /// The nodes of the first contour found from a link; the shortest of all is found from one of its links.
+    /// Nodes of the first contour found by a search from a link. From a link of the shortest contour, it is the
+    /// shortest.
     fn contour_at(&self, link: usize) -> Option<Vec<usize>> {
         let mut from = vec![None; self.near.len()];
         let mut queue = VecDeque::from([link]);
@@ -255,7 +256,7 @@ impl Open {
         }
     }
 
-    /// Predecessors in a search from the ground, and links that are not reached.
+    /// Predecessors of all nodes in a search from the ground, and the links not reached.
     fn hung(&self) -> (Vec<Option<usize>>, Vec<usize>) {
         let mut from = vec![None; self.near.len()];
         self.spread(0, &mut from);
@@ -264,7 +265,7 @@ impl Open {
         (from, apart)
     }
 
-    /// The path between two nodes of one search tree, both included.
+    /// Path between two nodes of one search tree, including both nodes.
     fn between(&self, [start, end]: [usize; 2], from: &[Option<usize>]) -> Vec<usize> {
         let up = |node: &usize| from[*node].filter(|up| up != node);
         let mut first: Vec<usize> = std::iter::successors(Some(start), up).collect();
@@ -284,8 +285,8 @@ mod tests {
     use crate::mobility::counts::tests::contour;
     use crate::mobility::{CutError, PairKind};
 
-    /// A four-bar opened at one hinge: 3 freedoms less 2 constraints in the plane, 3 less 5 in space; without places of
-    /// the pairs λ is 3.
+    /// A four-bar opened at one hinge has 3 freedoms less 2 constraints in the plane, and 3 less 5 in space. λ is 3
+    /// because the places of the pairs are not given.
     #[test]
     fn one_contour() {
         let four_bar = contour(true, &[PairKind::Revolute; 4]);

@@ -2,7 +2,7 @@
 
 use super::{PairKind, Point3, Vector3};
 
-/// Links and pairs as entered, not yet checked. Links are given by the pairs that name them.
+/// Links and pairs as entered, not yet checked. A link exists if a pair names it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SchemeSpec {
     /// The link that does not move.
@@ -20,19 +20,19 @@ pub struct PairSpec {
     pub name: String,
     /// Form of the pair.
     pub kind: PairKind,
-    /// The links it joins: two, or more for a compound hinge.
+    /// Names of the links that the pair joins: two, or more for a compound hinge.
     pub links: Vec<String>,
-    /// Position of the pair. The rank needs it for every pair.
+    /// Position of the pair. The rank can be found only if all pairs have positions.
     pub place: Option<Point3>,
-    /// Its axis or normal, of any length. Default in a planar scheme: the normal of the plane for the hinge,
-    /// cylindrical and universal pair and ball in a cylinder; no default for other pairs.
+    /// Axis or normal of the pair, of any length. In a planar scheme it is by default the normal of the plane for a
+    /// hinge, a cylindrical or universal pair, and a ball in a cylinder. Other pairs have no default.
     pub axis: Option<Vector3>,
-    /// The second direction, if the kind has one; only its component perpendicular to the axis counts. Default in a
-    /// planar scheme: the normal of the plane for the line of a contact, y for a universal pair.
+    /// Second direction, if the kind has one; only its component perpendicular to the axis counts. In a planar scheme
+    /// it is by default the normal of the plane for the line of a contact, and the y-axis for a universal pair.
     pub second: Option<Vector3>,
 }
 
-/// Reasons why a specification is not a scheme.
+/// Reason why a specification is not a valid scheme.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -46,22 +46,22 @@ pub struct PairSpec {
 pub enum SchemeDefect {
     /// There is no pair.
     NoPairs,
-    /// No pair has the link given as the ground.
+    /// No pair joins the link given as the ground.
     NoGround { link: String },
-    /// Two pairs have this name, or it is empty.
+    /// Two pairs have this name, or the name is empty.
     SamePair { pair: String },
     /// The pair joins a link to itself.
     PairWithItself { pair: String, link: String },
-    /// The pair has fewer than two links, or more than two though its form joins only two (for
-    /// [`PairKind::joins_many`]: hinges and their replacements).
+    /// The pair has fewer than two links, or more than two although its kind joins only two. Kinds that join more:
+    /// [`PairKind::joins_many`].
     LinksOfPair { pair: String, count: usize },
-    /// The pair has an impossible number of freedoms: 1 to 5 in space, in the plane 1 or 2 are possible.
+    /// The number of freedoms of the pair is impossible: it must be 1 to 5 in space, and 1 or 2 in the plane.
     FreedomsOfPair { pair: String, freedoms: u8 },
-    /// The pair does not allow motion of its links in the plane, though the scheme is planar.
+    /// The scheme is planar, but the pair does not let its links move in the plane.
     OutOfPlane { pair: String },
-    /// A value of the pair is not finite or out of range, its axis has no length, its second direction is along the
+    /// A value of the pair is not finite or is out of range, its axis has no length, its second direction is along the
     /// axis, or the pitch of a screw is zero.
     PairGeometry { pair: String },
-    /// These links are not joined to the ground.
+    /// These links are not connected to the ground.
     SchemeApart { links: Vec<String> },
 }

@@ -1,4 +1,4 @@
-//! Motions in closed form, without continuation: a four-bar with the wheels on it, or cranks and wheels alone.
+//! Motions in closed form, without continuation: of a four-bar and its wheels, or of cranks and wheels alone.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,8 +9,8 @@ use crate::sorting::sort_by;
 use crate::{Assembly, Cycle};
 
 impl Motion {
-    /// Motion of a four-bar and its wheels; over the drawn arc if the crank cannot turn fully. Cranks and wheels alone
-    /// repeat after a number of turns.
+    /// Motion of a four-bar and its wheels, over the drawn arc if the crank cannot turn fully. The motion of cranks and
+    /// wheels alone repeats after `turns_of_wheels` turns.
     pub(super) fn in_closed_form(mut mechanism: Mechanism, turns_of_wheels: usize) -> Self {
         let arc = mechanism.closed_steps().next();
         let arc = arc.and_then(|closed| closed.arc(mechanism.drawn_input()));
@@ -64,10 +64,10 @@ impl Motion {
         Some(inputs)
     }
 
-    /// Growth over a full cycle of the angle of a rocker, or of a wheel driven by it; None for other quantities.
+    /// Change in the angle of a rocker, or of a wheel driven by it, over a full cycle; None for other quantities.
     pub(super) fn gain_in_closed_form(&self, quantity: Quantity, period: f64) -> Option<f64> {
         let rocker = self.rocker(quantity)?;
-        // At a crank angle of 1 no deltoid is indeterminate.
+        // At a crank angle of 1 rad every deltoid is determinate.
         let at = |crank: f64| {
             let pose = rocker.closed.linkage.pose::<1>(rocker.assembly, crank);
             Some(pose.ok()?.rocker.value())
@@ -76,7 +76,7 @@ impl Motion {
         Some(rocker.ratio * TAU * turns)
     }
 
-    /// Rocker whose angle determines a quantity at a constant ratio.
+    /// Rocker to whose angle a quantity has a constant ratio; None for other quantities.
     fn rocker(&self, quantity: Quantity) -> Option<Rocker<'_>> {
         let mechanism = &self.mechanism;
         let closed = mechanism.closed_steps().next()?;
@@ -97,8 +97,8 @@ impl Motion {
     }
 }
 
-/// The dead point of a four-bar at an end of an arc. The diagonal is shortest towards φ₁ = 0, so coupler and rocker are
-/// folded there, and stretched towards π.
+/// The dead point of a four-bar at an end of an arc. The diagonal from the crank pin to the rocker pivot grows with the
+/// crank angle φ₁ from 0 to π. So coupler and rocker are folded at an end towards 0, and stretched at an end towards π.
 pub(super) fn dead_point(
     closed: &DrivenFourBar<'_>,
     [from, to]: [f64; 2],

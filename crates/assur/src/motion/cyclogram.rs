@@ -27,13 +27,13 @@ pub struct Phase {
 }
 
 impl OutputProfile<'_> {
-    /// Phases of a cycle: dwells at the extrema within a band of full width `tolerance`, and the strokes between them.
-    /// Of overlapping dwells the longest is kept. Empty if the tolerance is not positive.
+    /// Phases of a cycle: dwells around the extrema, each within a band of full width `tolerance`, and the strokes
+    /// between the dwells. Of overlapping dwells only the longest is kept. Empty if the tolerance is not positive.
     pub fn cyclogram(&self, tolerance: f64) -> Vec<Phase> {
         self.phases(self.touching(tolerance), tolerance)
     }
 
-    /// Phases of a cycle, as [`Self::cyclogram`], from the arcs around extrema.
+    /// Phases of a cycle, as in [`Self::cyclogram`], from given arcs around the extrema.
     pub(super) fn phases(&self, mut arcs: Vec<Dwell>, tolerance: f64) -> Vec<Phase> {
         let (Some(first), true) = (self.stations.first(), is_width(tolerance)) else {
             return Vec::new();
@@ -87,7 +87,7 @@ impl OutputProfile<'_> {
         }
     }
 
-    /// A phase on an arc; rise or return if no kind is given.
+    /// A phase on an arc; a rise or a return if no kind is given.
     fn phase(&self, kind: Option<PhaseKind>, arc: [f64; 2]) -> Option<Phase> {
         let values = [self.value(arc[0])?, self.value(arc[1])?];
         let stroke = if values[1] > values[0] {

@@ -1,5 +1,5 @@
-//! Dead points: the ends of a motion. Dead points of dyads are found in `continuation::obstacle`, folds of groups in
-//! `continuation::fold`.
+//! Dead points: the ends of a motion. Dead points of dyads are found in `continuation::obstacle`, and folds of groups
+//! in `continuation::fold`.
 
 use crate::index::StepId;
 
@@ -10,25 +10,26 @@ pub enum DeadPointKind {
     Stretched,
     /// The two links of a dyad are in line, folded.
     Folded,
-    /// A link is perpendicular to the guide of its dyad, or the distance of two hinges is the extreme that the guide
+    /// A link is perpendicular to the guide of its dyad, or two hinges are at the extreme distance that the guide
     /// between them allows.
     Perpendicular,
     /// Two guides are parallel.
     Parallel,
-    /// Singular pose of a group of Class III or higher: its links can move while the others are at rest.
+    /// Singular pose of a group of Class III or higher: its links can move while all other links are at rest.
     Singular,
-    /// A redundant constraint of a group no longer holds: its links lock.
+    /// A redundant constraint of a group no longer holds, and the links of the group lock.
     Locked,
     /// End of the range of a driven slide; not a dead point of the linkage.
     Range,
-    /// A pose too close to a singular one, or to another branch, for a certain continuation; not a known dead point.
+    /// Pose too close to a singular pose, or to another branch, to be continued with certainty; not a known dead point.
     NearSingular,
-    /// Limit of computing work: the motion continues, or needs smaller steps, but is not followed. Not a dead point.
+    /// Limit of the computing work: the motion may continue, perhaps in smaller steps, but is not followed. Not a dead
+    /// point.
     Unfollowed,
 }
 
 impl DeadPointKind {
-    /// True if the linkage itself stops the driver; false at the end of a range and where the motion is given up.
+    /// True if the linkage itself stops the driver; false at the end of a range, and if the motion is given up.
     pub fn is_dead_point(self) -> bool {
         !matches!(self, Self::Range) && !self.is_given_up()
     }

@@ -1,8 +1,9 @@
-//! The nearest exact drawing to a drawing whose redundant constraints nearly hold: one drawn by hand, or a file with
-//! four decimals.
+//! The exact drawing nearest to a drawing whose redundant constraints only nearly hold, because it was drawn by hand or
+//! is from a file with four decimals.
 //!
-//! The unknowns are the drawing and several poses of its motion. Each constraint has the same value in every pose as in
-//! the drawing. The Gauss–Newton method finds the solution with the least change of the drawing; the poses are free.
+//! The unknowns are the points in the drawing and in several poses of its motion. Each constrained quantity has the
+//! same value in every pose as in the drawing. The Gauss–Newton method finds the solution with the least change of the
+//! drawing; changes of the poses hardly count.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -13,12 +14,12 @@ use crate::{Point, Vector, tolerance};
 
 /// Maximum displacement of a point, relative to the size of the drawing.
 pub const NEARLY: f64 = 1e-3;
-/// Angles of the crank, radians, in the poses on each side of the drawing. There are four, because the redundant
-/// constraints have to hold over a motion and not for an instant.
+/// Crank angles, in radians, of the poses on each side of the drawing. There are four poses because the redundant
+/// constraints must hold over a motion, and not only for an instant.
 const POSE_ANGLES: [f64; 4] = [0.15, 0.3, 0.45, 0.6];
-/// Number of steps from one pose to the next; each step begins at the extrapolation of the two poses before.
+/// Number of steps from one pose to the next; each step starts from an extrapolation of the two previous poses.
 const STEPS: usize = 4;
-/// Scale of the unknowns of poses relative to the unknowns of the drawing: large, so that poses are nearly free.
+/// Scale of the unknowns of poses relative to those of the drawing: large, so that the poses are nearly free.
 const DRAWING_WEIGHT: f64 = 1e2;
 /// Relative tolerances of the rank for the initial poses, tried in turn. Near a singular pose a large tolerance keeps
 /// the error of the drawing from growing.
@@ -27,7 +28,7 @@ const INITIAL_RANKS: [f64; 3] = [1e-3, 1e-2, 3e-4];
 /// on the mechanism.
 const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
 
-/// An exact drawing.
+/// An exact drawing near a given one.
 #[derive(Clone, Debug)]
 pub struct MadeExact {
     /// The drawing.
@@ -39,8 +40,8 @@ pub struct MadeExact {
 }
 
 impl LinkageSpec {
-    /// Nearest drawing whose redundant constraints hold over a motion. None unless this is an overconstrained linkage
-    /// with a crank on the frame, or if a point would move by over [`NEARLY`] of the size of the drawing.
+    /// Nearest drawing whose redundant constraints hold over a motion. None if locking is not the only defect, if no
+    /// crank on the frame drives the linkage, or if a point would move by more than [`NEARLY`] of the drawing's size.
     pub fn made_exact(&self) -> Option<MadeExact> {
         let refused = Mechanism::new(self).err()?;
         let locked =
@@ -56,7 +57,8 @@ impl LinkageSpec {
         })
     }
 
-    /// The drawing with new places of its points; None if it does not move, or locks.
+    /// The drawing with its points in new places; None if a point moves too far, or if the linkage cannot move or
+    /// locks.
     fn moved(&self, places: Vec<Point>) -> Option<MadeExact> {
         let size = self.size();
         let mut spec = self.clone();
@@ -82,15 +84,15 @@ impl LinkageSpec {
     }
 }
 
-/// Quantity of points, given by index, that is constant over the motion.
+/// Quantity that is constant over the motion. Its points are given by their indices.
 enum Constant {
-    /// |p − q|².
+    /// |p − q|² of points p and q.
     Distance([usize; 2]),
-    /// (b − a) × (s − r).
+    /// (b − a) × (s − r) of points a, b, r and s.
     Cross([usize; 4]),
-    /// (b − a) · (s − r).
+    /// (b − a) · (s − r) of points a, b, r and s.
     Dot([usize; 4]),
-    /// x or y of b − a.
+    /// Coordinate 0 (x) or 1 (y) of b − a, of points a and b.
     Along([usize; 2], usize),
 }
 
@@ -102,7 +104,7 @@ struct System {
     constants: Vec<Constant>,
     /// First two points of each link with at least two.
     lines: Vec<[usize; 2]>,
-    /// The centre of the crank and a point on it.
+    /// Centre of the crank and another point on the crank.
     crank: [usize; 2],
     size: f64,
 }
@@ -136,7 +138,7 @@ impl System {
             if let [first, second, ..] = points[..] {
                 lines.push([first, second]);
                 constants.push(Constant::Distance([first, second]));
-                // Distances from the first two points leave open on which side of their line a further point is.
+                // Distances from the first two points leave it open on which side of their line a further point lies.
                 for point in &points[2..] {
                     let four = [first, second, first, *point];
                     constants.extend([Constant::Dot(four), Constant::Cross(four)]);
@@ -163,13 +165,14 @@ impl System {
         })
     }
 
-    /// Column of a point in a pose. Pose 0 is the drawing, with the points of the frame for all poses.
+    /// Column of the x-coordinate of a point in a pose. Pose 0 is the drawing; it has the points of the frame for all
+    /// poses.
     fn column(&self, pose: usize, point: usize) -> usize {
         let pose = if self.fixed[point] { 0 } else { pose };
         2 * (pose * self.drawn.len() + point)
     }
 
-    /// Residuals of poses at crank angles measured from the drawing, and their Jacobian.
+    /// Residuals of poses at crank angles measured from the drawing, and the Jacobian of the residuals.
     fn residuals(&self, at: &DVector<f64>, angles: &[f64]) -> (DVector<f64>, DMatrix<f64>) {
         let rows = angles.len() * (self.constants.len() + 1);
         let mut residuals = DVector::zeros(rows);
@@ -220,7 +223,7 @@ impl System {
                 }
                 row += 1;
             }
-            // Rotation of the crank by the angle.
+            // The crank is rotated through the angle from its drawn direction.
             let [centre, pin] = self.crank;
             let [pivot, then, now] =
                 [(0, centre), (0, pin), (k + 1, pin)].map(|(pose, point)| self.column(pose, point));
@@ -246,7 +249,8 @@ impl System {
         (residuals, jacobian)
     }
 
-    /// The drawing with poses around it that nearly satisfy the constraints, and the crank angles of the poses.
+    /// The drawing followed by poses around it that nearly satisfy the constraints, and the crank angles of these
+    /// poses.
     fn start(&mut self, rank: f64) -> Option<(DVector<f64>, Vec<f64>)> {
         let drawn = self.drawn.iter().flat_map(|place| [place.x, place.y]);
         let drawn: Vec<f64> = drawn.collect();
@@ -259,7 +263,7 @@ impl System {
             for angle in POSE_ANGLES.map(|angle| sense * angle) {
                 for step in 1..=STEPS {
                     let angle = last + (angle - last) * step as f64 / STEPS as f64;
-                    // Extrapolation stays on the branch at a change point.
+                    // With extrapolation the motion stays on its branch at a change point.
                     let extrapolated = pose.iter().zip(&before).map(|(now, then)| 2.0 * now - then);
                     let both = drawn.iter().copied().chain(extrapolated);
                     let both = DVector::from_iterator(2 * width, both);
@@ -271,8 +275,8 @@ impl System {
                 last = angle;
             }
         }
-        // Bound on the residuals if an exact drawing is within `NEARLY`: most locked drawings are rejected here, before
-        // the large systems are solved.
+        // Bound on the residuals if there is an exact drawing within `NEARLY`. Most locked drawings are rejected here,
+        // before the large systems are solved.
         let all = DVector::from_vec(all);
         let (residuals, _) = self.residuals(&all, &angles);
         let most = 4.0 * NEARLY * self.size.powi(2) * (residuals.len() as f64).sqrt();
@@ -294,8 +298,8 @@ impl System {
         })
     }
 
-    /// Adds the constraint that nearly parallel links stay parallel, to the frame or to each other. Without this
-    /// constraint the exact drawing is a double root.
+    /// Adds the constraint that links which hardly turn, relative to the frame or to each other, do not turn at all.
+    /// Without this constraint the exact drawing is a double root.
     fn keep_parallel(&mut self, all: &[f64]) {
         let width = 2 * self.drawn.len();
         let stay_parallel = |one: Option<[usize; 2]>, other: [usize; 2]| {
@@ -316,7 +320,8 @@ impl System {
                 let difference = rotation(other) - one.map_or(0.0, rotation);
                 2.0 * (0.5 * difference).sin().abs()
             });
-            // Both ends of a link may be displaced. The mean over the poses is tested: one pose may be inexact.
+            // The factor 2 is for the two ends of a link. The mean over the poses is tested, because one pose may be
+            // inexact.
             deviations.sum::<f64>() <= 2.0 * NEARLY * count
         };
         let mut parallel = Vec::new();
@@ -336,8 +341,8 @@ impl System {
         self.constants.extend(parallel);
     }
 
-    /// Least-squares solution nearest to a start, by the Gauss–Newton method, with the drawing free (1) or fixed (0).
-    /// Singular values below `rank` of the largest are taken as zero.
+    /// Least-squares solution nearest to a start, by the Gauss–Newton method. `drawing` is 1 if the drawing is free, 0
+    /// if it is fixed. Singular values below `rank` times the largest one count as zero.
     fn nearest(
         &self,
         mut at: DVector<f64>,

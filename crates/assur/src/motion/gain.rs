@@ -4,8 +4,8 @@ use super::Motion;
 use crate::index::LinkId;
 use crate::mechanism::{Pose, Quantity};
 
-/// Poses just before and just after the end of a full cycle. At the end itself a deltoid has no pose; there the angle
-/// just after the end is extrapolated by the rate from the angle just before it.
+/// Poses just before and just after the end of a full cycle, because a deltoid has no pose at the end itself. The angle
+/// just after the end is extrapolated from the angle just before it, with its rate.
 pub(super) struct Seam<'a> {
     motion: &'a Motion,
     period: f64,
@@ -14,7 +14,7 @@ pub(super) struct Seam<'a> {
 }
 
 impl Motion {
-    /// Poses around the end of a full cycle with this period.
+    /// Poses around the end of a full cycle with the given period.
     pub(super) fn seam(&self, period: f64) -> Seam<'_> {
         let mut offsets = [1e-6, 1e-5, 1e-4].into_iter().map(|offset| offset * period);
         let poses = offsets.find_map(|offset| {
@@ -31,7 +31,7 @@ impl Motion {
 }
 
 impl Seam<'_> {
-    /// Growth of a quantity over the cycle: 0 unless it is an unfolded angle.
+    /// Growth of a quantity over the cycle: 0 unless the quantity is an unfolded angle.
     pub(super) fn gain(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::Angle(link) => self

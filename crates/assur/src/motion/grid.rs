@@ -3,7 +3,7 @@
 use super::Motion;
 use crate::tolerance;
 
-/// The input of a row.
+/// The input of a row, in two units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct At {
     /// Input in the reader's unit.
@@ -106,7 +106,7 @@ fn merged(rows: impl Iterator<Item = At>, ends: Vec<At>) -> impl Iterator<Item =
     })
 }
 
-/// Multiple of a decimal step, free of rounding: 3 × 0.1 is 0.3.
+/// Removes the rounding error from a multiple of a decimal step: 3 × 0.1 gives 0.3.
 fn decimal(value: f64) -> f64 {
     let rounded = (value * 1e9).round() / 1e9;
     if (rounded - value).abs() <= tolerance::CONVERGED * value.abs() {

@@ -19,8 +19,9 @@ pub enum Unjoinable {
 }
 
 impl Motion {
-    /// Union with the motion of another drawing of the same linkage over other inputs: a crank that turns back may be
-    /// assembled on another arc. The arcs of the other motion are shifted by whole turns to follow these arcs.
+    /// Union with the motion of another drawing of the same linkage over other inputs: a linkage whose crank turns back
+    /// may be assembled on another arc. The arcs of `other` are shifted by whole turns to follow the arcs of this
+    /// motion.
     ///
     /// # Errors
     /// The motions belong to different linkages, or overlap.

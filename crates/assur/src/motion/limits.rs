@@ -16,7 +16,8 @@ pub struct LimitPosition {
 }
 
 impl OutputProfile<'_> {
-    /// Limit positions of the whole motion, in ascending inputs: roots of the rate at which its sign changes.
+    /// Limit positions of the whole motion, in ascending order of input: roots of the rate at which the rate changes
+    /// sign.
     pub fn limits(&self) -> Vec<LimitPosition> {
         let limit = |[input, value]: &[f64; 2]| LimitPosition {
             input: *input,
@@ -65,8 +66,8 @@ impl OutputProfile<'_> {
         self.motion.cycle().arcs().iter().map(travel).collect()
     }
 
-    /// Time ratio K ≥ 1 of the slow to the quick stroke at constant speed of the crank; none
-    /// unless the crank turns fully and the quantity has two strokes per turn.
+    /// Time ratio K ≥ 1 of the slow stroke to the quick one at constant speed of the crank. None unless the crank turns
+    /// fully and the quantity has two strokes per turn.
     pub fn time_ratio(&self) -> Option<f64> {
         let period = self.period?;
         match self.extrema[..] {
@@ -79,8 +80,8 @@ impl OutputProfile<'_> {
         }
     }
 
-    /// Inputs and values at which the quantity may turn back on an arc: limit positions, change points, and the dead
-    /// points at its ends; at least one.
+    /// Inputs at which the quantity may turn back on an arc, with its values: limit positions, change points, and the
+    /// ends of the arc. There is at least one.
     fn turnings(&self, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
         let cycle = self.motion.cycle();
         let within = |input: &f64| (from..=to).contains(input);

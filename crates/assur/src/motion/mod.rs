@@ -1,5 +1,5 @@
-//! Motion of a mechanism: the branch of poses that contains the drawn one, followed by continuity; and the quantities,
-//! dead points, extrema, profiles and tables over it.
+//! Motion of a mechanism: the branch of poses that contains the drawn pose, followed by continuity. Quantities, dead
+//! points, extrema, profiles and tables are found over the motion.
 
 mod change;
 mod closed_form;
@@ -48,10 +48,10 @@ use crate::{Cycle, tolerance};
 use continuation::{Continuation, End, Knots, longest_step};
 use turn_count::range_between;
 
-/// Number of samples per turn in the search for extrema; also the unit of the steps of the continuation.
+/// Number of samples per turn in the search for extrema. One sample is also the unit of length of continuation steps.
 const SAMPLES_PER_TURN: usize = 360;
-/// Maximum number of turns of a motion searched for its extrema, and in motions of other assemblies. A plot could not
-/// resolve more turns, and wheels that carry nothing may take a million.
+/// Maximum number of turns of a motion searched for extrema, and maximum number of visits to one crank angle. A plot
+/// could not resolve more turns, and wheels that carry nothing may need a million.
 pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
@@ -80,7 +80,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Motion of a mechanism through its drawn pose. [`Motion::in_assembly`] draws another assembly.
+    /// Motion of a mechanism through its drawn pose. [`Motion::in_assembly`] draws the linkage in another assembly.
     pub fn new(mechanism: Mechanism) -> Self {
         if mechanism.whole_closed_form() {
             Self::in_closed_form(mechanism, 1)
@@ -91,7 +91,7 @@ impl Motion {
         }
     }
 
-    /// The motion found by continuation.
+    /// Follows the motion by continuation.
     fn followed(mut mechanism: Mechanism) -> Self {
         let mut forward = Continuation::new(&mechanism);
         let longest = longest_step(&mechanism);
@@ -138,7 +138,7 @@ impl Motion {
         motion
     }
 
-    /// The motion over a known range, with the change points of its closed forms.
+    /// The motion over a known range, including the change points of its four-bars in closed form.
     fn of(
         mechanism: Mechanism,
         cycle: Cycle,
@@ -167,8 +167,8 @@ impl Motion {
         motion
     }
 
-    /// Pulls the ends of the arcs inward until each has a pose: when an input is shifted by whole turns it is rounded
-    /// again, possibly beyond the dead point.
+    /// Pulls the ends of the arcs inward until each end has a pose. An input shifted by whole turns is rounded again,
+    /// possibly to beyond the dead point.
     fn end_in_poses(&mut self) {
         if self.cycle.is_full() {
             return;
@@ -187,9 +187,9 @@ impl Motion {
         }
     }
 
-    /// Last input with a pose towards an end of an arc, searched by doubled offsets from the end; the other end is
-    /// given too. If this input differs from the end by more than rounding, also the step that fails beyond it: of two
-    /// dead points close to each other, a different one may come first.
+    /// Last input with a pose before `end`, found by doubled offsets from `end` towards `other`, the other end of the
+    /// arc. If this input differs from `end` by more than rounding, the step that fails beyond it is also returned: of
+    /// two dead points close to each other, a different one may come first.
     fn last_pose(&self, [end, other]: [f64; 2]) -> Option<(f64, Option<StepId>)> {
         let scale = end.abs().max(other.abs()).max(self.mechanism.span());
         let sense = (other - end).signum();
@@ -231,7 +231,8 @@ impl Motion {
         self.knots.count()
     }
 
-    /// Input of the drawn pose, reduced by whole turns to the cycle; the middle of the first arc if it has no pose.
+    /// Input of the drawn pose, reduced by whole turns to the cycle; the middle of the first arc if that input has no
+    /// pose.
     pub fn drawn_input(&self) -> f64 {
         self.drawn_input
     }
@@ -251,8 +252,8 @@ impl Motion {
         &self.change_points
     }
 
-    /// Margin from singular poses of the groups solved by Newton's method: the signed minimum over the motion of a
-    /// Jacobian's determinant, relative to its maximum; 1 without such a group.
+    /// Margin from singular poses, for groups solved by Newton's method: the smallest ratio over the motion of a
+    /// Jacobian's determinant to its maximum, with the sign of the determinant; 1 if there is no such group.
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();
         let groups = steps.filter(|(_, step)| matches!(step, Step::Group(_)));
@@ -284,10 +285,10 @@ impl Motion {
         Ok(pose)
     }
 
-    /// Function that evaluates `of` for the poses at successive inputs, without allocation after the first.
+    /// Returns a function that evaluates `of` in the poses at successive inputs, without allocation after the first.
     ///
     /// # Errors
-    /// The step that has no solution, and the cause.
+    /// The returned function fails with the step that has no solution, and the cause.
     pub fn telling<const N: usize, T>(
         &self,
         of: impl Fn(&Pose<N>) -> T,

@@ -36,7 +36,7 @@ impl Dwell {
     }
 }
 
-/// Quantity as a sequence of monotone pieces, over the whole motion or the arc with the drawn pose.
+/// A quantity as a sequence of monotone pieces, over a full cycle or over the arc that contains the drawn pose.
 ///
 /// ```
 /// use assur::{Swing, mechanism::Quantity, motion::OutputProfile};
@@ -63,7 +63,7 @@ pub struct OutputProfile<'a> {
     pub(super) monotone: bool,
 }
 
-/// True if a tolerance is the width of a band: positive and finite.
+/// True if a tolerance can be the width of a band: positive and finite.
 pub(super) fn is_width(tolerance: f64) -> bool {
     tolerance > 0.0 && tolerance.is_finite()
 }
@@ -72,7 +72,7 @@ impl<'a> OutputProfile<'a> {
     /// Profile of a quantity over a motion.
     ///
     /// # Errors
-    /// The motion has too many turns to be searched for extrema, and no closed form.
+    /// The motion has too many turns to be searched for extrema, and the quantity has no closed form.
     pub fn new(motion: &'a Motion, quantity: Quantity) -> Result<Self, TooManyTurns> {
         let mechanism = motion.mechanism();
         let jet = motion.telling(|pose: &Pose<3>| quantity.of(mechanism, pose));
@@ -101,7 +101,7 @@ impl<'a> OutputProfile<'a> {
         if let Some(period) = profile.period {
             profile.gain = motion.seam(period).gain(quantity);
             profile.stations = if profile.monotone {
-                // At 0 a deltoid may be indeterminate.
+                // A deltoid may be indeterminate at input 0; the drawn input is then taken.
                 let starts = [0.0, motion.drawn_input()].into_iter();
                 let mut stations = profile.valued(starts);
                 stations.truncate(1);
@@ -125,7 +125,7 @@ impl<'a> OutputProfile<'a> {
             .collect()
     }
 
-    /// The value at an input in any cycle.
+    /// Value of the quantity at an input, which may be in any cycle.
     pub(super) fn value(&self, input: f64) -> Option<f64> {
         let (cycles, within) = match self.period {
             Some(period) => {
@@ -140,7 +140,7 @@ impl<'a> OutputProfile<'a> {
         Some(jet.value() + cycles * self.gain)
     }
 
-    /// Station with a given number; the numbers continue over the cycles before and after.
+    /// Station, an end of a piece, with a given number; the numbers continue over the cycles before and after.
     fn station(&self, number: isize) -> Option<[f64; 2]> {
         let Some(period) = self.period else {
             return self.stations.get(usize::try_from(number).ok()?).copied();
@@ -152,7 +152,7 @@ impl<'a> OutputProfile<'a> {
         Some([input + cycles * period, value + cycles * self.gain])
     }
 
-    /// The stations on an arc.
+    /// The stations on an arc, which may extend over several cycles.
     pub(super) fn within(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
         let count = self.stations.len() as isize;
         let cycles = self.period.zip(self.stations.first());
@@ -170,7 +170,7 @@ impl<'a> OutputProfile<'a> {
         self.stations.len() as isize - ends
     }
 
-    /// Input at which the quantity has a given value on a piece, or the nearer end of the piece.
+    /// Input at which the quantity has a given value on a piece, or the end of the piece nearer to this value.
     fn input_at(&self, piece: isize, level: f64) -> Option<f64> {
         let [low, high] = [self.station(piece)?, self.station(piece + 1)?];
         let sense = if high[1] < low[1] { -1.0 } else { 1.0 };
@@ -185,12 +185,13 @@ impl<'a> OutputProfile<'a> {
         root(ends, |input| Some(above(self.value(input)?)))
     }
 
-    /// Arc around a station on which the quantity stays within a band, up to one cycle on either side.
+    /// Arc around a station over which the quantity stays within a band; at most one cycle on either side.
     fn around(&self, station: isize, band: [f64; 2]) -> Option<Dwell> {
         let margin = tolerance::COINCIDENT * (band[1] - band[0]);
         let inside = |value: f64| value >= band[0] - margin && value <= band[1] + margin;
         let edge = |value: f64| band[usize::from(value > band[1])];
-        // The input at which the quantity leaves the band before the first station outside it.
+        // The input at which the quantity leaves the band, on the piece that ends at the first station outside the
+        // band.
         let end = |sense: isize| -> Option<f64> {
             let mut last = self.station(station)?[0];
             for distance in 1..=self.stations.len() as isize {
@@ -208,7 +209,7 @@ impl<'a> OutputProfile<'a> {
         Some(self.dwell_on([end(-1)?, end(1)?]))
     }
 
-    /// Dwell on an arc, with the minimum and maximum of the quantity there.
+    /// Dwell on an arc, with the minimum and maximum of the quantity over it.
     fn dwell_on(&self, arc: [f64; 2]) -> Dwell {
         let ends = arc.map(|input| self.value(input)).into_iter().flatten();
         let values = ends.chain(self.within(arc).map(|[_, value]| value));
@@ -228,7 +229,7 @@ impl<'a> OutputProfile<'a> {
         }
     }
 
-    /// Arcs around extrema that touch an edge of the band from inside; none if the width of the band is not positive.
+    /// Arcs around the extrema, within bands that have an extremum on one edge; none if the tolerance is not positive.
     pub(super) fn touching(&self, tolerance: f64) -> Vec<Dwell> {
         if !is_width(tolerance) {
             return Vec::new();
@@ -245,7 +246,7 @@ impl<'a> OutputProfile<'a> {
     }
 
     /// Longest arc on which the quantity stays within a band of full width `tolerance`: the whole cycle if the quantity
-    /// varies less. None if the tolerance is not positive, or the motion has no poses.
+    /// varies by less. None if the tolerance is not positive, or the motion has no poses.
     pub fn dwell(&self, tolerance: f64) -> Option<Dwell> {
         self.longest(&self.touching(tolerance), tolerance)
     }
@@ -264,7 +265,7 @@ impl<'a> OutputProfile<'a> {
         }
         let (first, last) = (self.stations.first()?[0], self.stations.last()?[0]);
         let whole = self.dwell_on([first, self.period.map_or(last, |period| first + period)]);
-        // If the tolerance equals the stroke to rounding, an arc around an extremum is longer than a cycle.
+        // If the tolerance equals the stroke within rounding, an arc around an extremum may be longer than a cycle.
         let is_whole =
             |arc: &Dwell| self.gain == 0.0 && self.period.is_some_and(|p| arc.length() >= p);
         if whole.residual() <= tolerance || touching.iter().any(is_whole) {
@@ -300,8 +301,8 @@ impl<'a> OutputProfile<'a> {
         best
     }
 
-    /// The strokes of a cycle, from extremum to extremum, as inputs and values of their ends; empty for an angle that
-    /// only grows or falls.
+    /// Strokes of a cycle, from extremum to extremum, each with the inputs and values at its ends. Empty for an angle
+    /// that only increases or only decreases.
     pub fn strokes(&self) -> Vec<[[f64; 2]; 2]> {
         if self.period.is_some() && self.monotone {
             return Vec::new();
@@ -310,7 +311,7 @@ impl<'a> OutputProfile<'a> {
         (0..self.pieces()).filter_map(stroke).collect()
     }
 
-    /// The difference of maximum and minimum over the strokes; none for an angle that only grows or falls.
+    /// Difference of maximum and minimum over the strokes; None for an angle that only increases or only decreases.
     pub fn stroke(&self) -> Option<f64> {
         let strokes = self.strokes();
         let values = strokes.iter().flatten().map(|[_, value]| *value);

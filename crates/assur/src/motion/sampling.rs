@@ -1,4 +1,4 @@
-//! Sample inputs of a whole motion, with the same density for each of its turns.
+//! Sample inputs of a whole motion, with the same density in each of its turns.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -10,13 +10,13 @@ use crate::Cycle;
 pub enum Spacing {
     /// At equal steps, including both ends.
     Even,
-    /// Even on a full cycle; otherwise denser towards the ends, where curves become vertical.
+    /// At equal steps on a full cycle; otherwise denser towards the ends of an arc, where curves become vertical.
     Crowded,
     /// At the middles of equal steps, so not at the ends, which may be dead points.
     Middles,
 }
 
-/// Sampled turns of a motion that has too many to sample all.
+/// Turns that are sampled if a motion has too many turns to sample all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
     /// The first turns, in one piece.
@@ -36,7 +36,7 @@ pub struct Sampling {
     pub most: usize,
     /// Distribution over an arc.
     pub spacing: Spacing,
-    /// Turns that are sampled if all turns, at the coarsest density, would have more samples than `most`.
+    /// Choice of the turns if all turns, at the coarsest density, would have more samples than `most`.
     pub shown: Shown,
 }
 
@@ -49,7 +49,7 @@ impl Cycle {
         }
     }
 
-    /// The sample inputs of a motion, in ascending pieces without a gap.
+    /// Sample inputs of a motion, as pieces without gaps in ascending order.
     pub fn samples(&self, sampling: Sampling) -> Vec<Vec<f64>> {
         let all: f64 = self.arcs().iter().map(|arc| self.turns_of(*arc)).sum();
         let most = sampling.most as f64;
@@ -92,7 +92,7 @@ impl Cycle {
 }
 
 impl Motion {
-    /// Sample inputs as in [`Cycle::samples`], but with the density for each turn of the fastest driver or wheel.
+    /// Sample inputs as in [`Cycle::samples`], but with that density in each turn of the fastest driver or wheel.
     pub fn samples(&self, sampling: Sampling) -> Vec<Vec<f64>> {
         let quickest = self.mechanism().quickest();
         let [start, end] = self.cycle().axis();
@@ -125,8 +125,8 @@ fn even([from, to]: [f64; 2], count: usize, spacing: Spacing) -> Vec<f64> {
         .collect()
 }
 
-/// Samples whose steps shrink to zero towards both ends, over half a turn or half of a shorter arc. Between these parts
-/// the density is `turn` samples per turn.
+/// Samples whose steps shrink to zero towards both ends. They cover half a turn at each end, or half of a shorter arc;
+/// between these parts the density is `turn` samples per turn.
 fn crowded_to_ends([from, to]: [f64; 2], turns: f64, turn: f64) -> Vec<f64> {
     let eased = |share: f64| 0.5 - 0.5 * (PI * share).cos();
     if turns <= 1.0 {
@@ -174,7 +174,7 @@ mod tests {
             let end = pieces[0][720 * turns];
             assert!((end - TAU * turns as f64).abs() < 1e-12 * end);
         }
-        // Beyond the maximum number the density falls.
+        // Beyond the maximum number of samples the density falls.
         let pieces = Cycle::turning(1000).samples(EACH);
         assert_eq!((pieces.len(), pieces[0].len()), (1, 100_001));
     }

@@ -14,7 +14,7 @@ use crate::{Jet, tolerance};
 const MAX_REACH: f64 = 1.0 / 24.0;
 
 impl Motion {
-    /// Adds the roots at the given change points, in the order of the plan: later steps depend on earlier ones.
+    /// Adds smooth roots at the given change points, in the order of the plan: later steps depend on earlier ones.
     pub(super) fn smooth(&mut self, mut passed: Vec<(StepId, f64)>) {
         sort_by(&mut passed, |(a, _), (b, _)| a.index().cmp(&b.index()));
         for (step, input) in passed {
@@ -27,8 +27,8 @@ impl Motion {
         sort_by(&mut self.change_points, f64::total_cmp);
     }
 
-    /// Root of a step around a change point, over the widest reach whose error is only rounding. If none of up to
-    /// eleven halvings gives this, the reach with the smallest error is taken.
+    /// Smooth root of a step around a change point, over the widest reach at which the error is only rounding. If up to
+    /// eleven halvings of the reach do not achieve this, the reach with the smallest error is taken.
     fn smooth_root(&self, step: StepId, input: f64) -> Option<SmoothRoot> {
         let placing = &self.mechanism.steps()[step];
         let margins = self.margins(step, input)?;
@@ -52,8 +52,8 @@ impl Motion {
         best.map(|(_, smooth)| smooth)
     }
 
-    /// Root interpolated from the square at a change point and at `reach` on both sides, with the error of the square
-    /// of this root half way.
+    /// Smooth root interpolated from the square at a change point and at the distance `reach` on both sides. Returns it
+    /// with the error of its square at half this distance.
     fn interpolated(
         &self,
         step: StepId,
@@ -76,7 +76,7 @@ impl Motion {
         error.is_finite().then_some((error, smooth))
     }
 
-    /// Square whose root a step takes, with its derivatives.
+    /// Square whose root determines the pose of a step, with its derivatives.
     fn square(&self, step: StepId, input: f64) -> Option<Jet<KNOWN>> {
         let margins = self.margins(step, input)?;
         Some(self.mechanism.steps()[step].square(margins))
@@ -92,7 +92,7 @@ impl Motion {
         let known = self.cycle.contains(input)
             && match solved {
                 Ok(()) => true,
-                // In line the square is zero or, by rounding, negative; dependent steps are not needed.
+                // With links in line the square is zero or, by rounding, negative. Later steps may fail.
                 Err((failed, cause)) => {
                     let known = !matches!(cause, Cause::Undetermined | Cause::Input);
                     failed.index() > step.index() || failed == step && known

@@ -13,8 +13,8 @@ pub struct Column {
 }
 
 impl Column {
-    /// All columns: for each link its angle with two derivatives; for each point x and y, then the first derivatives,
-    /// then the second.
+    /// All columns: for each link its angle with two derivatives; for each point x and y, then their first derivatives,
+    /// then their second derivatives.
     pub fn all(mechanism: &Mechanism) -> Vec<Self> {
         let mut columns = Vec::new();
         for link in mechanism.link_ids() {
@@ -36,7 +36,7 @@ impl Column {
         angles.flat_map(|quantity| [0, 1, 2].map(|order| Self { quantity, order }))
     }
 
-    /// Column whose name [`Column::name`] gives.
+    /// Column with a name as given by [`Column::name`].
     pub fn named(mechanism: &Mechanism, name: &str) -> Option<Self> {
         let (subject, mut kind) = name.rsplit_once('.')?;
         for order in [0, 1, 2] {
@@ -48,12 +48,12 @@ impl Column {
         None
     }
 
-    /// Name in tables: `rocker.angle`, `rocker.dangle`, `C.ddx`.
+    /// Heading of the column in a table, such as `rocker.angle`, `rocker.dangle` or `C.ddx`.
     pub fn name(self, mechanism: &Mechanism) -> String {
         self.quantity.name(mechanism, self.order)
     }
 
-    /// Name with derivatives with respect to time: `rocker.omega`, `rocker.epsilon`, `C.vx`, `C.ay`.
+    /// Heading of the column if derivatives are with respect to time: `rocker.omega`, `rocker.epsilon`, `C.vx`, `C.ay`.
     pub fn name_by_time(self, mechanism: &Mechanism) -> String {
         let subject = self.quantity.subject(mechanism);
         let rates = match self.quantity {
@@ -85,27 +85,27 @@ impl Column {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// The input.
+    /// Input of the row.
     pub input: f64,
-    /// The values of the columns. At a dead point there are values but no derivatives.
+    /// Values of the columns. At a dead point quantities have values but no derivatives.
     pub values: Vec<Option<f64>>,
     /// Reason why values are missing.
     pub reason: Option<Unsolved>,
 }
 
 impl Motion {
-    /// The row of these columns at an input, with derivatives with respect to the input.
+    /// Row of the given columns at an input, with derivatives with respect to the input.
     pub fn row(&self, columns: &[Column], input: f64) -> Row {
         self.row_by_time(columns, input, InputRate::ANALOGUES)
     }
 
-    /// The row of these columns at an input, with derivatives with respect to time at a rate of the input.
+    /// Row of the given columns at an input, with derivatives with respect to time at a given rate of the input.
     ///
     /// Beyond the period of a full cycle angles continue to grow.
     pub fn row_by_time(&self, columns: &[Column], input: f64, rate: InputRate) -> Row {
-        // A group is solved so close to its dead point that derivatives may seem to exist there.
+        // Dead points are looked up: a group can be solved so close to one that derivatives seem to exist.
         let at = self.cycle.wrap(input);
-        // The input is compared within rounding, for it may be converted from degrees.
+        // The input is compared within rounding, because it may have been converted from degrees.
         let is_at = |dead: &&DeadPoint| (dead.input - at).abs() <= 4.0 * f64::EPSILON * at.abs();
         let dead = self.dead_points.iter().find(is_at);
         let dead = dead.filter(|dead| dead.kind.is_dead_point());
@@ -149,7 +149,7 @@ impl Motion {
         columns.iter().map(value).collect()
     }
 
-    /// Adds to the angles their growth over the periods removed from the input.
+    /// Adds to each angle its growth over the whole periods by which the input was wrapped.
     fn unfold(&self, columns: &[Column], input: f64, values: &mut [Option<f64>]) {
         let Some(period) = self.cycle.period().filter(|_| self.cycle.is_full()) else {
             return;

@@ -8,7 +8,7 @@ use crate::{Jet, tolerance};
 /// The extreme transmission or pressure angle of a dyad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstTransmission {
-    /// The minimum transmission angle, 0 at a dead point, or the maximum pressure angle, π/2 there, radians.
+    /// Minimum transmission angle (0 at a dead point) or maximum pressure angle (π/2 at a dead point), in radians.
     pub angle: f64,
     /// Input of the extreme angle.
     pub input: f64,
@@ -21,8 +21,7 @@ pub struct DyadTransmission {
     pub quantity: Quantity,
     /// Links of the dyad; for an RRP dyad the rod, then the slider.
     pub links: [LinkId; 2],
-    /// The minimum transmission angle, or the maximum pressure angle; none if the motion has too many turns to be
-    /// searched.
+    /// Minimum transmission angle or maximum pressure angle; None if the motion has too many turns to be searched.
     pub worst: Option<WorstTransmission>,
 }
 
@@ -77,7 +76,7 @@ impl Motion {
             });
             return Ok(found.min_by(by_angle));
         }
-        // The cosine is linear in the square of the diagonal, which needs no root.
+        // The cosine is linear in the square of the diagonal, and this square is found without taking a root.
         let diagonal = self.telling(|pose: &Pose<3>| mechanism.diagonal(pose, dyad));
         let diagonal = |input: f64| diagonal(input).ok();
         let reach = mechanism.reach_of(dyad);
@@ -104,8 +103,8 @@ impl Motion {
         Ok(found.min_by(|a, b| b.angle.total_cmp(&a.angle)))
     }
 
-    /// Acute angles at all inputs at which an angle can be extreme: the extrema of its monotone function, the ends of
-    /// arcs, the change points and the drawn pose.
+    /// Acute angles at all inputs at which `angle` can be extreme: the extrema of `function`, a monotone function of
+    /// the angle, the ends of arcs, the change points, and the drawn pose.
     fn extreme(
         &self,
         angle: Quantity,
@@ -113,7 +112,7 @@ impl Motion {
         unit: f64,
     ) -> Result<impl Iterator<Item = WorstTransmission> + '_, TooManyTurns> {
         let extrema = turning_points(self, function, unit)?;
-        // If joints coincide at an end, the angle is exact only next to it.
+        // If joints coincide at an end, the angle is exact only next to the end.
         let ends = self.cycle().arcs().iter().flat_map(|[from, to]| {
             let offset = tolerance::NEGLIGIBLE * (to - from);
             [*from, from + offset, to - offset, *to]

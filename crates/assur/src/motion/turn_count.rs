@@ -1,4 +1,4 @@
-//! Range, and whole turns of the inputs, of a motion that turns back or is given up.
+//! Range of a motion that turns back or is given up, and the whole turns of its inputs.
 
 use std::f64::consts::TAU;
 
@@ -9,8 +9,9 @@ use crate::mechanism::Mechanism;
 /// Range between two ends, and the whole turns subtracted from the followed inputs.
 ///
 /// The range begins within half a period of 0, whatever the drawn pose. If the motion was given up at an end, the
-/// motion beyond it is unknown, so inputs keep the whole turns of the drawn input. In this case an input outside the
-/// range is wrapped only if the range is at most one turn: then the angle of the crank alone determines the pose.
+/// motion beyond that end is unknown. Inputs are then shifted and wrapped only if the period is one turn and the range
+/// is not longer, so that the angle of the crank alone determines the pose. Otherwise inputs keep the whole turns of
+/// the drawn input.
 pub(super) fn range_between(mechanism: &mut Mechanism, ends: [DeadPoint; 2]) -> (Cycle, f64) {
     let [first, last] = ends.map(|end| end.input);
     let given_up = ends.iter().any(|end| end.kind.is_given_up());

@@ -1,13 +1,13 @@
-//! Whole turns, and angles that keep their digits over any number of them, for gear trains over time. The angles of a
-//! linkage are continued in `position::state`.
+//! Whole turns, and angles that keep all their digits over any number of turns, for gear trains over time. The angles
+//! of a linkage are continued in `position::state`.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Sub;
 
-/// The difference between 2π and the double nearest to it.
+/// 2π minus the double nearest to it.
 const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
 
-/// An angle as whole turns and a remainder, which has all the digits of a double after any number of turns.
+/// An angle as whole turns and a remainder. The remainder has all the digits of a double after any number of turns.
 ///
 /// ```
 /// use assur::Angle;
@@ -60,11 +60,11 @@ impl Angle {
         let turns = (self.part / TAU).round();
         if turns != 0.0 {
             self.turns = self.turns.saturating_add(turns as i64);
-            // One rounding, of a small difference; its error goes into the carry.
+            // The fused difference is exact, because it is small. The rounding error of the sum goes into the carry.
             let rest = (-turns).mul_add(TAU, self.part);
             (self.part, self.carry) = sum(rest, self.carry - turns * TAU_REST);
         }
-        // Rounding can leave it just outside.
+        // Rounding may leave the part just outside −π to π.
         self.part = self.part.clamp(-PI, PI);
     }
 }
@@ -81,7 +81,8 @@ impl Sub for Angle {
     }
 }
 
-/// Σ nᵢ φᵢ as whole turns and the remainder from −π to π. Whole turns of the angles drop out exactly.
+/// Σ nᵢ φᵢ of angles φᵢ with integer factors nᵢ, as whole turns and a remainder from −π to π. Whole turns of the angles
+/// are counted exactly.
 pub(crate) fn combination(factors: [i64; 4], angles: &[Angle; 4]) -> (i64, f64) {
     let mut turns: i64 = 0;
     let mut rest = 0.0;
@@ -94,7 +95,7 @@ pub(crate) fn combination(factors: [i64; 4], angles: &[Angle; 4]) -> (i64, f64) 
     (turns.saturating_add(more as i64), rest.clamp(-PI, PI))
 }
 
-/// The whole turns nearest to an angle, radians.
+/// Whole turns nearest to an angle, both in radians.
 pub(crate) fn whole_turns(angle: f64) -> f64 {
     TAU * (angle / TAU).round()
 }
@@ -163,7 +164,7 @@ mod tests {
             angle(7, -0.3),
             Angle::default(),
         ];
-        // 20(φ₁ − φ₃) + 10(φ₂ − φ₃): 8 + 5 rad beyond the whole turns, more than two turns.
+        // 20(φ₁ − φ₃) + 10(φ₂ − φ₃): beyond the whole turns 8 + 5 rad, which is more than two turns.
         let (turns, rest) = combination([20, 10, -30, 0], &angles);
         assert_eq!(turns, 20 * 1_000_003 - 10 * 2_000_000 - 30 * 7 + 2);
         assert!((rest - (13.0 - 2.0 * TAU)).abs() < 1e-14);

@@ -1,11 +1,11 @@
 //! Connected parts of a graph.
 
-/// A partition of the numbers below a count into sets, which can be joined (Galler and Fischer, *An improved equivalence
-/// algorithm*, 1964). The least number of a set represents it.
+/// A partition of the integers from 0 to n − 1 into sets that can be joined (Galler and Fischer, *An improved
+/// equivalence algorithm*, 1964). The least member of a set represents the set.
 pub(crate) struct Partition(Vec<usize>);
 
 impl Partition {
-    /// A set for each number.
+    /// Puts each of `count` numbers into a set of its own.
     pub(crate) fn new(count: usize) -> Self {
         Self((0..count).collect())
     }
@@ -18,12 +18,12 @@ impl Partition {
         number
     }
 
-    /// True if two numbers are in one set.
+    /// True if two numbers are in the same set.
     pub(crate) fn joins(&self, a: usize, b: usize) -> bool {
         self.representative(a) == self.representative(b)
     }
 
-    /// Joins the sets of these numbers; true if they were different.
+    /// Joins the sets that contain the given numbers. Returns true if there was more than one such set.
     pub(crate) fn join(&mut self, numbers: impl IntoIterator<Item = usize>) -> bool {
         let mut numbers = numbers.into_iter();
         let Some(first) = numbers.next() else {

@@ -1,11 +1,11 @@
-//! Systems of linear equations, over nalgebra.
+//! Systems of linear equations, solved with nalgebra.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OVector, SMatrix, SVector};
 
 use super::tolerance;
 
-/// Solution of N linear equations, by elimination with complete pivoting; none if they are singular.
+/// Solution of N linear equations, by elimination with complete pivoting; None if they are singular.
 pub(crate) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> Option<[f64; N]> {
     let matrix = DMatrix::from_fn(N, N, |row, column| matrix[row][column]);
     let solution = matrix.full_piv_lu().solve(&SVector::from(right))?;
@@ -13,7 +13,7 @@ pub(crate) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> O
     solution.iter().all(|x| x.is_finite()).then_some(solution)
 }
 
-/// Solution of N linear equations with a symmetric matrix, by Cholesky's method; none if it is not positive definite.
+/// Solution of N linear equations with a symmetric matrix, by Cholesky's method; None if not positive definite.
 pub(crate) fn solve_positive_definite<const N: usize>(
     matrix: [[f64; N]; N],
     right: [f64; N],
@@ -23,8 +23,8 @@ pub(crate) fn solve_positive_definite<const N: usize>(
     solution.iter().all(|x| x.is_finite()).then_some(solution)
 }
 
-/// Least-squares solution for N unknowns, by orthogonal factors: the normal equations would cost half the digits. A row
-/// is the N coefficients of an equation and its right-hand side. None if the columns are dependent.
+/// Least-squares solution for N unknowns by QR factorization; the normal equations would lose half of the digits. A row
+/// holds the N coefficients of an equation, then its right-hand side. None if the columns are dependent.
 pub(crate) fn least_squares<const N: usize>(rows: &[([f64; N], f64)]) -> Option<[f64; N]> {
     if rows.len() < N {
         return None;
@@ -51,9 +51,9 @@ pub(crate) fn rank<const N: usize>(matrix: [[f64; N]; N]) -> usize {
     pivots.iter().filter(|pivot| **pivot > least).count()
 }
 
-/// Orthonormal basis of the solutions of N − 2 homogeneous equations; none if the space has three dimensions or more.
+/// Orthonormal basis of the solutions of N − 2 homogeneous equations; None if more than two solutions are independent.
 pub(crate) fn null_plane<const N: usize>(rows: &[[f64; N]]) -> Option<[[f64; N]; 2]> {
-    // The further columns of the orthogonal factor are perpendicular to the rows.
+    // The last two columns of the orthogonal factor are perpendicular to all rows.
     let columns = DMatrix::from_fn(N, N, |row, column| {
         rows.get(column).map_or(0.0, |values| values[row])
     });
@@ -67,7 +67,7 @@ pub(crate) fn null_plane<const N: usize>(rows: &[[f64; N]]) -> Option<[[f64; N];
     Some([N - 2, N - 1].map(|column| std::array::from_fn(|row| orthogonal[(row, column)])))
 }
 
-/// A vector less its components along orthonormal ones.
+/// A vector minus its components along the vectors of an orthonormal basis.
 pub(crate) fn remainder<'a, D: Dim>(
     mut vector: OVector<f64, D>,
     basis: impl Iterator<Item = &'a OVector<f64, D>> + Clone,
@@ -107,7 +107,7 @@ mod tests {
         );
     }
 
-    /// The line y = 0.2 + 1.2 x nearest to four points: the means are 1.5 and 2, Σ ΔxΔy = 6 and Σ Δx² = 5.
+    /// The regression line of four points is y = 0.2 + 1.2x: the means are 1.5 and 2, Σ ΔxΔy = 6 and Σ Δx² = 5.
     #[test]
     fn regression() {
         let points = [[0.0, 0.0], [1.0, 2.0], [2.0, 2.0], [3.0, 4.0]];

@@ -18,7 +18,7 @@ pub(crate) mod polynomial;
 pub(crate) mod roots;
 pub(crate) mod tolerance;
 
-/// The greatest absolute value; 0 if there is none.
+/// Greatest absolute value; 0 if there are no values.
 pub(crate) fn max_abs(values: impl IntoIterator<Item = f64>) -> f64 {
     let sizes = values.into_iter().map(f64::abs);
     sizes.fold(0.0, f64::max)

@@ -1,18 +1,18 @@
-//! Newton's method for systems of equations that give their own step. Loops with buffers of their own stay where they
-//! are: that of groups (`position::group`), which is the hottest of all and does not apply its last step.
+//! Newton's method for systems of equations that compute their own steps. Groups have their own loop with buffers
+//! (`position::group`): it runs most often, and it does not apply its last step.
 
-/// Maximum number of steps from a guess nearby, where convergence is quadratic: each step doubles the digits.
+/// Maximum number of steps from a nearby guess, where convergence is quadratic: each step doubles the digits.
 pub(crate) const MAX_STEPS: usize = 12;
 /// Maximum number of steps from a drawing, which may be far from a solution.
 pub(crate) const MAX_STEPS_FROM_DRAWING: usize = 40;
-/// Maximum size of a predicted step, relative to the unknowns, that is rounding and not worth a step.
+/// Maximum size of a predicted step, relative to the unknowns, that is only rounding and not worth taking.
 const NEGLIGIBLE_STEP: f64 = 1e-17;
 
-/// Applies steps until `is_last`, of the size of a step and of the one before, holds. `step` applies one and returns its
-/// size.
+/// Applies steps until `is_last` holds for the sizes of the last step and of the step before it. `step` applies one
+/// step and returns its size.
 ///
 /// # Errors
-/// The size of the last of too many steps, or infinity if a step fails.
+/// The size of the last step if `max_steps` do not suffice, or infinity if a step fails.
 pub(crate) fn newton(
     max_steps: usize,
     mut step: impl FnMut() -> Option<f64>,
@@ -32,13 +32,14 @@ pub(crate) fn newton(
     Err(last)
 }
 
-/// True if the error after a step is rounding: by quadratic convergence the next step is about `change` (`change`/`last`)².
+/// True if the error after a step is only rounding. With quadratic convergence the next step is about `change`
+/// (`change`/`last`)².
 pub(crate) fn is_exact(change: f64, last: f64) -> bool {
     last.is_finite() && change * (change / last).powi(2) <= NEGLIGIBLE_STEP
 }
 
-/// Repeats steps from a state as long as each reduces the residual; `step` returns the next state and its residual, or
-/// none if it is undefined. The result is the last state and its residual.
+/// Repeats steps from a state as long as each step reduces the residual. `step` returns the next state and its
+/// residual, or None if the step is undefined. The result is the last state and its residual.
 pub(crate) fn descended<T>(
     mut state: T,
     mut residual: f64,
@@ -65,7 +66,7 @@ mod tests {
         assert_eq!(descended(3.0, 7.0, |_| None), (3.0, 7.0));
     }
 
-    /// √2 from 1 by steps ½, 1/12, 1/408, 1/470832: the error after the fourth is rounding.
+    /// √2 from 1 by steps of ½, 1/12, 1/408 and 1/470832: the error after the fourth step is only rounding.
     #[test]
     fn a_square_root() {
         let (mut x, mut steps) = (1.0_f64, Vec::new());

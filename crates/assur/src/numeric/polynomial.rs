@@ -3,13 +3,14 @@
 use super::roots::root;
 use super::tolerance;
 
-/// Value of a polynomial with ascending coefficients.
+/// Value of a polynomial. The coefficients are in ascending order of power.
 fn value(coefficients: &[f64], x: f64) -> f64 {
     let terms = coefficients.iter().rev();
     terms.fold(0.0, |sum, coefficient| sum * x + coefficient)
 }
 
-/// All real roots within an interval of size 1, ascending. Between two roots of the derivative there is at most one.
+/// All real roots within an interval between −1 and 1, ascending. Between neighbouring roots of the derivative the
+/// polynomial has at most one root.
 fn roots_within(coefficients: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
     let size: f64 = coefficients.iter().map(|c| c.abs()).sum();
     if coefficients.len() < 2 || size == 0.0 {
@@ -43,8 +44,8 @@ fn roots_within(coefficients: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
     found
 }
 
-/// All positive roots of a polynomial with ascending coefficients. Roots beyond 1 are found from the reversed
-/// polynomial, which separates them however large they are.
+/// All positive roots of a polynomial with coefficients in ascending order. Roots beyond 1 are reciprocals of roots of
+/// the reversed polynomial, which separates them however large they are.
 pub(crate) fn positive_roots(coefficients: &[f64]) -> Vec<f64> {
     let mut found = roots_within(coefficients, [0.0, 1.0]);
     let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();
@@ -54,8 +55,8 @@ pub(crate) fn positive_roots(coefficients: &[f64]) -> Vec<f64> {
     found
 }
 
-/// All real roots t = y/x of a form in (x, y) with coefficients ascending in y, each as (x, y) with the larger of them
-/// ±1.
+/// All real zeros of a homogeneous polynomial in x and y, as directions (x, y) in which the coordinate of larger
+/// magnitude equals one. The coefficients are in ascending powers of y.
 pub(crate) fn directions(coefficients: &[f64]) -> Vec<[f64; 2]> {
     let flat = roots_within(coefficients, [-1.0, 1.0]).into_iter();
     let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();
@@ -68,7 +69,7 @@ pub(crate) fn directions(coefficients: &[f64]) -> Vec<[f64; 2]> {
 mod tests {
     use super::*;
 
-    /// Products of linear factors yield their roots, near and far, also double ones.
+    /// The roots of products of linear factors are found: small, large and double ones.
     #[test]
     fn roots_of_products() {
         for roots in [

@@ -1,17 +1,17 @@
-//! Roots of functions of one number in a bracket.
+//! Roots of functions of one variable, within a bracket.
 
-/// Maximum number of evaluations: bisection alone takes about sixty to rounding.
+/// Maximum number of evaluations. Bisection alone reaches full precision in about sixty.
 const MAX_STEPS: usize = 120;
 
-/// The root of a continuous function in a bracket of points `[x, f(x)]` with opposite signs, to rounding: by inverse
-/// quadratic interpolation if that is safe, else by bisection (Chandrupatla, Advances in Engineering Software 28,
-/// 1997). None if the function has no value.
+/// Finds the root of a continuous function to full precision, in a bracket of points `[x, f(x)]` with values of
+/// opposite signs. A step is inverse quadratic interpolation if that is safe, and otherwise bisection (Chandrupatla,
+/// Advances in Engineering Software 28, 1997). None if the function has no value.
 pub(crate) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let mut part = 0.5;
     for _ in 0..MAX_STEPS {
         let x = a[0] + part * (b[0] - a[0]);
         let next = [x, f(x)?];
-        // `a` is the newest point, `b` the one of opposite sign, `c` the one before.
+        // `a` is the newest point, `b` the point of opposite sign, `c` the point that the newest one replaced.
         let c = if (next[1] > 0.0) == (a[1] > 0.0) {
             a
         } else {
@@ -37,7 +37,7 @@ pub(crate) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>
     Some(if a[1].abs() < b[1].abs() { a[0] } else { b[0] })
 }
 
-/// The last number at which a condition holds, by bisection from a number that satisfies it to one that does not.
+/// Finds by bisection the last number at which a condition holds, between one that satisfies it and one that does not.
 pub(crate) fn bisect([mut low, mut high]: [f64; 2], mut holds: impl FnMut(f64) -> bool) -> f64 {
     for _ in 0..MAX_STEPS {
         let middle = 0.5 * (low + high);
@@ -59,7 +59,7 @@ mod tests {
 
     use super::root;
 
-    /// Steep, flat and multiple roots; simple ones in few steps.
+    /// Steep, flat and multiple roots are found; simple roots take few evaluations.
     #[test]
     fn roots_to_rounding() {
         type Case = (fn(f64) -> f64, [f64; 2], f64, usize, f64);

@@ -1,36 +1,36 @@
-//! Relative tolerances in a few levels, each with where it comes from. A double has 15.95 decimal digits (ε = 2.2e-16); a
-//! level is compared with what has been divided by its size. A tolerance that is none of these stands beside what it is
-//! used for, with its reason. At the end limits of dimensions.
+//! Relative tolerances in a few levels, each with its origin; then limits of dimensions. A double has 15.95 decimal
+//! digits (ε = 2.2e-16). A level is compared with a quantity divided by its scale. A tolerance that is not one of these
+//! levels is defined where it is used, with its reason.
 
-/// Rounding of one or two operations: two computations of the same number.
+/// Rounding error of one or two operations: the difference of two computations of the same number.
 pub(crate) const EXACT: f64 = 1e-15;
 
-/// Rounding of some dozens of operations: a correction of Newton's method below this has converged.
+/// Rounding error of some dozens of operations: Newton's method has converged if its correction is smaller.
 pub(crate) const CONVERGED: f64 = 1e-14;
 
-/// Rounding of some thousands of operations, or of some dozens with a condition of 100: the sine of directions that count
-/// as parallel, a pivot that counts as zero.
+/// Rounding error of some thousands of operations, or of some dozens with a condition number of 100. A pivot below this
+/// counts as zero, and so does the sine of the angle between directions, which are then parallel.
 pub(crate) const NEGLIGIBLE: f64 = 1e-12;
 
-/// Finer than any dimension is known or drawn: points as near to each other, relative to the size of the drawing, coincide,
-/// and so do inputs, relative to a turn.
+/// Finer than any dimension is known or drawn. Points this close together, relative to the size of the drawing,
+/// coincide; so do inputs this close together, relative to a turn.
 pub(crate) const COINCIDENT: f64 = 1e-9;
 
-/// Half of the digits, √ε rounded down: to this a double root is known.
+/// Half of the digits, √ε rounded down: the accuracy to which a double root is known.
 pub(crate) const DOUBLE_ROOT: f64 = 1e-8;
 
 /// Half of the digits with a margin of ten: two solutions that are farther apart are different.
 pub(crate) const DISTINCT: f64 = 1e-7;
 
-/// A third of the digits, ∛ε rounded down: the step of a difference, and the level to which a triple root is known.
+/// A third of the digits, ∛ε rounded down: the step of a difference quotient, and the accuracy of a triple root.
 pub(crate) const TRIPLE_ROOT: f64 = 1e-6;
 
-/// A thousandth: near a singular pose, or far enough from one input to count as another. The next term of an expansion is
-/// a millionth there, [`TRIPLE_ROOT`].
+/// A thousandth: near a singular pose, or far enough from one input to count as another. At this distance the next term
+/// of an expansion is a millionth, [`TRIPLE_ROOT`].
 pub(crate) const NEAR: f64 = 1e-3;
 
-/// Maximum absolute value of a length, a coordinate, a time or a load, in any unit: cubes of their ratios are far from
-/// overflow, and their sums keep half of the digits.
+/// Maximum absolute value of a length, a coordinate, a time or a load, in any unit. Cubes of ratios of such values are
+/// far from overflow, and their sums keep half of the digits.
 pub const FARTHEST: f64 = 1e9;
 
 /// Range of a positive length, in any unit.

@@ -6,32 +6,32 @@ use crate::index::{BodyId, PointId, StepId};
 use crate::mechanism::{Joint, Mechanism, arms_of};
 use crate::position::{Step, Track};
 
-/// The construction of a point from a known one.
+/// Construction of a point from a known point.
 pub(super) struct Way {
     pub(super) from: Node,
     pub(super) by: By,
 }
 
 pub(super) enum By {
-    /// Both are points of this body.
+    /// Both points are on this body.
     Turning(BodyId),
-    /// It slides along a line of this body in this direction. The known point is on the line's body, or on one that
-    /// keeps its angle to it.
+    /// The point slides along a line of this body, in this direction. The known point is on the body with the line, or
+    /// on a body at a constant angle to that body.
     Sliding(BodyId, Vector),
 }
 
-/// A point with the routes to it: one if it is driven, or two.
+/// A point with the ways to construct it: one for a driven point, otherwise two.
 pub(super) struct Equations {
     pub(super) target: Node,
     pub(super) ways: Vec<Way>,
 }
 
-/// A point of one body, or common to several.
+/// Node of a point on its own body or bodies.
 fn node(point: PointId) -> Node {
     Node { point, on: None }
 }
 
-/// The place of a body that coincides with a point.
+/// Node of the point fixed to a body that coincides with a given point.
 fn on_body(body: BodyId, point: PointId) -> Node {
     Node {
         point,
@@ -39,7 +39,7 @@ fn on_body(body: BodyId, point: PointId) -> Node {
     }
 }
 
-/// The turning of a body about a point.
+/// Construction by rotation of a body about a point.
 fn turning(about: PointId, body: BodyId) -> Way {
     Way {
         from: node(about),
@@ -47,7 +47,7 @@ fn turning(about: PointId, body: BodyId) -> Way {
     }
 }
 
-/// The sliding of a point along a track, on the body with the line.
+/// Construction by sliding of a point along a track, from the coincident point of the body with the line.
 fn sliding(point: PointId, track: &Track) -> Way {
     Way {
         from: on_body(track.line.body, point),
@@ -55,7 +55,7 @@ fn sliding(point: PointId, track: &Track) -> Way {
     }
 }
 
-/// The one of two bodies with the line along which they slide.
+/// Of two bodies, the one with the line along which they slide on each other.
 fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
     let mut joints = mechanism.joints().into_iter();
     joints.find_map(|joint| match joint {
@@ -67,7 +67,7 @@ fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
     })
 }
 
-/// The equations of a step; none for a group that is not a dyad, and for a body without further points.
+/// Equations of a step; none for a group that is not a dyad, or for a body without further points.
 pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     match &mechanism.steps()[step] {
         Step::Epicyclic(geared) => {
@@ -83,7 +83,7 @@ pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     }
 }
 
-/// The equation of a body that turns about a hinge in a known way, for its first other point.
+/// Equation for the first further point of a body whose rotation about a hinge is known.
 fn driven(mechanism: &Mechanism, body: BodyId, hinge: PointId) -> Option<Equations> {
     let mut points = mechanism
         .points_on(body)
@@ -113,7 +113,7 @@ fn of_dyad(mechanism: &Mechanism, step: &Step) -> Option<Equations> {
             }
         }
         Step::Rpr(dyad) => {
-            // The hinge of the sliding body, as a place of the body with the line.
+            // The target coincides with the hinge of the sliding body, but is fixed to the body with the line.
             let [i, j] = &dyad.sides;
             let on = line_of(mechanism, [i.body, j.body])?;
             let [block, guide] = if on == j.body { [i, j] } else { [j, i] };

@@ -8,7 +8,7 @@ use crate::motion::InputRate;
 use crate::position::Step;
 use crate::{JetPoint, Vector, perpendicular};
 
-/// A pose, with the derivative wanted and the rate of the input.
+/// A pose, with the order of the derivative to be drawn and the rate of the input.
 struct Sheet<'a, const N: usize> {
     mechanism: &'a Mechanism,
     pose: &'a Pose<N>,
@@ -45,7 +45,7 @@ pub(super) fn polygon<const N: usize>(
     }
 }
 
-/// The direction of a vector; x for a zero vector.
+/// Unit vector along a vector; the x-direction for a zero vector.
 fn direction(v: Vector) -> Vector {
     let length = v.norm();
     if length > 0.0 {
@@ -72,7 +72,7 @@ impl<const N: usize> Sheet<'_, N> {
         }
     }
 
-    /// The place of a point in the polygon.
+    /// Place of a point in the polygon: its velocity or acceleration.
     fn at(&self, node: Node) -> Vector {
         let order = match self.order {
             Order::Velocity => 1,
@@ -81,7 +81,7 @@ impl<const N: usize> Sheet<'_, N> {
         self.rate(&self.moving(node), order)
     }
 
-    /// The points of a body except those already known.
+    /// The points of a body except those already known, with their places in the polygon.
     fn others(&self, body: BodyId, known: &[(Node, Vector)]) -> Vec<(Node, Vector)> {
         let tracers = self.mechanism.tracers_on(body);
         let points = self.mechanism.points_on(body).chain(tracers);
@@ -100,8 +100,8 @@ impl<const N: usize> Sheet<'_, N> {
         }
     }
 
-    /// The parts drawn for a step: its equations, then the images of its bodies. Points shared with an earlier body are
-    /// known by then.
+    /// Stages of the polygon for a step: its equations, then the images of its bodies. Points shared with a body of an
+    /// earlier step are already known.
     fn step(&self, step: StepId) -> Vec<Stage> {
         let placing = &self.mechanism.steps()[step];
         let bodies = placing.bodies();
@@ -158,7 +158,7 @@ impl<const N: usize> Sheet<'_, N> {
         stages
     }
 
-    /// The legs of a route to a point.
+    /// Route to a point, with its legs.
     fn route(&self, target: Node, way: &Way, driven: bool) -> Route {
         let mechanism = self.mechanism;
         let [from, to] = [way.from, target].map(|node| self.moving(node));

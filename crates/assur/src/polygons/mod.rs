@@ -1,15 +1,16 @@
-//! Polygons of velocities and accelerations, as drawn on a blackboard: from the pole, first for the driven links, then
-//! for each dyad in the order of solving, by the two vector equations of one of its points.
+//! Polygons of velocities and accelerations, as drawn on a blackboard. They begin at the pole with the driven links.
+//! Then each dyad, in the order of solving, is drawn by the two vector equations of one of its points.
 //!
-//! A point of a link that turns has `v_C = v_B + v_CB` with v_CB across BC, and `a_C = a_B + aⁿ_CB + aᵗ_CB` with aⁿ =
-//! ω² CB along CB and aᵗ across it. A point that slides along a line has `v_C = v_C′ + v_CC′` with v_CC′ along the
-//! line, C′ being the point of the link with the line that coincides with C; `a_C = a_C′ + aᵏ + aʳ`, aᵏ = 2 ω × v_CC′
-//! (Coriolis), aʳ along the line. Two such equations of one point have two unknown lengths: the point is the
-//! intersection of the two directions. All other points of a link follow from the image of the link, which is similar
-//! to it (Mehmke; see Artobolevsky, *Theory of mechanisms and machines*, and Hall, *Kinematics and Linkage Design*). In
-//! a group that is not a dyad no point has two such equations from known points; its points are given all the same.
+//! For two points B and C of a rotating link, `v_C = v_B + v_CB` with v_CB perpendicular to BC, and
+//! `a_C = a_B + aⁿ_CB + aᵗ_CB` with aⁿ = ω² CB along CB and aᵗ perpendicular to CB. For a point C that slides along a
+//! line, let C′ be the coincident point of the link with the line. Then `v_C = v_C′ + v_CC′` with v_CC′ along the line,
+//! and `a_C = a_C′ + aᵏ + aʳ` with the Coriolis acceleration aᵏ = 2 ω × v_CC′ and aʳ along the line. Two such equations
+//! of one point have two unknown lengths: the point is the intersection of lines in the two directions. All other
+//! points of a link follow from the image of the link, which is similar to the link (Mehmke; see Artobolevsky, *Theory
+//! of mechanisms and machines*, and Hall, *Kinematics and Linkage Design*). In a group that is not a dyad, no point has
+//! two such equations from known points. The points of such a group are given without a construction.
 //!
-//! The ends are the exact derivatives and the legs come from their formulas, so a polygon closes to rounding.
+//! Points are exact derivatives and legs come from the formulas, so a polygon closes within rounding.
 
 mod construction;
 mod drawn;
@@ -19,7 +20,7 @@ use crate::index::{BodyId, PointId, StepId};
 use crate::mechanism::{Mechanism, Pose};
 use crate::motion::InputRate;
 
-/// The derivative by time of a polygon.
+/// Order of the time derivative that a polygon shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     /// Velocities.
@@ -33,37 +34,37 @@ pub enum Order {
 pub struct Node {
     /// The point.
     pub point: PointId,
-    /// The body, if the point is not one of its own: the place of the body that coincides with the point.
+    /// None for the point itself; otherwise the node is the point fixed to this body that coincides with `point`.
     pub on: Option<BodyId>,
 }
 
-/// A component of the difference between two points.
+/// Kind of a leg: a component of the difference between two points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// v: of two points of a turning body, across the line between them.
+    /// v: velocity of a point relative to a known point of its body, perpendicular to the line between them.
     Turning,
-    /// aⁿ: of the same, along that line, towards the known point.
+    /// aⁿ: normal acceleration of a point relative to a known point of its body, towards the known point.
     Normal,
-    /// aᵗ: of the same, across it.
+    /// aᵗ: tangential acceleration of a point relative to a known point of its body, perpendicular to their line.
     Tangential,
-    /// vʳ: of a point relative to a body on which it slides, along the line.
+    /// vʳ: velocity of a point relative to a body on which it slides, along the line of sliding.
     Sliding,
-    /// aᵏ: of the same, the Coriolis acceleration, across the line.
+    /// aᵏ: Coriolis acceleration of a sliding point, perpendicular to the line of sliding.
     Coriolis,
-    /// aʳ: of the same, along the line.
+    /// aʳ: relative acceleration of a sliding point, along the line of sliding.
     Relative,
 }
 
 /// One vector of a polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leg {
-    /// Its kind.
+    /// Kind of the vector.
     pub kind: Kind,
-    /// Its start and end, from the pole.
+    /// Start and end of the vector, from the pole.
     pub ends: [Vector; 2],
-    /// True if it is known before the point is found; else only its direction is.
+    /// True if the vector is known before the point is found; otherwise only its direction is known.
     pub known: bool,
-    /// Its direction, of length 1, in either sense.
+    /// Direction of the vector, of length 1, in either sense.
     pub direction: Vector,
 }
 
@@ -72,7 +73,7 @@ pub struct Leg {
 pub struct Route {
     /// The known point.
     pub from: Node,
-    /// The body with both points, or with the line along which the point slides.
+    /// Body with both points, or with the line along which the point slides.
     pub body: BodyId,
     /// The vectors added, end to end.
     pub legs: Vec<Leg>,
@@ -83,12 +84,12 @@ pub struct Route {
 pub struct Stage {
     /// The step of the plan; None for the frame, whose points are at the pole.
     pub step: Option<StepId>,
-    /// The point of the equations; None if points follow from the image of their link, or from nothing that can be
-    /// drawn.
+    /// The point given by the equations. None if the points follow from the image of their link, or cannot be
+    /// constructed.
     pub target: Option<Node>,
-    /// The routes to it: one if it is driven, or two.
+    /// Routes to the target, if there is a target: one for a driven point, otherwise two.
     pub routes: Vec<Route>,
-    /// Points found here, from the pole.
+    /// Points found in this stage, from the pole.
     pub nodes: Vec<(Node, Vector)>,
     /// True for the points of a group that is not a dyad.
     pub of_group: bool,
@@ -111,14 +112,15 @@ pub struct Stage {
 pub struct Polygon {
     /// Velocity or acceleration.
     pub order: Order,
-    /// Its parts in the order of drawing.
+    /// Stages of the polygon in the order of drawing.
     pub stages: Vec<Stage>,
-    /// The length of the longest vector in it.
+    /// Length of the longest vector in the polygon.
     pub largest: f64,
 }
 
 impl Mechanism {
-    /// The polygon of a pose, for a speed and acceleration of the input. The pose needs derivatives of the same order.
+    /// Polygon of a pose for a speed and acceleration of the input. The pose must have derivatives of the polygon's
+    /// order.
     pub fn polygon<const N: usize>(
         &self,
         pose: &Pose<N>,

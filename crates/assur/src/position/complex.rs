@@ -23,7 +23,7 @@ impl<const N: usize> Complex<N> {
         }))
     }
 
-    /// Sets the vector to a constant in place: a copy would take as long as the sums.
+    /// Sets the vector to a constant in place: copying it would take as long as the sums computed with it.
     #[inline(always)]
     pub(crate) fn set_constant(&mut self, v: Vector) {
         for (order, c) in self.0.iter_mut().enumerate() {
@@ -31,7 +31,7 @@ impl<const N: usize> Complex<N> {
         }
     }
 
-    /// Turn e^(iθ) by an angle θ.
+    /// Rotation e^(iθ) through an angle θ.
     pub(crate) fn turn(angle: Jet<N>) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self::new(cos, sin)
@@ -84,8 +84,8 @@ impl<const N: usize> Complex<N> {
         self.scaled(self.norm_squared().sqrt().recip())
     }
 
-    /// Vector of constant length with a given value and scalar product with another vector, order by order. If the
-    /// other vector is short, these conditions lose no digits of the derivatives, but closed forms do.
+    /// Vector of constant length with a given value and a given scalar product with another vector, order by order. If
+    /// the other vector is short, these conditions lose no digits of the derivatives, but closed forms do.
     pub(super) fn of_constant_length(value: Vector, other: Self, product: Jet<N>) -> Self {
         let along = value.normalize();
         let across = crate::perpendicular(along);
@@ -183,7 +183,7 @@ mod tests {
     use super::{Complex, product, quotient};
     use crate::{Jet, Vector};
 
-    /// (3 + 4i)/i = 4 − 3i, and back; e^(iθ) turns (2, 0) by a right angle at the rate i.
+    /// (3 + 4i)/i = 4 − 3i, and back. At θ = π/2, e^(iθ) rotates (2, 0) to (0, 2), with the derivative (−2, 0).
     #[test]
     fn by_hand() {
         let (v, i) = (Vector::new(3.0, 4.0), Vector::y());

@@ -4,15 +4,16 @@ use super::{BodyPoint, Cause, DriveLaw, Enclosure, Predictor, Solvable, State, S
 use crate::Vector;
 use crate::index::{BodyId, PointId, StepId};
 
-/// Body hinged on a base, the frame or a moving body; its angle relative to the base is linear in the input.
+/// Body hinged to the frame or a moving body, the base. The angle of the body from the base is linear in the input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Crank {
     pub(crate) body: BodyId,
-    /// Hinge, in the coordinates of the base and of the body.
+    /// Hinge in the coordinates of the base; `hinge` is the same point in the coordinates of the body.
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
-    /// Offset of the driven angle from the body's angle relative to its base, since links may be turned on their bodies.
+    /// Offset of the driven angle from the body's angle relative to its base: a link may be rotated relative to its
+    /// body.
     pub(crate) angle_offset: f64,
     pub(crate) law: DriveLaw,
 }

@@ -1,5 +1,5 @@
-//! Four-bar of an RRR dyad between a crank on the frame and the frame. Its closed form passes change points smoothly
-//! without a previous pose, and is exact next to them.
+//! Four-bar of a crank on the frame, an RRR dyad, and the frame. Its closed form passes change points smoothly without
+//! a previous pose, and is exact next to change points.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -8,30 +8,32 @@ use super::{Angle, Arm, CLOSE, Cause, Complex, Mounting, Orientation, Sign, Stat
 use crate::index::BodyId;
 use crate::{Assembly, FourBar, Unsolved, Vector};
 
-/// Minimum of P and Q, relative to (l₂ + l₃)², with links far from in line: the roots lose at most two digits.
+/// Minimum, relative to (l₂ + l₃)², of the margins P and Q of the dyad's triangle far from poses in line. With greater
+/// margins roots lose at most two digits.
 const MIN_MARGIN: f64 = 1.0 / 64.0;
 
-/// A four-bar on the driven crank.
+/// A four-bar whose crank is the driver.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CrankFourBar {
     pub(crate) linkage: FourBar,
-    /// Body of the crank; and φ₁, measured from the line AD, less the angle of this body, as drawn.
+    /// Body of the crank; `angle_offset` is the drawn φ₁, measured from the frame's line AD, minus the angle of this
+    /// body.
     pub(crate) crank: BodyId,
     angle_offset: f64,
-    /// The bodies of coupler and rocker.
+    /// Body of the coupler; `rocker` is the body of the rocker.
     pub(crate) coupler: BodyId,
     pub(crate) rocker: BodyId,
     /// Offsets of the angles of the bodies of coupler and rocker from φ₂ and φ₃.
     arm_offsets: [f64; 2],
-    /// Minimum of P and Q with which the four-bar is placed as any dyad; infinite if it never may be.
+    /// Margins P and Q above which the links are placed as those of any dyad; infinite if they never are.
     min_margin: f64,
-    /// The angles and turns of the bodies of coupler and rocker at φ₂ = φ₃ = π/2.
+    /// Angles of the bodies of coupler and rocker at φ₂ = φ₃ = π/2, each with the unit vector in its direction.
     across: [(f64, Vector); 2],
 }
 
 impl CrankFourBar {
-    /// The four-bar of a crank, with its hinge on the frame and on itself, and of the coupler and rocker that join it to
-    /// the frame. None if its lengths are invalid.
+    /// Four-bar of a crank and of the two arms that join it to the frame, coupler and rocker. The crank's hinge on the
+    /// frame is given in the coordinates of the frame and of the crank. None if the lengths are invalid.
     pub(crate) fn new(
         crank: BodyId,
         (a, hinge): (Vector, Vector),
@@ -41,7 +43,7 @@ impl CrankFourBar {
         let out = coupler.outer.local - hinge;
         let base = rocker.outer.local - a;
         let lengths = [out.norm(), coupler.length(), rocker.length(), base.norm()];
-        // Maximum distance of B and D from the origin.
+        // Maximum distance of the crank pin B and the pivot D of the rocker from the origin.
         let distance = (a.norm() + lengths[0]).max(rocker.outer.local.norm());
         let linkage = FourBar::new(lengths).ok()?;
         let [out, frame] = [out, base].map(|v| v.y.atan2(v.x));
@@ -72,8 +74,8 @@ impl CrankFourBar {
         })
     }
 
-    /// Places the links. Far from poses in line they are placed as the links of any dyad: this is as exact there and
-    /// takes less than half the time.
+    /// Places the links. Far from poses in line they are placed as the links of any dyad, which is as exact and takes
+    /// less than half the time.
     #[inline(always)]
     pub(super) fn place<const N: usize>(
         &self,
@@ -91,9 +93,10 @@ impl CrankFourBar {
         Ok(())
     }
 
-    /// Takes the angles of links placed as those of any dyad; they are less than half a turn from a known orientation.
+    /// Finds the angles of links placed as those of any dyad. They are less than half a turn from a known orientation.
     ///
-    /// With a crank shorter than the frame φ₅ is within a quarter turn of AD, so φ₂ and φ₃ are within half a turn of ±π/2.
+    /// If the crank is shorter than the frame, the direction φ₅ of the diagonal is within a quarter turn of AD. So φ₂
+    /// and φ₃ are within half a turn of ±π/2.
     fn turn_near<const N: usize>(&self, arms: &[Arm; 2], state: &mut State<N>, sign: Sign) {
         let plus = sign == Sign::Plus;
         for (arm, (angle, turn)) in arms.iter().zip(self.across) {
@@ -106,7 +109,7 @@ impl CrankFourBar {
         }
     }
 
-    /// Places each link by its own angle: the rounding of the joints would turn a short link.
+    /// Places each link by its own angle, because rounding errors of the joints would rotate a short link.
     fn set_angles<const N: usize>(
         &self,
         arms: &[Arm; 2],
@@ -136,7 +139,7 @@ impl CrankFourBar {
         self.angle_offset + mounting.shifts[self.coupler]
     }
 
-    /// The side of the diagonal on which the joint of coupler and rocker is: 1 to the left, −1 to the right.
+    /// Side of the diagonal on which the joint of coupler and rocker lies: 1 for the left, −1 for the right.
     pub(crate) fn side(&self, sign: Sign, mounting: &Mounting, state: &State<1>) -> f64 {
         let crank = state.angle(self.crank).value() + self.offset(mounting);
         self.linkage.side(sign.into(), crank)

@@ -1,4 +1,4 @@
-//! Equations of a group linearized at any values of its unknowns, including singular ones.
+//! Equations of a group, linearized at any values of its unknowns, including singular poses.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -6,18 +6,18 @@ use super::group::Group;
 use super::{Cause, Complex, Predictor, StepContext};
 use crate::Vector;
 
-/// Residuals of a group's equations and, row by row, their derivatives by the unknowns and, last, by the input.
+/// Residuals of a group's equations, and row by row their derivatives with respect to the unknowns, then to the input.
 pub(crate) struct Linearized {
     pub(crate) residual: DVector<f64>,
     pub(crate) slopes: DMatrix<f64>,
     /// True if redundant equations have been left out.
     pub(crate) is_redundant: bool,
-    /// True if the residuals are only rounding.
+    /// True if the residuals are only rounding errors.
     pub(crate) residual_is_rounding: bool,
 }
 
 impl Group {
-    /// Taylor coefficient of the group's unknowns, each in its unit.
+    /// Taylor coefficients of one order of the group's unknowns, each in its unit.
     pub(crate) fn in_units<const N: usize>(
         &self,
         natural: &[Complex<N>],
@@ -28,7 +28,7 @@ impl Group {
         DVector::from_iterator(2 * self.unknowns, own)
     }
 
-    /// Equations of the group at values of its unknowns, each in its unit, with solved inputs.
+    /// Linearizes the equations of the group at values of its unknowns, each in its unit, with solved inputs.
     ///
     /// # Errors
     /// A driven coordinate is out of its range.
@@ -53,7 +53,7 @@ impl Group {
         let rows = self.equations.len();
         let mut residual = DVector::from_iterator(rows, residual);
         let mut slopes = DMatrix::from_fn(rows, size + 1, |row, column| match column {
-            // At fixed unknowns, the inputs of the group change.
+            // The derivative with respect to the input, at fixed unknowns.
             _ if column == size => {
                 self.equations[row].coefficient(&work.values, &work.known_angles, 1)
             }
@@ -62,7 +62,7 @@ impl Group {
         let residual_is_rounding = self.residual_is_rounding(work);
         let is_redundant = self.is_redundant();
         if is_redundant {
-            // The independent equations come first.
+            // Pivoting puts the independent equations first.
             let pivots = slopes.clone().full_piv_lu();
             pivots.p().permute_rows(&mut slopes);
             pivots.p().permute_rows(&mut residual);

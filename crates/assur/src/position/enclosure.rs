@@ -1,12 +1,13 @@
-//! Enclosures of the motion between two poses, by bounds of all second derivatives over a step of the input. They
-//! certify a step: they prove that in it no margin vanishes, no group has a singular pose and no point goes to
+//! Enclosures of the motion between two poses, by bounds on all second derivatives over a step of the input. They
+//! certify a step: they prove that within it no margin vanishes, no group has a singular pose and no point goes to
 //! infinity. The poses at the ends of the step cannot show this.
 //!
-//! The pose of every body and its first derivative are known at the start of the step. A bound b of the second
-//! derivative over the step then encloses the path of a point: p(t) is within t²b/2 of p + t p′. In the order of
-//! solving, the bound of each body follows from the bounds of the bodies joined to it, and from a bound on the sine of
-//! the angle between its links, by the same enclosures. (For groups of higher class: L. V. Kantorovich's theorem, J. M.
-//! Ortega and W. C. Rheinboldt, *Iterative Solution of Nonlinear Equations in Several Variables*, 1970, 12.6.)
+//! The pose of every body and its first derivative are known at the start of the step. For a point p, a bound b on the
+//! second derivative over the step then encloses the path: after a change t of the input, the point is within t²b/2 of
+//! p + t p′. In the order of solving, the bound of each body follows from the bounds of the bodies joined to it, and
+//! from a bound on the sine of the angle between its links. The same enclosures give the latter bound. Groups of higher
+//! class are certified by L. V. Kantorovich's theorem (J. M. Ortega and W. C. Rheinboldt, *Iterative Solution of
+//! Nonlinear Equations in Several Variables*, 1970, 12.6).
 
 mod dyads;
 
@@ -18,7 +19,7 @@ use crate::index::{BodyId, List, StepId};
 /// A step of the input from a pose, with bounds of the motion.
 #[derive(Clone, Debug)]
 pub(crate) struct Enclosure {
-    /// Change of the input over the step, and its absolute value.
+    /// Change of the input over the step; `step_len` is its absolute value.
     pub(super) width: f64,
     pub(super) step_len: f64,
     bodies: List<BodyId, Bound>,
@@ -30,8 +31,8 @@ pub(crate) struct Enclosure {
     pub(super) bounds: Bounds,
 }
 
-/// Maximum relative change q of the Jacobian of a group. The theorem holds for q below 1; q = ½ gives a ball with twice
-/// the first correction as radius.
+/// Maximum relative change q of the Jacobian of a group. Kantorovich's theorem holds for q below 1; for q = ½ the
+/// radius of the ball is twice the first correction.
 pub(super) const MAX_JACOBIAN_CHANGE: f64 = 0.5;
 /// Number of columns of an inverse that are computed together.
 pub(super) const BLOCK: usize = 4;
@@ -52,7 +53,7 @@ pub(super) struct Bounds {
 pub(crate) struct Bound {
     /// Bound on the second derivative of the angle of the body.
     pub(crate) angular_acceleration: f64,
-    /// Bound on the turn of the body from other data; infinite without such data.
+    /// Bound on the rotation of the body, found without `angular_acceleration`; infinite if there is none.
     max_turn: f64,
     /// Two points on the body, with bounds on their second derivatives.
     pub(crate) places: [(Vector, f64); 2],
@@ -92,7 +93,7 @@ impl Enclosure {
     /// Certifies a step of the input from a pose.
     ///
     /// # Errors
-    /// The first step of the plan without certificate.
+    /// The first step of the plan that is not certified.
     pub(crate) fn certify(
         &mut self,
         steps: &List<StepId, Step>,
@@ -102,8 +103,9 @@ impl Enclosure {
         self.certify_beside(steps, from, width, (&[], from))
     }
 
-    /// Certifies a step in which links of some steps of the plan pass through in line before the pose `to`. Second
-    /// derivatives of their bodies are estimated from both ends, because their equations do not bound them there.
+    /// Certifies a step of the input in which links of the steps `passing` of the plan come into line and pass through
+    /// before the pose `to`. The second derivatives of their bodies are estimated from both ends, because the equations
+    /// do not bound them near poses in line.
     pub(crate) fn certify_beside(
         &mut self,
         steps: &List<StepId, Step>,
@@ -123,13 +125,13 @@ impl Enclosure {
         Ok(())
     }
 
-    /// Upper bound, from the groups, on the length of a certifiable step relative to the last one: the change of their
-    /// Jacobians is at least proportional to the length.
+    /// Upper bound, from the groups, on the length of a certifiable step relative to the last step. The change of a
+    /// Jacobian is at least proportional to the length.
     pub(crate) fn ease(&self) -> f64 {
         MAX_JACOBIAN_CHANGE / self.jacobian_change
     }
 
-    /// Sets each second derivative to twice the greater of its values at both ends.
+    /// Sets the bound on each second derivative to twice the greater of its values at both ends.
     fn estimate(&mut self, placing: &Step, from: &Predictor, to: &Predictor) {
         for body in placing.bodies() {
             let most = |of: &dyn Fn(&Predictor) -> f64| 2.0 * f64::max(of(from), of(to));
@@ -187,7 +189,7 @@ impl Enclosure {
         self.turn_rate(from, body).abs() + self.step_len * self.angular_acceleration(body)
     }
 
-    /// Bound on the turn of a body.
+    /// Bound on the rotation of a body over the step.
     pub(crate) fn turned(&self, from: &Predictor, body: BodyId) -> f64 {
         let turn = self.step_len * self.max_turn_rate(from, body);
         turn.min(self.bodies[body].max_turn)
@@ -199,7 +201,7 @@ impl Enclosure {
         Vector::new(self.angular_acceleration(body), centripetal).norm()
     }
 
-    /// Bounds of a point on a body.
+    /// Position, first derivative and bound of a point on a body.
     pub(crate) fn point(&self, from: &Predictor, anchor: BodyPoint) -> PointBound {
         let position = from.place(anchor);
         let Bound { places, .. } = &self.bodies[anchor.body];
@@ -214,7 +216,7 @@ impl Enclosure {
         }
     }
 
-    /// Bounds of the point of a body that is at a position at the start of the step.
+    /// Position, first derivative and bound of the point of a body that is at `at` at the start of the step.
     pub(crate) fn point_at(&self, from: &Predictor, body: BodyId, at: Vector) -> PointBound {
         let local = product(
             at - from.bodies[body].origin.value(),
@@ -228,13 +230,13 @@ impl Enclosure {
         point.rate.norm() + self.step_len * point.acceleration
     }
 
-    /// Bounds on the distance from the origin.
+    /// Lower and upper bound on the distance of a point from the origin over the step.
     pub(crate) fn distances(&self, point: &PointBound) -> [f64; 2] {
         let (at, rate) = (point.at, point.rate);
         let radius = 0.5 * self.step_len * self.step_len * point.acceleration;
         let end = at + rate * self.width;
         let most = at.norm().max(end.norm());
-        // The point of the tangent nearest to the origin.
+        // The point of the tangent that is nearest to the origin.
         let nearest = -at.dot(&rate) / rate.norm_squared() * self.width.signum();
         let least = if nearest.is_finite() {
             let nearest = nearest.clamp(0.0, self.step_len) * self.width.signum();
@@ -245,8 +247,8 @@ impl Enclosure {
         [least - radius, most + radius]
     }
 
-    /// Bound on a continuous speed v that begins at v₀ and satisfies v ≤ v₀ + h (a v² + c): the lesser root of the
-    /// equation, which v cannot pass. None without a real root.
+    /// Bound on a continuous speed v that begins at v₀ and satisfies v ≤ v₀ + h (a v² + c), with the step length h. It
+    /// is the smaller root of the equation, which v cannot pass. None if there is no real root.
     pub(crate) fn bounded_speed(&self, v0: f64, a: f64, c: f64) -> Option<f64> {
         let start = v0 + self.step_len * c;
         let rest = 1.0 - 4.0 * self.step_len * a * start;

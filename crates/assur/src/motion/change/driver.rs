@@ -1,4 +1,4 @@
-//! Choice of the driver of a linkage, from the pose at hand.
+//! Change of the driver of a linkage or of its rate, starting from a given pose.
 
 use super::{Changed, INPUT_STEPS};
 use crate::mechanism::{Defect, DriverSpec, FRAME, LinkageSpec, Mechanism, Pose, SlideSpec};
@@ -8,8 +8,8 @@ use crate::sorting::extremes;
 use crate::tolerance;
 
 impl Motion {
-    /// Specification with which a link of [`Mechanism::drivable`] drives: its present driver, a crank, or a slide over
-    /// its present range. None if the link cannot drive or does not move.
+    /// Specification of a driver for a link of [`Mechanism::drivable`]: the driver it already has, a crank, or a slide
+    /// over its present range. None if the link cannot drive or does not move.
     ///
     /// # Errors
     /// The motion has too many turns to be searched for the range of a slide.
@@ -59,7 +59,7 @@ impl Motion {
         });
         let limits = turning_points(self, &|input| coordinate(input).ok(), mechanism.size())?;
         let limits = limits.into_iter().map(|limit| limit.value);
-        // A dead point has a position but no derivative.
+        // Ends are added because a dead point has a position but no derivative.
         let ends = self.cycle.arcs().iter().flatten().copied();
         let ends = ends.chain(self.change_points.iter().copied());
         let ends = ends.chain([self.drawn_input]).filter_map(|input| {
@@ -72,7 +72,8 @@ impl Motion {
         Ok(moves.then_some(range))
     }
 
-    /// The linkage with another rate of a further driver, given by its index, from the pose at an input.
+    /// Returns the linkage with a further driver, given by its index, at a new rate, starting from the pose at an
+    /// input.
     ///
     /// # Errors
     /// The defects of the linkage at the new rate.
@@ -95,8 +96,8 @@ impl Motion {
         })
     }
 
-    /// The linkage with another driver, from the pose at an input. If this pose is a dead point of the new driver, the
-    /// linkage starts from a pose next to it.
+    /// Returns the linkage with another driver, starting from the pose at an input. If this pose is a dead point of the
+    /// new driver, the linkage starts from a pose next to it.
     ///
     /// # Errors
     /// The defects of the linkage with the new driver.
@@ -131,8 +132,8 @@ impl Motion {
     }
 }
 
-/// Makes a driver the first. A further driver changes places with the previous first one, whose rate becomes the
-/// reciprocal; otherwise the previous first driver is dropped.
+/// Makes a driver the first. A driver that the linkage already has changes places with the first one, and the rates of
+/// the further drivers are divided by its old rate. Any other driver replaces the first one.
 fn drive_first(spec: &mut LinkageSpec, driver: &DriverSpec) {
     let driven = spec.driven(driver);
     let mut all = spec.drivers.iter();

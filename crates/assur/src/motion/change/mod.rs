@@ -1,5 +1,5 @@
-//! Change of a dimension in one assembly: the assembly is followed in steps from the pose at hand to the new value. The
-//! input gives way if the loop would open otherwise.
+//! Change of a dimension within one assembly, in steps from the given pose to the new value. If a loop would otherwise
+//! open, the input gives way: it moves as well.
 
 mod driver;
 mod path;
@@ -17,7 +17,7 @@ pub struct Changed {
     pub motion: Motion,
     /// Input of the new pose: the previous input if possible.
     pub input: f64,
-    /// True if the input gave way during a part of the change.
+    /// True if the input gave way in a part of the change.
     pub gave_way: bool,
 }
 
@@ -34,7 +34,7 @@ pub enum Refusal {
     Unposed,
     /// The loop opens before the value is reached.
     LoopOpen {
-        /// The last possible value, cut to its known digits.
+        /// Last possible value, rounded to its known digits.
         last: f64,
         /// Distance of the value from the last possible one.
         by: f64,
@@ -47,14 +47,14 @@ pub enum Refusal {
     Defects(Vec<Defect>),
 }
 
-/// Resolution of the last possible value, relative to the range of the dimension; the value is rounded to it.
+/// Resolution of the last possible value, relative to the range of the dimension, before rounding to a power of ten.
 const RESOLUTION: f64 = 2e-4;
-/// Steps by which the input gives way, relative to its span. The first is the distance kept from the input at which
-/// the loop opens.
+/// Steps by which the input gives way, relative to the span of the input. The first is also the distance kept from the
+/// input at which the loop opens.
 const INPUT_STEPS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
 
 impl Motion {
-    /// The linkage with a dimension set to a value, from the pose at an input.
+    /// Returns the linkage with a dimension set to a value, starting from the pose at an input.
     ///
     /// # Errors
     /// The reason why the value cannot be set, with the last possible value.
@@ -90,7 +90,7 @@ impl Motion {
         let Some(mut obstacle) = path.obstacle else {
             return self.arrived(&path);
         };
-        // The value is rounded towards the start and tried up to three times: the path to it may be a different one.
+        // The last value is rounded towards the start and tried, up to three times: its path may be different.
         let unit = 10_f64.powf((RESOLUTION * width).log10().ceil());
         let mut last = at(path.length);
         for _ in 0..3 {
@@ -119,7 +119,7 @@ impl Motion {
         })
     }
 
-    /// The linkage with a side of a link set to a value: the opposite corner is changed by the law of cosines.
+    /// Returns the linkage with a side of a link set to a value: the opposite corner changes by the law of cosines.
     fn side_changed(
         &self,
         (link, point): (LinkId, usize),
@@ -144,7 +144,7 @@ impl Motion {
                 if changed.is_err() || by <= tolerance::CONVERGED * (a + b) {
                     return changed;
                 }
-                // The triangle inequality does not hold.
+                // The three sides do not satisfy the triangle inequality.
                 (last, vec![link], Cause::OutOfReach { by })
             }
         };
@@ -156,8 +156,9 @@ impl Motion {
         })
     }
 
-    /// The linkage with a hinge of the frame moved to a point, or as far towards it as possible, from the pose at an
-    /// input.
+    /// Returns the linkage with a hinge of the frame moved to a point, or as far towards the point as possible,
+    /// starting from the pose at an input.
+    ///
     /// # Errors
     /// The reason why the hinge cannot be moved at all.
     pub fn hinge_moved(&self, point: PointId, to: Point, input: f64) -> Result<Changed, Refusal> {
@@ -180,7 +181,7 @@ impl Motion {
         self.arrived(&Path::follow(start, setting, whole))
     }
 
-    /// The linkage assembled in the pose at an input, or in the drawn pose if that fails.
+    /// The linkage assembled in the pose at an input, or in the drawn pose if the input has no pose.
     fn at_hand(&self, input: f64) -> Result<Assembled, Refusal> {
         let inputs = [input, self.drawn_input].into_iter();
         let mut poses = inputs.filter_map(|input| Some((input, self.pose::<1>(input).ok()?)));
@@ -192,7 +193,7 @@ impl Motion {
     fn arrived(&self, path: &Path) -> Result<Changed, Refusal> {
         let mechanism = Mechanism::new(path.here.spec()).map_err(Refusal::Defects)?;
         let motion = Self::new(mechanism);
-        // If the crank moves over more than a turn, its angle alone does not determine the pose.
+        // If the crank turns through more than one revolution, its angle alone does not determine the pose.
         let input = path.here.input();
         let distance = (motion.cycle.wrap(input) - motion.drawn_input).abs();
         let is_drawn = distance <= tolerance::COINCIDENT * motion.mechanism.span();

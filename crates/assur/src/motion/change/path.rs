@@ -1,15 +1,15 @@
-//! The path of a change: neighbouring linkages from the given one towards the wanted one.
+//! The path of a change: a sequence of neighbouring linkages from the given one towards the wanted one.
 
 use super::{INPUT_STEPS, RESOLUTION};
 use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 
 /// Step length below which the input gives way: ten halvings of the whole range.
 const MIN_STEP: f64 = 1.0 / 1024.0;
-/// Maximum number of steps tried; in few of them the input gives way.
+/// Maximum number of steps tried. Only in a few of them does the input give way.
 const MAX_TRIES: usize = 200;
 
-/// Followed part of a path. Lengths are relative to the range of the dimension, so that a shorter and a longer change
-/// follow the same path.
+/// Part of a path followed so far. Lengths are relative to the range of the dimension, so a short change and a longer
+/// one follow the same path.
 pub(super) struct Path {
     pub(super) here: Assembled,
     pub(super) length: f64,
@@ -61,7 +61,7 @@ impl Path {
     }
 }
 
-/// Neighbour at another input, with the largest margin of the step whose loop opened. From there up to eight further
+/// Finds the neighbour at another input at which the step whose loop opened has the largest margin. Up to eight further
 /// steps in the same sense are taken while the margin grows.
 fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assembled> {
     let margin = |one: &Assembled| one.margin(open.step);
@@ -83,7 +83,7 @@ fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assem
     Some(best)
 }
 
-/// The linkage moved back towards the wanted input as far as possible.
+/// Moves the linkage back towards the wanted input as far as possible.
 fn returned(mut here: Assembled, setting: Setting, wanted: f64) -> Assembled {
     let mut step = 1.0_f64;
     while here.input() != wanted {

@@ -6,25 +6,25 @@ use crate::index::StepId;
 use crate::position::{KNOWN, Predictor, SmoothRoot, State};
 use crate::{Jet, tolerance};
 
-/// Distance from a change point, relative to the span, within which margins lose too many digits; also the distance
-/// at which poses ahead are probed.
+/// Distance from a change point, relative to the span of the input, within which margins lose too many digits. Poses
+/// ahead are also probed at this distance.
 pub(super) const PROBE_DISTANCE: f64 = 1e-5;
-/// Maximum relative deviation of a square from its Taylor series. The remainder is far smaller so near to the centre;
-/// a larger deviation indicates another singularity nearby.
+/// Maximum relative deviation of a square from its Taylor series at a change point. The deviation is far smaller so
+/// near to the change point; a larger one indicates another singularity nearby.
 const MAX_DEVIATION: f64 = 0.1;
 
 /// A change point: steps of the plan whose links pass through in line at one input.
 pub(super) struct ChangePoint {
     input: f64,
     steps: Vec<StepId>,
-    /// Roots of the steps whose sign changes; a four-bar in closed form keeps its sign.
+    /// Smooth roots of the steps whose sign changes; a four-bar in closed form keeps its sign.
     smooth_roots: Vec<SmoothRoot>,
 }
 
 impl Continuation<'_> {
-    /// Change point just ahead; None if none is near enough to be recognized. Steps that depend on its links fail
-    /// first, so one of the steps of the change point is `failed` or precedes it in the plan. Newton's method for the
-    /// minimum of a margin converges from a distance of a thousandth of the input's span.
+    /// Change point just ahead; None if no change point is near enough to be recognized. A step that depends on its
+    /// links may fail first. The step of the change point is therefore `failed` or precedes `failed` in the plan.
+    /// Newton's method for the minimum of a margin converges from within a thousandth of the input's span.
     pub(super) fn change_point_ahead(&self, failed: StepId, width: f64) -> Option<ChangePoint> {
         if width.abs() > tolerance::NEAR * self.mechanism.span() {
             return None;
@@ -39,7 +39,7 @@ impl Continuation<'_> {
         Some(self.change_point(first, input, sense))
     }
 
-    /// The change point of a step, with all other steps whose links pass through in line at the same input.
+    /// The change point of a step, including all other steps whose links come into line at the same input.
     fn change_point(&self, first: StepId, input: f64, sense: f64) -> ChangePoint {
         let mut found = ChangePoint {
             input,
@@ -69,7 +69,7 @@ impl Continuation<'_> {
         found
     }
 
-    /// Moves the start just beyond a change point of a four-bar in closed form, next to which nothing can be certified.
+    /// Moves the start just beyond a change point of a four-bar in closed form, near which no step can be certified.
     pub(super) fn leave_change_point(&mut self) {
         let near = PROBE_DISTANCE * self.mechanism.span();
         let around = [self.input - near, self.input + near];
@@ -94,22 +94,22 @@ impl Continuation<'_> {
         self.mechanism.steps()[step].passes_change_point()
     }
 
-    /// Square whose root a step takes.
+    /// Square whose root determines the pose of a step.
     fn square(&self, step: StepId, state: &State<KNOWN>) -> Jet<KNOWN> {
         self.mechanism.steps()[step].square(state.margins[step])
     }
 
-    /// State at an input with given roots of links in line, up to the first step without a solution.
+    /// State at an input, solved with the given smooth roots up to the first step without a solution.
     fn state_at(&self, input: f64, smooth_roots: &[SmoothRoot]) -> State<KNOWN> {
         let mut state = self.mechanism.blank_state();
         let predicted = Prediction::of(&self.here, &self.orientations, input - self.input);
         let near = predicted.near(smooth_roots);
-        // Steps after a failed one stay blank, with no links in line.
+        // Steps after a failed one stay blank, so their links do not count as in line.
         let _ = self.mechanism.solve(input, &self.signs, near, &mut state);
         state
     }
 
-    /// The input just ahead at which the links of a step come into line and pass through.
+    /// Input just ahead at which the links of a step come into line and pass through.
     fn in_line_ahead(&self, step: StepId, sense: f64) -> Option<f64> {
         let window = tolerance::NEAR * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
@@ -131,7 +131,7 @@ impl Continuation<'_> {
                 (second > 0.0).then_some(input - slope / second)
             };
             let mut input = minimum(self.input, [1, 2].map(|order| margin.derivative(order)))?;
-            // Newton's method converges from nearby in four steps.
+            // From so near, Newton's method converges in four steps.
             for _ in 0..4 {
                 if !ahead(&input) {
                     return None;
@@ -146,7 +146,7 @@ impl Continuation<'_> {
         minima.min_by(|a, b| (a * sense).total_cmp(&(b * sense)))
     }
 
-    /// True if the links of a step are in line in a pose, and pass through.
+    /// True if the links of a step come into line in a pose and pass through.
     fn is_in_line(&self, step: StepId, input: f64, state: &State<KNOWN>) -> bool {
         let same = tolerance::COINCIDENT * self.mechanism.span();
         let placing = &self.mechanism.steps()[step];
@@ -164,14 +164,14 @@ impl Continuation<'_> {
         placing.passes_change_point() && margins.any(touches)
     }
 
-    /// The change points of a four-bar in closed form.
+    /// Change points of a four-bar in closed form between two inputs; none for other steps.
     fn closed_change_points(&self, step: StepId, around: [f64; 2]) -> Vec<f64> {
         let mut closed = self.mechanism.closed_steps();
         let closed = closed.find(|closed| closed.step == step);
         closed.map_or_else(Vec::new, |closed| closed.change_points(around))
     }
 
-    /// Passes a change point; false if other steps cannot be certified.
+    /// Passes a change point. Returns false if the other steps cannot be certified.
     pub(super) fn pass_change_point(
         &mut self,
         found: ChangePoint,
@@ -189,7 +189,7 @@ impl Continuation<'_> {
             return false;
         };
         if !found.smooth_roots.is_empty() {
-            // The signs of a knot apply from it on, in ascending inputs.
+            // The signs of a knot apply from its input up to the next knot.
             let signs_after = if sense > 0.0 { &self.signs } else { &signs };
             let pose = (&between, between.orientations());
             knots.push(found.input, signs_after, pose, self.turned());
@@ -198,9 +198,9 @@ impl Continuation<'_> {
         true
     }
 
-    /// Solves the trial pose beyond a change point, with the signs valid there, as far from it as the current pose but
-    /// not beyond the input at which the motion may repeat. Returns the pose in line and the trial input; None if the
-    /// step is not certified.
+    /// Solves the trial pose beyond a change point, with the signs that are valid there. This pose is as far from the
+    /// change point as the current pose, but not beyond the input at which the motion may repeat. Returns the pose at
+    /// the change point and the trial input; None if the step is not certified.
     fn solve_past(&mut self, found: &ChangePoint, sense: f64) -> Option<(Predictor, f64)> {
         let least = PROBE_DISTANCE * self.mechanism.span();
         let [before, left] =

@@ -1,6 +1,6 @@
-//! Folds of a group: two of its assemblies meet, and the driver must turn back. The poses of a group with their inputs
-//! form a curve that is smooth at a fold. The fold is the simple root of the rate of the input along this curve, as
-//! exact as the equations.
+//! Folds of a group: poses in which two of its assemblies meet and the driver must turn back. The poses of a group with
+//! their inputs form a curve that is smooth at a fold. The fold is the simple root of the rate of the input along this
+//! curve, and is as exact as the equations.
 //!
 //! The curve is followed by Keller's pseudo-arclength continuation: a step along the tangent, and Newton's method
 //! across it. Two branches may come very close without meeting; a jump from one to the other changes the sign of the
@@ -17,14 +17,14 @@ use crate::numeric::roots::root;
 use crate::position::{Group, Linearized, Predictor, Step, StepContext};
 use crate::{Jet, tolerance};
 
-/// Maximum number of steps tried along the curve; their lengths are halved and doubled.
+/// Maximum number of steps tried along the curve; step lengths are halved and doubled.
 pub(super) const MAX_TRIES: usize = 48;
-/// Maximum uncertainty of a point due to rounding, relative to the step: far below the accepted turn of a tangent.
+/// Maximum uncertainty of a point due to rounding, relative to the step: far below the turn allowed to a tangent.
 const MAX_UNCERTAINTY: f64 = 0.02;
-/// Minimum cosine of the turn of the tangent in a step: 26°, over which the curve is nearly an arc of a circle.
+/// Minimum cosine of the angle through which the tangent turns in a step: 26°, over which the curve is nearly circular.
 const MIN_COSINE: f64 = 0.9;
 
-/// Curve of the poses of a group. The coordinates are the unknowns, scaled to unit size, and the scaled input last.
+/// Curve of the poses of a group. Its coordinates are the unknowns, scaled to unit size, followed by the scaled input.
 struct Curve<'a> {
     motion: &'a Continuation<'a>,
     group: &'a Group,
@@ -37,14 +37,14 @@ struct CurvePoint {
     at: DVector<f64>,
     /// Unit tangent.
     tangent: DVector<f64>,
-    /// Sign of the determinant of the bordered equations.
+    /// Sign of the determinant of the equations bordered by the tangent.
     determinant_sign: f64,
     /// Length of the last Newton correction.
     uncertainty: f64,
 }
 
 impl Continuation<'_> {
-    /// The input of the fold of a group ahead, within a window.
+    /// Input of the next fold of a group in the given sense; None if there is no fold within the window.
     pub(super) fn fold(&self, step: StepId, sense: f64, window: f64) -> Option<f64> {
         let Step::Group(group) = &self.mechanism.steps()[step] else {
             return None;
@@ -91,7 +91,7 @@ impl Continuation<'_> {
                 return None;
             }
             here = next;
-            // The step may be doubled after a turn below a third of the maximum; 1 − cos of a third is about a ninth.
+            // The step is doubled after a turn below a third of the maximum, which reduces 1 − cos to about a ninth.
             if 9.0 * (1.0 - cosine) <= 1.0 - MIN_COSINE {
                 step_len *= 2.0;
             }
@@ -100,7 +100,7 @@ impl Continuation<'_> {
 }
 
 impl Curve<'_> {
-    /// Unit of the scaled input: its span is 2π.
+    /// Unit of the scaled input, whose span is then 2π.
     fn input_unit(&self) -> f64 {
         self.motion.mechanism.span() / std::f64::consts::TAU
     }
@@ -117,7 +117,8 @@ impl Curve<'_> {
     /// The input of the fold between two points a step apart: the root of the rate.
     fn fold_between(&self, here: &CurvePoint, next: &CurvePoint, step_len: f64) -> Option<f64> {
         let [first, last] = [here, next].map(|point| self.rate(point));
-        // Near the fold the input deviates from the fold by rate² / (2 · slope of the rate); smaller rates are exact.
+        // The input differs from that of the fold by rate² / (2 · slope of the rate). If this is only rounding, the
+        // rate counts as zero.
         let negligible = f64::EPSILON * (last - first).abs() / step_len;
         let point = |length: f64| self.corrected(&here.at, &here.tangent, length);
         let rate = |length: f64| {
@@ -128,7 +129,7 @@ impl Curve<'_> {
         Some(self.input(&point(length)?))
     }
 
-    /// Point of the curve in the hyperplane normal to a tangent, at the end of a step along it.
+    /// Point of the curve in the hyperplane normal to a tangent at the end of a step along the tangent.
     fn corrected(
         &self,
         from: &DVector<f64>,
@@ -167,7 +168,7 @@ impl Curve<'_> {
         })
         .ok()?;
         let (bordered, solution, is_redundant, uncertainty) = found?;
-        // At the next point different redundant equations may be dropped, so the sign of the determinant means nothing.
+        // With redundant equations the sign means nothing: other equations may be dropped at the next point.
         let determinant_sign = if is_redundant {
             1.0
         } else {

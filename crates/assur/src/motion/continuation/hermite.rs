@@ -1,9 +1,10 @@
-//! Hermite interpolation of degree 7: values and three derivatives at both ends.
+//! Hermite interpolation of degree 7, from values and three derivatives at both ends.
 
 /// Taylor coefficients of a function at an end, orders 0 to 3.
 pub(super) type Taylor = [f64; 4];
 
-/// Values at an input of the Hermite polynomials of several functions; an end is its input with the coefficients there.
+/// Values of several Hermite polynomials at an input. Each end is given by its input and the coefficients of all
+/// functions.
 pub(super) fn interpolated<'a>(
     [(from, start), (to, end)]: [(f64, &'a [Taylor]); 2],
     input: f64,
@@ -17,8 +18,8 @@ pub(super) fn interpolated<'a>(
     })
 }
 
-/// Weights of the Taylor coefficients of one end, at the fraction `u` of `width` from this end: the polynomials that
-/// vanish with three derivatives at the other end.
+/// Weights of the Taylor coefficients of one end, at the fraction `u` of `width` from this end. They are the
+/// polynomials that vanish with three derivatives at the other end.
 fn weights(u: f64, width: f64) -> [f64; 4] {
     let rest = (1.0 - u).powi(4);
     let x = u * width;
@@ -36,7 +37,7 @@ fn weights(u: f64, width: f64) -> [f64; 4] {
 mod tests {
     use super::{Taylor, interpolated};
 
-    /// Polynomials of degree 7 are reproduced.
+    /// Polynomials up to degree 7 are reproduced.
     #[test]
     fn polynomials_are_kept() {
         let ends = [0.4_f64, 0.7];

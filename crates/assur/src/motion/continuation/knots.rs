@@ -1,5 +1,5 @@
-//! Knots: kept samples of a motion. Between them the initial guess of Newton's method for groups is interpolated. A
-//! sample is dropped if the interpolation between its neighbours reproduces it.
+//! Knots: the samples kept of a motion. Between knots the initial guess of Newton's method for groups is interpolated.
+//! A sample is dropped if the interpolation between its neighbours reproduces it.
 
 use super::hermite::{Taylor, interpolated};
 use crate::index::{BodyId, List, StepId};
@@ -8,25 +8,25 @@ use crate::position::{Nearby, Orientation, Predictor, Sign, SmoothRoot};
 use crate::sorting::sort_by;
 use crate::{Cycle, Vector, tolerance};
 
-/// Maximum turn of a body from knot to knot, radians, at which whole turns can be counted.
+/// Maximum angle, in radians, through which a body may turn from knot to knot, so that whole turns can be counted.
 pub(super) const MAX_TURN: f64 = 1.0;
-/// Maximum ratio of two merged intervals. The error of the interpolation is greatest near the middle, so it is tested
-/// at a knot near the middle.
+/// Maximum ratio of the lengths of two merged intervals. The interpolation error is greatest near the middle of the
+/// merged interval, so it is tested at a knot near the middle.
 const MAX_INTERVAL_RATIO: f64 = 2.5;
 
-/// Samples in ascending inputs (or descending, while a motion is followed back).
+/// Samples in ascending order of input; in descending order while a motion is followed backwards.
 #[derive(Clone, Debug, Default)]
 pub(in crate::motion) struct Knots {
     list: Vec<Knot>,
-    /// Index for look-up in constant time, made by [`Knots::index`]: the range has as many equal cells as there are
-    /// knots. Number of knots before each cell, and in total.
+    /// Number of knots before each cell, then in total: an index for look-up in constant time. [`Knots::index`] divides
+    /// the range into as many equal cells as there are knots.
     counts_before: Vec<usize>,
-    /// Cells per unit of input, and the input at which the cells begin.
+    /// Cells per unit of input; `first` is the input at which the cells begin.
     cells_per_unit: f64,
     first: f64,
-    /// Roots at change points.
+    /// Smooth roots of steps around change points.
     smooth_roots: Vec<SmoothRoot>,
-    /// Maximum distance of neighbouring knots between which a guess is interpolated.
+    /// Maximum distance of neighbouring knots for which a guess is interpolated.
     longest: f64,
     /// Minimum and maximum of the first margin of each step over all samples, including dropped ones.
     margins: List<StepId, [f64; 2]>,
@@ -35,14 +35,14 @@ pub(in crate::motion) struct Knots {
 #[derive(Clone, Debug)]
 struct Knot {
     input: f64,
-    /// Assembly signs from here to the next knot.
+    /// Assembly signs from this knot to the next.
     signs: AssemblySigns,
-    /// Bound on the turn of any body from the previous knot.
+    /// Upper bound on the rotation of any body since the previous knot.
     turned: f64,
     /// First margin of each step; for a group its determinant, scaled by the same power of two in all knots.
     margins: List<StepId, f64>,
     orientations: List<BodyId, Orientation>,
-    /// Unknowns of the groups: x and y of each point in turn.
+    /// Unknowns of the groups with their derivatives: x and y of each point in turn.
     natural: Vec<Taylor>,
 }
 
@@ -54,7 +54,7 @@ impl Knots {
         }
     }
 
-    /// Appends a pose; `turned` bounds the turn of any body since the last pose. Redundant knots are dropped.
+    /// Appends a pose; `turned` bounds the rotation of any body since the previous pose. Redundant knots are dropped.
     pub(in crate::motion) fn push(
         &mut self,
         input: f64,
@@ -122,7 +122,7 @@ impl Knots {
         self.list.len()
     }
 
-    /// Adds the knots of another motion over other inputs.
+    /// Adds the knots of another motion, followed over other inputs.
     pub(in crate::motion) fn join(&mut self, mut other: Self) {
         self.include_margins(other.margins.iter().copied());
         self.list.append(&mut other.list);
@@ -131,7 +131,7 @@ impl Knots {
         self.index();
     }
 
-    /// Minimum and maximum over the motion of the first margin of a step; for a group, of its determinant.
+    /// Minimum and maximum of the first margin of a step over the motion; for a group, of its determinant.
     pub(in crate::motion) fn margin_range(&self, step: StepId) -> [f64; 2] {
         self.margins[step]
     }
@@ -144,7 +144,7 @@ impl Knots {
         self.margins[step] = self.margins[step].map(|margin| margin * factor);
     }
 
-    /// Prepends a motion followed back from the same knot.
+    /// Prepends a motion followed backwards from the same knot.
     pub(in crate::motion) fn prepend(&mut self, mut back: Self) {
         back.list.reverse();
         back.list.pop();
@@ -153,7 +153,7 @@ impl Knots {
         self.include_margins(back.margins.iter().copied());
     }
 
-    /// Shifts all inputs.
+    /// Shifts the inputs of all knots and smooth roots.
     pub(in crate::motion) fn shift(&mut self, by: f64) {
         for knot in &mut self.list {
             knot.input += by;
@@ -168,7 +168,7 @@ impl Knots {
         self.list[self.index_at(input)].signs[step]
     }
 
-    /// Adds the root of a change point, and its copy one period away if the copy reaches into a full cycle.
+    /// Adds the smooth root of a change point, and copies of it one period away that reach into the full cycle.
     pub(in crate::motion) fn add_smooth_root(&mut self, smooth: SmoothRoot, cycle: &Cycle) {
         if let Some(period) = cycle.period().filter(|_| cycle.is_full()) {
             let images = [-period, period].map(|by| smooth.shifted(by)).into_iter();
@@ -179,15 +179,16 @@ impl Knots {
         self.smooth_roots.push(smooth);
     }
 
-    /// Shifts the knots of a full cycle to inputs from 0 to `period`, and adds one before and one after them; angles stay
-    /// continuous.
+    /// Shifts the knots of a full cycle to inputs from 0 to `period`, and adds one knot before them and one after.
+    /// Angles stay continuous.
     pub(in crate::motion) fn begin_at_zero(&mut self, period: f64) {
-        // The last knot is the first one a period later.
+        // The last knot repeats the first one, a period later.
         let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
             return;
         };
-        // Rounded to whole turns: near a singular pose the two angles differ in the last digits. An idle wheel may have
-        // turned by a fraction; its angle is computed from the wheel that drives it.
+        // The gain of each angle, rounded to whole turns: near a singular pose the two angles differ in the last
+        // digits. An idle wheel may have gained a fraction of a turn; its angle is computed from the wheel that drives
+        // it.
         let pairs = last.orientations.iter().zip(first.orientations.iter());
         let gains = pairs.map(|(b, a)| crate::angle::whole_turns(b.angle - a.angle));
         let gains: Vec<f64> = gains.collect();
@@ -211,8 +212,8 @@ impl Knots {
         }
     }
 
-    /// Assembly signs at an input, and the known quantities near it. Writes the guess for the unknowns of groups into
-    /// `guess`.
+    /// Returns the assembly signs at an input and the quantities known near it. Writes the guess for the unknowns of
+    /// groups into `guess`.
     pub(in crate::motion) fn near<'a>(
         &'a self,
         input: f64,
@@ -233,7 +234,7 @@ impl Knots {
         (&knot.signs, near)
     }
 
-    /// Builds the index for look-up; afterwards no knot may be moved or added.
+    /// Builds the index for look-up. Afterwards no knot may be moved or added.
     pub(in crate::motion) fn index(&mut self) {
         if let [first, .., last] = &self.list[..] {
             self.first = first.input;
@@ -270,15 +271,15 @@ impl Knots {
 }
 
 impl Knot {
-    /// True if the interpolation between two neighbours reproduces this knot to half of the digits: one Newton step
-    /// from the guess is then exact.
+    /// True if interpolation between two neighbours reproduces this knot to half of the digits. One Newton step from
+    /// such a guess is exact.
     fn is_redundant_between(&self, before: &Self, after: &Self, longest: f64) -> bool {
         let widths = [before, after].map(|knot| (knot.input - self.input).abs());
         let even = widths[0] <= MAX_INTERVAL_RATIO * widths[1]
             && widths[1] <= MAX_INTERVAL_RATIO * widths[0];
         let turns_little = self.turned + after.turned <= MAX_TURN;
         let same_signs = [before, after].iter().all(|knot| knot.signs == self.signs);
-        // Over an interval longer than a step of a group the guess would be worse than the guess of the continuation.
+        // Over an interval longer than a step of a group, the continuation would give a better guess.
         let is_short = widths[0] + widths[1] <= longest;
         let reproduced = || {
             let mut guesses = before.interpolated(after, self.input);
@@ -316,7 +317,7 @@ mod tests {
     use super::{Knot, Knots};
     use crate::index::List;
 
-    /// The index agrees with a linear search for knots crowded at one end, equal inputs, and a gap.
+    /// The index agrees with a linear search if knots crowd at one end, if inputs are equal, and across a gap.
     #[test]
     fn the_index_finds_knots() {
         let inputs = (0..40).map(|k| 1.0 - 0.5_f64.powi(k));

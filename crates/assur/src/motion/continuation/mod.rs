@@ -17,11 +17,11 @@ use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, Sta
 use crate::{Jet, tolerance};
 use knots::MAX_TURN;
 
-/// Number of successful steps before longer ones are tried: a failed step costs as much as a successful one.
+/// Number of successful steps before a longer one is tried: a failed step costs as much as a successful one.
 const STEPS_BEFORE_LONGER: usize = 4;
-/// Tried fraction of the estimated certifiable step: the bounds grow a little on the way.
+/// Fraction of the estimated certifiable step that is tried: the bounds grow a little along the step.
 const STEP_SAFETY: f64 = 0.8;
-/// Maximum work, in samples times bodies: about half a second. Hunting teeth may need more.
+/// Maximum work, in samples times bodies: about half a second. A train with hunting teeth may need more.
 const MAX_WORK: usize = 250_000;
 
 /// Maximum length of a step. The guess for a group is interpolated over a step, so steps are shorter with groups and
@@ -39,7 +39,7 @@ pub(super) fn longest_step(mechanism: &Mechanism) -> f64 {
 pub(super) enum End {
     /// Full cycle, with its number of turns.
     Cycle(usize),
-    /// Dead point, or end of the followed motion.
+    /// Dead point, or the point up to which the motion was followed.
     Dead(DeadPoint),
 }
 
@@ -48,19 +48,19 @@ pub(super) struct Continuation<'a> {
     mechanism: &'a Mechanism,
     signs: AssemblySigns,
     input: f64,
-    /// Pose at the current input, and the trial pose at the next input.
+    /// Pose at the current input; `trial` is the pose at the next input.
     here: Predictor,
     trial: Predictor,
     enclosure: Enclosure,
     /// Orientations of the bodies in the current pose.
     orientations: List<BodyId, Orientation>,
-    /// The bodies whose whole turns are tracked.
+    /// Bodies whose whole turns are tracked.
     tracked: Vec<BodyId>,
-    /// Roots at the change points already passed, as exact as the poses near them.
+    /// Smooth roots of the change points already passed, as exact as the poses near the change points.
     pub(super) smooth_roots: Vec<SmoothRoot>,
     /// The next input at which the motion may repeat.
     repeats: f64,
-    /// Work left.
+    /// Work left, in samples times bodies.
     work: usize,
 }
 
@@ -71,7 +71,8 @@ struct Prediction<'a> {
 }
 
 impl<'a> Prediction<'a> {
-    /// Prediction at a step `width` from a pose. A certified step turns no body by half a turn: orientations are kept.
+    /// Predicts the pose a step `width` away. Orientations are kept: no body turns through half a turn in a certified
+    /// step.
     fn of(here: &Predictor, orientations: &'a List<BodyId, Orientation>, width: f64) -> Self {
         let value = |jet: Jet<4>| {
             let orders = (0..4).rev();
@@ -95,7 +96,7 @@ impl<'a> Prediction<'a> {
 }
 
 impl<'a> Continuation<'a> {
-    /// The continuation at the drawn pose, or just beyond a change point next to it.
+    /// Begins the continuation at the drawn pose, or just beyond a change point next to that pose.
     pub(super) fn new(mechanism: &'a Mechanism) -> Self {
         let (input, signs, here) = mechanism.start();
         let tracks_turns = |body: &BodyId| {
@@ -119,7 +120,7 @@ impl<'a> Continuation<'a> {
         begun
     }
 
-    /// Follows the motion until it repeats or ends, and adds its knots.
+    /// Follows the motion until it repeats or ends, and adds knots for its poses.
     pub(super) fn follow(&mut self, sense: f64, knots: &mut Knots) -> End {
         let start = self.here.clone();
         self.add_knot(knots, 0.0);
@@ -142,15 +143,15 @@ impl<'a> Continuation<'a> {
         }
     }
 
-    /// Follows the motion to an input; returns the dead point met before it.
+    /// Follows the motion to an input. Returns the dead point if the motion meets one first.
     fn follow_to(&mut self, target: f64, knots: &mut Knots) -> Option<DeadPoint> {
         let sense = (target - self.input).signum();
         let cell = self.mechanism.span() / SAMPLES_PER_TURN as f64;
         let longest = longest_step(self.mechanism);
         let mut width = longest;
         let mut successes = STEPS_BEFORE_LONGER;
-        // The search for a singular pose of a group is expensive. It begins at short steps and is repeated only at
-        // shorter ones.
+        // The search for a singular pose of a group is expensive. It begins when steps become short, and is repeated
+        // only at shorter steps.
         let short = tolerance::COINCIDENT * self.mechanism.span();
         let mut searched_at = short;
         while (target - self.input) * sense > 0.0 {
@@ -161,7 +162,7 @@ impl<'a> Continuation<'a> {
                 target
             };
             let tried = width.min(left);
-            // A long step costs as much as a short one, but reading quantities over it costs more.
+            // A long step costs as much as a short one, but reading quantities over a long step costs more.
             let samples = (tried / cell).ceil() as usize;
             let bodies = self.mechanism.bodies().len();
             let Some(work) = self.work.checked_sub(samples * bodies) else {
@@ -173,7 +174,8 @@ impl<'a> Continuation<'a> {
                 if tried >= short {
                     searched_at = short;
                 }
-                // After a step too long for a dyad the next would fail too; a group gives its certifiable length.
+                // After a failed step of a dyad, a longer one would soon fail again. A group gives the length that it
+                // can certify.
                 successes += 1;
                 if successes >= STEPS_BEFORE_LONGER {
                     let longer = (STEP_SAFETY * self.enclosure.ease()).min(2.0) * tried;
@@ -182,8 +184,8 @@ impl<'a> Continuation<'a> {
                 continue;
             };
             let is_group = self.is_group(step);
-            // Within so short a step the closed form of a dyad gives the obstacle. A group may be drawn close to a
-            // singular pose and leave it.
+            // Within a step this short, the closed form of a dyad gives the obstacle. The limit is smaller for a group,
+            // which may be drawn close to a singular pose and move away from it.
             let shortest = if is_group {
                 tolerance::EXACT
             } else {
@@ -251,7 +253,7 @@ impl<'a> Continuation<'a> {
             .map_or(Ok(()), Err)
     }
 
-    /// Accepts the trial pose of a certified step, and adds a knot there.
+    /// Accepts the trial pose of a certified step, and adds a knot at this pose.
     fn accept(&mut self, next: f64, knots: &mut Knots) {
         let turned = self.turned();
         self.advance(next);
@@ -271,7 +273,7 @@ impl<'a> Continuation<'a> {
         self.here.orient(&mut self.orientations);
     }
 
-    /// Bound on the turn of the tracked bodies over the last certified step.
+    /// Upper bound on the rotation of the tracked bodies over the last certified step.
     fn turned(&self) -> f64 {
         let tracked = self.tracked.iter();
         let turned = tracked.map(|body| self.enclosure.turned(&self.here, *body));

@@ -13,10 +13,11 @@ use crate::position::{State, Step};
 use crate::tolerance;
 
 impl Continuation<'_> {
-    /// Nearest fold of a group just ahead. Near a fold the rates of dependent groups grow without bound, so a dependent
-    /// group may be the first without certificate.
+    /// Nearest fold of any group just ahead. Near a fold the rates of dependent groups grow without bound, so a
+    /// dependent group may be the first one that cannot be certified.
     pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
-        // Near a fold steps shorten in proportion to its distance: short steps keep it within this window.
+        // Near a fold, steps shorten in proportion to the distance from it. At short steps the fold is within this
+        // window.
         let window = tolerance::DISTINCT * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let steps = self.mechanism.steps().ids();
@@ -32,7 +33,7 @@ impl Continuation<'_> {
         })
     }
 
-    /// The end of the range of a driver within a group, just ahead.
+    /// Finds the end of the range of a driver within a group, if it is just ahead.
     pub(super) fn out_of_range(&self, sense: f64) -> Option<DeadPoint> {
         let mut probe: State<1> = self.mechanism.blank_state();
         let mut is_out = |input: f64| match self.solve(input, &mut probe) {
@@ -49,7 +50,7 @@ impl Continuation<'_> {
         })
     }
 
-    /// True if a redundant constraint does not hold just ahead.
+    /// True if a redundant constraint no longer holds just ahead.
     pub(super) fn is_locked(&self, sense: f64) -> bool {
         let mut probe: State<1> = self.mechanism.blank_state();
         let beyond = self.input + sense * PROBE_DISTANCE * self.mechanism.span();
@@ -82,8 +83,8 @@ impl Continuation<'_> {
             });
             self.dead_point_at(last, step, cause)
         });
-        // Guides become parallel between poses, and a step beyond may fail first: the rates of links that depend on the
-        // guides grow without bound.
+        // Guides may become parallel between two tried poses. A dependent step of the plan may then fail first, because
+        // the rates of links that depend on the guides grow without bound.
         let steps = self.mechanism.steps().ids();
         let parallel = steps.filter_map(|step| self.parallel(step, sense));
         let nearest = parallel
@@ -92,8 +93,8 @@ impl Continuation<'_> {
         nearest.unwrap_or_else(|| self.end_here(step, DeadPointKind::NearSingular))
     }
 
-    /// Input just ahead at which the two guides of a step become parallel. Poses beyond it are on another branch. The
-    /// margin is the square of the sine of the angle between the guides.
+    /// Dead point just ahead at which the two guides of a step become parallel; poses beyond it are on another branch.
+    /// The margin here is the squared sine of the angle between the guides.
     fn parallel(&self, step: StepId, sense: f64) -> Option<DeadPoint> {
         let crosses = matches!(self.mechanism.steps()[step], Step::Prp(_) | Step::Rpp(_));
         let margin = self.here.margins[step][0];

@@ -9,12 +9,12 @@ pub enum Kind {
     Min,
 }
 
-/// A local extremum of a quantity or a derivative of it.
+/// A local extremum of a quantity or of one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremum {
     /// Maximum or minimum.
     pub kind: Kind,
-    /// The input.
+    /// Input of the extremum.
     pub input: f64,
     /// The extreme value.
     pub value: f64,

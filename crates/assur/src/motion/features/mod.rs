@@ -1,4 +1,4 @@
-//! Zeros and extrema of quantities over a motion, refined to rounding.
+//! Zeros and extrema of quantities over a motion, to full precision.
 
 mod extremum;
 mod roots;
@@ -13,14 +13,14 @@ use crate::{Cycle, Jet, tolerance};
 use roots::ordered_roots;
 use samples::{Sample, Samples, closed, grids, searchable};
 
-/// Zeros and extrema of a quantity over a motion, in ascending inputs.
+/// Zeros and extrema of a quantity over a motion, in ascending order of input.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Features {
     /// Inputs of the zeros.
     pub zeros: Vec<f64>,
     /// Local extrema of the quantity.
     pub extrema: Vec<Extremum>,
-    /// Value of a constant quantity: 0 if the value is only rounding.
+    /// Value of a constant quantity, 0 if it differs from 0 only by rounding; None if the quantity varies.
     pub level: Option<f64>,
 }
 
@@ -35,10 +35,10 @@ impl Features {
     }
 }
 
-/// Maximum number of samples kept at once, of all quantities together: about ten megabytes.
+/// Maximum number of samples held at once, for all quantities together: about ten megabytes.
 const MAX_SAMPLES: usize = 1 << 18;
 
-/// Error of a motion that repeats only after more turns than are searched for zeros and extrema.
+/// Error: the motion repeats only after more turns than are searched for zeros and extrema.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooManyTurns {
     /// Number of turns of the crank after which the motion repeats.
@@ -49,7 +49,8 @@ pub struct TooManyTurns {
 
 impl Motion {
     /// Zeros and extrema of quantities and of their first two derivatives with respect to time, by [`features`].
-    /// Multiples of one quantity are searched once. A jump of a folded angle is neither a zero nor an extremum.
+    /// Quantities that are multiples of one another are searched once. A jump of a folded angle is neither a zero nor
+    /// an extremum.
     ///
     /// # Errors
     /// The motion has too many turns to be searched.
@@ -111,8 +112,8 @@ impl Motion {
         searchable(self.cycle())
     }
 
-    /// Scale of tolerances for a quantity: 1 for an angle, the size of the mechanism for a coordinate, and for a
-    /// distance, which may lie within a small part of the drawing, the minimum scale of lengths.
+    /// Scale of tolerances for a quantity: 1 for an angle, and the size of the mechanism for a coordinate. A distance
+    /// may lie within a small part of the drawing; its scale is the minimum scale of lengths.
     pub(super) fn unit(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::X(_) | Quantity::Y(_) => self.mechanism().size(),
@@ -126,12 +127,13 @@ impl Motion {
     }
 
     /// Scale of tolerances for lengths within a part of the drawing: the size of the part, but at least a thousandth of
-    /// the drawing, because points are rounded by 10⁻¹² of its size.
+    /// the size of the drawing, because points are rounded to 10⁻¹² of the size of the drawing.
     pub(super) fn unit_within(&self, part: f64) -> f64 {
         part.max(1e-3 * self.mechanism().size())
     }
 
-    /// Features of a folded angle from those of the unfolded angle: folding may reverse the sense and leaves no zeros.
+    /// Features of a folded angle from those of the unfolded angle. Folding may swap maxima and minima; it leaves no
+    /// zeros.
     fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
         let with_sense = |extremum: Extremum| {
             let pose = self.pose::<3>(extremum.input);
@@ -181,9 +183,9 @@ impl Motion {
     }
 }
 
-/// Zeros and extrema of quantities and of their first two derivatives with respect to time over a cycle: `motion` gives
-/// the quantities at a crank angle φ₁ from the line of the frame, `units` the scale of tolerances for each (1 for an
-/// angle, a length of the mechanism for a coordinate).
+/// Finds zeros and extrema of quantities and of their first two derivatives with respect to time over a cycle. `motion`
+/// gives the quantities at a crank angle φ₁ from the line of the frame. `units` gives the scale of tolerances for each
+/// quantity: 1 for an angle, a length of the mechanism for a coordinate.
 ///
 /// Each zero or extremum is a root of the quantity or of its next derivative, found by safeguarded Newton steps with
 /// exact derivatives. A constant quantity has a level instead.
@@ -200,7 +202,7 @@ pub fn features(
     Ok(features_over(&grids, cycle, motion, units, input))
 }
 
-/// [`features`] from samples at the inputs of each grid.
+/// Finds [`features`] from samples at the inputs of each grid.
 fn features_over(
     grids: &[Vec<f64>],
     cycle: &Cycle,
@@ -281,7 +283,7 @@ fn features_of(
 /// Variation of a function over the motion.
 enum Variation {
     Varies,
-    /// Constant value; None without samples.
+    /// Constant value; None if there are no samples.
     Constant(Option<f64>),
 }
 
@@ -289,13 +291,13 @@ enum Variation {
 #[derive(Clone, Copy)]
 struct Tolerance {
     absolute: f64,
-    /// Variation relative to the largest value of the function.
+    /// Tolerance relative to the largest value of the function.
     relative: f64,
 }
 
 impl Tolerance {
-    /// Tolerance of a quantity (order 0) with a scale, or of its derivative. The rounding of a point far from the
-    /// origin grows with its distance, but the tolerance does not.
+    /// Tolerance of a quantity (order 0) or of its derivative, for a scale of the quantity. The rounding error of a
+    /// point grows with its distance from the origin, but the absolute tolerance does not.
     fn of(order: usize, scale: f64) -> Self {
         Self {
             absolute: tolerance::COINCIDENT * scale,

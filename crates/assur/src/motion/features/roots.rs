@@ -1,11 +1,11 @@
-//! Roots of sampled functions, refined to rounding.
+//! Roots of sampled functions, to full precision.
 
 use super::samples::{Sample, Samples};
 use crate::sorting::sort_by;
 use crate::{Cycle, tolerance};
 
-/// Samples at which the derivative `order`, 0 or 1, of the function vanishes, within the cycle and in ascending
-/// order.
+/// Samples at which a function (`order` 0) or its derivative (`order` 1) vanishes, within the cycle and in ascending
+/// order of input.
 pub(super) fn ordered_roots(
     cycle: &Cycle,
     arcs: &[Samples],
@@ -21,7 +21,7 @@ pub(super) fn ordered_roots(
             wrapped
         }
     };
-    // A pose left indeterminate by a deltoid splits the motion: rates may jump there.
+    // An input at which a deltoid is indeterminate has no sample and divides the motion: rates may jump at this input.
     let cells = arcs.iter().flat_map(|samples| samples.windows(2));
     let cells = cells.filter_map(|pair| match pair {
         [Some(a), Some(b)] => Some(roots(sample, order, *a, *b)),
@@ -29,7 +29,8 @@ pub(super) fn ordered_roots(
     });
     let mut ordered: Vec<Sample> = cells.flatten().collect();
     sort_by(&mut ordered, |a, b| a.input.total_cmp(&b.input));
-    // Near a root rounding changes the sign several times, except near the input 0, where numbers are densest.
+    // Near a root, rounding may change the sign several times, except near input 0, where floating-point numbers are
+    // densest.
     ordered
         .dedup_by(|later, one| later.input - one.input <= tolerance::CONVERGED * later.input.abs());
     let [start, end] = cycle.axis();
@@ -70,8 +71,8 @@ fn roots(
     }
 }
 
-/// Root of `f` in the bracket from `a` to `b`: Newton's method with `slope`, safeguarded by bisection. A sample gives
-/// the slope and all quantities at once; [`crate::numeric::roots`], which uses no slopes, would take longer.
+/// Root of `f` in the bracket from `a` to `b`, by Newton's method with `slope`, safeguarded by bisection. A sample
+/// gives `f` and the slope at once; [`crate::numeric::roots`], which uses no slopes, would take longer.
 fn bracketed(
     sample: &dyn Fn(f64) -> Option<Sample>,
     a: Sample,
@@ -82,7 +83,7 @@ fn bracketed(
     let (mut low, mut high) = (a, b);
     let nearer = |a: Sample, b: Sample| if f(&a).abs() < f(&b).abs() { a } else { b };
     let mut best = nearer(a, b);
-    // Every third step is a bisection; sixty of them reach rounding.
+    // Every third step is a bisection; sixty bisections reach full precision.
     for step in 0..180 {
         let inside = |input: &f64| *input > low.input && *input < high.input;
         let middle = 0.5 * (low.input + high.input);
@@ -91,7 +92,7 @@ fn bracketed(
             .into_iter()
             .skip(usize::from(step % 3 == 2))
             .find(inside);
-        // No number lies between two neighbouring numbers: the root is found.
+        // If no input is inside, the bracket has shrunk to two neighbouring floating-point numbers: the root is found.
         let Some(next) = input.map(sample) else { break };
         let next = next?;
         if f(&next) * f(&low) > 0.0 {
@@ -105,7 +106,7 @@ fn bracketed(
             break;
         }
     }
-    // At a jump `f` is small nowhere: the root is where the sign changes.
+    // At a jump `f` is nowhere small; the root is the point at which the sign changes.
     let outside = best.input < low.input || best.input > high.input;
     Some(if outside { nearer(low, high) } else { best })
 }

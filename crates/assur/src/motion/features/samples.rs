@@ -7,7 +7,7 @@ use crate::Cycle;
 use crate::motion::{MAX_TURNS, SAMPLES_PER_TURN};
 use crate::sorting::sort_by;
 
-/// A function and its first two derivatives with respect to the input.
+/// A function and its first two derivatives with respect to the input, at one input.
 #[derive(Clone, Copy)]
 pub(super) struct Sample {
     pub(super) input: f64,
@@ -18,7 +18,7 @@ pub(super) struct Sample {
 pub(super) type Samples = Vec<Option<Sample>>;
 
 impl Sample {
-    /// The extremum at a stationary point.
+    /// Extremum at this sample, which is a stationary point; None if the second derivative is zero.
     pub(super) fn extremum(&self) -> Option<Extremum> {
         let [value, _, second] = self.f;
         let kind = if second < 0.0 { Kind::Max } else { Kind::Min };
@@ -30,9 +30,9 @@ impl Sample {
     }
 }
 
-/// Sample inputs of each arc: even, and graded towards the inputs that `in_line` gives. There the crank is in line with
-/// the outer hinges of a dyad. Near a change point, or if the hinges nearly meet, the motion changes there within any
-/// small angle. A full cycle is centred on 0, near which floating-point numbers are densest.
+/// Sample inputs of each arc, evenly spaced and graded towards the inputs from `in_line`, at which the crank is in line
+/// with the outer hinges of a dyad. Near a change point, or if the hinges nearly meet, the motion there may change
+/// within any small angle. A full cycle is centred on input 0, near which floating-point numbers are densest.
 pub(super) fn grids(
     cycle: &Cycle,
     in_line: &dyn Fn([f64; 2]) -> Vec<f64>,
@@ -42,7 +42,7 @@ pub(super) fn grids(
         // The range of a driven slide counts as one turn.
         let turn = if cycle.turns() { TAU } else { to - from };
         let cell = turn / SAMPLES_PER_TURN as f64;
-        // With an even count the start of a full cycle, in the middle, is a sample.
+        // An even count makes the middle a sample: it is the start of a full cycle.
         let count = 2.0 * (0.5 * (to - from) / cell).ceil();
         let mut inputs: Vec<f64> = (0..=count as usize)
             .map(|i| from + (to - from) * (i as f64 / count))
@@ -66,8 +66,8 @@ pub(super) fn grids(
     Ok(cycle.arcs().iter().copied().map(graded).collect())
 }
 
-/// Refuses a full cycle of more turns than are searched. The arc of a motion that turns back may have any number of
-/// turns that were followed.
+/// Refuses a full cycle with too many turns to be searched. The arc of a motion that turns back may contain any number
+/// of turns.
 pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
     let [start, end] = cycle.axis();
     let turns = ((end - start) / TAU).round() as usize;
@@ -81,8 +81,9 @@ pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
 }
 
 /// Closes the samples of a full cycle; other samples are unchanged. Samples of a derivative stay centred on the start
-/// and end with the values of the first one. Samples of the function itself run from start to end, with the start
-/// repeated at the end: an angle that turns fully continues from its value one cycle before.
+/// of the cycle, and the last one takes the values of the first. Samples of the function itself are moved to run from
+/// the start to the end, with the start repeated at the end. An angle that turns fully continues from its value one
+/// cycle earlier.
 pub(super) fn closed(
     cycle: &Cycle,
     mut samples: Samples,
@@ -99,9 +100,9 @@ pub(super) fn closed(
         return samples;
     }
     let [start, end] = cycle.axis();
-    // The first and the last sample are one cycle apart.
+    // The first and the last sample are one cycle apart, so the first is dropped.
     let samples = samples.get(1..).unwrap_or_default();
-    // Where a deltoid is indeterminate there is no pose, and the next sample is taken.
+    // An input at which a deltoid is indeterminate has no pose; the next sample is then taken.
     let growth = (samples.iter().flatten())
         .take_while(|sample| sample.input < start)
         .find_map(|sample| Some(at(sample.input + (end - start))?.f[0] - sample.f[0]));
@@ -113,10 +114,10 @@ pub(super) fn closed(
     let middle = samples
         .iter()
         .position(|sample| sample.is_some_and(|sample| sample.input >= start));
-    // Without a middle, all samples are before it.
+    // If no sample is at or after the start, all samples are before it.
     let (before, after) = samples.split_at(middle.unwrap_or(samples.len()));
     let moved = before.iter().map(|sample| sample.and_then(a_cycle_later));
-    // Inputs before the start may already belong to the next cycle; the end itself has its own value.
+    // The value at the end is computed, not shifted: inputs before the start may already belong to the next cycle.
     let closing = after.first().map(|first| {
         let first = (*first)?;
         let input = first.input + (end - start);

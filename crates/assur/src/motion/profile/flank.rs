@@ -5,7 +5,8 @@ use super::{Dwell, OutputProfile};
 use crate::mechanism::Pose;
 use crate::numeric::roots::root;
 
-/// Number of levels of the band between which a longest arc is bracketed: of maxima of its length closer to each other one may be missed.
+/// Number of levels of the band between which a longest arc is bracketed. If two maxima of the length are closer to
+/// each other than the levels, one may be missed.
 const LEVELS: usize = 64;
 
 /// A band of given width whose level varies, with the pieces of entry and exit.
@@ -21,12 +22,12 @@ struct Flank<'a> {
 #[derive(Clone, Copy)]
 struct Passage {
     arc: [f64; 2],
-    /// Rate at entry less rate at exit: positive if the arc grows with the level of the band.
+    /// Rate at entry minus rate at exit: positive if the arc grows with the level of the band.
     rate_difference: f64,
 }
 
 impl OutputProfile<'_> {
-    /// The longest arc, if longer than `shortest`, entering and leaving the band on pieces of the same sense.
+    /// Longest arc that enters and leaves the band on pieces of the same sense; None if not longer than `shortest`.
     pub(super) fn longest_on_flanks(
         &self,
         [first, last]: [isize; 2],
@@ -38,7 +39,7 @@ impl OutputProfile<'_> {
         if sense != (value(last + 1) - value(last)).signum() || sense == 0.0 {
             return None;
         }
-        // Levels increase along the motion.
+        // Levels are signed so that they increase along the motion.
         let level_of = |station: isize| sense * value(station);
         let inner = (first + 1..=last).map(level_of);
         let high = inner.clone().fold(level_of(last + 1) - tolerance, f64::min);
@@ -55,8 +56,8 @@ impl OutputProfile<'_> {
         let level = |k: usize| low + (high - low) * (k as f64 + 0.5) / LEVELS as f64;
         let mut best: Option<Dwell> = None;
         let ends = [0, LEVELS - 1].map(|k| Some((k, flank.passage(level(k))?)));
-        // Entry and exit increase with the level. So no arc for a level between two others is longer than the arc from
-        // the entry at the lower to the exit at the upper level.
+        // The inputs of entry and exit increase with the level. For a level between two others, the arc is therefore at
+        // most as long as from the entry at the lower level to the exit at the upper level.
         let mut open = vec![(ends[0]?, ends[1]?)];
         while let Some(((a, below), (b, above))) = open.pop() {
             let longest = best.map_or(shortest, |best| best.length());

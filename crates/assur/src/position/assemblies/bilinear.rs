@@ -12,7 +12,7 @@ pub(super) type C = Complex<f64>;
 pub(super) const ZERO: C = C::new(0.0, 0.0);
 pub(super) const ONE: C = C::new(1.0, 0.0);
 
-/// Affine form k + Σ a z.
+/// Affine form k + Σ aᵢ zᵢ in the unknowns zᵢ.
 #[derive(Clone, Debug)]
 pub(super) struct Affine {
     pub(super) constant: C,
@@ -31,7 +31,7 @@ impl Affine {
         sum(self.constant, self.by.iter().zip(z).map(|(by, z)| by * z))
     }
 
-    /// Value of the form, and value of the conjugate form at the conjugates.
+    /// Value of the form at `z`, and value of the conjugate form at the conjugates `w`.
     fn both(&self, z: &[C], w: &[C]) -> [C; 2] {
         let terms = self.by.iter().zip(z).zip(w);
         let start = [self.constant, self.constant.conj()];
@@ -40,7 +40,7 @@ impl Affine {
         })
     }
 
-    /// Form from which an unknown is eliminated by its expression in the others.
+    /// Form after an unknown is replaced by its expression in the other unknowns.
     fn without(&self, unknown: usize, expression: &Self) -> Self {
         let mut rest = self.clone();
         let by = rest.by.remove(unknown);
@@ -60,7 +60,7 @@ impl Affine {
 /// Form that varies with the input, and its derivative with respect to the input.
 pub(super) type Varying = [Affine; 2];
 
-/// Varying form from which an unknown is eliminated by its expression in the others.
+/// Varying form after an unknown is replaced by its expression in the other unknowns.
 fn without([form, rate]: &Varying, unknown: usize, [value, value_rate]: &Varying) -> Varying {
     let mut rest = rate.without(unknown, value);
     rest.add(form.by[unknown], value_rate);
@@ -78,7 +78,7 @@ pub(super) enum Bilinear<F = Affine, W = f64> {
     Unit(F),
     /// Two forms are parallel.
     Parallel(F, F),
-    /// The component of the second form along the first, of length 1, has a value.
+    /// The component of the second form along the first, which has length 1, has a given value.
     Along(F, F, W),
 }
 
@@ -96,7 +96,7 @@ impl<F, W: Copy> Bilinear<F, W> {
 pub(super) type VaryingBilinear = Bilinear<Varying, [f64; 2]>;
 
 impl VaryingBilinear {
-    /// Equation, and the equation of the derivatives of its forms.
+    /// The equation, and the same equation for the derivatives of its forms.
     fn parts(self) -> [Bilinear; 2] {
         match self {
             Self::Unit([one, rate]) => [one, rate].map(Bilinear::Unit),
@@ -121,7 +121,7 @@ impl Bilinear {
         [one].into_iter().chain(other)
     }
 
-    /// True if both equations require length 1 of the same form, up to a turn.
+    /// True if both equations require length 1 of the same form, up to a rotation.
     fn repeats(&self, other: &Self) -> bool {
         let (Self::Unit(one), Self::Unit(other)) = (self, other) else {
             return false;
@@ -156,7 +156,8 @@ impl Affine {
 }
 
 impl Bilinear {
-    /// Residual in homogeneous unknowns; writes its derivatives with respect to the unknowns, then to the conjugates.
+    /// Returns the residual in homogeneous unknowns. Writes its derivatives with respect to the unknowns, then to the
+    /// conjugates.
     pub(super) fn homogeneous(&self, z: &[C], w: &[C], by: &mut [C]) -> C {
         let (by_z, by_w) = by.split_at_mut(z.len());
         let by = by_z.iter_mut().zip(by_w.iter_mut());
@@ -214,13 +215,13 @@ impl Bilinear {
                 let ([v, cv], [dv, dcv]) = (of(other), of(other_rate));
                 dcu * v + cu * dv + du * cv + u * dcv - C::from(2.0 * value_rate)
             }
-            // Both are parts of one equation.
+            // This does not happen: both are parts of one equation.
             _ => ZERO,
         }
     }
 }
 
-/// Square system, with as many equations as unknowns and conjugates.
+/// Square system: the number of equations is the number of unknowns and conjugates.
 #[derive(Clone, Debug)]
 pub(super) struct System {
     pub(super) unknowns: usize,
@@ -229,14 +230,14 @@ pub(super) struct System {
     pub(super) rates: Vec<Bilinear>,
     /// Index of each equation among the given equations; None if unknowns were eliminated.
     pub(super) sources: Option<Vec<usize>>,
-    /// Unknowns of the group as forms in the unknowns of the system, and the indices of the latter.
+    /// Unknowns of the group as forms in the unknowns of the system; `kept` has the indices of the latter in the group.
     own: Vec<Affine>,
     kept: Vec<usize>,
 }
 
 impl System {
-    /// System from which the unknowns that follow from zero forms are eliminated. None if these forms are dependent, or
-    /// the numbers of equations and of unknowns differ.
+    /// System after elimination of the unknowns that follow from `zeros`, forms equal to zero. None if these forms are
+    /// dependent, or if the numbers of equations and of unknowns differ.
     pub(super) fn new(
         unknowns: usize,
         equations: Vec<VaryingBilinear>,
@@ -257,7 +258,7 @@ impl System {
             if size < f64::EPSILON {
                 return None;
             }
-            // c + a x + Σ = 0: x = −(c + Σ) / a, x′ = −(c′ + a′ x + Σ′) / a.
+            // If c + a x + Σ = 0 with other terms Σ, then x = −(c + Σ) / a and x′ = −(c′ + a′ x + Σ′) / a.
             let scale = -zero.by[unknown].inv();
             let scaled = |form: &Affine| {
                 let mut scaled = Affine::constant(ZERO, form.by.len());
@@ -292,7 +293,7 @@ impl System {
             let has_unknowns = equation
                 .forms()
                 .any(|form| form.by.iter().any(|by| *by != ZERO));
-            // Links with a driven angle between them have one direction.
+            // Two links with a driven angle between them have the same equation of unit length.
             let is_repeated = system.equations.iter().any(|other| equation.repeats(other));
             if has_unknowns && !is_repeated {
                 system.equations.push(equation);
@@ -304,12 +305,12 @@ impl System {
         (system.equations.len() == 2 * unknowns).then_some(system)
     }
 
-    /// The group's unknowns.
+    /// Unknowns of the group from the unknowns of the system.
     pub(super) fn own(&self, z: &[C]) -> impl Iterator<Item = C> {
         self.own.iter().map(|form| form.at(z))
     }
 
-    /// The group's unknowns and their conjugates.
+    /// Unknowns and conjugates of the group from those of the system.
     pub(super) fn own_both(&self, at: &[C]) -> impl Iterator<Item = C> {
         let (z, w) = at.split_at(self.unknowns);
         let part = |which: usize| self.own.iter().map(move |form| form.both(z, w)[which]);
@@ -321,7 +322,7 @@ impl System {
         self.own.len()
     }
 
-    /// The system's unknowns and conjugates among those of the group.
+    /// Selects the unknowns and conjugates of the system from those of the group.
     pub(super) fn reduced(&self, own: &[C]) -> Vec<C> {
         let (z, w) = own.split_at(self.own.len());
         let both = [z, w].into_iter();
@@ -330,7 +331,7 @@ impl System {
         reduced
     }
 
-    /// Newton's method from a guess of the group's unknowns and conjugates, in place; none if it does not converge.
+    /// Improves a guess of the group's unknowns and conjugates by Newton's method, in place; None without convergence.
     pub(super) fn polish_own(&self, at: &mut [C], workspace: &mut Workspace) -> Option<()> {
         let solution = self.polished(self.reduced(at), workspace)?;
         let (z, w) = solution.split_at(self.unknowns);

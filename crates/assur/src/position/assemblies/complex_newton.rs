@@ -5,7 +5,8 @@ use crate::numeric::newton::{MAX_STEPS, is_exact, newton};
 use crate::tolerance;
 
 impl System {
-    /// Derivative by the input of the unknowns and conjugates of a solution; None if the solution is singular.
+    /// Derivatives of the unknowns and conjugates of a solution with respect to the input; None if the solution is
+    /// singular.
     pub(super) fn rate(&self, at: &[C]) -> Option<Vec<C>> {
         let (z, w) = at.split_at(self.unknowns);
         let mut workspace = Workspace::new(self.unknowns);
@@ -18,7 +19,7 @@ impl System {
         rate.iter().all(|c| c.is_finite()).then(|| rate.to_vec())
     }
 
-    /// Newton's method from a guess of unknowns and conjugates; none if it does not converge.
+    /// Solution by Newton's method from a guess of unknowns and conjugates; None without convergence.
     pub(super) fn polished(&self, guess: Vec<C>, workspace: &mut Workspace) -> Option<Vec<C>> {
         let mut at = guess;
         let largest = |all: &[C], least: f64| {
@@ -34,13 +35,13 @@ impl System {
             }
             at.iter().all(|at| at.is_finite()).then_some(change)
         };
-        // Converged, or rounding stops the convergence.
+        // The step has converged, or rounding stops the convergence.
         let is_last = |change: f64, last: f64| {
             is_exact(change, last)
                 || change <= tolerance::CONVERGED
                 || change < tolerance::COINCIDENT && change >= 0.5 * last
         };
-        // At a double root convergence is linear.
+        // At a double root convergence is only linear, so the last step may be larger.
         let found = newton(MAX_STEPS, step, is_last);
         found
             .map_or_else(|last| last < tolerance::TRIPLE_ROOT, |()| true)
@@ -50,10 +51,10 @@ impl System {
 
 /// Buffers for a Newton step.
 pub(super) struct Workspace {
-    /// Homogeneous unknowns and conjugates, and the gradient of an equation.
+    /// Homogeneous unknowns and conjugates; `gradient` is the gradient of one equation.
     homogeneous: Vec<C>,
     gradient: Vec<C>,
-    /// Right-hand side, then solution; and the Jacobian, row by row.
+    /// Right-hand side, then solution; `jacobian` is stored row by row.
     rhs: Vec<C>,
     jacobian: Vec<C>,
 }
@@ -83,8 +84,8 @@ impl Workspace {
         }
     }
 
-    /// The Newton step by elimination in place; none if the Jacobian is singular. The systems are many and small: a
-    /// library's elimination, which allocates each time, takes twice as long.
+    /// Newton step by elimination in place; None if the Jacobian is singular. The systems are many and small:
+    /// elimination by a library, which allocates each time, takes twice as long.
     fn step(&mut self) -> Option<&[C]> {
         let Self { rhs, jacobian, .. } = self;
         let size = rhs.len();
@@ -103,7 +104,7 @@ impl Workspace {
             let pivot_row = &above[k * size..];
             let (reciprocal, known) = (pivot_row[k].inv(), rhs[k]);
             for (row, rhs) in below.chunks_exact_mut(size).zip(&mut rhs[k + 1..]) {
-                // An equation has few of the unknowns.
+                // Many entries are zero, because an equation contains few of the unknowns.
                 if row[k] == ZERO {
                     continue;
                 }

@@ -1,24 +1,27 @@
 //! All assemblies of a group of hinges, by the Dixon determinant of its loops.
 //!
-//! With m complex unknowns, 2m directions vₖ have length 1, and m linear equations relate them, the loops
-//! Σ c vₖ + c₀ = 0; the conjugate equations relate the 1/vₖ. One direction, v₁ = λ, is hidden: it counts as a constant.
-//! For each set U of m other directions, one combination of the loops contains only directions of U. One combination of
-//! the conjugate loops contains only directions outside the complement V of U, a set of m − 1 directions:
+//! For m complex unknowns there are 2m directions vₖ of length 1. They satisfy m linear equations, the loops Σ cₖ vₖ +
+//! c₀ = 0; the reciprocals 1/vₖ satisfy the conjugate equations. One direction, v₁ = λ, is hidden: it counts as a
+//! constant. For each set U of m other directions, one combination of the loops contains only directions of U, with
+//! coefficients aₖ. So does the conjugate combination. With the complement V of U, a set of m − 1 directions, they
+//! give:
 //!
 //! > (a₀ + λ a₁) X_U + Σ_{k ∈ U} aₖ Y_{U∖k} = 0,
 //! > (ā₁ + λ ā₀) Y_V + λ Σ_{k ∈ U} āₖ X_{V∪k} = 0,
 //!
-//! where X_U and Y_V are the products of 1/vₖ over the set. (Wampler, Solving the kinematics of planar mechanisms by Dixon
-//! determinant and a complex-plane formulation, J. Mech. Des. 123, 2001.)
+//! where X is the product of 1/vₖ over a set of m directions, and Y over m − 1. (Wampler, Solving the kinematics of
+//! planar mechanisms by Dixon determinant and a complex-plane formulation, J. Mech. Des. 123, 2001.)
 //!
-//! If λ has length 1, the second equation is λ times the conjugate of the first, with X̄_U for Y_V. With X_U = p + iq,
-//! Y_V = p − iq and λ = ρ(1 + it)/(1 − it), ρ any number of length 1, the real and the imaginary part of
+//! If λ has length 1, the second equation is λ times the conjugate of the first, with Y_V in place of X̄_U.
+//! Let X_U = p + iq, Y_V = p − iq and λ = ρ(1 + it)/(1 − it), where ρ is any number of length 1. Then the real and
+//! imaginary parts of
 //!
 //! > (a₀(1 − it) + ρ a₁(1 + it)) X_U + (1 − it) Σ_{k ∈ U} aₖ X̄_{V∪k} = 0
 //!
-//! are linear in p and q with real coefficients, and in t: a real pencil of 2C(2m − 1, m) rows, a quarter of the work of a complex
-//! one. Its real eigenvalues belong to the real assemblies, the others are conjugate pairs. Rows without a₁ have the factor
-//! 1 − it; divided by it they do not contain t, and each eliminates an unknown.
+//! are linear in p and q with real coefficients, and linear in t. They form a real pencil of 2C(2m − 1, m) rows, with a
+//! quarter of the work of a complex one. Its real eigenvalues belong to the real assemblies; the others are conjugate
+//! pairs. Rows without a₁ have the factor 1 − it. Divided by this factor they do not contain t, and each row eliminates
+//! an unknown.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -27,7 +30,7 @@ use nalgebra::{DMatrix, DVector, Schur};
 use super::bilinear::{Affine, Bilinear, C, ONE, System, ZERO};
 use crate::tolerance;
 
-/// Angle between the numbers ρ of successive hidden directions, radians: no root is at infinite t for all of them.
+/// Angle, in radians, between the numbers ρ of successive hidden directions. No root is at infinite t for all of them.
 const RHO_STEP: f64 = 2.15;
 /// Maximum number of QR iterations per row.
 const MAX_QR_ITERATIONS: usize = 60;
@@ -36,14 +39,14 @@ const MAX_QR_ITERATIONS: usize = 60;
 struct Loops {
     /// Coefficients of each loop: c₀, then c for each direction, the hidden one first.
     rows: Vec<Vec<C>>,
-    /// The m directions that determine the unknowns, with the inverse of their coefficients.
+    /// The m directions that determine the unknowns; `inverse` is the inverse matrix of their coefficients.
     basis: Vec<usize>,
     inverse: DMatrix<C>,
     constants: Vec<C>,
 }
 
-/// Approximate unknowns and conjugates of all solutions, one of each conjugate pair; spurious ones do not converge by
-/// Newton's method. None if the group has other pairs than hinges.
+/// Approximate unknowns and conjugates of all solutions, with one solution of each conjugate pair. From spurious
+/// candidates Newton's method does not converge. None if the group has pairs other than hinges.
 pub(super) fn candidates(system: &System, hidden: usize) -> Option<Vec<Vec<C>>> {
     let forms: Option<Vec<&Affine>> = system.equations.iter().map(unit).collect();
     let mut forms = forms?;
@@ -69,7 +72,7 @@ fn unit(equation: &Bilinear) -> Option<&Affine> {
 
 impl Loops {
     fn new(forms: &[&Affine], unknowns: usize) -> Option<Self> {
-        // The basis, chosen by elimination.
+        // The basis is chosen by elimination.
         let mut rest: Vec<Vec<C>> = forms.iter().map(|form| form.by.clone()).collect();
         let mut basis = Vec::new();
         for column in 0..unknowns {
@@ -116,7 +119,7 @@ impl Loops {
         })
     }
 
-    /// Unknowns, then conjugates.
+    /// Unknowns, then conjugates, for given directions.
     fn unknowns(&self, directions: &[C]) -> Vec<C> {
         let size = self.basis.len();
         let solve = |value: &dyn Fn(usize) -> C, inverse: &dyn Fn(usize, usize) -> C| -> Vec<C> {
@@ -137,7 +140,7 @@ impl Loops {
     }
 }
 
-/// The pencil R₀ + t R₁, with the columns p and q of each set of m directions.
+/// The pencil R₀ + t R₁, with columns for p and q of each set of m directions.
 struct Pencil {
     sets: Vec<u32>,
     /// Index of each set in `sets`.
@@ -147,13 +150,13 @@ struct Pencil {
     rho: C,
     constant: DMatrix<f64>,
     linear: DMatrix<f64>,
-    /// The remaining columns, and the eliminated ones in order, each with its row.
+    /// The remaining columns; `eliminated` has the other columns in the order of elimination, each with its row.
     kept: Vec<usize>,
     eliminated: Vec<(usize, Vec<f64>)>,
 }
 
 impl Pencil {
-    /// The pencil for a number ρ; none if rows without t are dependent.
+    /// The pencil for a number ρ; None if the rows without t are dependent.
     fn new(loops: &Loops, rho: C) -> Option<Self> {
         let m = loops.rows.len() as u32;
         let others = 2 * m - 1;
@@ -164,7 +167,7 @@ impl Pencil {
             index_of[*set as usize] = at;
         }
         let width = 2 * sets.len();
-        // Rows of R₀ with those of R₁; rows without t.
+        // Rows of R₀ with the rows of R₁, and rows without t.
         let (mut with_t, mut without_t) = (Vec::new(), Vec::new());
         for set in &sets {
             let rest = all & !set;
@@ -228,7 +231,7 @@ impl Pencil {
         })
     }
 
-    /// Values of λ, one of each conjugate pair, with p and q.
+    /// Values of λ, one of each conjugate pair, each with the numbers p and q of all sets.
     fn roots(&self) -> Option<Vec<(C, Vec<C>)>> {
         let size = self.kept.len();
         let matrix = self.linear.clone().lu().solve(&-&self.constant)?;
@@ -238,7 +241,7 @@ impl Pencil {
             let lambda = self.rho * (ONE + C::i() * t) / (ONE - C::i() * t);
             let size = lambda.norm();
             let is_valid = size.is_finite() && size > tolerance::COINCIDENT;
-            // A neighbour of the eigenvalue, if the matrix is singular to the last digit.
+            // If the matrix is singular to the last digit, a number next to the eigenvalue is taken.
             let beside = t + tolerance::EXACT * t.norm().max(1.0);
             let vector = || self.vector(*t).or_else(|| self.vector(beside));
             is_valid.then(vector)?.map(|vector| (lambda, vector))
@@ -246,7 +249,7 @@ impl Pencil {
         Some(roots.collect())
     }
 
-    /// The eigenvector, by one step of inverse iteration, which is enough so near to the eigenvalue.
+    /// Eigenvector by one step of inverse iteration, which is enough this close to the eigenvalue.
     fn vector(&self, t: C) -> Option<Vec<C>> {
         let size = self.kept.len();
         let start = |k: usize| 1.0 + (k as f64 * FRAC_1_SQRT_2).fract();
@@ -301,7 +304,7 @@ impl Pencil {
     }
 }
 
-/// Adds a multiple of p + iq of a set (sense 1), or of p − iq (−1), to the real and imaginary part of a sum.
+/// Adds a multiple of p + iq of a set (`sense` 1) or of p − iq (`sense` −1) to the real and imaginary parts of a sum.
 fn add([real, imaginary]: &mut [Vec<f64>; 2], at: usize, by: C, sense: f64) {
     real[2 * at] += by.re;
     real[2 * at + 1] -= sense * by.im;
@@ -309,7 +312,7 @@ fn add([real, imaginary]: &mut [Vec<f64>; 2], at: usize, by: C, sense: f64) {
     imaginary[2 * at + 1] += sense * by.re;
 }
 
-/// Combination of loops that lacks a set of directions: c₀, c of the hidden direction, c of the other directions.
+/// Combination of loops without a set of directions. Coefficients: c₀, then of the hidden and of the other directions.
 fn combination(rows: &[Vec<C>], without: u32, others: u32) -> Vec<C> {
     let columns: Vec<usize> = (0..others)
         .filter(|k| without & (1 << k) != 0)

@@ -6,14 +6,14 @@ use super::solutions::{REAL, Solutions, conjugate, distance, distance_to_conjuga
 use super::{ComplexPair, Method, dixon, homotopy};
 use crate::tolerance;
 
-/// Maximum number of random path sets; each set has all paths, so the next set finds a solution lost by one set.
+/// Maximum number of random sets of paths. Each set has all paths, so a solution lost by one set is found by the next.
 const MAX_PATH_SETS: u64 = 6;
 /// Number of hidden directions that must give the same solutions, if the general number of solutions is unknown.
 const AGREEING_DIRECTIONS: usize = 2;
 
 impl System {
-    /// Estimated time to solve, in microseconds: with n = C(2m, m) solutions for m unknowns, Dixon's determinant takes
-    /// about n³/20 for each hidden direction, a path more than half a millisecond.
+    /// Estimated time to solve, in microseconds. For m unknowns there are n = C(2m, m) solutions. Dixon's determinant
+    /// takes about n³/20 for each hidden direction, and each of n paths takes more than half a millisecond.
     pub(super) fn work(&self, method: Method) -> usize {
         let solutions =
             (1..=self.unknowns).fold(1, |n: usize, k| n.saturating_mul(self.unknowns + k) / k);
@@ -53,7 +53,8 @@ impl System {
         solutions
     }
 
-    /// Squared distance of a solution from its conjugate, with its derivative by the input; None if singular.
+    /// Squared distance of a solution from its conjugate, with the derivative of the square with respect to the input;
+    /// None if the solution is singular.
     pub(super) fn complex_pair(&self, at: &[C]) -> Option<ComplexPair> {
         let rate = self.rate(at)?;
         let imaginary = |all: &[C]| -> Vec<C> {
@@ -71,12 +72,13 @@ impl System {
         }))
     }
 
-    /// Adds the solutions by Dixon's determinant of the loops. Returns the number of hidden directions tried: 0 if the
-    /// group has other pairs than hinges.
+    /// Adds the solutions found by Dixon's determinant of the loops. Returns the number of hidden directions tried: 0
+    /// if the group has pairs other than hinges.
     ///
-    /// One hidden direction may lose solutions to rounding, and solutions that have this direction in common. Further
-    /// directions are hidden until the number of solutions is the number for general dimensions, known for up to three
-    /// unknowns. For more unknowns the search ends when two directions find all solutions, the second no new one.
+    /// One hidden direction may lose solutions to rounding, and solutions that share the value of this direction.
+    /// Further directions are hidden until the number of solutions is the number for general dimensions, which is known
+    /// for up to three unknowns. For more unknowns the search ends when two directions find all solutions, and the
+    /// second finds no new one.
     pub(super) fn add_by_dixon(&self, found: &mut Vec<Vec<C>>) -> usize {
         let mut agreed = 0;
         for hidden in 0..2 * self.unknowns {
@@ -105,8 +107,8 @@ impl System {
         2 * self.unknowns
     }
 
-    /// Adds the solutions by homotopy paths, until a set of paths adds none. A path may jump to a close one; its
-    /// solution is then found by another set.
+    /// Adds the solutions found by homotopy paths, until a set of paths adds none. A path may jump to a close path; the
+    /// solution that is lost is then found by another set.
     fn add_by_paths(&self, found: &mut Vec<Vec<C>>) {
         for seed in 0..MAX_PATH_SETS {
             let before = found.len();
@@ -142,7 +144,7 @@ impl System {
         is_confirmed.into_iter().filter(|one| *one).count()
     }
 
-    /// The real solution near a solution, if it is real but for rounding.
+    /// The real solution near a solution that is real except for rounding; None for other solutions.
     fn real(&self, at: &[C], workspace: &mut Workspace) -> Option<Vec<C>> {
         let (z, w) = at.split_at(self.unknowns);
         let conjugates: Vec<C> = w.iter().map(|w| w.conj()).collect();
@@ -163,7 +165,7 @@ impl System {
     }
 }
 
-/// Number of hidden directions for groups of general dimensions, by their number of unknowns.
+/// Number of hidden directions tried for a group of general dimensions, by its number of unknowns.
 fn hidden_directions(unknowns: usize) -> usize {
     if unknowns < 4 { 1 } else { AGREEING_DIRECTIONS }
 }

@@ -1,6 +1,7 @@
-//! All assemblies of a group whose equations are linear in positions and in their conjugates, by a 2-homogeneous homotopy:
-//! C(2m, m) paths, the maximum number of solutions, from a start system of products of linear forms.
-//! (Morgan and Sommese, A homotopy for solving general polynomial systems that respects m-homogeneous structures, 1987.)
+//! All assemblies of a group whose equations are linear in positions and in their conjugates, by a 2-homogeneous
+//! homotopy. For m unknowns there are C(2m, m) paths, the maximum number of solutions. They start from a system of
+//! products of linear forms. (Morgan and Sommese, A homotopy for solving general polynomial systems that respects
+//! m-homogeneous structures, 1987.)
 
 use nalgebra::{DMatrix, DVector};
 
@@ -10,7 +11,8 @@ use crate::tolerance;
 
 /// Maximum step of the homotopy parameter: a path has at least ten steps, predicted with an error of order 5.
 const MAX_STEP: f64 = 0.1;
-/// Maximum number of corrector steps: from 10⁻³ quadratic convergence reaches 10⁻¹² in two, and the third confirms it.
+/// Maximum number of corrector steps. From an error of 10⁻³, two steps reach 10⁻¹² with quadratic convergence, and the
+/// third confirms this.
 const MAX_CORRECTOR_STEPS: usize = 3;
 
 /// Lehmer's random number generator with a fixed seed, for the same paths every time.
@@ -31,15 +33,15 @@ impl Random {
 /// A homotopy in homogeneous positions and homogeneous conjugates, each normalized by a linear form.
 struct Homotopy<'a> {
     system: &'a System,
-    /// Factors of each equation of the start system, linear forms of the positions and of the conjugates.
+    /// Factors of each equation of the start system: a linear form of the positions and one of the conjugates.
     factors: Vec<[Vec<C>; 2]>,
-    /// Linear forms of the positions and of the conjugates that are 1.
+    /// A linear form of the positions and one of the conjugates; both are set to 1.
     patches: [Vec<C>; 2],
     /// Random complex factor of the start system; with it paths avoid singular points.
     gamma: C,
 }
 
-/// Approximate unknowns and conjugates of all finite solutions, by the paths of a seed.
+/// Approximate unknowns and conjugates of all finite solutions, by the set of paths of a seed.
 pub(super) fn candidates(system: &System, seed: u64) -> Vec<Vec<C>> {
     let mut random = Random(7 + seed % 1_000_003);
     for _ in 0..8 {
@@ -62,8 +64,8 @@ pub(super) fn candidates(system: &System, seed: u64) -> Vec<Vec<C>> {
 }
 
 impl Homotopy<'_> {
-    /// The solution of the start system with zero factors in the positions of a set of equations, and in the conjugates of
-    /// the others.
+    /// Solution of the start system. The factor of the positions is zero in a set of equations, and the factor of the
+    /// conjugates is zero in the others.
     fn start(&self, set: u32) -> Option<Vec<C>> {
         let mut all = Vec::new();
         for (kind, patch) in self.patches.iter().enumerate() {
@@ -79,7 +81,7 @@ impl Homotopy<'_> {
         Some(all)
     }
 
-    /// The residuals at a homotopy parameter s, their Jacobian, and their derivatives by s.
+    /// Residuals at a homotopy parameter s, their Jacobian, and their derivatives with respect to s.
     fn at(&self, x: &[C], s: f64) -> (DVector<C>, DMatrix<C>, DVector<C>) {
         let m = self.system.unknowns;
         let size = x.len();
@@ -114,7 +116,7 @@ impl Homotopy<'_> {
         (residual, jacobian, rates)
     }
 
-    /// The tangent: derivatives of the unknowns by s.
+    /// Tangent of the path: derivatives of the unknowns with respect to s.
     fn rate(&self, x: &[C], s: f64) -> Option<Vec<C>> {
         let (_, jacobian, rates) = self.at(x, s);
         let rate = jacobian.lu().solve(&rates)?;
@@ -137,7 +139,7 @@ impl Homotopy<'_> {
         Some(moved(step, &mean))
     }
 
-    /// Newton's method at s; None if it does not converge, or a correction is large.
+    /// Corrects a point by Newton's method at s; None if there is no convergence, or if a correction is large.
     fn corrected(&self, mut x: Vec<C>, s: f64) -> Option<Vec<C>> {
         let step = || {
             let (residual, jacobian, _) = self.at(&x, s);
@@ -156,7 +158,7 @@ impl Homotopy<'_> {
         found.ok().map(|()| x)
     }
 
-    /// The end of the path, in unknowns and conjugates; none if it is at infinity.
+    /// End of the path, in unknowns and conjugates; None if the end is at infinity.
     fn end(&self, start: Vec<C>) -> Option<Vec<C>> {
         let (mut x, mut s, mut step) = (start, 0.0, MAX_STEP / 4.0);
         while s < 1.0 {
@@ -170,7 +172,7 @@ impl Homotopy<'_> {
                 }
                 None => step = length / 2.0,
             }
-            // A path may end in a singular point; Newton's method decides from there.
+            // A path may end in a singular point. Newton's method then decides whether there is a solution.
             if step < tolerance::DISTINCT {
                 break;
             }
@@ -180,7 +182,7 @@ impl Homotopy<'_> {
         let mut all = Vec::new();
         for part in [z, w] {
             let size = part.iter().fold(0.0, |most, x| f64::max(most, x.norm()));
-            // A vanishing homogeneous coordinate.
+            // If the homogeneous coordinate vanishes, the end is at infinity.
             if part[0].norm() < tolerance::DISTINCT * size {
                 return None;
             }

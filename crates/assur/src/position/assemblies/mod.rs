@@ -1,8 +1,9 @@
-//! All assemblies of an Assur group with its inputs solved: groups of hinges by Dixon's determinant, others by homotopy.
+//! All assemblies of an Assur group with its inputs solved, by Dixon's determinant for groups of hinges and by homotopy
+//! for others.
 //!
-//! A list counts as complete if it has as many complex solutions as general dimensions give (2, 6, 14 to 20), beyond
-//! three unknowns if two hidden directions agree; that is checked, not proved (`enumeration`). From one input to the next
-//! the solutions are tracked (`tracking`).
+//! The list of solutions counts as complete if their number is that for general dimensions: 2, 6, or 14 to 20 for one,
+//! two or three unknowns. For more unknowns it counts as complete if two hidden directions agree. This is a check, not
+//! a proof (`enumeration`). From one input to the next the solutions are tracked (`tracking`).
 
 mod bilinear;
 mod complex_newton;
@@ -22,9 +23,9 @@ pub(crate) use tracker::Tracker;
 /// Method to find all assemblies of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// Dixon's determinant if all pairs are hinges, else homotopy paths.
+    /// Dixon's determinant if all pairs are hinges, otherwise homotopy paths.
     Usual,
-    /// Homotopy paths from a system with known solutions: slower, and a check of the other method.
+    /// Homotopy paths from a system with known solutions: slower, and a check of the usual method.
     Paths,
 }
 
@@ -33,7 +34,8 @@ pub enum Method {
 pub(crate) struct GroupAssembly {
     /// Unknowns of the group in this assembly.
     pub(crate) unknowns: Vec<Vector>,
-    /// Turns of bodies with a driven angle in between; they determine the whole turns of the angles.
+    /// Rotations, as unit vectors, of bodies with a driven angle between them. They determine the whole turns of the
+    /// angles.
     pub(crate) turns: Vec<(BodyId, Vector)>,
 }
 
@@ -42,7 +44,7 @@ pub(crate) struct GroupAssembly {
 pub(crate) struct GroupAssemblies {
     /// The real assemblies.
     pub(crate) real: Vec<GroupAssembly>,
-    /// True if the assemblies need no Newton steps: tracked assemblies without derivatives.
+    /// True if the assemblies need no Newton steps, because they are tracked and have no derivatives.
     pub(crate) solved: bool,
     /// Number of complex assemblies, including the real ones.
     pub(crate) complex: usize,
@@ -50,8 +52,9 @@ pub(crate) struct GroupAssemblies {
     pub(crate) complex_pairs: Vec<ComplexPair>,
 }
 
-/// Assembly of a complex conjugate pair: the squared distance from its conjugate, with its derivative by the input.
-/// This square is nearly proportional to the distance from the input at which both assemblies meet and become real.
+/// One of a pair of complex conjugate assemblies: its squared distance from the other, with the derivative of the
+/// square with respect to the input. The square is nearly proportional to the distance from the input at which both
+/// assemblies meet and become real.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ComplexPair {
     pub(crate) square: f64,
@@ -77,8 +80,8 @@ impl Group {
         drives.filter_map(|drive| Some((drive.law, drive.range?)))
     }
 
-    /// All assemblies of the group with solved inputs, tracked from the last ones if possible. None if its equations
-    /// are not algebraic, or the work exceeds the rest of `budget`, from which the work is subtracted.
+    /// All assemblies of the group with solved inputs, tracked from the last assemblies if possible. None if the
+    /// equations are not algebraic, or if the work exceeds `budget`. Otherwise the work is subtracted from `budget`.
     ///
     /// # Errors
     /// A driven coordinate is out of its range.
@@ -115,7 +118,7 @@ impl Group {
                 solutions
             }
         };
-        // Their slopes need derivatives of the inputs.
+        // The slopes of complex pairs need derivatives of the inputs.
         let pairs = solutions.complex_pairs().filter(|_| N > 1);
         let pairs = pairs.filter_map(|at| system.complex_pair(&system.reduced(at)));
         let real = solutions.real().map(|own| GroupAssembly {
@@ -132,7 +135,7 @@ impl Group {
         let assemblies = GroupAssemblies {
             solved,
             complex: solutions.count(),
-            // Each of both conjugates has one entry.
+            // Each of the two conjugates has an entry.
             complex_pairs: pairs.flat_map(|one| [one; 2]).collect(),
             real: real.collect(),
         };
@@ -142,7 +145,7 @@ impl Group {
         Ok(Some(assemblies))
     }
 
-    /// The last system with the constants of the present inputs; None if not only constants differ.
+    /// The last system with the constants for the present inputs; None if anything but constants differs.
     fn refreshed<const N: usize>(&self, mut system: System, state: &State<N>) -> Option<System> {
         let sources = system.sources.as_ref().filter(|_| N == 1)?;
         let value = |form: usize| number(state.work.values[form][0]);
@@ -159,8 +162,9 @@ impl Group {
         Some(system)
     }
 
-    /// Its equations over the complex numbers, with the inputs substituted, unknowns in their units and the derivatives of
-    /// all coefficients by the input; and the turns of driven bodies. None with redundant equations or gear meshes.
+    /// The group's equations over the complex numbers, with the inputs substituted and the unknowns in their units. All
+    /// coefficients have their derivatives with respect to the input. Also returns the rotations of driven bodies. None
+    /// if the group has redundant equations or gear meshes.
     fn system<const N: usize>(&self, state: &State<N>) -> Option<(System, Turning)> {
         if self.is_redundant() {
             return None;
@@ -192,7 +196,7 @@ impl Group {
         for equation in &self.equations {
             match *equation {
                 Equation::Unit(one) => equations.push(Bilinear::Unit(form(one))),
-                // With the imaginary part.
+                // The complex form contains the imaginary part.
                 Equation::Real(one) => zeros.push(form(one)),
                 Equation::Imaginary(_) => {}
                 Equation::Line { axis, vector } => {
@@ -230,7 +234,7 @@ impl Group {
     }
 }
 
-/// Bodies with the forms of their turns.
+/// Bodies with the forms of their rotations.
 type Turning = Vec<(BodyId, Affine)>;
 
 fn number(v: Vector) -> C {

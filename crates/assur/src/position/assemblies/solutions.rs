@@ -3,7 +3,7 @@
 use super::bilinear::C;
 use crate::tolerance;
 
-/// Maximum relative distance of a real solution from its conjugate: near a fold rounding is large.
+/// Maximum relative distance of a real solution from its conjugate: near a fold rounding errors are large.
 pub(super) const REAL: f64 = 1e-5;
 
 /// The solutions of a group's equations, with the group's unknowns in their units.
@@ -11,9 +11,9 @@ pub(super) const REAL: f64 = 1e-5;
 pub(super) struct Solutions {
     /// Number of unknowns.
     pub(super) size: usize,
-    /// The real solutions in one list.
+    /// The real solutions, one after another.
     pub(super) real: Vec<C>,
-    /// One solution of each pair of conjugate ones: unknowns, then conjugates.
+    /// One solution of each conjugate pair, one after another: unknowns, then conjugates.
     pub(super) complex_pairs: Vec<C>,
 }
 
@@ -52,12 +52,12 @@ pub(super) fn conjugate(at: &[C]) -> Vec<C> {
     w.iter().chain(z).map(|c| c.conj()).collect()
 }
 
-/// The distance of two solutions, relative to their size.
+/// Distance between two solutions, relative to their size.
 pub(super) fn distance(one: &[C], other: &[C]) -> f64 {
     max_difference(one.iter().zip(other).map(|(a, b)| [*a, *b]))
 }
 
-/// The distance of a solution from the conjugate of another one.
+/// Distance of a solution from the conjugate of another solution, relative to their size.
 pub(super) fn distance_to_conjugate(one: &[C], other: &[C]) -> f64 {
     let (z, w) = other.split_at(other.len() / 2);
     let conjugate = w.iter().chain(z).map(|c| c.conj());
@@ -74,7 +74,7 @@ fn max_difference(pairs: impl Iterator<Item = [C; 2]>) -> f64 {
     (max / size).sqrt()
 }
 
-/// The distance of a solution from another one or its conjugate, whichever is nearer.
+/// Distance of a solution from another solution or from its conjugate, whichever is nearer.
 pub(super) fn distance_to_pair(one: &[C], other: &[C]) -> f64 {
     f64::min(distance(one, other), distance_to_conjugate(one, other))
 }

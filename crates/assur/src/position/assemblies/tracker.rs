@@ -4,27 +4,28 @@ use super::bilinear::System;
 use super::solutions::Solutions;
 use crate::{Vector, tolerance};
 
-/// Maximum distance of the parameters from the parameters of a branch, relative to the links, for tracking from this
-/// branch. At greater distances the extrapolation is a poor guess.
+/// Maximum distance, relative to the links, between the present parameters and those of a branch that is tracked. At
+/// greater distances the extrapolation is a poor guess.
 pub(super) const MAX_DISTANCE: f64 = 0.25;
-/// Maximum extrapolation, in distances between the last two samples; errors of samples grow with its square.
+/// Maximum extrapolation, in units of the distance between the last two samples. Errors of samples grow with the square
+/// of the extrapolation.
 const MAX_EXTRAPOLATION: f64 = 4.0;
-/// Maximum number of branches, to bound the memory; the nearest is sought among them at each input.
+/// Maximum number of branches. It bounds the memory, and the search for the nearest branch at each input.
 const MAX_BRANCHES: usize = 64;
 
-/// The assemblies of a group at earlier inputs, with a branch for each assembly of the groups before it.
+/// The assemblies of a group at earlier inputs, with a branch for each assembly of the preceding groups.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tracker {
     pub(super) branches: Vec<Branch>,
-    /// Greatest number of complex assemblies found, which is the number for general parameters.
+    /// Greatest number of complex assemblies found, which is taken as the number for general parameters.
     pub(super) general_count: usize,
-    /// True if independent parameters gave this number.
+    /// True if clearly different parameters gave `general_count` assemblies.
     pub(super) agreed: bool,
-    /// The equations of the last parameters.
+    /// Equations for the last parameters.
     pub(super) system: Option<System>,
 }
 
-/// The last samples with one assembly of the groups before.
+/// The last samples for one assembly of the preceding groups.
 #[derive(Clone, Debug)]
 pub(super) struct Branch {
     pub(super) last: Sample,
@@ -43,14 +44,14 @@ pub(super) struct Sample {
 /// Extrapolation of the last samples of a branch.
 pub(super) struct Extrapolation<'a> {
     pub(super) branch: &'a Branch,
-    /// Distance from the last sample, in distances between the last two samples.
+    /// Distance from the last sample, in units of the distance between the last two samples.
     distance: f64,
     /// Weight of each sample, the last one first.
     weights: [f64; 3],
 }
 
 impl Tracker {
-    /// Begins a new input.
+    /// Prepares for a new input: drops the branches that were not used at the last input.
     pub(crate) fn begin(&mut self) {
         self.branches.retain(|branch| branch.used);
         for branch in &mut self.branches {
@@ -58,7 +59,7 @@ impl Tracker {
         }
     }
 
-    /// The nearest unused branch to parameters, and its distance.
+    /// The unused branch nearest to given parameters, and its distance.
     pub(super) fn nearest(&self, parameters: &[Vector]) -> Option<(usize, f64)> {
         let branches = self.branches.iter().enumerate();
         let unused = branches.filter(|(_, branch)| !branch.used);
@@ -67,7 +68,7 @@ impl Tracker {
         distances.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Adds solutions that were not tracked.
+    /// Adds solutions that were found without tracking.
     pub(super) fn add(&mut self, parameters: Vec<Vector>, solutions: &Solutions) {
         let count = solutions.count();
         if count > self.general_count {
@@ -75,7 +76,7 @@ impl Tracker {
             self.general_count = count;
             self.branches.clear();
         } else if count == self.general_count {
-            // Assemblies lost to rounding at one set of parameters are not lost at another that is farther away than this.
+            // Assemblies lost to rounding at one set of parameters are not lost at another set this far away.
             self.agreed |= self
                 .branches
                 .iter()
@@ -118,7 +119,7 @@ impl Extrapolation<'_> {
         expected
     }
 
-    /// The linear extrapolation of a square, relative to its last value; none with one sample.
+    /// Linear extrapolation of a square, relative to its last value; None if there is only one sample.
     pub(super) fn growth(&self, square: impl Fn(&Solutions) -> f64) -> Option<f64> {
         let before = self.branch.before.first()?;
         let last = square(&self.branch.last.solutions);
@@ -127,7 +128,7 @@ impl Extrapolation<'_> {
 }
 
 impl Branch {
-    /// Extrapolation to parameters, linear by the last two samples or quadratic by three.
+    /// Extrapolation to given parameters: linear from the last two samples, or quadratic from three.
     pub(super) fn extrapolation(&self, parameters: &[Vector]) -> Extrapolation<'_> {
         let mut extrapolation = Extrapolation {
             branch: self,
@@ -155,7 +156,7 @@ impl Branch {
         let [earlier] = earlier else {
             return extrapolation;
         };
-        // The samples are at 0, −1 and −r, in distances between the last two.
+        // The samples are at 0, −1 and −r, in units of the distance between the last two samples.
         let r = 1.0 + distance(before, &earlier.parameters) / distance(last, before);
         if r > 1.0 + MAX_EXTRAPOLATION.recip() && r < 1.0 + MAX_EXTRAPOLATION {
             extrapolation.weights = [

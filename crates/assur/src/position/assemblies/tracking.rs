@@ -1,8 +1,9 @@
 //! Tracking of the assemblies of a group from input to input, each by Newton's method from its extrapolation. The set
-//! is complete if it has the general number of distinct assemblies; in any doubt all are computed again.
+//! is complete if the number of distinct assemblies is the general number. In any doubt all assemblies are computed
+//! again.
 //!
-//! Two real assemblies that meet continue as a pair of conjugate ones, and conversely. The square of half their
-//! difference passes zero almost linearly, so two samples before the meeting predict the difference after it.
+//! Two real assemblies that meet continue as a pair of conjugate assemblies, and conversely. The square of half their
+//! difference passes through zero almost linearly. So two samples before the meeting predict the difference after it.
 
 use super::bilinear::{C, System};
 use super::complex_newton::Workspace;
@@ -14,7 +15,7 @@ use crate::position::{Group, State, StepContext};
 use crate::tolerance;
 
 impl Group {
-    /// All assemblies with the substituted inputs, if they can be tracked.
+    /// All assemblies for the substituted inputs; None if they cannot be tracked.
     pub(super) fn tracked<const N: usize>(
         &self,
         tracker: &mut Tracker,
@@ -40,7 +41,7 @@ impl Group {
             parameters,
             solutions: solutions.clone(),
         };
-        // The same parameters are no new sample.
+        // Unchanged parameters give no new sample.
         if distance > 0.0 {
             let last = std::mem::replace(&mut branch.last, sample);
             if same_kinds {
@@ -54,7 +55,7 @@ impl Group {
         Some(solutions)
     }
 
-    /// Parameters of the group's equations: the inputs in its forms, and the coordinates of driven pairs.
+    /// Parameters of the group's equations: the known values in its forms, and the coordinates of driven pairs.
     pub(super) fn parameters<const N: usize>(&self, state: &State<N>) -> Vec<Vector> {
         let known = state.work.known_values.iter().copied();
         let driven = state.work.known_angles.iter();
@@ -62,7 +63,8 @@ impl Group {
         known.chain(driven).collect()
     }
 
-    /// All assemblies from their extrapolations, if they are distinct; true if none became real or complex.
+    /// All assemblies from their extrapolations; None if they are not distinct. The flag is false if some became real
+    /// or complex.
     fn track<const N: usize>(
         &self,
         extrapolation: &Extrapolation<'_>,
@@ -120,7 +122,7 @@ impl Group {
             )?;
         }
         for one in (0..pairs.len()).filter(|k| pairs[*k].is_none()) {
-            // z = m + i d, w = m̄ + i d̄.
+            // With the mean m and the half difference i d of a conjugate pair, z = m + i d and w = m̄ + i d̄.
             let both = |all: &Solutions| {
                 let at = &all.complex_pairs[2 * one * last.size..][..2 * last.size];
                 let (z, w) = at.split_at(last.size);
@@ -143,8 +145,8 @@ impl Group {
         all.are_distinct().then_some((all, false))
     }
 
-    /// Adds two assemblies from their mean and their half difference, whose square is multiplied by a factor: real
-    /// assemblies if the factor is positive, conjugate ones otherwise.
+    /// Adds two assemblies from their mean and their half difference, whose square is multiplied by `growth`. The
+    /// assemblies are real if `growth` is positive, and conjugate otherwise.
     fn add_pair<const N: usize>(
         &self,
         all: &mut Solutions,
@@ -176,7 +178,7 @@ impl Group {
         Some(())
     }
 
-    /// Refines a real assembly by Newton's method, in place, with unknowns in their units. None if it diverges.
+    /// Refines a real assembly by Newton's method, in place, with unknowns in their units. None if the method diverges.
     fn polish_real<const N: usize>(
         &self,
         at: &mut [C],
@@ -216,7 +218,7 @@ fn drop_duplicates(distances: &mut [Option<f64>], all: &[C], distance: fn(&[C], 
     }
 }
 
-/// The solutions that have a distance.
+/// Solutions that were not dropped: they have a distance.
 fn kept(all: &[C], distances: &[Option<f64>], size: usize) -> Vec<C> {
     let all = all.chunks_exact(size).zip(distances);
     let kept = all.filter(|(_, distance)| distance.is_some());

@@ -1,4 +1,4 @@
-//! The dyad PRP: two links that slide along solved lines and are hinged on each other.
+//! The dyad PRP: two links that slide along solved lines and are hinged to each other.
 
 use crate::Vector;
 use crate::index::{BodyId, StepId};

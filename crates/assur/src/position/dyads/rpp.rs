@@ -1,4 +1,4 @@
-//! The dyad RPP: a link hinged on a solved point and sliding on a link that slides along a solved line.
+//! The dyad RPP: a link hinged to a solved point and sliding on a link that slides along a solved line.
 
 use super::rpr::Side;
 use crate::Vector;
@@ -8,12 +8,12 @@ use crate::position::{
     Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track, crossing,
 };
 
-/// Link i hinged at B, link j sliding (the block and the yoke of a scotch yoke).
+/// Link i is hinged at B, and link j slides (the block and the yoke of a Scotch yoke).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rpp {
     pub(crate) side: Side,
     pub(crate) track: Track,
-    /// The direction of the inner slide on j, of length 1, and a point of its line on j.
+    /// Direction of the inner slide on j, of length 1; `through` is a point of its line on j.
     pub(crate) direction: Vector,
     pub(crate) through: Vector,
 }

@@ -1,4 +1,4 @@
-//! The dyad RPR: two links hinged on solved points and sliding on each other.
+//! The dyad RPR: two links hinged to solved points and sliding on each other.
 
 use crate::index::{BodyId, PointId, StepId};
 use crate::position::complex::{Complex, conjugate, product};
@@ -8,7 +8,7 @@ use crate::position::{
 };
 use crate::{Jet, Vector};
 
-/// Links i and j hinged at B and D (the slotted lever and the block of an inverted slider-crank).
+/// Links i and j are hinged at B and D (the slotted lever and the block of an inverted slider-crank).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rpr {
     pub(crate) sides: [Side; 2],
@@ -19,18 +19,18 @@ pub(crate) struct Rpr {
 pub(crate) struct Side {
     pub(crate) body: BodyId,
     pub(crate) outer: BodyPoint,
-    /// The hinge on the link.
+    /// Hinge in the coordinates of the link.
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
-    /// The direction of sliding on the link, of length 1.
+    /// Direction of sliding in the coordinates of the link, of length 1.
     pub(crate) direction: Vector,
-    /// Distance of the line to the left of the hinge.
+    /// Offset of the line from the hinge, positive to the left.
     pub(crate) offset: f64,
 }
 
 impl Solvable for Rpr {
-    /// With u the direction of sliding, d = D − B and h the constant distance of the two parallels through B and D:
-    /// d = u (w + ih), so w = σ √(d² − h²) and u = d (w − ih) / d².
+    /// Let u be the direction of sliding, d = D − B, and h the constant distance between the parallels through B and D.
+    /// Then d = u (w + ih), so w = σ √(d² − h²) with the assembly sign σ, and u = d (w − ih) / d².
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
@@ -57,7 +57,7 @@ impl Solvable for Rpr {
         // If d is perpendicular to u, the derivatives are those of a smooth root.
         let is_across = run.value().powi(2) < CLOSE_SQUARED * square.value();
         if square.value() < CLOSE_SQUARED * state.scale && !is_across {
-            // u × d = h.
+            // The condition is u × d = h.
             let unit = direction.value().normalize();
             direction = Complex::of_constant_length(unit, between.left(), Jet::constant(-apart));
         }
@@ -69,7 +69,7 @@ impl Solvable for Rpr {
     }
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
-        // With d = u (w + ih): ω w = u × d′ and ε w = u × d″ + ω²h − 2ω w′.
+        // Angular velocity ω and acceleration ε, from d = u (w + ih): ω w = u × d′ and ε w = u × d″ + ω²h − 2ω w′.
         let [i, j] = &self.sides;
         let [b, d] = [i, j].map(|side| cell.point(from, side.outer));
         let base = d.minus(&b);

@@ -1,4 +1,4 @@
-//! The dyad RRP: a link hinged on a solved point and on a link that slides along a solved line.
+//! The dyad RRP: a link hinged to a solved point and to a link that slides along a solved line.
 
 use crate::index::{BodyId, StepId};
 use crate::position::complex::Complex;
@@ -7,7 +7,7 @@ use crate::position::{
     product,
 };
 
-/// Link i hinged at B, joint C, link j sliding (the connecting rod and the slider of a slider-crank).
+/// Link i is hinged at B and joined at C to the sliding link j (the connecting rod and the slider of a slider-crank).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rrp {
     pub(crate) arm: Arm,
@@ -16,7 +16,8 @@ pub(crate) struct Rrp {
 }
 
 impl Solvable for Rrp {
-    /// In coordinates of the line, with B at (x, y) and C at (s, h), h constant: s = x + σ √(l² − (h − y)²).
+    /// In coordinates of the line, B is at (x, y) and C at (s, h) with constant h. With the length l of link i and the
+    /// assembly sign σ, s = x + σ √(l² − (h − y)²).
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
@@ -47,8 +48,8 @@ impl Solvable for Rrp {
         let (length, line) = (arm.length(), track.line.body);
         let at = from.track_point(track);
         let b = cell.point(from, arm.outer);
-        // Vector from B to the point of the line's body that is at C at the start of the step, and its component across
-        // the line, which the length of the arm must exceed.
+        // Vector from B to the point of the line's body that is at C at the start of the step. The length of the arm
+        // must exceed the component of this vector perpendicular to the line.
         let to_c = cell.point_at(from, line, at).minus(&b);
         let [direction, rate] =
             [0, 1].map(|order| product(from.bodies[line].turn[order], track.heading));
@@ -66,7 +67,8 @@ impl Solvable for Rrp {
             return false;
         }
         let sine = ((length - most) * (length + most)).sqrt() / length;
-        // n·X″ = n·q″ + 2σ′ω + σε, with the displacement σ of C along the line: |σ′| ≤ |X′| + |q′|.
+        // Let n be the normal of the line, σ the displacement of C along the line, X = C − B and q = `to_c`. Then
+        // n·X″ = n·q″ + 2σ′ω + σε, where |σ′| ≤ |X′| + |q′|.
         let free = sine - cell.step_len * max_turn_rate;
         if free <= 0.0 {
             return false;

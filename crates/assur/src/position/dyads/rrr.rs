@@ -1,4 +1,4 @@
-//! The dyad RRR: two links hinged on each other and on two solved points.
+//! The dyad RRR: two links hinged to each other and to two solved points.
 
 use crate::index::{BodyId, StepId};
 use crate::position::complex::Complex;
@@ -8,12 +8,12 @@ use crate::position::{
 };
 use crate::{Jet, Vector, tolerance};
 
-/// Links i and j with the joint C between them, i hinged at B, j at D.
+/// Links i and j are joined at C; i is hinged at B, and j at D.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rrr {
     pub(crate) arms: [Arm; 2],
-    /// Four-bar with i as coupler and j as rocker, if i is hinged on the driven crank and j on the frame. Its sign
-    /// stays the same at change points.
+    /// Four-bar with i as coupler and j as rocker, if i is hinged to the driven crank and j to the frame. The sign of a
+    /// four-bar stays the same at change points.
     pub(crate) four_bar: Option<CrankFourBar>,
 }
 
@@ -24,7 +24,7 @@ pub(in crate::position) struct Triangle<const N: usize> {
     diagonal: Complex<N>,
     /// r² = |BD|².
     square: Jet<N>,
-    /// l₂ + l₃ and l₂ − l₃.
+    /// Sum l₂ + l₃ of the lengths of the arms; `difference` is l₂ − l₃.
     sum: f64,
     difference: f64,
     /// P = (l₂ + l₃)² − r² and Q = r² − (l₂ − l₃)².
@@ -51,24 +51,24 @@ impl<const N: usize> Triangle<N> {
         }
     }
 
-    /// √(P Q) with the joint to the left of BD (1) or to its right (−1).
+    /// √(P Q), positive for the joint to the left of BD (`side` 1) and negative for the joint to its right (−1).
     #[inline(always)]
     pub(in crate::position) fn root(&self, side: f64) -> Jet<N> {
         let [p, q] = self.margins;
         (p * q).sqrt() * side
     }
 
-    /// Lays both arms by the root.
+    /// Places both arms from the root √(P Q).
     ///
-    /// With d = D − B: C − B = d (a + 2iσS) / r², a = (r² + l₂² − l₃²)/2 and 16 S² = P Q, S
-    /// the area of BCD with the sign σ of the side.
+    /// With d = D − B, C − B = d (a + 2iσS) / r² and a = (r² + l₂² − l₃²)/2. S is the area of the triangle BCD, with
+    /// 16 S² = P Q, and σ is the sign of the side.
     #[inline(always)]
     pub(in crate::position) fn lay(&self, state: &mut State<N>, [i, j]: &[Arm; 2], root: Jet<N>) {
         let along = (self.square + (self.sum * self.difference)) * 0.5;
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
         let mut to_c = to_c.scaled(self.square.recip());
         let scale = self.sum * self.sum;
-        // In line, the derivatives are those of a smooth root.
+        // With links in line, the derivatives are those of a smooth root.
         let is_in_line = root.value().powi(2) < CLOSE_SQUARED * self.square.value() * scale;
         if self.square.value() < CLOSE_SQUARED * scale && !is_in_line {
             to_c = Complex::of_constant_length(to_c.value(), self.diagonal, along);
@@ -77,8 +77,8 @@ impl<const N: usize> Triangle<N> {
         state.lay(j, self.d, self.leg(j, to_c - self.diagonal));
     }
 
-    /// Leg of the triangle, scaled to the length of its arm. If the other arm is much longer, only the direction of the
-    /// vector is exact.
+    /// Leg of the triangle as a vector. If the other arm is much longer, only the direction of the vector is exact, and
+    /// the vector is scaled to the length of the arm.
     #[inline(always)]
     fn leg(&self, arm: &Arm, along: Complex<N>) -> Complex<N> {
         if arm.length() < CLOSE * self.sum {
@@ -89,8 +89,8 @@ impl<const N: usize> Triangle<N> {
     }
 }
 
-/// Scales of P and Q. The base r has a rounding error δ proportional to s = l₂ + l₃. Near r = s this error gives s δ in
-/// P; near r = |l₂ − l₃|, which may be much shorter, it gives |l₂ − l₃| δ + δ² in Q.
+/// Scales of P and Q. The base r has a rounding error δ proportional to s = l₂ + l₃. Near r = s this error causes an
+/// error s δ in P. Near r = |l₂ − l₃|, which may be much shorter, it causes an error |l₂ − l₃| δ + δ² in Q.
 fn scales(sum: f64, difference: f64) -> [f64; 2] {
     [sum, difference.abs() + tolerance::CONVERGED * sum].map(|length| sum * length)
 }
