@@ -4,7 +4,7 @@ use super::{Order, Passage, Solution};
 use crate::Grashof;
 use crate::sorting::sort_by_key;
 
-/// Requirements on a solution besides its positions; `false` or none is no requirement.
+/// Requirements on a solution besides its positions. A field that is `false` or None requires nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Requirements {
     /// The solution passes through all positions without a break.
@@ -79,7 +79,7 @@ pub enum Criterion {
     Transmission,
     /// The greatest transmission angle over the whole motion first.
     TransmissionOverall,
-    /// Smallest ratio of lengths first.
+    /// Smallest ratio of the longest to the shortest link first.
     SizeRatio,
 }
 
