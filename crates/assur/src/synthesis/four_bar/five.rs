@@ -1,13 +1,13 @@
 //! Five positions with free starting angles: at most three linkages, in closed form.
 //!
-//! With w₂ = z₂e^{iφ₂₀}, w₃ = z₃e^{iφ₃₀} and the given turns A = e^{iφ₂}, B = e^{iφ₃} from the
-//! frame, |w₂A + w₃B − 1|² = z₁² reads
+//! Let w₂ = z₂e^{iφ₂₀} and w₃ = z₃e^{iφ₃₀}, and let A = e^{iφ₂} and B = e^{iφ₃} be the given turns from the frame. Then
+//! |w₂A + w₃B − 1|² = z₁² reads
 //!
-//! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃,
+//! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃.
 //!
 //! This equation is linear and homogeneous in seven real numbers: s and both parts of w₂, w₃ and m. Five positions
-//! leave a plane λX + μY of solutions. In this plane m = w₂ w̄₃ becomes λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ + tY₃)̄ with t =
-//! μ/λ. As λ is real, t is a root of a cubic.
+//! leave a plane λX + μY of solutions. In this plane m = w₂ w̄₃ becomes λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ + tY₃)̄, where t
+//! = μ/λ. As λ is real, t is a root of a cubic.
 
 use crate::sorting::sort_by;
 use crate::tolerance;

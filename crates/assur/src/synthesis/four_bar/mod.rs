@@ -9,7 +9,6 @@
 //!
 //! A linkage meets the positions if ΣJ = 0. With u = 1/z₂ and v = 1/z₃, equal gaps |r| in two positions are a linear
 //! condition: Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), with angles from e₀. Therefore
-//! |r|² in two positions is linear, Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃) (angles from e₀):
 //!
 //! - two positions leave a curve of linkages ([`TwoPositions`]),
 //! - three positions leave one linkage ([`ThreePositions`], Freudenstein's equation),
