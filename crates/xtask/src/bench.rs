@@ -49,7 +49,7 @@ pub(crate) fn run(workspace: &Workspace, minutes: f64, save: Option<&Path>) -> R
     Ok(())
 }
 
-/// The figures of engine and page as tables.
+/// Prints the figures of engine and page as tables.
 fn print(measured: &Measured) {
     let Measured {
         native,

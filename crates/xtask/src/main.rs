@@ -151,7 +151,7 @@ fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     let mut node = Command::from(node);
     node.stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut server = node.spawn().context("the server cannot be started")?;
-    // The server ends when its input is closed. `wait` would close it, so it is taken out before.
+    // The server ends when its input is closed. `wait` would close the input, so the input is taken out first.
     let input = server.stdin.take();
     let mut url = String::new();
     let said = server.stdout.take().context("the server has no output")?;

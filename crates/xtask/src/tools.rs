@@ -13,8 +13,9 @@ use crate::workspace::{Workspace, cargo_home};
 /// Target of the compiled code that runs in the browser.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 
-/// Versions of the tools that Cargo.lock does not determine.
+/// Version of wasm-pack, which Cargo.lock does not determine.
 const WASM_PACK: &str = "0.15.1";
+/// Version of geckodriver, which Cargo.lock does not determine.
 const GECKODRIVER: &str = "0.37.1";
 
 const THERE: &str = "already there";

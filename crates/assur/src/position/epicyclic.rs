@@ -21,10 +21,10 @@ pub(crate) struct Member {
     /// The hinge in the coordinates of this body.
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
-    /// Solved bodies that determine the angle of this body, each with the derivative of this angle with respect to its
-    /// own.
+    /// Solved bodies that determine the angle of this body, each with the derivative of this angle with respect to the
+    /// solved body's angle.
     pub(crate) ratios: Vec<(BodyId, f64)>,
-    /// Angle of this body, in the assembly drawn, when the angles of those solved bodies are zero.
+    /// Angle of this body in the drawn assembly if the angles of the bodies in `ratios` are zero.
     pub(crate) shift: f64,
 }
 

@@ -66,7 +66,7 @@ pub(crate) struct Arm {
     pub(crate) from: Vector,
     /// Inner joint, in the coordinates of the link.
     pub(crate) to: Vector,
-    /// Names of the hinges: the solved point, and the inner joint.
+    /// Points that are the hinges: the solved point, and the inner joint.
     pub(crate) joints: [PointId; 2],
     length: f64,
     /// The link's turn relative to the vector between its hinges.
@@ -110,7 +110,7 @@ pub(crate) struct Track {
     pub(crate) point: Vector,
     /// Distance of this point from the line, positive to the left.
     pub(crate) offset: f64,
-    /// Name of the link's point; None if it is no joint but any point on the line of the link.
+    /// The joint at this point; None if it is no joint but any point on the line of the link.
     pub(crate) joint: Option<PointId>,
 }
 

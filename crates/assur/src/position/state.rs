@@ -59,7 +59,7 @@ impl Orientation {
 pub(crate) enum Angle<const N: usize> {
     /// Known angle, from which the turn of the body was computed.
     Known(Jet<N>),
-    /// Angle of the turn of the body, less than half a turn from the nearby angle; computed on demand.
+    /// Angle of the turn e^(iθ) of the body, within half a turn of the nearby angle; computed on demand.
     Turned,
 }
 
@@ -171,12 +171,12 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// Takes the angle of a body from its turn, less than half a turn from the nearby angle.
+    /// Makes the angle of a body follow from its turn e^(iθ), within half a turn of the nearby angle.
     pub(crate) fn track_turn(&mut self, body: BodyId, near: Nearby<'_>) {
         self.turned_near(body, near.orientations[body]);
     }
 
-    /// Takes the angle of a body from its turn, less than half a turn from an orientation.
+    /// Makes the angle of a body follow from its turn e^(iθ), within half a turn of an orientation's angle.
     pub(crate) fn turned_near(&mut self, body: BodyId, near: Orientation) {
         let body = &mut self.bodies[body];
         body.near = near;

@@ -30,7 +30,7 @@ pub struct DesignVariable {
     pub range: [f64; 2],
 }
 
-/// Reasons why there is nothing to search.
+/// Reasons why a search cannot start.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SearchError {
     /// The tolerance is not positive and finite.
@@ -62,7 +62,7 @@ pub struct Evaluation {
     /// Root of the sum of the squared defects of arc and stroke, each relative to its target. An arc longer than its
     /// target is no defect.
     pub residual: f64,
-    /// [`Motion::singularity_margin`].
+    /// Singularity margin of the motion ([`Motion::singularity_margin`]).
     pub singularity_margin: f64,
 }
 
@@ -84,7 +84,7 @@ pub struct Progress {
 pub enum End {
     /// Every requirement is met.
     Fulfilled,
-    /// No change of a dimension improves the mechanism.
+    /// No further change of a dimension improves the mechanism.
     Settled,
 }
 

@@ -7,7 +7,7 @@ use crate::Vector;
 use crate::index::BodyId;
 use crate::position::{Arm, Predictor, Track, product};
 
-/// Angle turned by a link, radians, above which the triangle gives a second bound on it; half the maximum of a step.
+/// Turn of a link, radians, above which the triangle of links and base bounds it as well; half the maximum in a step.
 const LARGE_TURN: f64 = 0.5;
 
 impl Enclosure {
@@ -55,7 +55,7 @@ impl Enclosure {
         true
     }
 
-    /// Bound on the angle through which a vector turns over the step; the vector must not be able to vanish.
+    /// Bound on the angle through which a vector turns over the step, for a vector that cannot vanish.
     fn max_direction_turn(&self, vector: &PointBound) -> f64 {
         let end = vector.at + vector.rate * self.width;
         let straight = vector.at.perp(&end).atan2(vector.at.dot(&end)).abs();
@@ -69,7 +69,7 @@ impl Enclosure {
     ///
     /// Let Q be the point of a body that coincides with the intersection C at the start of the step, σ the displacement
     /// of C from Q along the body's line, and n the unit normal of this line. Then n·C″ = n·Q″ + 2σ′ω + σε for each
-    /// body.
+    /// body, with its angular velocity ω and angular acceleration ε.
     pub(crate) fn crossing_acceleration(
         &self,
         from: &Predictor,

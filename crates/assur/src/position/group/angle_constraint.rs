@@ -46,8 +46,8 @@ impl Drive {
 /// The known part of an angle constraint while its group is solved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::position) struct KnownAngle<const N: usize> {
-    /// Angles of the solved bodies times their factors, summed, less the constant and the driven coordinate. A length
-    /// for a driven slide.
+    /// Sum of the solved bodies' angles times their factors, less the constant and the driven coordinate. A length for
+    /// a driven slide.
     pub(in crate::position) angle: Jet<N>,
     /// Orientations of the unknown bodies in a nearby pose, less than half a turn away.
     pub(in crate::position) near: [Orientation; MAX_FORMS],

@@ -265,7 +265,7 @@ impl Group {
         inverse.iter().all(|value| value.is_finite())
     }
 
-    /// Greatest bound on an unknown, in its unit, from each of the first `L` bounds s of the equations: ‖|J⁻¹| s‖.
+    /// Norm ‖|J⁻¹| s‖ in the units of the unknowns, for each of the first `L` columns s of the equations' bounds.
     fn weighted<const L: usize>(&self, cell: &Enclosure) -> [f64; L] {
         let Bounds { inverse, sums, .. } = &cell.bounds;
         let size = 2 * self.unknowns;

@@ -182,7 +182,7 @@ impl Equation {
             Self::Along { axis, vector, .. } => {
                 [gradients[0], gradients[1]] = [vector, axis].map(value);
             }
-            // dθ = u × du / |u|².
+            // A turn u = e^(iθ) has dθ = u × du / |u|².
             Self::Angle { turns, .. } => {
                 for (gradient, (form, factor)) in
                     gradients.iter_mut().zip(turns.into_iter().flatten())

@@ -61,7 +61,7 @@ impl Group {
         self.add_unknowns(work, 0);
     }
 
-    /// Adds the unknowns to the Taylor coefficient of one order of each form that occurs in equations.
+    /// Adds the terms of the unknowns to the forms that occur in equations, in the Taylor coefficients of one order.
     #[inline(always)]
     pub(super) fn add_unknowns<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         for term in &self.unknown_terms {
@@ -69,7 +69,7 @@ impl Group {
         }
     }
 
-    /// Adds the unknowns to the outputs, which are the forms that occur in no equation.
+    /// Adds the terms of the unknowns to the outputs, which are the forms that occur in no equation.
     pub(super) fn evaluate_outputs<const N: usize>(&self, work: &mut Work<N>) {
         for term in &self.output_terms {
             let unknown = work.unknowns[term.index].by(term.factor);

@@ -28,7 +28,7 @@ use crate::position::{
 use elimination::Elimination;
 use equation::MAX_FORMS;
 
-/// An input of a group: a known vector from a solved body.
+/// An input of a group: a position or direction known from a solved body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum KnownTerm {
     /// Position of a point of the body.

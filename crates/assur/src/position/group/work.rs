@@ -24,7 +24,7 @@ pub(crate) struct Work<const N: usize> {
     pub(in crate::position) gradients: Vec<Vector>,
     /// Residual of each equation, and its derivative with respect to the input at fixed unknowns.
     pub(in crate::position) residual: Vec<[f64; 2]>,
-    /// Newton step of each real unknown, and its first derivative with the opposite sign.
+    /// Newton step of each real unknown, and the unknown's first derivative with the opposite sign.
     pub(in crate::position) step: Vec<[f64; 2]>,
     /// Right-hand side of the linear system for a higher derivative.
     pub(in crate::position) rhs: Vec<[f64; 1]>,

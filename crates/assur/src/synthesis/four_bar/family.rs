@@ -266,7 +266,7 @@ impl Family {
     /// The member with this z₂.
     ///
     /// # Errors
-    /// There is none, or more than one.
+    /// No member has this z₂, or all members have it.
     pub fn with_output(&self, output: f64) -> Result<Solution, MemberError> {
         let input = match self.shape {
             Shape::Directions { a, b, .. } => b * output / (output - a),
@@ -278,7 +278,7 @@ impl Family {
     /// The member with this z₃.
     ///
     /// # Errors
-    /// There is none, or more than one.
+    /// No member has this z₃, or all members have it.
     pub fn with_input(&self, input: f64) -> Result<Solution, MemberError> {
         let output = match self.shape {
             Shape::Directions { a, b, .. } => a * input / (input - b),
@@ -305,7 +305,7 @@ impl Family {
     /// The members with this z₁, up to four.
     ///
     /// # Errors
-    /// There is none.
+    /// No member has this z₁.
     pub fn with_coupler(&self, coupler: f64) -> Result<Vec<Solution>, MemberError> {
         let found = ranges::with_coupler(self, coupler).into_iter();
         let found: Vec<Solution> = found

@@ -5,9 +5,9 @@
 //!
 //! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃.
 //!
-//! This equation is linear and homogeneous in seven real numbers: s and both parts of w₂, w₃ and m. Five positions
-//! leave a plane λX + μY of solutions. In this plane m = w₂ w̄₃ becomes λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ + tY₃)̄, where t
-//! = μ/λ. As λ is real, t is a root of a cubic.
+//! This equation is linear and homogeneous in seven real numbers: s and the real and imaginary parts of w₂, w₃ and m.
+//! Five positions leave a plane λX + μY of solutions. In this plane m = w₂ w̄₃ becomes λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ +
+//! tY₃)̄, where t = μ/λ. As λ is real, t is a root of a cubic.
 
 use crate::sorting::sort_by;
 use crate::tolerance;

@@ -288,7 +288,7 @@ impl<'a> Branch<'a> {
         }
     }
 
-    /// The sample with the greatest error between two ends, starting from the sample `top`.
+    /// The sample with the greatest error between two values of x, starting from the sample `top`.
     fn peak(&self, top: ErrorSample, ends: [f64; 2], f: &dyn Fn(f64) -> f64) -> ErrorSample {
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let size = |sample: &ErrorSample| sample.error().map_or(-1.0, f64::abs);

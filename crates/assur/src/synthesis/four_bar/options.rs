@@ -12,13 +12,13 @@ use super::{
 pub enum Options {
     /// A one-parameter family: for two positions, or three if one follows from the others.
     Family(Family),
-    /// Finitely many: for three positions, or five with free starts.
+    /// Finitely many linkages: for three positions, or five with free starting angles.
     Exact(Vec<Solution>),
     /// Compromises, the least ΣJ first: for more positions.
     Minima {
         /// Minima found by the search.
         minima: Vec<Minimum>,
-        /// Number of starts.
+        /// Number of starts of the search.
         starts: usize,
     },
 }

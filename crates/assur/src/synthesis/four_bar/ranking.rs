@@ -24,7 +24,7 @@ pub struct Requirements {
 /// Requirement that a solution can fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Requirement {
-    /// The lengths make no linkage.
+    /// The lengths form no linkage.
     Linkage,
     /// See [`Requirements::continuous`].
     Continuous,
@@ -75,9 +75,9 @@ impl Requirements {
 pub enum Criterion {
     /// Smallest worst residual first.
     Closure,
-    /// The greatest transmission angle between the positions first.
+    /// The greatest minimum transmission angle between the positions first.
     Transmission,
-    /// The greatest transmission angle over the whole motion first.
+    /// The greatest minimum transmission angle over the whole motion first.
     TransmissionOverall,
     /// Smallest ratio of the longest to the shortest link first.
     SizeRatio,

@@ -73,7 +73,7 @@ pub enum TaskError {
 impl Task {
     /// Maximum number of positions.
     pub const MOST: usize = 64;
-    /// Default bounds of the lengths of coupler, output and input relative to the frame's.
+    /// Default bounds of the lengths of coupler, output and input relative to the length of the frame.
     pub const RATIOS: [f64; 2] = [0.1, 10.0];
     /// Bounds of the length of a frame.
     pub const LENGTH: [f64; 2] = [tolerance::LENGTH.0, tolerance::LENGTH.1];
@@ -81,7 +81,6 @@ impl Task {
     /// Makes a task from positions. `ratios` are the bounds of z₁, z₂ and z₃ in [`Search`](super::Search). Without a
     /// minimum a search would always end with a linkage of zero size, because for z₁ = 1 the sum ΣJ tends to zero with
     /// z₂ and z₃. Exact solutions are not bounded.
-    /// 1. Exact solutions are not bounded.
     ///
     /// # Errors
     /// All reasons that apply, with positions counted from 0.
@@ -136,7 +135,7 @@ impl Task {
         self.frame
     }
 
-    /// The positions, in their order.
+    /// The positions, in the given order.
     pub fn positions(&self) -> &[Position] {
         &self.positions
     }

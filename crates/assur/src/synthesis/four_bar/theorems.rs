@@ -42,7 +42,7 @@ pub enum Unknown {
 }
 
 impl Unknown {
-    /// In the order of the paper's numbers.
+    /// All unknowns, in the order of the paper's numbers.
     pub const ALL: [Self; 3] = [Self::Coupler, Self::Output, Self::Input];
 }
 

@@ -8,7 +8,7 @@ use super::Proportions;
 use super::closure::Direction;
 use crate::{Assembly, Cycle, FourBar, Grashof, Invalid};
 
-/// Properties of a linkage that is to take up positions.
+/// Properties of a linkage that is to pass through positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
     /// Passage of the linkage through all positions.
@@ -40,7 +40,7 @@ pub enum Passage {
     ThroughChangePoint,
     /// Between positions the input reaches a dead point and would have to turn back (a branch defect).
     AcrossDeadPoint,
-    /// The linkage would have to be taken apart (a circuit defect).
+    /// Between positions the linkage would have to be taken apart (a circuit defect).
     OtherCircuit,
     /// First position at whose input the linkage cannot be assembled.
     Unreached(usize),

@@ -16,7 +16,7 @@ pub(super) struct Descent<const N: usize> {
     pub(super) over: bool,
 }
 
-/// Initial damping, relative to the greatest diagonal element of the matrix.
+/// Initial damping, relative to the greatest diagonal element of the Hessian.
 const FIRST_DAMPING: f64 = 1e-3;
 /// Maximum number of steps.
 const MAX_STEPS: usize = 200;
@@ -89,7 +89,7 @@ impl<const N: usize> Descent<N> {
             let moved = (0..N).any(|k| (next[k] - self.x[k]).abs() > 4.0 * f64::EPSILON);
             self.over = !moved;
             (self.x, self.here) = (next, then);
-            // Damping below the rounding error of the matrix is set to zero.
+            // Damping below the rounding error of the Hessian is set to zero.
             self.damping = if self.damping <= tolerance::CONVERGED {
                 0.0
             } else {

@@ -14,7 +14,7 @@ const GRID: usize = 8;
 const CHOICES: usize = 20;
 /// Grid points along each length and along each angle, if the starting angles are free.
 const COARSE: [usize; 2] = [3, 8];
-/// Number of the lowest points of this grid that the search starts from.
+/// Number of points of this grid, those with the least ΣJ, from which the search starts.
 const LOWEST: usize = 32;
 
 /// Starting points if the starting angles are given.
@@ -68,7 +68,7 @@ fn choices<const K: usize>(count: usize) -> Vec<[usize; K]> {
     if count < K {
         return all;
     }
-    // Listing all sets out of 12 positions is cheap; from more positions, 12 are taken first.
+    // Listing all sets out of 12 positions is cheap. If there are more, 12 evenly spread positions are taken.
     let thinned: Vec<usize> = if count > 12 {
         (0..12).map(|k| k * (count - 1) / 11).collect()
     } else {

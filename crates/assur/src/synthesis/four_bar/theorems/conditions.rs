@@ -24,7 +24,7 @@ pub enum Alternative {
     Never,
 }
 
-/// The alternative in which P + Q z is positive.
+/// The alternative to which P (`constant`) and Q (`slope`) belong.
 pub fn alternative(constant: f64, slope: f64) -> Alternative {
     let limit = -constant / slope;
     if constant > 0.0 && slope < 0.0 && limit.is_finite() {

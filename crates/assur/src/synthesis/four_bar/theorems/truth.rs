@@ -16,7 +16,7 @@ pub enum Truth {
         /// The upper bound; None if there is none.
         to: Option<f64>,
     },
-    /// No z₁.
+    /// No z₁ closes the loop.
     None,
     /// Input and output are parallel, so condition (13) fails: at most one z₁ closes the loop.
     Parallel {
@@ -74,8 +74,8 @@ impl Angles {
     }
 }
 
-/// The exact criterion. Each of P₂ + Q₂z₁ > 0 and P₃ + Q₃z₁ > 0 holds on a ray of z₁, for every z₁ or for none; with z₁
-/// > 0 this leaves an interval or nothing. None if an angle is not finite.
+/// The exact criterion. Each of P₂ + Q₂z₁ > 0 and P₃ + Q₃z₁ > 0 holds on a ray of z₁, for every z₁ or for none.
+/// Together with z₁ > 0 this leaves an interval or nothing. None if an angle is not finite.
 pub fn truth(angles: &Angles) -> Option<Truth> {
     if !angles.is_finite() {
         return None;
