@@ -20,7 +20,7 @@ pub enum ThreePositions {
     /// No such linkage: the lines are parallel, or at their intersection a length is infinite or the coupler's length
     /// is zero. Holds the two lines.
     None([Line; 2]),
-    /// All pairs of positions have the same line: holds the solutions for two positions.
+    /// The positions give only one line: holds the solutions for two of them.
     Same(TwoPositions),
 }
 
