@@ -1,4 +1,4 @@
-//! Relations of a paper in numbers: a quantity in the pose, and by the relation as printed.
+//! Relations of a paper, evaluated: the value of a quantity in a pose, and its value by the relation as printed.
 
 use std::borrow::Cow;
 
@@ -9,18 +9,18 @@ use crate::Vector;
 pub struct Relation {
     /// The item in the table of the paper, such as `002.(10)`, or an id of its own for a relation that is not in the paper.
     pub item: &'static str,
-    /// The quantity in the notation of the paper, such as `φ₃′`; with the number of the position, if there are several,
-    /// `φ₂⁽¹⁾`.
+    /// The quantity in the notation of the paper, such as `φ₃′`. If there are several positions, the number of the
+    /// position is added: `φ₂⁽¹⁾`.
     pub name: Cow<'static, str>,
-    /// True for an angle, radians; else a length or a number.
+    /// True for an angle in radians; false for a length or a number.
     pub is_angle: bool,
     /// True for an angle of rotation, in which whole turns count; any other angle is a direction.
     pub is_turned: bool,
     /// True for a count, which is a whole number.
     pub is_count: bool,
-    /// Its value in the pose.
+    /// Value of the quantity in the pose.
     pub value: f64,
-    /// The value by the relation as printed; none if it divides by zero.
+    /// Value by the relation as printed; none if the relation divides by zero.
     pub printed: Option<f64>,
 }
 
@@ -42,7 +42,7 @@ impl Relation {
         }
     }
 
-    /// A quantity that is shown beside the relations, of which nothing else is printed.
+    /// A quantity shown beside the relations, for which the paper prints no relation.
     pub(crate) fn shown(
         item: &'static str,
         name: impl Into<Cow<'static, str>>,
@@ -51,7 +51,7 @@ impl Relation {
         Self::of(item, name, value, value)
     }
 
-    /// Both coordinates of a vector.
+    /// Relations for both coordinates of a vector.
     pub(crate) fn both(
         item: &'static str,
         [x, y]: [&'static str; 2],

@@ -1,5 +1,5 @@
-//! Sorting of any list by one instance of the standard library's sort, that of indices: each further instance would add
-//! several kilobytes to the page.
+//! Sorting of any list by a single instance of the standard library's sort, which sorts indices. Each further instance
+//! would add several kilobytes to the page.
 
 use std::cmp::Ordering;
 
@@ -20,14 +20,14 @@ pub fn sort_by_key<T, K: Ord>(list: &mut [T], key: impl Fn(&T) -> K) {
     permute(list, order(keys.len(), &|a, b| keys[a].cmp(&keys[b])));
 }
 
-/// Minimum and maximum; infinite, the minimum the greater one, without any value.
+/// Minimum and maximum of the values; +∞ and −∞ if there are no values.
 pub fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[min, max], value| {
         [min.min(value), max.max(value)]
     })
 }
 
-/// The indices below a count, sorted by a comparison of their items.
+/// Indices below a count, sorted by comparing the items at these indices.
 #[inline(never)]
 fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
@@ -35,7 +35,7 @@ fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize>
     order
 }
 
-/// Moves the item at `order[k]` to k for each k, cycle by cycle.
+/// Moves the item at index `order[k]` to index k, for every k; follows the cycles of the permutation.
 pub(crate) fn permute<T>(list: &mut [T], mut order: Vec<usize>) {
     for start in 0..order.len() {
         let mut place = start;

@@ -1,6 +1,6 @@
-//! Benchmarks, whose results are printed and never fail a run. Times of the engine are relative to
-//! a yardstick in the same run, because machines differ and are shared: the unit is a
-//! straightforward scalar closed form, run natively.
+//! Benchmarks. Results are printed and never make a run fail. Times of the engine are relative to a yardstick measured
+//! in the same run, because machines differ and are shared. The yardstick is a straightforward scalar closed form, run
+//! natively.
 
 use std::path::Path;
 
@@ -14,8 +14,8 @@ use crate::step::announce;
 use crate::test::{page_test, wasm_tests};
 use crate::workspace::Workspace;
 
-/// Prints the figures of the engine, natively and in the browser, of the page and
-/// of its download, and writes them to a file; the page is played and dragged for some minutes.
+/// Measures the engine, natively and in the browser, and the page with its download; prints the figures and writes them
+/// to a file. The page is played and dragged for the given minutes.
 pub(crate) fn run(workspace: &Workspace, minutes: f64, save: Option<&Path>) -> Result<()> {
     let browser = Browser::find_or_install(workspace, Kind::Chromium)?;
     site::set_up_and_build(workspace)?;
@@ -49,7 +49,7 @@ pub(crate) fn run(workspace: &Workspace, minutes: f64, save: Option<&Path>) -> R
     Ok(())
 }
 
-/// The figures of engine and page as tables.
+/// Prints the figures of engine and page as tables.
 fn print(measured: &Measured) {
     let Measured {
         native,
@@ -77,7 +77,7 @@ fn print(measured: &Measured) {
     }
 }
 
-/// The lines `PREFIX NAME = FIGURE` in the output of a command, wherever the prefix is within the line.
+/// Reads the lines `PREFIX NAME = FIGURE` from the output of a command; the prefix may be anywhere in a line.
 fn figures(printed: &str, prefix: &str) -> Vec<(String, f64)> {
     let figure = |line: &str| {
         let (name, figure) = line.split_once(prefix)?.1.split_once(" = ")?;

@@ -1,4 +1,4 @@
-//! The browsers that tests run in, and the drivers that steer them.
+//! The browsers in which tests run, and the drivers that control them.
 
 use std::env;
 use std::ffi::OsStr;
@@ -17,7 +17,7 @@ use crate::workspace::Workspace;
 pub(crate) enum Kind {
     /// Chrome or Chromium
     Chromium,
-    /// Firefox, also of extended support
+    /// Firefox, including the extended support release
     Firefox,
 }
 
@@ -33,11 +33,11 @@ struct Facts {
     name: &'static str,
     program: Program,
     driver: Program,
-    /// Debian packages that contain them. Without a font a browser would draw no text.
+    /// Debian packages of the browser, its driver and a font, without which a browser would draw no text.
     packages: &'static str,
 }
 
-/// A program: the variable with its path, its names on PATH and its places elsewhere.
+/// A program: the environment variable that may hold its path, and the names or full paths that are tried.
 struct Program {
     variable: &'static str,
     names: &'static [&'static str],
@@ -47,8 +47,9 @@ const CHROMIUM: Facts = Facts {
     name: "chromium",
     program: Program {
         variable: "CHROME",
-        // The shell has the same engine without the parts of a window, and starts sooner. Debian's script of
-        // that name does not pass on the signal of its driver to end it: the browser would keep running.
+        // The headless shell has the same engine without a window, and starts sooner. Its full path comes first:
+        // Debian's script of the same name does not pass the driver's signal to terminate on to the browser, which
+        // would keep running.
         names: &[
             "/usr/lib/chromium/chromium-headless-shell",
             "chromium-headless-shell",
@@ -83,7 +84,7 @@ const FIREFOX: Facts = Facts {
             r"C:\Program Files\Mozilla Firefox\firefox.exe",
         ],
     },
-    // No package contains it: cargo builds it.
+    // No Debian package contains geckodriver, so cargo builds it.
     driver: Program {
         variable: "GECKODRIVER",
         names: &["geckodriver"],
@@ -92,7 +93,7 @@ const FIREFOX: Facts = Facts {
 };
 
 impl Browser {
-    /// Finds a browser and its driver, or installs what is missing if packages of the system can be installed.
+    /// Finds a browser and its driver, or installs what is missing if system packages can be installed.
     pub(crate) fn find_or_install(workspace: &Workspace, kind: Kind) -> Result<Self> {
         let facts = match kind {
             Kind::Chromium => &CHROMIUM,
@@ -120,7 +121,7 @@ impl Browser {
         find()?.with_context(|| format!("{} is not where apt-get should put it", facts.name))
     }
 
-    /// The environment variables by which page tests find it.
+    /// The environment variables by which page tests find this browser and its driver.
     pub(crate) fn variables(&self) -> [(&'static str, &OsStr); 3] {
         [
             ("ASSUR_BROWSER", self.facts.name.as_ref()),
@@ -149,7 +150,8 @@ impl Facts {
 }
 
 impl Program {
-    /// Finds the program. A variable that points nowhere is an error: another browser would be misleading.
+    /// Finds the program. A variable that names no program is an error, because a test in another browser would
+    /// mislead.
     fn find(&self) -> Result<Option<PathBuf>> {
         let Self { variable, names } = self;
         if let Some(named) = env::var_os(variable).filter(|value| !value.is_empty()) {
@@ -161,7 +163,7 @@ impl Program {
     }
 }
 
-/// Whether a window could appear: not under CI, and on Linux only with a display server.
+/// True if a browser window could appear: not under CI, and on Linux only with a display server.
 pub(crate) fn display_present() -> bool {
     let set = |name| env::var_os(name).is_some_and(|value| !value.is_empty());
     !set("CI") && (!cfg!(target_os = "linux") || set("DISPLAY") || set("WAYLAND_DISPLAY"))

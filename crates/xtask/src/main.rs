@@ -1,8 +1,8 @@
-//! `cargo xtask`: tasks around the code: fetching the tools, building and serving the page, running
-//! every test, writing the one-file page.
+//! `cargo xtask`: development tasks, such as fetching the tools, building and serving the page, running all tests and
+//! writing the one-file page.
 //!
-//! A command first installs what it needs and does not find, each step announced on one line. Tools
-//! go into a folder of their own below cargo's, by name and version, so that no other ones are overwritten.
+//! A command first installs what it needs and does not find; each step is announced on one line. Tools go into a folder
+//! of their own inside cargo's folder, by name and version, so that no other tools are overwritten.
 
 mod bench;
 mod browser;
@@ -44,8 +44,7 @@ enum Task {
     /// Builds the page and serves it on this machine
     ///
     /// Installs the wasm32 target, wasm-bindgen and the packages of npm if they are missing, builds the release, serves
-    /// it on 127.0.0.1 without caching, prints the address and opens it where there is a display.
-    /// Stops with Ctrl-C.
+    /// it on 127.0.0.1 without caching, prints the address and opens it if there is a display. Stops with Ctrl-C.
     Serve {
         /// Port to begin with; the next free one is used if it is taken
         #[arg(long, default_value_t = 8080)]
@@ -54,16 +53,17 @@ enum Task {
         #[arg(long)]
         no_open: bool,
     },
-    /// Runs the tests that judge a change: format, lint, documentation, tests of the engine, of the scripts, of the page
+    /// Runs all checks that a change must pass: format, lint, documentation, and the tests of engine, scripts and page
     ///
-    /// Installs what is missing: rustfmt, clippy, the wasm32 target, wasm-bindgen, wasm-pack, the packages of npm and (on
-    /// Debian, as root) Chromium with its driver. The environment variables CHROME, CHROMEDRIVER, FIREFOX and
-    /// GECKODRIVER name others. The last line says how many checks passed and failed; the exit code is 1 if any
-    /// failed.
+    /// Installs what is missing: rustfmt, clippy, the wasm32 target, wasm-bindgen, wasm-pack, the packages of npm and
+    /// (on Debian, as root) Chromium with its driver. The environment variables CHROME, CHROMEDRIVER, FIREFOX and
+    /// GECKODRIVER select other browsers and drivers. The last line says how many checks passed and failed; the exit
+    /// code is 1 if any failed.
     ///
     /// With WORDS or a browser, only page tests are run.
     Test {
-        /// Also runs long tests, ten times as much random input, and the page in Firefox, whose driver cargo builds
+        /// Also runs long tests, uses ten times as much random input, and tests the page in Firefox, whose driver cargo
+        /// builds
         #[arg(long)]
         all: bool,
         /// Only page tests, in this browser
@@ -72,32 +72,33 @@ enum Task {
         /// Only page tests whose names contain one of these words, in Chromium unless a browser is named
         words: Vec<String>,
     },
-    /// Runs the tests of random input that take more than five minutes: 200,000 drawings, 100,000 damaged files, and each
-    /// reader of what comes from outside for about a minute
+    /// Runs the tests with random input that take more than five minutes: 200,000 drawings, 100,000 damaged files, and
+    /// about a minute for each reader of outside data
     Soak {
         /// Seed of the random input, for a run that differs from the last
         #[arg(long, default_value_t = 777)]
         seed: u64,
     },
-    /// Prints the speed of engine and page, relative to a yardstick in the same run
+    /// Prints the speed of engine and page, relative to a yardstick measured in the same run
     ///
     /// Installs what is missing as `test` does. A slow result is not a failure.
     Bench {
         /// Minutes for which the page is played and dragged while its memory is watched
         #[arg(long, default_value_t = 0.5)]
         minutes: f64,
-        /// Where the figures are written, as JSON [default: bench.json in the target directory]
+        /// File to which the figures are written, as JSON [default: bench.json in the target directory]
         #[arg(long, value_name = "FILE")]
         save: Option<PathBuf>,
         /// Measures nothing: prints the ratios of the figures of two files
         #[arg(long, num_args = 2, value_names = ["BEFORE", "AFTER"], conflicts_with_all = ["minutes", "save"])]
         compare: Option<Vec<PathBuf>>,
     },
-    /// Builds the page into one file, dist/assur.html, that opens by double-click, into the folder dist/site for a host, the engine into dist/npm
+    /// Builds the page as one file, dist/assur.html, that opens by double-click, and as the folder dist/site for a web
+    /// host; builds the engine into dist/npm
     Bundle,
     /// Builds the page into the folder `site` of the target directory
     Build {
-        /// A folder with `lessons` and `kinds` of its own: with them the page is built once more, into `site.more`
+        /// A folder with further `lessons` and `kinds`: the page is built once more with these, into `site.more`
         #[arg(long, value_name = "FOLDER")]
         with: Option<PathBuf>,
     },
@@ -139,7 +140,7 @@ fn perform(task: &Task) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Serves the page by `build/serve.js`, whose first line is the address, until that process ends.
+/// Serves the page with `build/serve.js` until that process ends. The first line of its output is the address.
 fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     site::set_up_and_build(workspace)?;
     let (site, port) = (workspace.site(), port.to_string());
@@ -150,7 +151,7 @@ fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     let mut node = Command::from(node);
     node.stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut server = node.spawn().context("the server cannot be started")?;
-    // The server ends when its input is closed, which `wait` would do.
+    // The server ends when its input is closed. `wait` would close the input, so the input is taken out first.
     let input = server.stdin.take();
     let mut url = String::new();
     let said = server.stdout.take().context("the server has no output")?;

@@ -19,12 +19,12 @@ pub(crate) struct Measured {
     pub(crate) machine: Machine,
     /// Times of the engine in nanoseconds, natively; the first is the yardstick.
     pub(crate) native: Figures,
-    /// The same in the browser.
+    /// Times of the engine in nanoseconds, in the browser.
     pub(crate) browser: Figures,
     pub(crate) page: Figures,
 }
 
-/// The machine of a run and what was measured on it.
+/// The machine of a run, and the version and commit that were measured on it.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Machine {
     system: String,
@@ -90,8 +90,8 @@ pub(crate) fn compare(files: &[PathBuf]) -> Result<()> {
     Ok(())
 }
 
-/// A line for each figure that both have: before, after and the ratio. Times of the engine are in units of the
-/// yardstick of their own run.
+/// A table with a line for each figure that both runs have: before, after and the ratio. Times of the engine are in
+/// units of the yardstick of their own run.
 fn compared(before: &Measured, after: &Measured) -> String {
     let mut text = String::new();
     if !before.machine.is_like(&after.machine) {

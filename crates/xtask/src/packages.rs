@@ -1,4 +1,4 @@
-//! The crates of the engine as packages: each holds all that it needs, and its documentation is whole.
+//! A check of the engine's crates as packages: each holds all that it needs, and its documentation gives no warnings.
 
 use std::fmt::Write as _;
 
@@ -17,7 +17,7 @@ const CRATES: [&str; 5] = [
     "assur-import",
 ];
 
-/// Makes the packages and the documentation of what is in them, without warnings.
+/// Makes the packages, unpacks them and builds their documentation, with warnings as errors.
 pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let Workspace {
         shell,
@@ -26,7 +26,7 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     } = workspace;
     let packed = CRATES.map(|name| ["--package", name]);
     let packed = packed.as_flattened();
-    // All that they need has been fetched for the tests.
+    // All that the crates need has been fetched for the tests.
     let pack = cmd!(
         shell,
         "cargo package --offline --no-verify --allow-dirty {packed...}"

@@ -1,5 +1,5 @@
-//! The built page in `target/site`: the release build of the wasm side, and the output of the
-//! scripts of `build` from `www/` and `lang/`.
+//! The built page in `target/site`: the release build of the wasm side, and what the scripts in `build` make from
+//! `www/` and `lang/`.
 
 use std::path::{Path, PathBuf};
 
@@ -11,8 +11,7 @@ use crate::step::{announce, run};
 use crate::tools::{self, WASM};
 use crate::workspace::{VERSION, Workspace, cargo_home};
 
-/// Inlining threshold below LLVM's default: the download is smaller, and nothing is measurably
-/// slower.
+/// Inlining threshold below LLVM's default. It makes the download smaller, and nothing is measurably slower.
 const INLINING: &str = "-Cllvm-args=--inline-threshold=50";
 
 /// Installs what the build needs, then builds.
@@ -26,12 +25,13 @@ pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
     write(workspace, "site", None)
 }
 
-/// Builds the page with further folders of lessons and kinds, in a separate place.
+/// Builds the page with further folders of lessons and kinds, into a separate folder.
 pub(crate) fn build_with(workspace: &Workspace, more: &Path) -> Result<()> {
     write(workspace, "site", Some(more))
 }
 
-/// Writes the distributed forms of the built page into `dist`: the one file, the folder for a host, the package.
+/// Writes the distributed forms of the built page into `dist`: the one file, the folder for a web host, the npm
+/// package.
 pub(crate) fn give_away(workspace: &Workspace) -> Result<()> {
     write(workspace, "dist", None)
 }
@@ -48,8 +48,8 @@ fn write(workspace: &Workspace, what: &str, more: Option<&Path>) -> Result<()> {
 
 /// Writes the module that JavaScript imports, and its types, where `build/site.js` and `tsconfig.json` expect them.
 fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
-    // Names of functions only make the file longer. A trap does not reset the stack of the
-    // instance: the page starts a new instance.
+    // Function names would only make the file longer. A trap does not reset the stack of the instance, so the page
+    // starts a new instance.
     let bindgen = cmd!(
         workspace.shell,
         "{program} {wasm} --out-dir target/engine --target web --encode-into always
@@ -58,11 +58,11 @@ fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
     run(bindgen, "writing the bindings")
 }
 
-/// Compiles the wasm side. No wasm-opt follows: an older one makes modules that trap, and rustc optimises well.
+/// Compiles the wasm side. wasm-opt is not run: older versions of it make modules that trap, and rustc optimises well.
 fn compile(workspace: &Workspace) -> Result<PathBuf> {
     let mut flags = path_remapping(workspace)?;
     flags.push(INLINING.to_owned());
-    // Added to the flags of the user.
+    // Added to the user's own flags.
     let flags = format!("target.{WASM}.rustflags={}", json!(flags));
     let cargo = cmd!(
         workspace.shell,
@@ -72,8 +72,8 @@ fn compile(workspace: &Workspace) -> Result<PathBuf> {
     Ok(workspace.target.join(WASM).join("page/assur_web.wasm"))
 }
 
-/// Flags that shorten the names of source files in messages of panics to paths that are the same on
-/// every machine, so that the page contains nothing of the one where it was built.
+/// Flags that replace the paths of source files in panic messages by paths that are the same on every machine. So the
+/// page shows nothing of the machine on which it was built.
 fn path_remapping(workspace: &Workspace) -> Result<Vec<String>> {
     let sources = cargo_home()?.join("registry/src");
     let registries = workspace.shell.read_dir(sources).unwrap_or_default();

@@ -3,12 +3,12 @@
 use anyhow::{Context, Result};
 use xshell::Cmd;
 
-/// Prints a line about a step: its name, and whether it is already done or begins.
+/// Prints a line about a step: its name, and its state, such as already done or running.
 pub(crate) fn announce(what: &str, state: &str) {
     println!("==> {what}: {state}");
 }
 
-/// Runs a command with its output on the terminal; `what` is the name of the step in the sentence of failure.
+/// Runs a command with its output on the terminal; `what` names the step in the error message.
 pub(crate) fn run(command: Cmd, what: &str) -> Result<()> {
     let ran = command.quiet().run();
     ran.with_context(|| format!("{what} failed"))

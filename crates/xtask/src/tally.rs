@@ -14,7 +14,7 @@ struct Entry {
     name: String,
     passed: u32,
     failed: u32,
-    /// The reason of a failure that is not visible in the counts.
+    /// Error of a failed step, which the counts do not show.
     reason: Option<String>,
     took: Duration,
 }
@@ -24,14 +24,14 @@ struct Entry {
 pub(crate) struct Tally(Vec<Entry>);
 
 impl Tally {
-    /// Runs a step that passes or fails as a whole, counted as one.
+    /// Runs a step that passes or fails as a whole, and counts it as one check.
     pub(crate) fn check(&mut self, name: &str, step: impl FnOnce() -> Result<()>) {
         let began = Instant::now();
         announce(name, "running");
         self.step(name, &step(), began.elapsed());
     }
 
-    /// Counts a step that has been run.
+    /// Counts a step that has already run as one check.
     pub(crate) fn step(&mut self, name: &str, outcome: &Result<()>, took: Duration) {
         self.add(name, [u32::from(outcome.is_ok()), 0], outcome, took);
     }
@@ -63,7 +63,7 @@ impl Tally {
         });
     }
 
-    /// Writes the outcome of every step, then the total on the last line; returns whether nothing failed.
+    /// Writes the outcome of every step, then the total on the last line; returns true if nothing failed.
     pub(crate) fn summarise(&self, mut out: impl Write) -> io::Result<bool> {
         writeln!(out)?;
         let [mut passed, mut failed] = [0; 2];

@@ -1,4 +1,4 @@
-//! Every test in one run, by which a change is judged.
+//! All tests in one run, which every change must pass.
 
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
@@ -21,10 +21,11 @@ use crate::workspace::Workspace;
 /// Time limit of a wasm test file in the browser, seconds; the default is too short for a slow machine.
 const WASM_TIME: &str = "300";
 
-/// Factor on the counts of random input in a run of everything.
+/// Factor on the amount of random input if long tests are run as well.
 const ALL_SCALE: &str = "10";
 
-/// The tests of `soak`: a name, words of the tests, and the factor on their counts; of readers some minute each.
+/// The tests of `soak`: a name, the words that select the tests, and the factor on their amount of random input. Each
+/// reader takes about a minute.
 const SOAKED: [(&str, &str, &str); 11] = [
     ("rows of 200,000 drawings", "any_drawing::rows_are", "1100"),
     ("200,000 drawings redrawn", "any_drawing::a_motion", "200"),
@@ -39,12 +40,12 @@ const SOAKED: [(&str, &str, &str); 11] = [
     ("terminal's arguments", "damaged::damaged_arguments", "100"),
 ];
 
-/// Tests of the scripts that read what is damaged, and the factor on their counts: about a minute.
+/// Tests of scripts that read damaged input, and the factor on their amount of input. They take about a minute.
 const SOAKED_SCRIPTS: ([&str; 2], &str) =
     (["www/app/damage.test.js", "www/state/codec.test.js"], "100");
 
-/// Runs all steps or, where a browser or words are given, only page tests, whose names hold one of the words. With
-/// `all` also those marked `ignore`, at more random input.
+/// Runs all steps. If a browser or words are given, runs only page tests, whose names must contain one of the words.
+/// With `all`, also runs tests marked `ignore`, and uses more random input.
 pub(crate) fn run(
     workspace: &Workspace,
     all: bool,
@@ -65,7 +66,7 @@ pub(crate) fn run(
     ended(&tally)
 }
 
-/// Runs every step even if an earlier one failed; without a page those that need it are skipped.
+/// Runs every step even if an earlier one failed. If the page cannot be built, the steps that need it are skipped.
 fn run_steps(workspace: &Workspace, all: bool) -> Result<ExitCode> {
     tools::components(workspace)?;
     tools::wasm_target(workspace)?;
@@ -75,7 +76,8 @@ fn run_steps(workspace: &Workspace, all: bool) -> Result<ExitCode> {
 
     let mut tally = Tally::default();
     let began = Instant::now();
-    // Tools and page leave one processor idle for minutes: it runs the steps that need neither.
+    // Installing the tools and building the page leave one processor idle for minutes; steps that need neither run on
+    // it.
     let building = workspace.clone();
     let page = thread::spawn(move || {
         let page = pages(&building).and_then(|()| tools::wasm_pack(&building));
@@ -112,7 +114,8 @@ fn pages(workspace: &Workspace) -> Result<()> {
 /// The steps that need no built page.
 fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
     let shell = &workspace.shell;
-    // By their names: `--tests` and `--all-targets` would leave out test programs that need a browser.
+    // Test programs are selected by name, because `--tests` and `--all-targets` would leave out those that need a
+    // browser.
     let lint = cmd!(shell, "cargo clippy --workspace --lib --bins --test *");
     let wasm_lint = cmd!(
         shell,
@@ -120,7 +123,7 @@ fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
     );
     let strict = ["--", "-D", "warnings"];
     let doc = cmd!(shell, "cargo doc --workspace --no-deps").env("RUSTDOCFLAGS", "-D warnings");
-    // Also the page tests, which run later, so that both processors are busy.
+    // The page tests run later, but are compiled here as well, so that both processors are busy.
     let programs = ["native", "integration", "border", "page"].map(|name| ["--test", name]);
     let programs = programs.as_flattened();
     let compilation = cmd!(
@@ -149,7 +152,7 @@ fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
     }
 }
 
-/// Runs the tests of random input from a seed, with counts too large for a usual run.
+/// Runs the tests of random input from a seed, with more input than in a usual run.
 pub(crate) fn soak(workspace: &Workspace, seed: u64) -> Result<ExitCode> {
     let mut tally = Tally::default();
     for (name, test, scale) in SOAKED {
@@ -179,7 +182,7 @@ pub(crate) fn wasm_tests<'a>(workspace: &'a Workspace, browser: &Browser) -> Res
     let Workspace { shell, target, .. } = workspace;
     let [pack, bindgen] = [tools::wasm_pack, tools::wasm_bindgen].map(|tool| tool(workspace));
     let (pack, driver) = (pack?, &browser.driver);
-    // By itself the driver might choose another browser, or none.
+    // Without this option the driver might choose another browser, or none.
     let options = shell.read_file("crates/assur-web/webdriver.json")?;
     let mut options: Value = serde_json::from_str(&options)?;
     options["goog:chromeOptions"]["binary"] = json!(browser.program);
@@ -196,7 +199,8 @@ pub(crate) fn wasm_tests<'a>(workspace: &'a Workspace, browser: &Browser) -> Res
         .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME))
 }
 
-/// Checks the types of the scripts of the page and of those that build it; the build has written the types of the border.
+/// Checks the types of the page's scripts and of the scripts that build the page. The build has written the types of
+/// the border.
 fn types(workspace: &Workspace) -> Result<()> {
     let checker = "node_modules/typescript/bin/tsc";
     for project in [".", "crates/xtask/build"] {
@@ -245,7 +249,7 @@ fn page_tests<'a>(
     all: bool,
     words: &[String],
 ) -> Cmd<'a> {
-    // A test sometimes waits for its browser.
+    // One thread more than processors: a test sometimes waits for its browser.
     let threads = format!("--test-threads={}", processors() + 1);
     page_test(workspace, "page", browser)
         .args(["--", &threads])
@@ -255,7 +259,7 @@ fn page_tests<'a>(
 
 /// A test program that opens the built page, in all its forms.
 pub(crate) fn page_test<'a>(workspace: &'a Workspace, name: &str, browser: &Browser) -> Cmd<'a> {
-    // For the whole workspace, so that nothing is compiled again with other features.
+    // The whole workspace is selected, so that nothing is compiled again with other features.
     cmd!(workspace.shell, "cargo test --workspace --test {name}")
         .env("ASSUR_SITE", workspace.site())
         .env("ASSUR_MORE", workspace.site_with_more())

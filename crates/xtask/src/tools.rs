@@ -13,14 +13,15 @@ use crate::workspace::{Workspace, cargo_home};
 /// Target of the compiled code that runs in the browser.
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 
-/// Versions of the tools that Cargo.lock does not determine.
+/// Version of wasm-pack, which Cargo.lock does not determine.
 const WASM_PACK: &str = "0.15.1";
+/// Version of geckodriver, which Cargo.lock does not determine.
 const GECKODRIVER: &str = "0.37.1";
 
 const THERE: &str = "already there";
 
-/// Installs the standard library for the browser. It is looked for on disk rather than in rustup's
-/// list, so that a compiler without rustup works as well.
+/// Installs the standard library for [`WASM`]. It is looked for on disk rather than in rustup's list, so that a
+/// compiler without rustup works as well.
 pub(crate) fn wasm_target(workspace: &Workspace) -> Result<()> {
     let shell = &workspace.shell;
     let library = cmd!(shell, "rustc --print target-libdir --target {WASM}").read()?;
@@ -48,8 +49,8 @@ fn by_rustup(what: &str, there: bool, adding: Cmd) -> Result<()> {
     run(adding, &format!("adding {what} by rustup"))
 }
 
-/// Installs the exact version of wasm-bindgen to which the code is locked: no other can read its
-/// output. Its own lock file is not used, since the crates that it shares with the code must match.
+/// Installs the version of wasm-bindgen that Cargo.lock determines: no other version can process the compiled code. The
+/// lock file of the tool itself is not used, because the crates that it shares with the code must match.
 pub(crate) fn wasm_bindgen(workspace: &Workspace) -> Result<PathBuf> {
     let version = workspace.locked_version("wasm-bindgen")?;
     installed(
@@ -88,8 +89,8 @@ pub(crate) fn packages(workspace: &Workspace) -> Result<()> {
     run(cmd!(workspace.shell, "{npm} ci --no-audit --no-fund"), WHAT)
 }
 
-/// The path of a tool in a version, installed if missing: below cargo's own folder, so that all
-/// clones share it.
+/// Returns the path of a tool in a given version, and installs the tool if it is missing. The folder is inside cargo's
+/// own, so all clones of the repository share it.
 fn installed(
     workspace: &Workspace,
     package: &str,
@@ -116,7 +117,7 @@ fn installed(
         workspace.shell,
         "cargo install {package} --version {version} {locked...} --root {root} --force"
     )
-    // The tools mostly wait for others: with less optimisation they are built sooner.
+    // The tools mostly wait for other programs, so they are built with less optimisation, which takes less time.
     .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")
     .env("CARGO_PROFILE_RELEASE_LTO", "off")
     .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
@@ -124,7 +125,7 @@ fn installed(
     Ok(path)
 }
 
-/// PATH with the folder of a tool first, so that other programs find it in the right version.
+/// PATH with the folder of a tool first, so that other programs find this tool in the right version.
 pub(crate) fn search_path(tool: &Path) -> Result<OsString> {
     let others = env::var_os("PATH").unwrap_or_default();
     let own = tool.parent().map(Path::to_owned);

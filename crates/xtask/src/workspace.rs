@@ -1,5 +1,5 @@
-//! Places of the workspace. Cargo itself is asked, so that `CARGO_TARGET_DIR` and the user's cargo
-//! configuration are honoured; the workspace is the one in which this program was built.
+//! Paths of the workspace, as cargo gives them, so that `CARGO_TARGET_DIR` and the user's cargo configuration are
+//! honoured. The workspace is the one in which this program was built.
 
 use std::env;
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ use xshell::{Shell, cmd};
 /// The version of every crate of the workspace, and so of the page.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The root of the repository and the target directory of cargo, which determine all other places.
+/// The root of the repository and the target directory of cargo, which determine all other paths.
 #[derive(Clone)]
 pub(crate) struct Workspace {
     /// A shell whose commands start in the root.
@@ -41,18 +41,18 @@ impl Workspace {
         })
     }
 
-    /// The built page.
+    /// Folder of the built page.
     pub(crate) fn site(&self) -> PathBuf {
         self.target.join("site")
     }
 
-    /// The built page with further folders of lessons and kinds.
+    /// Folder of the page built with further folders of lessons and kinds.
     pub(crate) fn site_with_more(&self) -> PathBuf {
         self.target.join("site.more")
     }
 
-    /// The version of a crate in Cargo.lock. If there are two versions, cargo refuses the query and
-    /// names them.
+    /// The version of a crate in Cargo.lock. If the file has two versions of it, cargo refuses the query and names
+    /// both.
     pub(crate) fn locked_version(&self, name: &str) -> Result<String> {
         // `registry+…#NAME@VERSION`
         let id = cmd!(self.shell, "cargo pkgid {name}").read()?;

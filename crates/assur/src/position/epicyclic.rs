@@ -1,11 +1,11 @@
-//! Epicyclic train: wheels and carriers whose angles follow from the angles of other bodies by the numbers of teeth.
+//! Epicyclic train: the angles of its wheels and carriers follow from angles of other bodies and the numbers of teeth.
 
 use super::{BodyPoint, Cause, Enclosure, Mounting, Predictor, Solvable, State, StepContext};
 use crate::index::{BodyId, PointId, StepId};
 use crate::{Jet, Vector};
 
-/// Bodies whose meshes determine all their angles, each hinged on a body placed before: a wheel in mesh with a solved
-/// wheel, or the carrier between sun and ring with its planet.
+/// Wheels and carriers whose angles are determined by gear meshes, each hinged to a body placed before: a wheel in mesh
+/// with a solved wheel, or a carrier between sun and ring together with its planet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct EpicyclicStep {
     /// The bodies in the order in which they are placed.
@@ -16,13 +16,15 @@ pub(crate) struct EpicyclicStep {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Member {
     pub(crate) body: BodyId,
-    /// Hinge, in the coordinates of the body placed before and of the body itself.
+    /// The hinge as a point of the body placed before.
     pub(crate) at: BodyPoint,
+    /// The hinge in the coordinates of this body.
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
-    /// Solved bodies that determine the angle, with the derivative of the angle by the angle of each.
+    /// Solved bodies that determine the angle of this body, each with the derivative of this angle with respect to the
+    /// solved body's angle.
     pub(crate) ratios: Vec<(BodyId, f64)>,
-    /// Angle of the body when the angles of these bodies are zero, as drawn.
+    /// Angle of this body in the drawn assembly if the angles of the bodies in `ratios` are zero.
     pub(crate) shift: f64,
 }
 
@@ -65,7 +67,7 @@ impl Solvable for EpicyclicStep {
         self.members.iter().map(|member| member.body)
     }
 
-    /// True if the train depends on a body; also for a carrier, on which its own planets depend.
+    /// True if the train depends on a body. This may be a carrier of the train itself, on which its planets depend.
     fn depends_on(&self, body: BodyId) -> bool {
         self.members.iter().any(|member| {
             member.at.body == body || member.ratios.iter().any(|(other, _)| *other == body)

@@ -1,18 +1,18 @@
-//! Margins: squares whose roots the closed form of a dyad takes; they must not become negative.
+//! Margins: the quantities under the square roots in the closed form of a dyad. They must not become negative.
 
 use super::{Cause, Complex};
 use crate::{Jet, tolerance};
 
 /// Reason why a margin has no root.
 pub(crate) enum Dead {
-    /// The margin is zero within rounding; its derivatives are required, but are unbounded.
+    /// The margin is zero within rounding: the derivatives of its root, which are required, are unbounded.
     At,
     /// The margin is negative.
     Beyond,
 }
 
-/// True if a margin is positive; false if it is zero within the rounding of its squares, of size `scale`: then it has a
-/// root, but the root has no derivatives.
+/// True if a margin is positive. False if it is zero within rounding error, relative to the size `scale` of its
+/// squares: then it has a root, but the root has no derivatives.
 pub(crate) fn clear<const N: usize>(margin: Jet<N>, scale: f64) -> Result<bool, Dead> {
     if margin.value() > tolerance::CONVERGED * scale {
         Ok(true)
@@ -25,7 +25,7 @@ pub(crate) fn clear<const N: usize>(margin: Jet<N>, scale: f64) -> Result<bool, 
     }
 }
 
-/// Square root of a margin; zero if the margin is zero within rounding, where a root would have half the digits.
+/// Square root of a margin; zero if the margin is zero within rounding, where the root would have only half the digits.
 pub(crate) fn root<const N: usize>(margin: Jet<N>, scale: f64) -> Result<Jet<N>, Dead> {
     Ok(if clear(margin, scale)? {
         margin.sqrt()

@@ -1,8 +1,8 @@
-//! Positions of Assur groups with derivatives to any order: Taylor series in the input pass through the closed forms.
-//! Each dyad, driver and train has its own file, with all data that a mechanism needs of it ([`Solvable`]).
+//! Positions of Assur groups with derivatives of any order: the closed forms are evaluated with Taylor series in the
+//! input. Each dyad, driver and train has its own file with everything that a mechanism needs from it ([`Solvable`]).
 //!
-//! Body 0 is the frame. A body has an origin and is turned by e^(iθ); points fixed to it have constant local coordinates.
-//! A group is solved from bodies that were solved before it.
+//! Body 0 is the frame. A body has an origin and a turn e^(iθ); points fixed to it have constant local coordinates. A
+//! group is solved from bodies that were solved before it.
 
 mod assemblies;
 mod complex;
@@ -42,8 +42,9 @@ use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Mounting, Sign, Solvable, Step, StepContext};
 
-/// Maximum distance of close points, relative to the lengths that place them. The direction between close points loses
-/// digits and, for the outer hinges of a dyad, so do the closed forms of its derivatives.
+/// Maximum distance between points that count as close, relative to the lengths that determine their positions. The
+/// direction between close points loses digits. If they are the outer hinges of a dyad, the closed forms of its
+/// derivatives lose digits too.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
 /// Square of `CLOSE`.
 pub(crate) const CLOSE_SQUARED: f64 = CLOSE * CLOSE;
@@ -61,10 +62,11 @@ pub(crate) struct Arm {
     pub(crate) body: BodyId,
     /// Solved point at which the arm is hinged.
     pub(crate) outer: BodyPoint,
-    /// Hinges in the coordinates of the link.
+    /// Hinge at the solved point, in the coordinates of the link.
     pub(crate) from: Vector,
+    /// Inner joint, in the coordinates of the link.
     pub(crate) to: Vector,
-    /// Names of the hinges: the solved point, and the inner joint.
+    /// Points that are the hinges: the solved point, and the inner joint.
     pub(crate) joints: [PointId; 2],
     length: f64,
     /// The link's turn relative to the vector between its hinges.
@@ -98,15 +100,17 @@ impl Arm {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Track {
     pub(crate) body: BodyId,
-    /// A point of the line and its direction, of length 1, on the solved body.
+    /// A point of the line, on the solved body.
     pub(crate) line: BodyPoint,
+    /// Direction of the line on the solved body; a unit vector.
     pub(crate) heading: Vector,
-    /// The direction of the line on the link, of length 1.
+    /// Direction of the line in the coordinates of the link; a unit vector.
     pub(crate) direction: Vector,
-    /// A point of the link, and its distance to the left of the line.
+    /// A point of the link.
     pub(crate) point: Vector,
+    /// Distance of this point from the line, positive to the left.
     pub(crate) offset: f64,
-    /// Name of that point; None if the point is only on the line of the link.
+    /// The joint at this point; None if it is no joint but any point on the line of the link.
     pub(crate) joint: Option<PointId>,
 }
 
@@ -116,7 +120,7 @@ pub(crate) struct Track {
 pub enum Singularity {
     /// The two links of a dyad RRR are in line.
     InLine,
-    /// In a dyad with one slide a link, or the line between two hinges, is perpendicular to the guide.
+    /// In a dyad with one slide, a link or the line between two hinges is perpendicular to the guide.
     Perpendicular,
     /// The two guides of a dyad with two slides are parallel.
     Parallel,
@@ -134,8 +138,8 @@ pub enum Cause {
         /// Length.
         by: f64,
     },
-    /// A link is too short by this length to reach its guide, or the offset of a line from a hinge is too large by it
-    /// to reach the other hinge.
+    /// A link is too short by this length to reach its guide, or the offset of a line from one hinge is too large by
+    /// this length for the line to reach the other hinge.
     OutOfReach {
         /// Length.
         by: f64,

@@ -1,14 +1,16 @@
 //! The signed root of a dyad around a change point, by Hermite interpolation.
 //!
-//! At a change point the square under the root of the closed form touches zero, so the root has few digits near it. In
-//! the smooth motion the root changes sign, and a polynomial through its exact derivatives has all digits.
+//! At a change point the square under the root of the closed form touches zero, so nearby the root has few digits. In
+//! the smooth motion the root changes sign, and a polynomial that matches its derivatives at three nodes has all
+//! digits.
 
 use crate::Jet;
 use crate::index::StepId;
 
 /// Number of Taylor coefficients of the square at each node.
 pub(crate) const KNOWN: usize = 6;
-/// Number of Taylor coefficients of root/u at the change point: the first two of the square are zero.
+/// Number of Taylor coefficients of root/u at the change point, with u as in [`SmoothRoot`]: there the first two
+/// coefficients of the square are zero.
 const KNOWN_AT_CHANGE: usize = KNOWN - 2;
 /// Newton's divided differences, one for each coefficient at the three nodes.
 type Differences = [f64; KNOWN_AT_CHANGE + 2 * KNOWN];
@@ -73,7 +75,7 @@ impl SmoothRoot {
         }
     }
 
-    /// The root for inputs increased by a shift.
+    /// The same root, with its change point moved to an input greater by `shift`.
     pub(crate) fn shifted(&self, shift: f64) -> Self {
         let input = self.input + shift;
         Self {
@@ -98,7 +100,7 @@ impl SmoothRoot {
     }
 }
 
-/// Series in u from a series in the input.
+/// Converts a series in the input into a series in u.
 fn in_u(square: Jet<KNOWN>, radius: f64) -> Jet<KNOWN> {
     let mut power = 1.0;
     Jet::from_coefficients(std::array::from_fn(|order| {
@@ -108,15 +110,15 @@ fn in_u(square: Jet<KNOWN>, radius: f64) -> Jet<KNOWN> {
     }))
 }
 
-/// root/u of a square with the factor u².
+/// Series of root/u, from a square that has the factor u².
 fn root_over_u(square: Jet<KNOWN>, radius: f64) -> Jet<KNOWN_AT_CHANGE> {
     let square = in_u(square, radius);
     let rest = std::array::from_fn(|order| square.coefficient(order + KNOWN - KNOWN_AT_CHANGE));
     Jet::from_coefficients(rest).sqrt()
 }
 
-/// Nodes in u, each repeated once per coefficient. The change point is first: near it the differences with the other
-/// nodes have little weight.
+/// Nodes in u, each repeated once for every coefficient known at it. The change point is first: near it the differences
+/// with the other nodes have little weight.
 fn node(k: usize) -> f64 {
     if k < KNOWN_AT_CHANGE {
         0.0
@@ -127,7 +129,7 @@ fn node(k: usize) -> f64 {
     }
 }
 
-/// Newton's divided differences, by the Taylor coefficients at the nodes.
+/// Newton's divided differences, from the Taylor coefficients at the nodes.
 fn divided(known: impl Fn(usize, usize) -> f64) -> Differences {
     let mut table: Differences = std::array::from_fn(|k| known(k, 0));
     for order in 1..table.len() {
@@ -149,7 +151,7 @@ mod tests {
     use crate::Jet;
     use crate::index::StepId;
 
-    /// The root of x²(1 + x)² that is x(1 + x): 0.11 at 0.1, with the derivative 1 + 2x = 1.2.
+    /// The signed root x(1 + x) of x²(1 + x)²: at x = 0.1 it is 0.11, and its derivative 1 + 2x is 1.2.
     #[test]
     fn a_root_through_zero() {
         let square = |x: f64| {

@@ -1,4 +1,4 @@
-//! The pose of all bodies while the steps of the plan are solved in order; angles continue from the last pose.
+//! The pose of all bodies while the steps of the plan are solved in order. Angles are continuous with the last pose.
 
 use super::group::KnownTerm;
 use super::group::Work;
@@ -10,8 +10,9 @@ use crate::{Jet, Vector};
 #[derive(Clone, Debug)]
 pub(crate) struct State<const N: usize> {
     pub(crate) bodies: List<BodyId, BodyPose<N>>,
-    /// Margins of every step of the plan: the squares whose roots the step takes, or the squared sine of the angle
-    /// between two guides. For a group: the determinant of its Jacobian over a power of two, and the exponent.
+    /// Margins of every step of the plan: the quantities under the step's square roots, or the squared sine of the
+    /// angle between two guides. For a group: the determinant of its Jacobian over a power of two, and the exponent of
+    /// this power.
     pub(crate) margins: List<StepId, [Jet<N>; 2]>,
     /// The square of the mechanism's size.
     pub(crate) scale: f64,
@@ -34,7 +35,7 @@ pub(crate) struct BodyPose<const N: usize> {
     near: Orientation,
 }
 
-/// A pose with derivatives to predict the poses around it.
+/// A pose with three derivatives, from which nearby poses are predicted.
 pub(crate) type Predictor = State<4>;
 
 /// Orientation of a body: its angle θ, with whole turns, and its turn e^(iθ).
@@ -45,7 +46,7 @@ pub(crate) struct Orientation {
 }
 
 impl Orientation {
-    /// Orientation with another turn, less than half a turn from this one.
+    /// Orientation with another turn e^(iθ), whose angle differs from this one's by less than half a turn.
     pub(crate) fn turned_to(self, turn: Vector) -> Self {
         let rotation = quotient(turn, self.turn);
         let angle = self.angle + rotation.y.atan2(rotation.x);
@@ -58,7 +59,7 @@ impl Orientation {
 pub(crate) enum Angle<const N: usize> {
     /// Known angle, from which the turn of the body was computed.
     Known(Jet<N>),
-    /// Angle of the turn of the body, less than half a turn from the nearby angle; computed on demand.
+    /// Angle of the turn e^(iθ) of the body, within half a turn of the nearby angle; computed on demand.
     Turned,
 }
 
@@ -69,7 +70,7 @@ pub(crate) struct Nearby<'a> {
     pub(crate) orientations: &'a List<BodyId, Orientation>,
     /// The unknowns of all groups, real and imaginary parts.
     pub(crate) natural: &'a [f64],
-    /// Change points that may be near.
+    /// Signed roots around the change points that may be near.
     pub(crate) smooth_roots: &'a [SmoothRoot],
 }
 
@@ -139,12 +140,12 @@ impl<const N: usize> State<N> {
         body.origin.value() + product(body.turn.value(), track.point)
     }
 
-    /// Places an arm from a point along a vector of the arm's length.
+    /// Places an arm that starts at a point and lies along a vector of the arm's length.
     pub(crate) fn lay(&mut self, arm: &Arm, at: Complex<N>, along: Complex<N>) {
         self.put(arm.body, along.by(arm.turn), arm.from, at);
     }
 
-    /// Places a sliding link with its point at a position.
+    /// Places a sliding link along a direction, with its point at a position.
     pub(crate) fn slid(&mut self, track: &Track, direction: Complex<N>, at: Complex<N>) {
         let turn = direction.by(conjugate(track.direction));
         self.put(track.body, turn, track.point, at);
@@ -170,21 +171,21 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// Takes the angle of a body from its turn, less than half a turn from the nearby angle.
+    /// Makes the angle of a body follow from its turn e^(iθ), within half a turn of the nearby angle.
     pub(crate) fn track_turn(&mut self, body: BodyId, near: Nearby<'_>) {
         self.turned_near(body, near.orientations[body]);
     }
 
-    /// Takes the angle of a body from its turn, less than half a turn from an orientation.
+    /// Makes the angle of a body follow from its turn e^(iθ), within half a turn of an orientation's angle.
     pub(crate) fn turned_near(&mut self, body: BodyId, near: Orientation) {
         let body = &mut self.bodies[body];
         body.near = near;
         body.angle = Angle::Turned;
     }
 
-    /// Orientation of a body. Its angle follows from the turn, and only whole turns from the nearby orientation, so
-    /// rounding does not accumulate from pose to pose. If the outer hinges of a dyad coincide, the turn may have any
-    /// length before it is normalized.
+    /// Orientation of a body. Its angle follows from the turn; only the number of whole turns comes from the nearby
+    /// orientation, so rounding errors do not accumulate from pose to pose. If the outer hinges of a dyad coincide, the
+    /// turn may have any length before it is normalized.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
         let body = &self.bodies[body];
         let turn = body.turn.value();
@@ -199,7 +200,7 @@ impl<const N: usize> State<N> {
         Orientation { angle, turn }
     }
 
-    /// Writes the orientations of all bodies.
+    /// Writes the orientations of all bodies into a list.
     pub(crate) fn orient(&self, orientations: &mut List<BodyId, Orientation>) {
         for (body, orientation) in self.bodies.ids().zip(orientations.iter_mut()) {
             *orientation = self.orientation(body);

@@ -1,4 +1,4 @@
-//! Step of the plan, and the interface of the kinds of steps.
+//! A step of the plan, and the trait that all kinds of steps implement.
 
 use super::margin::root;
 use super::{
@@ -8,7 +8,7 @@ use super::{
 use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector};
 
-/// Sign of the root in the closed form of a dyad: one of its two assemblies.
+/// Sign of the root in the closed form of a dyad. The two signs give its two assemblies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sign {
     Plus,
@@ -18,7 +18,7 @@ pub(crate) enum Sign {
 impl Sign {
     pub(crate) const BOTH: [Self; 2] = [Self::Plus, Self::Minus];
 
-    /// ±1.
+    /// The sign as +1 or −1.
     #[inline(always)]
     pub(crate) fn factor(self) -> f64 {
         match self {
@@ -45,12 +45,12 @@ pub(crate) struct StepContext<'a, const N: usize> {
     pub(crate) mounting: &'a Mounting,
 }
 
-/// Angles of an assembly that differ from the plan by the whole turns of its drivers.
+/// Corrections to the planned angles in an assembly, due to whole turns of the driving bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mounting {
     /// Shift of the angle of a wheel in a train; for the coupler of a four-bar, shift of its angle φ₁.
     pub(crate) shifts: List<BodyId, f64>,
-    /// Whole turns of a body since the drawing, in radians, that angle constraints do not include.
+    /// Whole turns of a body since the drawing, in radians, to be subtracted from its angle in angle constraints.
     pub(crate) turns: List<BodyId, f64>,
 }
 
@@ -94,7 +94,8 @@ pub(crate) trait Solvable {
         context: &StepContext<'_, N>,
     ) -> Result<(), Cause>;
 
-    /// Bounds the motion of the bodies over a step of the input from a pose; true if their assembly certainly stays.
+    /// Bounds the motion of the bodies over a step of the input from a pose; true if they certainly stay in their
+    /// assembly.
     fn enclose(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool;
 
     /// Bodies that the step places.
@@ -129,12 +130,12 @@ pub(crate) trait Solvable {
         Singularity::Group
     }
 
-    /// Scales of the margins, to which their rounding is relative.
+    /// Scales to which the rounding errors of the margins are relative.
     fn scales(&self) -> [f64; 2] {
         [1.0; 2]
     }
 
-    /// Solves the step, with the angles.
+    /// Solves the step and sets the angles of its bodies.
     ///
     /// # Errors
     /// The step has no solution, or a solution that is not finite.
@@ -157,7 +158,7 @@ pub(crate) trait Solvable {
     }
 }
 
-/// Error unless a sum of [`super::Complex::finite_probe`] is finite.
+/// Error unless a sum of probes ([`super::Complex::finite_probe`]) shows that all values are finite.
 pub(super) fn finite(sum: Vector) -> Result<(), Cause> {
     if sum == Vector::zeros() {
         Ok(())
@@ -180,7 +181,7 @@ pub(crate) enum Step {
     Group(Group),
 }
 
-/// Dispatches to the kind of a step.
+/// Evaluates an expression for the data of a step, of whatever kind.
 macro_rules! ask {
     ($step:expr, $kind:ident => $answer:expr) => {
         match $step {

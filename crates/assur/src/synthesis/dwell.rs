@@ -1,10 +1,10 @@
-//! "Design your dwell": a mechanism whose output is to dwell over a wanted arc of the crank and to move by a wanted
-//! stroke in between.
+//! Search for a mechanism ("Design your dwell") whose output dwells over a wanted arc of the crank and moves through a
+//! wanted stroke over the rest of the turn.
 //!
 //! The dimensions are changed one at a time. A change that reduces the defects is kept, and the next step of that
-//! dimension is twice as wide; otherwise it is half as wide and reversed (Rosenbrock's search of 1960 without its
-//! rotation of axes: an arc of dwell jumps when its band breaks, so there is no gradient to follow). Each step of the
-//! search is one candidate, evaluated over its full turn.
+//! dimension is twice as large; otherwise the next step is half as large and reversed. This is Rosenbrock's search of
+//! 1960 without its rotation of axes: the arc of a dwell jumps when the output leaves the band, so there is no gradient
+//! to follow. Each step of the search evaluates one candidate over its full turn.
 
 use crate::mechanism::{Dimension, Mechanism, Quantity};
 use crate::motion::{Motion, OutputProfile};
@@ -30,7 +30,7 @@ pub struct DesignVariable {
     pub range: [f64; 2],
 }
 
-/// Reasons why there is nothing to search.
+/// Reasons why a search cannot start.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SearchError {
     /// The tolerance is not positive and finite.
@@ -43,10 +43,10 @@ pub enum SearchError {
     Output,
     /// No dimension may be changed.
     Rigid,
-    /// The mechanism has no dimension for the design variable of this index.
+    /// The mechanism lacks the dimension of the design variable with this index.
     Dimension(usize),
-    /// The range of the design variable of this index is not finite, is empty or does not contain the value at the
-    /// start; or a length may become zero.
+    /// The range of the design variable with this index is not finite, is empty, does not contain the initial value, or
+    /// would let a length become zero.
     Range(usize),
     /// The crank does not turn fully, or the motion comes close to a singular pose.
     Blocked,
@@ -59,13 +59,14 @@ pub struct Evaluation {
     pub arc: f64,
     /// Difference of the output's maximum and minimum.
     pub stroke: f64,
-    /// Root of the sum of the squared defects, each relative to the target; a longer arc is no defect.
+    /// Root of the sum of the squared defects of arc and stroke, each relative to its target. An arc longer than its
+    /// target is no defect.
     pub residual: f64,
-    /// [`Motion::singularity_margin`].
+    /// Singularity margin of the motion ([`Motion::singularity_margin`]).
     pub singularity_margin: f64,
 }
 
-/// The search after a step.
+/// State of the search after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
     /// Number of candidates evaluated so far.
@@ -83,32 +84,33 @@ pub struct Progress {
 pub enum End {
     /// Every requirement is met.
     Fulfilled,
-    /// No change of a dimension improves the mechanism.
+    /// No further change of a dimension improves the mechanism.
     Settled,
 }
 
-/// A search, step by step, so that it can be shown and stopped.
+/// A search that runs step by step, so that it can be displayed and stopped.
 #[derive(Clone, Debug)]
 pub struct Search {
     target: Target,
     output: Quantity,
     variables: Vec<DesignVariable>,
-    /// Values of the variables, and their next steps.
+    /// Values of the variables in the best mechanism so far.
     values: Vec<f64>,
+    /// Next steps of the variables.
     steps: Vec<f64>,
     next: usize,
     motion: Motion,
     progress: Progress,
 }
 
-/// First step, relative to the range of a dimension.
+/// First step of a dimension, relative to the width of its range.
 const FIRST_STEP: f64 = 1.0 / 16.0;
 
 impl Search {
-    /// A search from a mechanism; `output` is the name of a quantity, such as `CD.angle`.
+    /// Starts a search from a mechanism; `output` is the name of a quantity, such as `CD.angle`.
     ///
     /// # Errors
-    /// The first defect found.
+    /// The first fault found in the arguments.
     pub fn new(
         mechanism: &Mechanism,
         output: &str,
@@ -194,7 +196,7 @@ impl Search {
         self.progress
     }
 
-    /// The next value to try of the dimension `self.next`; none if no steps are left.
+    /// Next value to try for the variable of index `self.next`, which is set; none if all steps have become negligible.
     fn candidate(&mut self) -> Option<f64> {
         let live = |k: usize| self.steps[k].abs() > tolerance::DISTINCT * self.variables[k].width();
         let count = self.variables.len();
@@ -264,7 +266,7 @@ fn judged(motion: &Motion, output: Quantity, target: Target) -> Option<Evaluatio
     if !motion.cycle().is_full() || singularity_margin.abs() < tolerance::NEAR {
         return None;
     }
-    // A candidate of too many turns is not evaluated, and so is not accepted.
+    // A candidate whose cycle takes too many turns has no profile, and so is not accepted.
     let profile = OutputProfile::new(motion, output).ok()?;
     let arc = profile.dwell(target.tolerance)?.length();
     // An output that rotates continuously is infinitely far from any target.

@@ -7,14 +7,15 @@ use crate::Vector;
 use crate::index::BodyId;
 use crate::position::{Arm, Predictor, Track, product};
 
-/// Bound on a turn, radians, above which the triangle bounds the body too; half of the bound of a step.
+/// Turn of a link, radians, above which the triangle of links and base bounds it as well; half the maximum in a step.
 const LARGE_TURN: f64 = 0.5;
 
 impl Enclosure {
-    /// Encloses two links hinged on each other and on solved points; false if they may come into line.
+    /// Encloses two links that are hinged to each other and to solved points; false if the links may come into line.
     ///
-    /// With X from B to the joint C and e₂, e₃ along the links: e₂·X″ = −v₂²/l₂ and e₃·(X − d)″ = −v₃²/l₃, so that
-    /// |X″| is at most the sum of the right sides over the sine of the angle between the links.
+    /// Let X be the vector from B to the joint C, d the vector from B to D, and e₂, e₃ unit vectors along the links.
+    /// Then e₂·X″ = −v₂²/l₂ and e₃·X″ = e₃·d″ − v₃²/l₃, with the speeds v₂, v₃ of C relative to B and D. So |X″| is at
+    /// most the sum of the absolute right sides over the sine of the angle between the links.
     pub(crate) fn enclose_arms(&mut self, from: &Predictor, arms: &[Arm; 2]) -> bool {
         let [b, d] = arms.each_ref().map(|arm| self.point(from, arm.outer));
         let base = d.minus(&b);
@@ -24,7 +25,7 @@ impl Enclosure {
         if !(most < sum && least > difference) {
             return false;
         }
-        // 16 S² of the triangle, concave in r².
+        // 16 S², with S the area of the triangle whose base is r; concave in r², so least at an end of the interval.
         let square = |r: f64| (sum - r) * (sum + r) * (r - difference) * (r + difference);
         let sine = square(least).min(square(most)).sqrt() / (2.0 * l2 * l3);
         let lengths = l2.recip() + l3.recip();
@@ -44,7 +45,7 @@ impl Enclosure {
             let places = [(arm.from, outer.acceleration), (arm.to, joint)];
             self.set(arm.body, acceleration / arm.length(), places);
         }
-        // If the base is short or the links are nearly in line, the triangle bounds their turns better.
+        // If the base is short or the links are nearly in line, the triangle gives better bounds on their turns.
         for (arm, other) in [(&arms[0], l3), (&arms[1], l2)] {
             if self.turned(from, arm.body) > LARGE_TURN {
                 let opening = angle_range([arm.length(), other], [least, most]);
@@ -54,7 +55,7 @@ impl Enclosure {
         true
     }
 
-    /// Bound on the turn of a vector over the step, if the vector cannot vanish.
+    /// Bound on the angle through which a vector turns over the step, for a vector that cannot vanish.
     fn max_direction_turn(&self, vector: &PointBound) -> f64 {
         let end = vector.at + vector.rate * self.width;
         let straight = vector.at.perp(&end).atan2(vector.at.dot(&end)).abs();
@@ -63,11 +64,12 @@ impl Enclosure {
         straight + (radius / (least + radius)).asin()
     }
 
-    /// Bound on the second derivative of the crossing of two lines, each fixed to a body; None if the lines may become
-    /// parallel.
+    /// Bound on the second derivative of the intersection of two lines, each fixed to a body; None if the lines may
+    /// become parallel.
     ///
-    /// With the points Q₁, Q₂ of the bodies that are at the crossing at the start of the step, and the displacements σ
-    /// along the lines from there: n·C″ = n·Q″ + 2σ′ω + σε for each.
+    /// Let Q be the point of a body that coincides with the intersection C at the start of the step, σ the displacement
+    /// of C from Q along the body's line, and n the unit normal of this line. Then n·C″ = n·Q″ + 2σ′ω + σε for each
+    /// body, with its angular velocity ω and angular acceleration ε.
     pub(crate) fn crossing_acceleration(
         &self,
         from: &Predictor,
@@ -80,7 +82,7 @@ impl Enclosure {
         let rates = bodies.map(|body| self.turn_rate(from, body));
         let angular_accelerations = bodies.map(|body| self.angular_acceleration(body));
         let angle = u.perp(&v).abs().atan2(u.dot(&v).abs());
-        // Lines on one body keep their angle.
+        // Lines fixed to the same body meet at a constant angle.
         let relative_rate = if bodies[0] == bodies[1] {
             0.0
         } else {
@@ -104,7 +106,7 @@ impl Enclosure {
         acceleration.is_finite().then_some(acceleration)
     }
 
-    /// Sets the bounds of a body that slides along a line, from the bound on the second derivative of its point.
+    /// Sets the bounds of a body that slides along a line, from a bound on the second derivative of the body's `point`.
     pub(crate) fn set_slider(&mut self, track: &Track, acceleration: f64) {
         let angular_acceleration = self.angular_acceleration(track.line.body);
         self.set(
@@ -115,7 +117,8 @@ impl Enclosure {
     }
 }
 
-/// Width of the range of the angle of a triangle between its base and its first side, for base lengths in an interval.
+/// Difference between the greatest and the least angle at the base of a triangle, if the base may have any length in an
+/// interval. The angle is between the base and the first side.
 fn angle_range([side, other]: [f64; 2], base: [f64; 2]) -> f64 {
     let [sum, difference] = [side + other, side - other];
     let angle = |r: f64| {
@@ -123,7 +126,7 @@ fn angle_range([side, other]: [f64; 2], base: [f64; 2]) -> f64 {
         cosine.clamp(-1.0, 1.0).acos()
     };
     let [least, most] = base;
-    // The angle is maximum where the other side is perpendicular to the base.
+    // The angle is greatest where the other side is perpendicular to the base.
     let widest = (sum * difference).max(0.0).sqrt().max(least).min(most);
     let angles = [least, widest, most].map(angle);
     let range = angles.into_iter().fold([PI, 0.0], |[low, high], angle| {
@@ -136,7 +139,7 @@ fn angle_range([side, other]: [f64; 2], base: [f64; 2]) -> f64 {
 mod tests {
     use super::angle_range;
 
-    /// The range equals the range over a sampling of all base lengths.
+    /// The width of the range equals the width found by sampling base lengths.
     #[test]
     fn angles_of_triangles() {
         for [side, other] in [[2.0, 3.0], [3.0, 2.0], [1.0, 1.0], [5.0, 0.1]] {

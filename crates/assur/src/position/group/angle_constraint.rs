@@ -1,5 +1,5 @@
-//! Gear meshes and driven pairs on links of a group: the terms of their equations that follow from solved bodies and
-//! from the input. The angles of wheels include whole turns.
+//! Gear meshes and driven pairs within a group: the terms of their equations that follow from solved bodies and from
+//! the input. The angles of wheels include whole turns.
 
 use crate::Jet;
 use crate::index::BodyId;
@@ -7,13 +7,13 @@ use crate::position::{Cause, DriveLaw, Orientation, State, StepContext};
 
 use super::equation::MAX_FORMS;
 
-/// Linear equation between the angles of bodies, some of them unknown: Σ nᵢ θᵢ is constant in a gear mesh. A driven
-/// pair prescribes the angle between its two bodies, or the displacement along its line.
+/// Linear equation between the angles θᵢ of bodies, some of them unknown. In a gear mesh Σ nᵢ θᵢ is constant, with
+/// factors nᵢ. A driven pair prescribes the angle between its two bodies, or the displacement along its line.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct AngleConstraint {
-    /// Bodies of the group, in the order of their turns in the equation.
+    /// Bodies of the group with unknown angles, in the order of their turns e^(iθ) in the equation.
     pub(crate) turning: Vec<BodyId>,
-    /// The solved bodies with their factors.
+    /// Solved bodies, with the factors nᵢ of their angles.
     pub(crate) known: Vec<(BodyId, f64)>,
     pub(crate) constant: f64,
     pub(crate) drive: Option<Drive>,
@@ -23,7 +23,7 @@ pub(crate) struct AngleConstraint {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Drive {
     pub(crate) law: DriveLaw,
-    /// Minimum and maximum coordinate of a slide.
+    /// Minimum and maximum coordinate of a driven slide.
     pub(crate) range: Option<[f64; 2]>,
 }
 
@@ -46,9 +46,10 @@ impl Drive {
 /// The known part of an angle constraint while its group is solved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::position) struct KnownAngle<const N: usize> {
-    /// Sum over the solved bodies, less the constant and the driven coordinate; a length for a driven slide.
+    /// Sum of the solved bodies' angles times their factors, less the constant and the driven coordinate. A length for
+    /// a driven slide.
     pub(in crate::position) angle: Jet<N>,
-    /// Nearby orientations of the unknown bodies, less than half a turn away.
+    /// Orientations of the unknown bodies in a nearby pose, less than half a turn away.
     pub(in crate::position) near: [Orientation; MAX_FORMS],
 }
 
@@ -92,7 +93,7 @@ impl AngleConstraint {
         });
         if let Some(drive) = &self.drive {
             angle = angle - drive.at(input)?;
-            // Of driven angles that differ by whole turns, the nearest is taken.
+            // Driven angles may differ by whole turns: the one nearest to the nearby pose is taken.
             if let [link, base] = self.turning[..] {
                 let [link, base] = [link, base].map(|body| near.orientations[body].angle);
                 angle = angle + -crate::angle::whole_turns(link - base + angle.value());

@@ -1,11 +1,12 @@
 //! Bounds of the motion of a group of higher class over a step of the input.
 //!
-//! Its equations are quadratic in the unknowns X and in its inputs, except equations of gear meshes; their angles have
-//! bounded second derivatives as well. On the tangent X₀ + t X₀′ the residual is at most t²/2 times a bound (`defect`).
-//! The Jacobian J differs from its value J₀ at the start of the step by bounds along the tangent and with the distance
-//! from it. Let A = J₀⁻¹ and ‖A (J − J₀)‖ ≤ q ≤ ½ over a ball with twice the first correction as radius. Then the ball
-//! contains exactly one solution (Kantorovich), continuous in the input, and J is regular: the determinant keeps its
-//! sign, so that the step has no singular pose, no other assembly and no point at infinity.
+//! The equations of the group are quadratic in its unknowns X and its inputs. Equations of gear meshes are not, but the
+//! second derivatives of their angles are bounded too. On the tangent X₀ + t X₀′ the residual is at most t²/2 times a
+//! bound (`defect`). The change of the Jacobian J from its value J₀ at the start of the step has two bounds: one along
+//! the tangent, and one proportional to the distance from the tangent. Let A = J₀⁻¹ and ‖A (J − J₀)‖ ≤ q ≤ ½ over a
+//! ball whose radius is twice the first correction. Then the ball contains exactly one solution (Kantorovich),
+//! continuous in the input, and J is regular. Its determinant keeps its sign, so the step has no singular pose, no
+//! other assembly and no point at infinity.
 
 use super::equation::{Equation, MAX_FORMS};
 use super::{Group, KnownTerm};
@@ -17,8 +18,9 @@ use crate::tolerance;
 /// Bounds of a form over the step.
 #[derive(Clone, Copy)]
 struct FormBound {
-    /// Value and derivative at the start of the step.
+    /// Value at the start of the step.
     value: Vector,
+    /// Derivative at the start of the step.
     rate: Vector,
     /// Bound on the second derivative with the unknowns fixed.
     acceleration: f64,
@@ -32,14 +34,14 @@ impl FormBound {
         step_len * self.rate.norm() + 0.5 * step_len * step_len * self.acceleration
     }
 
-    /// Bound on the change of the form within a radius of the unknowns around the tangent.
+    /// Bound on the change of the form if the unknowns stay within a radius of the tangent.
     fn change(&self, step_len: f64, radius: f64) -> f64 {
         self.tangent_change(step_len) + self.sensitivity * radius
     }
 }
 
 impl Group {
-    /// Certifies a step of the group, as in [`super::Solvable::enclose`].
+    /// Certifies a step of the input for this group and bounds the motion of its bodies ([`super::Solvable::enclose`]).
     pub(in crate::position) fn certified(
         &self,
         step: StepId,
@@ -86,8 +88,8 @@ impl Group {
         acceleration.is_finite()
     }
 
-    /// Bounds for an equation: of the residual on the tangent, divided by t²/2; of the change of the Jacobian along the
-    /// tangent; and of this change per distance from the tangent.
+    /// Three bounds for an equation: its residual on the tangent, divided by t²/2; the change of its row of the
+    /// Jacobian along the tangent; and the further change of this row per unit distance from the tangent.
     fn tangent_bounds(&self, equation: &Equation, cell: &Enclosure) -> [f64; 3] {
         let step_len = cell.step_len;
         let half_square = 0.5 * step_len * step_len;
@@ -117,7 +119,7 @@ impl Group {
                 [defect, along, 2.0 * u.sensitivity * v.sensitivity]
             }
             Equation::Angle { turns, constraint } => {
-                // The angle of f has the gradient 1/|f|; |f| stays above ½.
+                // The angle of a form f has a gradient of size 1/|f|, and |f| stays above ½.
                 let start = [self.known_acceleration(constraint, cell), 0.0, 0.0];
                 let turns = turns.into_iter().flatten();
                 turns.fold(start, |[defect, along, across], (form, factor)| {
@@ -133,7 +135,8 @@ impl Group {
         }
     }
 
-    /// Bound on the change over the step of an equation's derivative by the input, with the rates of the unknowns fixed.
+    /// Bound on the change, over the step, of an equation's derivative with respect to the input, with the rates of the
+    /// unknowns fixed.
     fn rate_defect(&self, equation: &Equation, cell: &Enclosure, radius: f64) -> f64 {
         let step_len = cell.step_len;
         let bound = |form: usize| self.form_bound(cell, form);
@@ -162,8 +165,8 @@ impl Group {
         }
     }
 
-    /// Bound on an equation's second derivative by the input over the step, with the second derivatives of the unknowns
-    /// zero and their rates changed by at most `rate_change`.
+    /// Bound on an equation's second derivative with respect to the input over the step, with the second derivatives of
+    /// the unknowns zero and their rates changed by at most `rate_change`.
     fn acceleration_defect(
         &self,
         equation: &Equation,
@@ -199,7 +202,7 @@ impl Group {
         }
     }
 
-    /// Bound on the second derivative of the known angles in an angle constraint.
+    /// Bound on the second derivative of the known terms of an angle constraint.
     fn known_acceleration(&self, constraint: usize, cell: &Enclosure) -> f64 {
         let known = self.angle_constraints[constraint].known.iter();
         known
@@ -207,8 +210,8 @@ impl Group {
             .sum()
     }
 
-    /// Values and first derivatives of all forms at the start of the step, and bounds on their second derivatives with
-    /// the unknowns fixed.
+    /// Computes the values and first derivatives of all forms at the start of the step, and bounds on their second
+    /// derivatives with the unknowns fixed.
     fn linearize(&self, from: &Predictor, cell: &mut Enclosure) {
         for (k, input) in self.inputs.iter().enumerate() {
             let acceleration = match input {
@@ -232,8 +235,8 @@ impl Group {
         cell.bounds.sums.resize(self.equations.len(), [0.0; 3]);
     }
 
-    /// Inverts the Jacobian, column by column, with zeros for a dropped redundant equation; false if the Jacobian is
-    /// singular.
+    /// Inverts the Jacobian, column by column; false if it is singular. The column of a redundant equation that the
+    /// elimination leaves out is zero.
     fn invert(&self, cell: &mut Enclosure) -> bool {
         let [rows, size] = [self.equations.len(), 2 * self.unknowns];
         let Enclosure { work, bounds, .. } = cell;
@@ -262,7 +265,7 @@ impl Group {
         inverse.iter().all(|value| value.is_finite())
     }
 
-    /// Bounds on the unknowns, each in its unit, from bounds of the first `L` sums of the equations: ‖|J⁻¹| s‖.
+    /// Norm ‖|J⁻¹| s‖ in the units of the unknowns, for each of the first `L` columns s of the equations' bounds.
     fn weighted<const L: usize>(&self, cell: &Enclosure) -> [f64; L] {
         let Bounds { inverse, sums, .. } = &cell.bounds;
         let size = 2 * self.unknowns;
@@ -293,7 +296,7 @@ impl Group {
         }
     }
 
-    /// True if no turn of a meshing wheel changes by more than ½, which the bounds of the angles assume.
+    /// True if no turn e^(iθ) in an angle constraint changes by more than ½, as the bounds of the angles assume.
     fn turns_are_bounded(&self, cell: &Enclosure, radius: f64) -> bool {
         let meshed = self.equations.iter().filter_map(|equation| match equation {
             Equation::Angle { turns, .. } => Some(turns),

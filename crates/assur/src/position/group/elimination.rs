@@ -1,13 +1,13 @@
-//! Gaussian elimination of a sparse matrix, planned for its pattern: pivots, their order, and fill-in. Structural zeros
-//! are never touched. A matrix with more rows than columns has dependent equations: as many rows as columns become
-//! pivot rows, and the others are left out.
+//! Gaussian elimination of a sparse matrix. A plan made for its sparsity pattern fixes the pivots, their order and the
+//! fill-in; structural zeros are never touched. A matrix with more rows than columns belongs to dependent equations:
+//! each column gets one pivot row, and the other rows are left out.
 
 /// A pivot and the rows and columns it acts on, as ranges of [`Elimination::lists`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Pivot {
     row: usize,
     column: usize,
-    /// Index into the matrix.
+    /// Index of the pivot in the matrix.
     at: usize,
     /// Rows below the pivot with a nonzero in its column.
     below: [usize; 2],
@@ -19,18 +19,19 @@ struct Pivot {
     scale: f64,
 }
 
-/// A row or column on which a pivot acts, and the index where it meets the pivot's column or row.
+/// A row or column on which a pivot acts; `at` is the matrix index of its entry in the pivot's column or row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Line {
     line: usize,
     at: usize,
 }
 
-/// Plan of an elimination; not planned yet if it has no pivots.
+/// Plan of an elimination; empty, without pivots, until [`Self::plan`] has run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Elimination {
-    /// Numbers of rows and of columns.
+    /// Number of rows.
     height: usize,
+    /// Number of columns.
     size: usize,
     pivots: Vec<Pivot>,
     lists: Vec<Line>,
@@ -39,22 +40,23 @@ pub(crate) struct Elimination {
     /// Exponent of the power of two that scales determinants: the product of many pivots in units of length may
     /// overflow or underflow.
     exponent: i32,
-    /// Structural nonzeros during the elimination.
+    /// True for each entry that is nonzero before or during the elimination.
     filled: Vec<bool>,
-    /// Nonzeros that are zero before the elimination.
+    /// Indices of the entries that are zero before the elimination and nonzero during it.
     fill_in: Vec<usize>,
-    /// Rows and columns without a pivot.
+    /// Rows without a pivot.
     rows: Vec<usize>,
+    /// Columns without a pivot.
     columns: Vec<usize>,
 }
 
 /// Minimum size of a pivot relative to the largest entry in its column, when the elimination is planned.
 const MIN_PLANNED_PIVOT: f64 = 0.25;
-/// Minimum relative size of a pivot when the plan is used: it bounds the growth of rounding errors to 100 per pivot.
+/// Minimum relative size of a pivot when the plan is used. Rounding errors then grow at most 100-fold per pivot.
 const MIN_PIVOT: f64 = 1e-2;
 
 impl Elimination {
-    /// Reserves buffers for a number of rows and of columns, so that planning allocates nothing.
+    /// Reserves buffers for given numbers of rows and columns, so that planning allocates no memory.
     pub(crate) fn fit(&mut self, [height, size]: [usize; 2]) {
         self.height = height;
         self.size = size;
@@ -90,7 +92,7 @@ impl Elimination {
         let mut determinant = 1.0;
         while !self.columns.is_empty() {
             let [i, j] = self.next_pivot(matrix)?;
-            // Moving the pivot to the front exchanges i + j neighbouring lines.
+            // Moving the pivot to the front takes i + j exchanges of neighbouring rows or columns.
             if (i + j) % 2 == 1 {
                 self.sign = -self.sign;
             }
@@ -186,8 +188,8 @@ impl Elimination {
         self.exponent
     }
 
-    /// Eliminates a matrix as planned; only entries of the pattern are set. Returns the determinant as a multiple of
-    /// 2^[`Self::exponent`]; None without a plan, or if a pivot is small in its column.
+    /// Eliminates a matrix as planned; on entry only its structural nonzeros need be set. Returns the determinant as a
+    /// multiple of 2^[`Self::exponent`]; None without a plan, or if a pivot is too small relative to its column.
     pub(crate) fn factor(&self, matrix: &mut [f64]) -> Option<f64> {
         if self.pivots.is_empty() {
             return None;
@@ -202,8 +204,8 @@ impl Elimination {
         Some(determinant)
     }
 
-    /// Eliminates with one pivot; stores its reciprocal in its place, and the multipliers below it. None if a
-    /// multiplier exceeds 1/`min_pivot`.
+    /// Eliminates with one pivot. In the matrix, the reciprocal replaces the pivot, and the multipliers replace the
+    /// entries below it. None if a multiplier exceeds 1/`min_pivot`.
     #[inline(always)]
     fn eliminate(&self, pivot: &Pivot, matrix: &mut [f64], min_pivot: f64) -> Option<f64> {
         let value = matrix[pivot.at];
@@ -226,7 +228,8 @@ impl Elimination {
         Some(value)
     }
 
-    /// Solves with an eliminated matrix, for several right-hand sides at once, which are overwritten.
+    /// Solves a linear system with an eliminated matrix for several right-hand sides at once; overwrites the right-hand
+    /// sides.
     pub(crate) fn solve<const L: usize>(
         &self,
         matrix: &[f64],
@@ -261,7 +264,7 @@ fn exponent(value: f64) -> i32 {
     (biased as i32 - 1023).clamp(EXPONENT_RANGE[0], EXPONENT_RANGE[1])
 }
 
-/// Normal power of two nearest to the power with a given exponent.
+/// Power of two with a given exponent, clamped to the range of normal numbers.
 pub(crate) fn power_of_two(exponent: i32) -> f64 {
     let biased = 1023 + exponent.clamp(EXPONENT_RANGE[0], EXPONENT_RANGE[1]);
     f64::from_bits((biased as u64) << 52)
@@ -278,7 +281,7 @@ mod tests {
         true, false, true, true,
     ];
 
-    /// The determinant by expansion, and the product with a vector.
+    /// Checks a determinant by cofactor expansion, and solutions by multiplication.
     fn check(elimination: &Elimination, found: f64, matrix: &[f64], factored: &[f64]) {
         let minor = |rows: [usize; 3]| {
             let m = |k: usize, column: usize| matrix[rows[k] * 4 + column];
@@ -347,8 +350,8 @@ mod tests {
         assert_eq!(power_of_two(exponent(0.0)), f64::MIN_POSITIVE);
     }
 
-    /// Rows in extreme units of length: the determinant of 4 pivots overflows or underflows, and its scaled value
-    /// equals the value in other units.
+    /// In extreme units of length the product of four pivots overflows or underflows. The scaled determinant
+    /// nevertheless equals its value in other units.
     #[test]
     fn determinants_in_extreme_units() {
         let mut plain = Elimination::default();

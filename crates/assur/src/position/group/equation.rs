@@ -1,4 +1,4 @@
-//! The equations of a group: complex-linear forms of inputs and unknowns, and quadratic equations between the forms.
+//! The equations of a group: complex-linear forms of inputs and unknowns, and the equations between these forms.
 
 use super::angle_constraint::KnownAngle;
 use crate::Vector;
@@ -15,7 +15,7 @@ pub(crate) struct Form {
 }
 
 impl Form {
-    /// The product with a complex factor.
+    /// The form times a complex factor.
     pub(crate) fn by(&self, factor: Vector) -> Self {
         let times = |terms: &[(usize, Vector)]| {
             terms
@@ -57,7 +57,7 @@ impl Form {
 /// Maximum number of forms in an equation.
 pub(in crate::position) const MAX_FORMS: usize = 3;
 
-/// An equation between forms, by their indices.
+/// An equation between forms, which are given by their indices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Equation {
     /// |form|² = 1.
@@ -68,7 +68,7 @@ pub(crate) enum Equation {
     Imaginary(usize),
     /// A point stays on a line: axis × vector = 0.
     Line { axis: usize, vector: usize },
-    /// A driven slide: axis · vector, with an axis of length 1, is the driven coordinate.
+    /// A driven slide: axis · vector equals the driven coordinate; the axis has length 1.
     Along {
         axis: usize,
         vector: usize,
@@ -94,7 +94,7 @@ impl Equation {
         forms.into_iter().flatten()
     }
 
-    /// The residual.
+    /// Residual: the left side of the equation less the right side.
     pub(in crate::position) fn residual<const N: usize>(
         &self,
         values: &[Complex<N>],
@@ -116,7 +116,7 @@ impl Equation {
         }
     }
 
-    /// Taylor coefficient of an order of the equation; for angles, only derivatives have one.
+    /// Taylor coefficient of one order of the equation's left side. For angles the order must be at least 1.
     pub(in crate::position) fn coefficient<const N: usize>(
         &self,
         values: &[Complex<N>],
@@ -145,7 +145,7 @@ impl Equation {
                 along + known_angles[constraint].angle.coefficient(order)
             }
             Self::Angle { turns, constraint } => {
-                // θ′ = u × u′ of a turn u of length 1.
+                // A turn u = e^(iθ) has θ′ = u × u′.
                 let rate = |form: usize| -> f64 {
                     let u = &values[form];
                     let terms = (1..=order).map(|k| k as f64 * u[order - k].perp(&u[k]));
@@ -160,8 +160,8 @@ impl Equation {
         }
     }
 
-    /// Derivatives of the equation by its forms. Each is the vector whose scalar product with a change of the form is
-    /// the change of the equation.
+    /// Computes the gradients of the equation with respect to its forms. The scalar product of a gradient and a change
+    /// of its form is the change of the equation.
     #[inline(always)]
     pub(in crate::position) fn gradients<const N: usize>(
         &self,
@@ -182,7 +182,7 @@ impl Equation {
             Self::Along { axis, vector, .. } => {
                 [gradients[0], gradients[1]] = [vector, axis].map(value);
             }
-            // dθ = u × du / |u|².
+            // A turn u = e^(iθ) has dθ = u × du / |u|².
             Self::Angle { turns, .. } => {
                 for (gradient, (form, factor)) in
                     gradients.iter_mut().zip(turns.into_iter().flatten())

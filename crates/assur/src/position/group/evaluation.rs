@@ -33,7 +33,7 @@ impl Group {
         Ok(())
     }
 
-    /// Sets all forms to the sum of their constants and inputs.
+    /// Sets each form to the sum of its constant and its input terms.
     pub(super) fn evaluate_inputs<const N: usize>(&self, work: &mut Work<N>) {
         for (value, constant) in work.values.iter_mut().zip(&self.constants) {
             value.set_constant(*constant);
@@ -44,7 +44,7 @@ impl Group {
         }
     }
 
-    /// Bounds on the second derivatives of all forms at fixed unknowns, from the bounds of the inputs.
+    /// Computes bounds on the second derivatives of all forms, with the unknowns fixed, from the bounds of the inputs.
     pub(super) fn bound_accelerations(&self, inputs: &[f64], forms: &mut Vec<f64>) {
         forms.clear();
         forms.resize(self.constants.len(), 0.0);
@@ -53,7 +53,7 @@ impl Group {
         }
     }
 
-    /// The values of the forms in equations.
+    /// Evaluates the forms that occur in equations.
     pub(in crate::position) fn evaluate_forms<const N: usize>(&self, work: &mut Work<N>) {
         for (value, known) in work.values.iter_mut().zip(&work.known_values) {
             value[0] = *known;
@@ -61,7 +61,7 @@ impl Group {
         self.add_unknowns(work, 0);
     }
 
-    /// Adds the unknowns to a coefficient of the forms in equations.
+    /// Adds the terms of the unknowns to the forms that occur in equations, in the Taylor coefficients of one order.
     #[inline(always)]
     pub(super) fn add_unknowns<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         for term in &self.unknown_terms {
@@ -69,7 +69,7 @@ impl Group {
         }
     }
 
-    /// Adds the unknowns to all other forms.
+    /// Adds the terms of the unknowns to the outputs, which are the forms that occur in no equation.
     pub(super) fn evaluate_outputs<const N: usize>(&self, work: &mut Work<N>) {
         for term in &self.output_terms {
             let unknown = work.unknowns[term.index].by(term.factor);
@@ -77,7 +77,7 @@ impl Group {
         }
     }
 
-    /// Eliminates the Jacobian in the planned order or, if a pivot is too small there, in a new order. Returns the
+    /// Eliminates the Jacobian in the planned order or, if this makes a pivot too small, in a new order. Returns the
     /// determinant, to be scaled by [`Self::scaled_determinant`]; None if the Jacobian is singular.
     pub(super) fn factorize<const N: usize>(&self, work: &mut Work<N>) -> Option<f64> {
         self.jacobian(work);
@@ -90,8 +90,8 @@ impl Group {
         })
     }
 
-    /// Determinant of the last elimination as a multiple of a power of two, and the exponent of this power, which is
-    /// equal in all poses of a planned group.
+    /// Determinant of the last elimination as a multiple of a power of two, and the exponent of this power. The
+    /// exponent is the same in all poses of a planned group.
     pub(super) fn scaled_determinant<const N: usize>(
         &self,
         work: &Work<N>,
@@ -112,7 +112,7 @@ impl Group {
         [Jet::constant(scaled), Jet::constant(f64::from(exponent))]
     }
 
-    /// Elimination of the last Jacobian: the elimination of the group, or one planned for the pose.
+    /// Elimination used for the last Jacobian: the one planned for the group, or one planned for this pose alone.
     pub(super) fn last_elimination<'a>(
         &'a self,
         used_plan: bool,
@@ -125,7 +125,7 @@ impl Group {
         }
     }
 
-    /// The derivatives of the equations by the unknowns, row by row.
+    /// Computes the derivatives of the equations with respect to the unknowns, row by row.
     pub(in crate::position) fn jacobian<const N: usize>(&self, work: &mut Work<N>) {
         let gradients = work.gradients.chunks_exact_mut(MAX_FORMS);
         for (gradients, equation) in gradients.zip(&self.equations) {
@@ -143,7 +143,8 @@ impl Group {
         }
     }
 
-    /// Taylor coefficients of an order from the coefficients of lower orders; each equation is linear in them.
+    /// Computes the unknowns' Taylor coefficients of one order, in which each equation is linear, from those of lower
+    /// orders.
     pub(super) fn differentiate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         // The first order was solved together with the last correction.
         if order == 1 {

@@ -28,7 +28,7 @@ use crate::position::{
 use elimination::Elimination;
 use equation::MAX_FORMS;
 
-/// An input of a group, from a solved body.
+/// An input of a group: a position or direction known from a solved body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum KnownTerm {
     /// Position of a point of the body.
@@ -37,14 +37,14 @@ pub(crate) enum KnownTerm {
     Direction(BodyPoint),
 }
 
-/// Body of a group, given by forms.
+/// Body of a group, whose pose is given by two forms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BodyForms {
     pub(crate) body: BodyId,
-    /// Forms of the origin and of the turn of the body.
+    /// Indices of the forms for the origin and for the turn of the body.
     pub(crate) forms: [usize; 2],
-    /// Local position of the first of two close points that determine the turn of the body. Rounding changes the length
-    /// of such a turn, which is normalized about this point.
+    /// The first of two close points that determine the turn of the body, in local coordinates. Rounding changes the
+    /// length of such a turn; the turn is normalized with this point held in place.
     pub(crate) close: Option<Vector>,
 }
 
@@ -52,16 +52,19 @@ pub(crate) struct BodyForms {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Group {
     pub(crate) inputs: Vec<KnownTerm>,
-    /// Number of complex unknowns, and index of the first one among the unknowns of all groups.
+    /// Number of complex unknowns.
     pub(in crate::position) unknowns: usize,
+    /// Index of the group's first unknown among the unknowns of all groups.
     first_unknown: usize,
     /// Constant terms of all forms.
     pub(in crate::position) constants: Vec<Vector>,
-    /// Number of forms in equations; these forms are first, the outputs after them.
+    /// Number of forms that occur in equations. They are first among all forms; the outputs follow.
     pub(in crate::position) equation_forms: usize,
-    /// The terms of all forms in one list: inputs, unknowns of forms in equations, unknowns of outputs.
+    /// Terms of the inputs in all forms.
     pub(in crate::position) input_terms: Vec<Term>,
+    /// Terms of the unknowns in the forms that occur in equations.
     pub(in crate::position) unknown_terms: Vec<Term>,
+    /// Terms of the unknowns in the outputs.
     output_terms: Vec<Term>,
     pub(in crate::position) equations: Vec<Equation>,
     pub(in crate::position) angle_constraints: Vec<AngleConstraint>,
@@ -69,7 +72,7 @@ pub(crate) struct Group {
     pub(in crate::position) units: Vec<f64>,
     /// Bound on the change of each form when no unknown changes by more than its unit.
     pub(in crate::position) sensitivities: Vec<f64>,
-    /// Factor of each equation that turns its residual into a length; 0 for angles.
+    /// Factor that turns the residual of each equation into a length; 0 for angles.
     pub(in crate::position) lengths: Vec<f64>,
     /// The body that each equation constrains.
     pub(in crate::position) constrained: Vec<BodyId>,
@@ -77,7 +80,7 @@ pub(crate) struct Group {
     /// Sparsity pattern of the Jacobian, row by row.
     pattern: Vec<bool>,
     entries: Vec<Entry>,
-    /// Further entries, of unknowns that occur in several forms of one equation.
+    /// Further contributions to entries, for unknowns that occur in several forms of one equation.
     repeated_entries: Vec<Entry>,
     elimination: Elimination,
 }
@@ -90,7 +93,7 @@ pub(in crate::position) struct Term {
     pub(in crate::position) factor: Vector,
 }
 
-/// Two neighbouring entries of the Jacobian, by real and imaginary part of an unknown.
+/// Two neighbouring entries of the Jacobian: derivatives with respect to the real and imaginary parts of an unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Entry {
     at: usize,
@@ -100,8 +103,9 @@ struct Entry {
 }
 
 impl Group {
-    /// Group of equations, each with its length and the body that it constrains; forms of equations come first. None if
-    /// the equations are fewer than the unknowns. If they are more, some equations are redundant.
+    /// Makes a group from equations, each with its length and the body that it constrains. The forms that occur in
+    /// equations must come first. None if there are fewer equations than real unknowns; if there are more, some are
+    /// redundant.
     pub(crate) fn new(
         first_unknown: usize,
         units: Vec<f64>,
@@ -186,7 +190,7 @@ impl Group {
         !self.angle_constraints.is_empty()
     }
 
-    /// True if the group has unknowns. Otherwise bodies follow from its inputs, and equations are only checked.
+    /// True if the group has unknowns. Otherwise its bodies follow from its inputs, and its equations are only checked.
     pub(crate) fn has_unknowns(&self) -> bool {
         self.unknowns > 0
     }
@@ -214,7 +218,7 @@ impl Group {
         self.write_solution(state, near)
     }
 
-    /// Places the bodies of the group by the nearby unknowns, which are a solution.
+    /// Places the bodies of the group from the nearby unknowns, which must be a solution.
     pub(crate) fn put_solved<const N: usize>(
         &self,
         state: &mut State<N>,
@@ -226,7 +230,7 @@ impl Group {
         self.write_solution(state, context.near)
     }
 
-    /// Solved bodies whose angles, with whole turns, are in the group's angle constraints.
+    /// Solved bodies whose angles, including whole turns, occur in the group's angle constraints.
     pub(crate) fn turned_by(&self) -> impl Iterator<Item = BodyId> {
         let constraints = self.angle_constraints.iter();
         let known = constraints.flat_map(|constraint| &constraint.known);
@@ -246,7 +250,7 @@ impl Group {
         }
     }
 
-    /// Writes the group's unknowns into the unknowns of all groups, real and imaginary parts.
+    /// Writes the real and imaginary parts of the group's unknowns into the list of the unknowns of all groups.
     pub(crate) fn set(&self, natural: &mut [f64], own: &[Vector]) {
         let parts = natural[2 * self.first_unknown..].chunks_exact_mut(2);
         for (parts, own) in parts.zip(own) {
@@ -308,7 +312,7 @@ impl Solvable for Group {
         self.solve_near(state, context)
     }
 
-    /// Places the bodies; angles are set, and values that are not finite found, together with the unknowns.
+    /// Places the bodies. `solve` itself sets the angles and rejects values that are not finite.
     #[inline(always)]
     fn put<const N: usize>(
         &self,

@@ -1,5 +1,6 @@
-//! Newton's method for the equations of a group, until the step is negligible relative to the group or the residuals are
-//! rounding. It has its own loop, which takes most of the time of a motion and does not apply its last step.
+//! Newton's method for the equations of a group. It ends when the step is negligible relative to the size of the group,
+//! or when the residuals are only rounding errors. Its loop is separate from the general one, because it takes most of
+//! the time of a motion and does not apply its last step.
 
 use super::work::Work;
 use super::{Group, Term};
@@ -24,7 +25,7 @@ impl Group {
             if let Some(correction) = state.corrections.get_mut(step_number) {
                 *correction = correction.max(change);
             }
-            // The last step is only rounding and is not applied: the Jacobian is the Jacobian of the solution.
+            // The last step is only rounding error and is not applied, so the Jacobian is that of the solution.
             if change <= tolerance::CONVERGED
                 || change >= 0.5 * last && self.residual_is_rounding(work)
             {
@@ -41,7 +42,7 @@ impl Group {
         Err(Cause::DeadPoint)
     }
 
-    /// Computes one step, and returns its size.
+    /// Computes one Newton step and returns its size.
     #[inline(always)]
     pub(in crate::position) fn newton_step<const N: usize>(
         &self,
@@ -50,7 +51,7 @@ impl Group {
     ) -> Result<f64, Cause> {
         let work = &mut state.work;
         self.evaluate_forms(work);
-        // The first derivative is solved together with the correction; the one from the last step is used.
+        // The first derivatives are solved for together with each correction; those of the last step are used.
         for (residual, equation) in work.residual.iter_mut().zip(&self.equations) {
             let rate = if N > 1 {
                 equation.coefficient(&work.values, &work.known_angles, 1)
@@ -60,7 +61,8 @@ impl Group {
             *residual = [equation.residual(&work.values, &work.known_angles), rate];
         }
         let determinant = self.factorize(work).ok_or(Cause::DeadPoint)?;
-        // Of dependent equations, pivoting may choose others in another pose: then only the absolute value counts.
+        // In another pose, pivoting may leave out other redundant equations; the sign of the determinant then means
+        // nothing.
         let determinant = if self.is_redundant() {
             determinant.abs()
         } else {
@@ -80,7 +82,7 @@ impl Group {
         }
     }
 
-    /// Applies the step.
+    /// Subtracts the Newton step from the unknowns.
     #[inline(always)]
     pub(in crate::position) fn apply_step<const N: usize>(&self, work: &mut Work<N>) {
         for (unknown, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
@@ -88,7 +90,7 @@ impl Group {
         }
     }
 
-    /// Maximum change of an unknown in its unit; each change comes with a rate.
+    /// Greatest change of an unknown, in its unit; the rate beside each change is ignored.
     fn step_size(&self, step: &[[f64; 2]]) -> f64 {
         let changes = step.chunks_exact(2).zip(&self.units);
         changes.fold(0.0, |most, (change, unit)| {
@@ -101,8 +103,8 @@ impl Group {
         })
     }
 
-    /// True if all residuals are only rounding. The direction of a short link between points far from the origin has
-    /// few digits. Redundant equations that are left out are checked by [`Self::locked`].
+    /// True if all residuals are only rounding errors. They are large for a short link far from the origin: its
+    /// direction has few digits. Redundant equations that are left out are checked by [`Self::locked`].
     pub(in crate::position) fn residual_is_rounding<const N: usize>(
         &self,
         work: &mut Work<N>,
@@ -145,7 +147,7 @@ impl Group {
         is_rounding
     }
 
-    /// Redundant equation with the largest residual when the others hold; None if all hold.
+    /// Contradiction between redundant constraints: the equation with the largest residual. None if all equations hold.
     fn locked<const N: usize>(&self, work: &Work<N>) -> Option<Cause> {
         if !self.is_redundant() {
             return None;
@@ -176,7 +178,7 @@ impl Group {
         })
     }
 
-    /// Maximum distance between the two positions of a joint in a nearby pose.
+    /// Largest closure error in a nearby pose: the largest residual as a length, angles left out.
     fn closure_error<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) -> f64 {
         self.guess(work, near);
         self.evaluate_forms(work);
@@ -187,7 +189,8 @@ impl Group {
     }
 }
 
-/// The residual of an equation as a length in its unit: of |v| from (|v|² − 1)/2.
+/// Absolute residual of an equation as a fraction of its length. For a unit equation this is the error of |v|, found
+/// from the residual (|v|² − 1)/2.
 fn length_error<const N: usize>(equation: &Equation, work: &Work<N>) -> f64 {
     let residual = equation.residual(&work.values, &work.known_angles);
     let error = match equation {

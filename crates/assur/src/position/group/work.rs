@@ -1,4 +1,4 @@
-//! Buffers of Newton's method, so that a pose allocates nothing.
+//! Buffers of Newton's method, so that solving a pose allocates no memory.
 
 use super::Group;
 use super::angle_constraint::KnownAngle;
@@ -10,25 +10,28 @@ use crate::position::complex::Complex;
 /// Buffers for a group, made once and used for every sample.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Work<const N: usize> {
-    /// Numbers of inputs, unknowns, equations, forms and angle constraints that the buffers fit.
+    /// Numbers of inputs, unknowns, equations, forms in equations, all forms and angle constraints that the buffers
+    /// fit.
     counts: [usize; 6],
     pub(in crate::position) inputs: Vec<Complex<N>>,
     pub(in crate::position) known_angles: Vec<KnownAngle<N>>,
     pub(in crate::position) unknowns: Vec<Complex<N>>,
-    /// Values of the forms in equations without the unknowns.
+    /// Values of the forms in equations, without the terms of the unknowns.
     pub(in crate::position) known_values: Vec<Vector>,
-    /// Values of all forms; orders not solved yet lack the unknowns.
+    /// Values of all forms; Taylor coefficients of orders not solved yet lack the terms of the unknowns.
     pub(in crate::position) values: Vec<Complex<N>>,
-    /// The derivatives of the equations by their forms, [`MAX_FORMS`] of each equation.
+    /// Gradients of the equations with respect to their forms, [`MAX_FORMS`] for each equation.
     pub(in crate::position) gradients: Vec<Vector>,
-    /// Residuals, later the Newton step; each with the residual or step of the first derivative.
+    /// Residual of each equation, and its derivative with respect to the input at fixed unknowns.
     pub(in crate::position) residual: Vec<[f64; 2]>,
+    /// Newton step of each real unknown, and the unknown's first derivative with the opposite sign.
     pub(in crate::position) step: Vec<[f64; 2]>,
-    /// The linear system of a higher derivative.
+    /// Right-hand side of the linear system for a higher derivative.
     pub(in crate::position) rhs: Vec<[f64; 1]>,
+    /// Solution of this system.
     pub(in crate::position) solution: Vec<[f64; 1]>,
     pub(in crate::position) jacobian: Vec<f64>,
-    /// Sum of the absolute terms of each form; the rounding error of the form is proportional to it.
+    /// Sum of the absolute values of the terms of each form, to which the rounding error of the form is proportional.
     pub(in crate::position) magnitudes: Vec<f64>,
     /// True if the Jacobian was eliminated in the order planned for the group; otherwise in the order of `own_plan`.
     pub(in crate::position) used_plan: bool,

@@ -1,4 +1,4 @@
-//! Closure of the loop by the coupler: the gap that output and input leave for the coupler, for least squares.
+//! Closure of the loop: the gap that output and input leave for the coupler, and its residual for least squares.
 
 use crate::sorting::sort_by;
 
@@ -6,7 +6,7 @@ use nalgebra::Complex;
 
 use super::{Proportions, Task};
 
-/// Directions of output and input relative to the frame's, e₂/e₀ and e₃/e₀.
+/// Directions of output and input relative to the direction of the frame: e₂/e₀ and e₃/e₀.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Direction {
     pub(super) output: Complex<f64>,
@@ -18,29 +18,30 @@ pub(super) struct Direction {
 /// Residual of the contour at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closure {
-    /// φ₁ = arg r: angle of the coupler with the least residual, within (−π, π] from the frame's direction, plus φ₀. If
-    /// the gap is zero, any angle gives it, and φ₀ is taken.
+    /// φ₁ = arg r: the coupler's angle with the least residual, φ₀ plus an angle within (−π, π]. If the gap r is zero,
+    /// every angle has the same residual, and φ₀ is taken.
     pub coupler: f64,
     /// |r| − z₁: gap less coupler, in lengths of the frame; its square is J.
     pub residual: f64,
 }
 
 impl Direction {
-    /// r = e₀ − z₂e₂ − z₃e₃, relative to e₀.
+    /// Gap r = e₀ − z₂e₂ − z₃e₃ for lengths z₂ and z₃, relative to e₀.
     pub(super) fn gap(&self, output: f64, input: f64) -> Complex<f64> {
         Complex::new(1.0, 0.0) - self.output * output - self.input * input
     }
 
-    /// e₂ × r, in which z₂ cancels: positive if C lies to the left of the diagonal from B to D, negative to the right.
+    /// Product e₂ × r, in which z₂ cancels: positive if C lies to the left of the diagonal from B to D, negative to the
+    /// right.
     pub(super) fn side(&self, input: f64) -> f64 {
         -self.output.im - input * cross(self.output, self.input)
     }
 }
 
 impl Task {
-    /// The lengths z₃ > 0, ascending, with which coupler and output of these lengths close the loop in a position: up
-    /// to two roots of the quadratic |p − z₃e₃| = z₁ with p = e₀ − z₂e₂. They are real if |p × e₃| ≤ z₁, the region of
-    /// theorems 1 and 2 in the plane of z₁ and z₂. Empty also if the task has no such position.
+    /// Input lengths z₃ > 0, ascending, that close the loop in a position with a given coupler z₁ and output z₂. They
+    /// are the roots, at most two, of the quadratic |p − z₃e₃| = z₁ with p = e₀ − z₂e₂. They are real if |p × e₃| ≤ z₁,
+    /// the region of theorems 1 and 2 in the plane of z₁ and z₂. Empty also if the task has no such position.
     pub fn closing_inputs(&self, position: usize, coupler: f64, output: f64) -> Vec<f64> {
         if position >= self.positions().len() {
             return Vec::new();
@@ -85,7 +86,7 @@ mod tests {
     use super::*;
     use crate::synthesis::four_bar::{Frame, Position, Solution};
 
-    /// Frame 1, output 3 at 90° and input 3 at 180° leave r = (4, −3) to a coupler of 5.
+    /// Frame 1, output 3 at 90° and input 3 at 180° leave the gap r = (4, −3), which a coupler of 5 closes.
     #[test]
     fn right_triangle() {
         let frame = Frame {
@@ -107,7 +108,7 @@ mod tests {
                 "{closure:?}"
             );
         }
-        // 1 + z₃ = ±4 for a coupler of 5; one of 2 does not reach across the output's 3.
+        // A coupler of 5 requires 1 + z₃ = ±4; a coupler of 2 cannot span the height 3 of the output.
         let [input] = task.closing_inputs(0, 5.0, 3.0)[..] else {
             panic!("not one")
         };

@@ -9,17 +9,17 @@ use crate::angle::nearest_to;
 use crate::mechanism::{LinkageSpec, PointSpec};
 use crate::{Assembly, FourBar, Invalid, Point, Pose, Unsolved, Vector};
 
-/// The links in a given position, with A in the origin; lengths in the unit of the frame's. Input and output have the
-/// wanted angles, the coupler points from one to the other.
+/// The links in a given position, with A at the origin; lengths are in the unit of the frame's length. Input and output
+/// have the wanted angles, and the coupler points from B towards C.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
     /// A, the input's fixed pivot.
     pub a: Point,
     /// B, end of the input.
     pub b: Point,
-    /// End of the coupler from B.
+    /// End of the coupler whose other end is B.
     pub coupler_end: Point,
-    /// C, end of the output from D; the coupler's end as well if the position is met.
+    /// C, the moving end of the output; also the end of the coupler if the position is met.
     pub c: Point,
     /// D, the output's fixed pivot.
     pub d: Point,
@@ -28,7 +28,7 @@ pub struct Drawn {
 /// Reasons why there is no linkage to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DraftError {
-    /// The lengths make no linkage.
+    /// The lengths form no linkage.
     Lengths(Vec<Invalid>),
     /// The linkage can be assembled neither at the input of any position nor in the middle of its first arc.
     Position(Unsolved),
@@ -53,9 +53,9 @@ impl Solution {
         })
     }
 
-    /// The linkage as a mechanism to be moved: links `crank`, `coupler`, `rocker`, joints A to D, the crank driven. It
-    /// is drawn at the input of the first position at which it can be assembled, in the assembly with the nearer
-    /// output.
+    /// Specification of the linkage as a mechanism, with links `crank`, `coupler` and `rocker`, joints A to D and the
+    /// crank driven. It is drawn at the input of the first position at which it can be assembled, in the assembly whose
+    /// output is nearer to the wanted one.
     ///
     /// # Errors
     /// The reason why the linkage cannot be drawn.
@@ -81,7 +81,7 @@ impl Solution {
             .crank("crank"))
     }
 
-    /// Pose in the middle of the first arc, for a linkage that can be assembled at no position.
+    /// Pose in the middle of the first arc, for a linkage that cannot be assembled at any position.
     fn laid(&self, linkage: &FourBar) -> Result<Pose<1>, Unsolved> {
         linkage.pose(Assembly::First, linkage.cycle().drawn_input())
     }

@@ -3,17 +3,17 @@
 use super::closure::dot;
 use super::{Solution, Task};
 
-/// Both sides of e₂·e₃ = Z + e₀·e₂/z₃ + e₀·e₃/z₂, Z = (z₁² − z₂² − z₃² − 1)/(2 z₂ z₃): the paper's (12) with 1/z₂, 1/z₃
-/// and the sign of Z corrected (docs/errata.md).
+/// Both sides of e₂·e₃ = Z + e₀·e₂/z₃ + e₀·e₃/z₂ with Z = (z₁² − z₂² − z₃² − 1)/(2 z₂ z₃). This is the paper's (12), in
+/// which 1/z₂, 1/z₃ and the sign of Z are corrected (docs/errata.md).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MainEquation {
     /// e₂·e₃ = cos(φ₂ − φ₃).
     pub left: f64,
-    /// Z.
+    /// The constant Z.
     pub constant: f64,
-    /// e₀·e₂/z₃.
+    /// The term e₀·e₂/z₃.
     pub by_input: f64,
-    /// e₀·e₃/z₂.
+    /// The term e₀·e₃/z₂.
     pub by_output: f64,
 }
 
@@ -25,8 +25,8 @@ impl MainEquation {
 }
 
 impl Solution {
-    /// The main equation at each position of a task with the lengths of the solution. The sides are equal if the
-    /// contour closes.
+    /// Both sides of the main equation at each position of a task, with the lengths of the solution. They are equal if
+    /// the contour closes.
     pub fn main_equations(&self, task: &Task) -> Vec<MainEquation> {
         let [z1, z2, z3] = [
             self.proportions.coupler,

@@ -1,4 +1,4 @@
-//! Two positions: the linkages through both are the points of a line in (1/z₂, 1/z₃).
+//! Two positions: the linkages through both are the points of a line in the plane (1/z₂, 1/z₃).
 
 use crate::sorting::sort_by;
 use std::f64::consts::FRAC_PI_2;
@@ -23,14 +23,14 @@ use crate::tolerance;
 pub enum TwoPositions {
     /// A one-parameter family of linkages.
     Family(Family),
-    /// Any output and input: the positions are mirror images in the frame.
+    /// Any output and input will do: the positions are mirror images in the frame.
     Any,
-    /// No linkage: no positive lengths are on this line.
+    /// No linkage: no point of this line has positive lengths.
     None(Line),
 }
 
 impl TwoPositions {
-    /// The linkages through the first two positions of a task; none if there is only one.
+    /// The linkages through the first two positions of a task; none if it has only one position.
     pub fn new(task: &Task) -> Option<Self> {
         (task.positions().len() >= 2).then(|| Self::of(task, [0, 1]))
     }
@@ -43,7 +43,7 @@ impl TwoPositions {
         }
         let shape = if c != 0.0 {
             let [a, b] = [a / c, b / c];
-            // Angles atan2(z₂, z₃), from the input's axis to the output's; with both lengths positive, a + b tan > 0.
+            // Interval of the angle atan2(z₂, z₃) in which both lengths are positive: a + b tan > 0, with tan = z₂/z₃.
             let zero = (a.abs()).atan2(b.abs());
             let between = match (a > 0.0, b > 0.0) {
                 (true, _) if b >= 0.0 => [0.0, FRAC_PI_2],
@@ -69,7 +69,7 @@ impl TwoPositions {
     }
 }
 
-/// A one-parameter family of linkages, by a parameter between 0 and 1.
+/// A one-parameter family of linkages; the parameter is between 0 and 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Family {
     task: Task,
@@ -81,25 +81,25 @@ pub struct Family {
 /// Parametrization of a family.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Shape {
-    /// a/z₂ + b/z₃ = 1, by the direction atan2(z₂, z₃).
+    /// The line a/z₂ + b/z₃ = 1, parametrized by the angle atan2(z₂, z₃) in the interval `between`.
     Directions { a: f64, b: f64, between: [f64; 2] },
-    /// z₂ : z₃ is given, by the size hypot(z₂, z₃) from zero to infinity.
+    /// A fixed ratio z₂ : z₃, parametrized by the size hypot(z₂, z₃) from zero to infinity.
     Sizes { direction: f64 },
 }
 
 /// Range of a value. Ends at zero and infinity are excluded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
-    /// The minimum, or zero.
+    /// The minimum; zero if the value may be arbitrarily small.
     pub from: f64,
-    /// The maximum; none if there is none.
+    /// The maximum; none if the value may be arbitrarily large.
     pub to: Option<f64>,
 }
 
 /// Reasons why no unique member has a given length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MemberError {
-    /// The length is not finite, or outside this range, which the members cover.
+    /// The length is not finite, or is outside this range of the members' lengths.
     OutOfRange(Range),
     /// All members have this length.
     Same(f64),
@@ -108,31 +108,31 @@ pub enum MemberError {
 /// A member at which a verdict changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
-    /// The parameter.
+    /// Parameter of the member.
     pub at: f64,
     /// Kind of the change.
     pub kind: ChangeKind,
-    /// z₁, z₂, z₃ there.
+    /// z₁, z₂, z₃ of the member.
     pub proportions: Proportions,
 }
 
 /// Kind of a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChangeKind {
-    /// Grashof type: all links can lie in one line.
+    /// The Grashof type changes: all links can lie in one line.
     Grashof,
-    /// Coupler and output are in line at this position, counted from 0; beyond, the position belongs to the other
-    /// assembly.
+    /// Coupler and output are in line at the position with this index, from 0. Beyond this member, the position belongs
+    /// to the other assembly.
     DeadPoint(usize),
 }
 
 impl Family {
-    /// The line in (1/z₂, 1/z₃).
+    /// The line of the family in the plane (1/z₂, 1/z₃).
     pub fn line(&self) -> Line {
         self.line
     }
 
-    /// The positions.
+    /// The task whose positions the family meets.
     pub fn task(&self) -> &Task {
         &self.task
     }
@@ -142,7 +142,7 @@ impl Family {
         Some(Solution::new(&self.task, self.proportions(at)?))
     }
 
-    /// The proportions of a member.
+    /// Proportions of the member at a parameter strictly between 0 and 1; none elsewhere.
     pub fn proportions(&self, at: f64) -> Option<Proportions> {
         if !(at > 0.0 && at < 1.0) {
             return None;
@@ -163,7 +163,7 @@ impl Family {
         self.with_lengths(output, input)
     }
 
-    /// The proportions with the coupler that closes the gap; none unless all are positive and finite.
+    /// Proportions with these z₂ and z₃ and the coupler that closes the gap; none unless all are positive and finite.
     fn with_lengths(&self, output: f64, input: f64) -> Option<Proportions> {
         let gaps = self.directions().map(|at| at.gap(output, input).norm());
         let coupler = 0.5 * (gaps[0] + gaps[1]);
@@ -183,7 +183,7 @@ impl Family {
         self.pair.map(|k| self.task.direction(k, [0.0; 2]))
     }
 
-    /// The parameter of a member, by its z₂ and z₃.
+    /// Parameter of the member with these z₂ and z₃.
     fn parameter(&self, output: f64, input: f64) -> f64 {
         match self.shape {
             Shape::Directions { between, .. } => {
@@ -193,22 +193,22 @@ impl Family {
         }
     }
 
-    /// The given number of members, at even steps of the parameter within an interval.
+    /// Members at `count` equally spaced parameters within an interval.
     pub fn sample(&self, [from, to]: [f64; 2], count: usize) -> Vec<Solution> {
         let step = (to - from) / count as f64;
         let at = (0..count).map(|k| from + (k as f64 + 0.5) * step);
         at.filter_map(|at| self.member(at)).collect()
     }
 
-    /// Interval of the parameter with z₂ and z₃ within the ratios of the task; none if it is empty.
+    /// Interval of the parameter in which z₂ and z₃ are within the ratios of the task; none if it is empty.
     pub fn stretch(&self) -> Option<[f64; 2]> {
         let [least, greatest] = self.task.ratios();
         let [from, to] = match self.shape {
             Shape::Directions { a, b, between } => {
-                // z₂ = a + b tan, z₃ = a cot + b, both monotone.
+                // z₂ = a + b tan and z₃ = a cot + b are monotone in the angle.
                 let mut within = between;
                 let cut = |scale: f64, rest: f64, ends: [f64; 2]| {
-                    // rest + scale t, t = tan or cot, between the ratios.
+                    // Values of t, the tan or cot, for which rest + scale t is between the ratios.
                     if scale == 0.0 {
                         let inside = (least..=greatest).contains(&rest);
                         return if inside { ends } else { [1.0, 0.0] };
@@ -250,8 +250,8 @@ impl Family {
         ranges::coupler(self)
     }
 
-    /// Range of the coupler's angle φ₁ at the first and at the second position, continuous along the family; at the
-    /// middle it is in (−π, π].
+    /// Ranges of the coupler's angle φ₁ at the first and at the second position. The angle is continuous along the
+    /// family; the middle of each range is in (−π, π].
     pub fn coupler_angles(&self) -> [[f64; 2]; 2] {
         let frame = self.task.frame().angle;
         let directions = self.directions();
@@ -266,7 +266,7 @@ impl Family {
     /// The member with this z₂.
     ///
     /// # Errors
-    /// There is none, or more than one.
+    /// No member has this z₂, or all members have it.
     pub fn with_output(&self, output: f64) -> Result<Solution, MemberError> {
         let input = match self.shape {
             Shape::Directions { a, b, .. } => b * output / (output - a),
@@ -278,7 +278,7 @@ impl Family {
     /// The member with this z₃.
     ///
     /// # Errors
-    /// There is none, or more than one.
+    /// No member has this z₃, or all members have it.
     pub fn with_input(&self, input: f64) -> Result<Solution, MemberError> {
         let output = match self.shape {
             Shape::Directions { a, b, .. } => a * input / (input - b),
@@ -305,7 +305,7 @@ impl Family {
     /// The members with this z₁, up to four.
     ///
     /// # Errors
-    /// There is none.
+    /// No member has this z₁.
     pub fn with_coupler(&self, coupler: f64) -> Result<Vec<Solution>, MemberError> {
         let found = ranges::with_coupler(self, coupler).into_iter();
         let found: Vec<Solution> = found
@@ -319,10 +319,10 @@ impl Family {
         }
     }
 
-    /// All members at which the Grashof type or the assembly of a position changes, in order. In a task of only these
-    /// two positions the Grashof type and the passage change nowhere else. Both conditions are also straight lines in
-    /// (1/z₂, 1/z₃): z₁ = |1 ± z₂ ± z₃| because the first position determines z₁², and C on the line BD because z₂
-    /// cancels there.
+    /// All members at which the Grashof type or the assembly of a position changes, in order of the parameter. In a
+    /// task with only these two positions, the Grashof type and the passage change nowhere else. Each condition is a
+    /// straight line in (1/z₂, 1/z₃): z₁ = |1 ± z₂ ± z₃|, because the first position determines z₁²; and C on the line
+    /// BD, because z₂ cancels.
     pub fn changes(&self) -> Vec<Change> {
         let [first, _] = self.directions();
         let lines = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[s, t]| {
@@ -358,7 +358,7 @@ impl Family {
         changes
     }
 
-    /// The parameter of a member by its proportions; none if they are not in the family.
+    /// Parameter of the member with these proportions; none if the family does not contain them.
     pub fn at(&self, proportions: Proportions) -> Option<f64> {
         let Proportions { output, input, .. } = proportions;
         let Line {

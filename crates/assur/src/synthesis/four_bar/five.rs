@@ -1,13 +1,13 @@
 //! Five positions with free starting angles: at most three linkages, in closed form.
 //!
-//! With w₂ = z₂e^{iφ₂₀}, w₃ = z₃e^{iφ₃₀} and the given turns A = e^{iφ₂}, B = e^{iφ₃} from the
-//! frame, |w₂A + w₃B − 1|² = z₁² reads
+//! Let w₂ = z₂e^{iφ₂₀} and w₃ = z₃e^{iφ₃₀}, and let A = e^{iφ₂} and B = e^{iφ₃} be the given turns from the frame. Then
+//! |w₂A + w₃B − 1|² = z₁² reads
 //!
-//! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃,
+//! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃.
 //!
-//! linear and homogeneous in the seven real numbers s, w₂, w₃, m. Five positions leave a plane
-//! λX + μY of solutions. In it m = w₂ w̄₃ becomes λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ + tY₃)̄, t = μ/λ. As λ is
-//! real, this is a cubic in t.
+//! This equation is linear and homogeneous in seven real numbers: s and the real and imaginary parts of w₂, w₃ and m.
+//! Five positions leave a plane λX + μY of solutions. In this plane m = w₂ w̄₃ becomes λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ +
+//! tY₃)̄, where t = μ/λ. As λ is real, t is a root of a cubic.
 
 use crate::sorting::sort_by;
 use crate::tolerance;
@@ -21,7 +21,7 @@ use crate::numeric::{linear, max_abs, polynomial};
 /// Reasons why positions with free starting angles do not give finitely many exact linkages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StartsError {
-    /// Fewer than five positions: a family of solutions with this many degrees of freedom.
+    /// Fewer than five positions have a family of solutions with this many degrees of freedom.
     Family {
         /// Five less the number of positions.
         freedoms: usize,
@@ -32,11 +32,11 @@ pub enum StartsError {
     Degenerate,
 }
 
-/// The linkages through all five positions of a task. φ₂ and φ₃ of the task are measured from starting angles, which
-/// are found with the lengths. All are listed, at most three, by increasing size.
+/// Finds all linkages through the five positions of a task, at most three, by increasing size. φ₂ and φ₃ of the task
+/// are measured from unknown starting angles, which are found together with the lengths.
 ///
 /// # Errors
-/// The number of positions is not five, or they are special.
+/// The number of positions is not five, or the positions are special.
 pub fn five_positions(task: &Task) -> Result<Vec<Solution>, StartsError> {
     match task.positions().len() {
         5 => {
@@ -65,7 +65,7 @@ pub(super) fn of(task: &Task, five: [usize; 5]) -> Result<Vec<Started>, StartsEr
         let c = a * b.conj();
         [1.0, -a.re, a.im, -b.re, b.im, c.re, -c.im]
     });
-    // Orthonormal basis, which keeps the roots t moderate.
+    // An orthonormal basis keeps the roots t moderate.
     let [x, y] = linear::null_plane(&rows).ok_or(StartsError::Degenerate)?;
     let parts = |v: &[f64; 7]| [1, 3, 5].map(|k| Complex::new(v[k], v[k + 1]));
     let ([x2, x3, xm], [y2, y3, ym]) = (parts(&x), parts(&y));
@@ -117,7 +117,7 @@ fn same(a: &Started, b: &Started) -> bool {
     max_abs(off) <= tolerance::COINCIDENT * size(a).max(size(b))
 }
 
-/// Polishes w₂, w₃ and z₁ by Newton's method on the closure equations; none if they do not close.
+/// Refines w₂, w₃ and z₁ by Newton's method on the closure equations; none if the loop does not close.
 fn polished(turns: &[[Complex<f64>; 2]; 5], start: [Complex<f64>; 2]) -> Option<Started> {
     let [w2, w3] = start;
     let gap = |k: usize, w2, w3| Complex::new(1.0, 0.0) - turns[k][0] * w2 - turns[k][1] * w3;

@@ -28,14 +28,14 @@ pub enum FunctionError {
     OutputAngles,
     /// The function has no finite value at this x.
     Undefined {
-        /// The x.
+        /// The value of x.
         x: f64,
     },
     /// No position is requested, or more than [`Task::MOST`].
     Count(usize),
     /// A table has fewer than two rows.
     Rows,
-    /// This row of a table is not finite, or its x does not exceed that of the row before.
+    /// The row with this index in a table is not finite, or its x does not exceed that of the row before.
     Row(usize),
 }
 
@@ -46,7 +46,7 @@ pub struct ErrorCurve {
     pub assembly: Assembly,
     /// Samples at even steps of x, including the ends.
     pub samples: Vec<ErrorSample>,
-    /// The sample with the greatest error of y, also between the even steps; none if nothing is reached.
+    /// The sample with the greatest error of y, sought between the even steps as well; none if no sample is reached.
     pub greatest: Option<ErrorSample>,
     /// True if the linkage covers the whole interval without a break.
     pub complete: bool,
@@ -70,8 +70,8 @@ impl ErrorSample {
     }
 }
 
-/// x of the given number of precision positions: the roots of Chebyshev's polynomial, ascending. They nearly minimize
-/// the greatest error of an interpolation (Freudenstein, *Approximate synthesis of four-bar linkages*, 1955).
+/// Values of x at a given number of precision positions: the roots of Chebyshev's polynomial, ascending. They nearly
+/// minimize the greatest error of an interpolation (Freudenstein, *Approximate synthesis of four-bar linkages*, 1955).
 pub fn chebyshev([from, to]: [f64; 2], count: usize) -> Vec<f64> {
     let at = |k: usize| (PI * (2 * k + 1) as f64 / (2 * count) as f64).cos();
     let middle = 0.5 * (from + to);
@@ -80,14 +80,15 @@ pub fn chebyshev([from, to]: [f64; 2], count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Number of golden sections that narrow a peak between samples.
+/// Number of golden-section steps that locate a peak between samples.
 const SECTIONS: usize = 60;
 
 impl Mapping {
-    /// A mapping. `input` and `output` are φ₃ at the two x and φ₂ at the two y, in that order; either may decrease.
+    /// Makes a mapping. `input` lists φ₃ at the two values of x, and `output` lists φ₂ at the two values of y; either
+    /// may decrease.
     ///
     /// # Errors
-    /// Every reason at once.
+    /// All reasons that apply.
     pub fn new(
         x: [f64; 2],
         y: [f64; 2],
@@ -124,10 +125,10 @@ impl Mapping {
         )
     }
 
-    /// The given number of precision positions, by Chebyshev's spacing.
+    /// Positions at a given number of precision points, by Chebyshev's spacing.
     ///
     /// # Errors
-    /// The number of positions is not one a task can have; an x has no value.
+    /// The number of positions is not valid for a task, or the function has no value at some x.
     pub fn precision(
         &self,
         count: usize,
@@ -136,10 +137,10 @@ impl Mapping {
         self.positions(count, |count| chebyshev(self.x, count), f)
     }
 
-    /// The given number of evenly spaced positions, including the ends, for least squares.
+    /// Positions at a given number of evenly spaced x, including the ends, for least squares.
     ///
     /// # Errors
-    /// The number of positions is not one a task can have; an x has no value.
+    /// The number of positions is not valid for a task, or the function has no value at some x.
     pub fn even(
         &self,
         count: usize,
@@ -169,11 +170,11 @@ impl Mapping {
             .collect()
     }
 
-    /// Error of a linkage relative to the wanted function, followed from the task's first position along its branch up
-    /// to a dead point. None if its lengths make no linkage.
+    /// Error of a linkage relative to the wanted function. The linkage is followed from the task's first position along
+    /// its branch up to a dead point. None if its lengths form no linkage.
     ///
     /// # Errors
-    /// An x has no value.
+    /// The function has no value at some x.
     pub fn error_curve(
         &self,
         task: &Task,
@@ -207,14 +208,15 @@ impl Mapping {
     }
 }
 
-/// A linkage on the branch of its first position, as a function.
+/// A linkage as a function, on the branch of the first position.
 struct Branch<'a> {
     mapping: &'a Mapping,
     linkage: FourBar,
     assembly: Assembly,
-    /// Offset of the crank's angle from the input's, and of the output's from the rocker's.
+    /// Angle of the crank less that of the input, and angle of the output less that of the rocker.
     shifts: [f64; 2],
-    /// Range of the input's angle that can be reached from the first position; none if it cannot be assembled there.
+    /// Range of the input's angle that can be reached from the first position; none if the linkage cannot be assembled
+    /// there.
     reach: Option<[f64; 2]>,
 }
 
@@ -245,7 +247,7 @@ impl<'a> Branch<'a> {
         branch
     }
 
-    /// The arc of the cycle that contains an input's angle, shifted to its turn.
+    /// The arc of the cycle that contains an angle of the input, shifted by whole turns to this angle.
     fn arc(&self, input: f64) -> Option<[f64; 2]> {
         let cycle = self.linkage.cycle();
         if cycle.is_full() {
@@ -286,7 +288,7 @@ impl<'a> Branch<'a> {
         }
     }
 
-    /// The greatest error near the sample with the greatest one.
+    /// The sample with the greatest error between two values of x, starting from the sample `top`.
     fn peak(&self, top: ErrorSample, ends: [f64; 2], f: &dyn Fn(f64) -> f64) -> ErrorSample {
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let size = |sample: &ErrorSample| sample.error().map_or(-1.0, f64::abs);
@@ -332,7 +334,7 @@ impl Table {
     /// The function through these rows, in order of increasing x.
     ///
     /// # Errors
-    /// Too few rows; every row at fault.
+    /// Too few rows, and every invalid row.
     pub fn new(rows: &[[f64; 2]]) -> Result<Self, Vec<FunctionError>> {
         let grows = |k: usize| k == 0 || rows[k - 1][0] < rows[k][0];
         let sound = |k: usize| rows[k].iter().all(|value| value.is_finite()) && grows(k);

@@ -1,9 +1,10 @@
-//! Equal gaps in two positions: a straight line in (1/z₂, 1/z₃).
+//! Linkages with equal gaps in two positions: a straight line in the plane (1/z₂, 1/z₃).
 
 use super::Task;
 use crate::tolerance;
 
-/// Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), u = 1/z₂, v = 1/z₃, angles from the frame: |r| is equal in two positions.
+/// Line on which the gaps |r| in two positions are equal: Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), with u = 1/z₂, v =
+/// 1/z₃ and angles from the frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// Δcos φ₃, the coefficient of 1/z₂.
@@ -19,7 +20,7 @@ impl Line {
     pub(super) fn new(task: &Task, [j, k]: [usize; 2]) -> Self {
         let frame = task.frame().angle;
         let [a, b] = [j, k].map(|index| task.positions()[index]);
-        // cos x − cos y without cancellation; zero if the angles differ by rounding only.
+        // cos x − cos y without cancellation; zero if the angles differ only by rounding.
         let difference = |x: f64, y: f64| {
             let product = -2.0 * (0.5 * (x + y)).sin() * (0.5 * (x - y)).sin();
             if product.abs() <= tolerance::CONVERGED {

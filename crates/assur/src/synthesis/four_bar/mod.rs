@@ -1,23 +1,22 @@
 //! The four-bar from given positions of its input and its output (Sinchev and Mukhanova).
 //!
-//! l₁e₁ + l₂e₂ + l₃e₃ = l₀e₀ with l₀ the frame, l₁ the coupler, l₂ the output and l₃ the
-//! input; eᵢ points along φᵢ, all from the x-axis. Only the proportions zᵢ = lᵢ/l₀ count. A
-//! position is a pair (φ₂, φ₃); its coupler's angle is unknown and is eliminated exactly: with
-//! the gap r = e₀ − z₂e₂ − z₃e₃ left for the coupler, |z₁e₁ − r|² is least along r, so that
+//! The loop equation is l₁e₁ + l₂e₂ + l₃e₃ = l₀e₀, with l₀ the frame, l₁ the coupler, l₂ the output and l₃ the input.
+//! The unit vector eᵢ points along φᵢ, measured from the x-axis. Only the proportions zᵢ = lᵢ/l₀ matter. A position is
+//! a pair (φ₂, φ₃). The coupler's angle is unknown and is eliminated exactly. With r = e₀ − z₂e₂ − z₃e₃ the gap left
+//! for the coupler, |z₁e₁ − r|² is least if e₁ points along r; then
 //!
 //! J = (|r| − z₁)²,  φ₁ = arg r.
 //!
-//! A linkage takes up the positions if ΣJ = 0. With u = 1/z₂ and v = 1/z₃ the difference of
-//! |r|² in two positions is linear, Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃) (angles from e₀):
+//! A linkage meets the positions if ΣJ = 0. With u = 1/z₂ and v = 1/z₃, equal gaps |r| in two positions are a linear
+//! condition: Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), with angles from e₀. Therefore
 //!
 //! - two positions leave a curve of linkages ([`TwoPositions`]),
-//! - three one linkage ([`ThreePositions`], Freudenstein's equation),
-//! - five at most three, if the starting angles of output and input are free
-//!   ([`five_positions`]),
-//! - more a compromise, the least ΣJ ([`Search`]).
+//! - three positions leave one linkage ([`ThreePositions`], Freudenstein's equation),
+//! - five leave at most three, if the starting angles of output and input are free ([`five_positions`]),
+//! - more leave a compromise, the least ΣJ ([`Search`]).
 //!
-//! In the terms of [`FourBar`]: its l₁, l₂, l₃, l₄ are z₃, z₁, z₂, 1 times l₀, its crank's angle
-//! is φ₃ − φ₀, its rocker's φ₂ − φ₀ + 180° (e₂ runs from C to D), its coupler's φ₁ − φ₀.
+//! A [`FourBar`] has as l₁, l₂, l₃, l₄ the proportions z₃, z₁, z₂, 1 times l₀. The angle of its crank is φ₃ − φ₀, of
+//! its coupler φ₁ − φ₀, and of its rocker φ₂ − φ₀ + 180°, because e₂ runs from C to D.
 
 mod closure;
 mod drawn;
@@ -54,7 +53,7 @@ use crate::numeric::max_abs;
 use crate::sorting::extremes;
 use crate::{Assembly, FourBar, Invalid};
 
-/// The lengths of a four-bar relative to that of its frame.
+/// Lengths of a four-bar relative to the length of its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Proportions {
     /// z₁.
@@ -79,7 +78,7 @@ impl Proportions {
     /// The linkage with a frame of this length along the x-axis.
     ///
     /// # Errors
-    /// Every reason why these lengths make none.
+    /// Every reason why these lengths form no linkage.
     pub fn four_bar(&self, frame: f64) -> Result<FourBar, Vec<Invalid>> {
         FourBar::new(self.lengths(frame))
     }
@@ -96,13 +95,13 @@ impl Proportions {
 pub struct Solution {
     /// z₁, z₂, z₃.
     pub proportions: Proportions,
-    /// φ₂₀, to be added to every φ₂ of the task; zero if starting angles are given.
+    /// φ₂₀, the starting angle to be added to every φ₂ of the task; zero if starting angles are given.
     pub output_start: f64,
-    /// φ₃₀, to be added to every φ₃ of the task.
+    /// φ₃₀, the starting angle to be added to every φ₃ of the task.
     pub input_start: f64,
     /// Residual at each position.
     pub closures: Vec<Closure>,
-    /// The verdict, or the reasons why these lengths make no linkage.
+    /// The verdict, or the reasons why these lengths form no linkage.
     pub verdict: Result<Verdict, Vec<Invalid>>,
 }
 
@@ -140,7 +139,7 @@ impl Solution {
         max_abs(self.closures.iter().map(|closure| closure.residual))
     }
 
-    /// The assembly in which it passes through all positions; none if there is none.
+    /// The assembly in which the linkage passes through all positions; none if it does not.
     pub fn assembly(&self) -> Option<Assembly> {
         self.verdict.as_ref().ok()?.assembly
     }

@@ -12,13 +12,13 @@ use super::{
 pub enum Options {
     /// A one-parameter family: for two positions, or three if one follows from the others.
     Family(Family),
-    /// Finitely many: for three positions, or five with free starts.
+    /// Finitely many linkages: for three positions, or five with free starting angles.
     Exact(Vec<Solution>),
     /// Compromises, the least ΣJ first: for more positions.
     Minima {
         /// Minima found by the search.
         minima: Vec<Minimum>,
-        /// Number of starts.
+        /// Number of starts of the search.
         starts: usize,
     },
 }
@@ -26,14 +26,14 @@ pub enum Options {
 /// Reasons why there are no solutions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoOptions {
-    /// Too few positions: one is met by any output and input; with free starts five are needed.
+    /// Too few positions. Any output and input meet a single position; free starting angles require five.
     TooFew {
         /// Minimum number of positions.
         least: usize,
     },
     /// Positions that are mirror images in the frame: any output and input will do.
     Any,
-    /// No positive lengths are on the line of the first two positions.
+    /// No point on the line of the first two positions has positive lengths.
     NoFamily(Line),
     /// Three positions require these z₂ and z₃, at least one of them negative.
     Negative {
@@ -47,7 +47,7 @@ pub enum NoOptions {
 }
 
 impl Options {
-    /// Solutions with starting angles as given or free.
+    /// Finds the solutions, with given or with free starting angles.
     ///
     /// # Errors
     /// The reason why there are no solutions.
@@ -108,7 +108,7 @@ impl Options {
         self.order().first().copied().unwrap_or(0)
     }
 
-    /// The solutions by index: minima in order of increasing ΣJ.
+    /// The solutions in the order of their indices; minima by increasing ΣJ.
     pub fn solutions(&self) -> Vec<&Solution> {
         match self {
             Self::Family(_) => Vec::new(),

@@ -1,4 +1,4 @@
-//! Error of a linkage's output angle, and detection of output angles given in the opposite sense.
+//! Error of a linkage's output angle, and detection of output angles given in the opposite direction.
 
 use crate::tolerance;
 use std::cmp::Ordering;
@@ -8,9 +8,9 @@ use super::{Minimum, Proportions, Solution, Task};
 use crate::numeric::linear::least_squares;
 
 impl Direction {
-    /// |Δφ₂|: error of the output's angle at the given input, in the nearer assembly. With d = e₀ − z₃e₃ from B to D,
-    /// the output makes an angle ψ with d, on either side; by the law of cosines
-    /// tan² ψ/2 = (z₁² − (d − z₂)²) / ((d + z₂)² − z₁²). None if the linkage cannot be assembled at this input.
+    /// Error |Δφ₂| of the output's angle at the given input, in the nearer assembly. The vector from B to D is d = e₀ −
+    /// z₃e₃, and the output makes an angle ψ with it, on either side. By the law of cosines tan² ψ/2 = (z₁² − (d −
+    /// z₂)²) / ((d + z₂)² − z₁²). None if the linkage cannot be assembled at this input.
     fn output_error(&self, proportions: Proportions) -> Option<f64> {
         let Proportions {
             coupler,
@@ -64,11 +64,11 @@ impl Minimum {
 }
 
 impl Task {
-    /// True if the output's angles are probably those of the opposite sense, from D to C. Freudenstein's equation
-    /// cos φ₃/z₂ + cos φ₂/z₃ + c = cos(φ₂ − φ₃), by least squares over at least four positions, then has a negative z₂,
-    /// and with every φ₂ turned by 180° z₁, z₂ and z₃ are within the ratios of the task.
+    /// True if the output's angles are probably given in the opposite direction, from D to C. Freudenstein's equation
+    /// cos φ₃/z₂ + cos φ₂/z₃ + c = cos(φ₂ − φ₃), solved by least squares for at least four positions, then gives a
+    /// negative z₂. With every φ₂ turned through 180°, z₁, z₂ and z₃ are within the ratios of the task.
     pub fn output_is_turned(&self) -> bool {
-        // Three positions determine the three unknowns without a defect.
+        // With three positions the three unknowns fit exactly, whichever direction is meant.
         if self.positions().len() <= 3 {
             return false;
         }

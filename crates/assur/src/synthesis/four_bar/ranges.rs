@@ -1,5 +1,5 @@
-//! Exact ranges of lengths and coupler angles over a family, from its ends and from the zeros of derivatives, which are
-//! roots of polynomials.
+//! Exact ranges of lengths and coupler angles over a family. They follow from the ends of the family and from the zeros
+//! of derivatives, which are roots of polynomials.
 
 use crate::sorting::sort_by;
 use nalgebra::Complex;
@@ -34,8 +34,8 @@ pub(super) fn lengths(shape: &Shape) -> [Range; 2] {
     }
 }
 
-/// Coefficients of the gap r along a family, for the powers −1, 0, 1 of the parameter x. With x = τ = z₂/z₃,
-/// r = (e₀ − a e₂ − b e₃) − b e₂ τ − a e₃/τ; with x the size, r is linear.
+/// Coefficients of the gap r along a family, for the powers −1, 0, 1 of the parameter x. In a family of directions x =
+/// τ = z₂/z₃ and r = (e₀ − a e₂ − b e₃) − b e₂ τ − a e₃/τ. In a family of sizes x is the size, and r is linear in x.
 fn gap(shape: &Shape, at: &Direction) -> [Complex<f64>; 3] {
     let one = Complex::new(1.0, 0.0);
     match *shape {
@@ -69,7 +69,7 @@ fn between(shape: &Shape, x: f64) -> bool {
     from.is_none_or(|from| x > from) && to.is_none_or(|to| x < to)
 }
 
-/// |r|² x² as a polynomial of x.
+/// Coefficients of |r|² x² as a polynomial in x.
 fn square(gap: [Complex<f64>; 3]) -> [f64; 5] {
     let [p, q, r] = gap;
     [
@@ -82,7 +82,7 @@ fn square(gap: [Complex<f64>; 3]) -> [f64; 5] {
 }
 
 fn value([p, q, r]: [Complex<f64>; 3], x: f64) -> Complex<f64> {
-    // p is zero if x may be zero: in a family of sizes, or in one that ends where z₃ is given.
+    // p is zero wherever x may be zero: in a family of sizes, and in a family of constant z₃.
     q + r * x + if p.norm_sqr() == 0.0 { p } else { p / x }
 }
 
@@ -97,7 +97,7 @@ pub(super) fn coupler(family: &Family) -> Range {
         from = from.min(z);
         to = to.map(|to| to.max(z));
     };
-    // d|r|²/dx = 0.
+    // Zeros of d|r|²/dx.
     let turns = positive_roots(&[-2.0 * n0, -n1, 0.0, n3, 2.0 * n4]);
     for x in turns.into_iter().filter(|x| between(shape, *x)) {
         take(value(gap, x).norm());
@@ -137,8 +137,8 @@ pub(super) fn with_coupler(family: &Family, coupler: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The member of a family near these z₂ and z₃ with |r| = z₁: Newton's method along the family restores the digits that
-/// the polynomial has lost. At a double root, where the step is not finite, the lengths stay.
+/// The member of a family near these z₂ and z₃ with |r| = z₁. Newton's method along the family restores the digits that
+/// the polynomial has lost. At a double root, where the step is not finite, the lengths are returned unchanged.
 fn polished(shape: &Shape, at: &Direction, coupler: f64, lengths: [f64; 2]) -> [f64; 2] {
     let open = |[output, input]: [f64; 2]| at.gap(output, input).norm() - coupler;
     let step = |&[output, input]: &[f64; 2]| {
@@ -167,8 +167,8 @@ fn polished(shape: &Shape, at: &Direction, coupler: f64, lengths: [f64; 2]) -> [
     descended(lengths, open(lengths).abs(), step).0
 }
 
-/// The range of arg r at a position, continuous along the family. Between axis crossings r stays in one quadrant, where
-/// its angle is unambiguous; there the angle turns back at r × r′ = 0.
+/// Range of arg r at a position; the angle is continuous along the family. Between crossings of the axes r stays in one
+/// quadrant, where its angle is unambiguous. Within a quadrant the angle has an extremum where r × r′ = 0.
 pub(super) fn coupler_angle(shape: &Shape, at: &Direction) -> [f64; 2] {
     let gap = gap(shape, at);
     let [p, q, r] = gap;
@@ -176,7 +176,7 @@ pub(super) fn coupler_angle(shape: &Shape, at: &Direction) -> [f64; 2] {
     for part in [|z: Complex<f64>| z.re, |z: Complex<f64>| z.im] {
         places.extend(positive_roots(&[part(p), part(q), part(r)]));
     }
-    // r = p/x + q + r x: r × r′ x² = (q × p)·(−1) + 2 p × r x + q × r x².
+    // The gap g = p/x + q + r x has g × g′ x² = p × q + 2 p × r x + q × r x².
     places.extend(positive_roots(&[
         cross(p, q),
         2.0 * cross(p, r),

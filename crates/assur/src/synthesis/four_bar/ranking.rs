@@ -4,7 +4,7 @@ use super::{Order, Passage, Solution};
 use crate::Grashof;
 use crate::sorting::sort_by_key;
 
-/// Requirements on a solution besides its positions; `false` or none is no requirement.
+/// Requirements on a solution besides its positions. A field that is `false` or None requires nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Requirements {
     /// The solution passes through all positions without a break.
@@ -24,7 +24,7 @@ pub struct Requirements {
 /// Requirement that a solution can fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Requirement {
-    /// The lengths make no linkage.
+    /// The lengths form no linkage.
     Linkage,
     /// See [`Requirements::continuous`].
     Continuous,
@@ -75,11 +75,11 @@ impl Requirements {
 pub enum Criterion {
     /// Smallest worst residual first.
     Closure,
-    /// The greatest transmission angle between the positions first.
+    /// The greatest minimum transmission angle between the positions first.
     Transmission,
-    /// The greatest transmission angle over the whole motion first.
+    /// The greatest minimum transmission angle over the whole motion first.
     TransmissionOverall,
-    /// Smallest ratio of lengths first.
+    /// Smallest ratio of the longest to the shortest link first.
     SizeRatio,
 }
 

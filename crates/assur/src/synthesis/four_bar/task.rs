@@ -10,16 +10,16 @@ use crate::tolerance;
 pub struct Frame {
     /// l₀, in any unit.
     pub length: f64,
-    /// φ₀ from the x-axis, from the input's fixed pivot to the output's.
+    /// φ₀, from the x-axis: direction from the input's fixed pivot to the output's fixed pivot.
     pub angle: f64,
 }
 
-/// A pair of corresponding positions of output and input. Angles in radians from the x-axis.
+/// A pair of corresponding positions of output and input. Angles are in radians from the x-axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Position {
-    /// φ₂, of the output, from its joint with the coupler to its fixed pivot.
+    /// φ₂, direction of the output from its joint with the coupler to its fixed pivot.
     pub output: f64,
-    /// φ₃, of the input, from its fixed pivot to its joint with the coupler.
+    /// φ₃, direction of the input from its fixed pivot to its joint with the coupler.
     pub input: f64,
     /// Weight relative to other positions, if not all can be met.
     pub weight: f64,
@@ -36,7 +36,7 @@ impl Position {
     }
 }
 
-/// Positions to be met by a four-bar; always valid, as made by [`Task::new`].
+/// Positions to be met by a four-bar. A task is always valid, because only [`Task::new`] makes one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Task {
     frame: Frame,
@@ -47,7 +47,7 @@ pub struct Task {
 /// Reasons why a task is invalid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TaskError {
-    /// The frame's length is not finite, or not from 10⁻⁹ to 10⁹.
+    /// The frame's length is not finite, or not between 10⁻⁹ and 10⁹.
     FrameLength,
     /// The frame's angle is not finite.
     FrameAngle,
@@ -64,7 +64,7 @@ pub enum TaskError {
     Input(usize),
     /// The weight of this position is not finite or not positive.
     Weight(usize),
-    /// These two positions are equal (to 10⁻¹² of a radian, modulo whole turns).
+    /// These two positions are equal (within 10⁻¹² of a radian, apart from whole turns).
     Equal([usize; 2]),
     /// The minimum ratio is not positive, or not less than the maximum, or the maximum is not finite.
     Ratios,
@@ -73,17 +73,17 @@ pub enum TaskError {
 impl Task {
     /// Maximum number of positions.
     pub const MOST: usize = 64;
-    /// Default bounds of the lengths of coupler, output and input relative to the frame's.
+    /// Default bounds of the lengths of coupler, output and input relative to the length of the frame.
     pub const RATIOS: [f64; 2] = [0.1, 10.0];
     /// Bounds of the length of a frame.
     pub const LENGTH: [f64; 2] = [tolerance::LENGTH.0, tolerance::LENGTH.1];
 
-    /// The task with these positions. `ratios` are the bounds of z in [`Search`](super::Search): without a minimum it
-    /// would always end with a linkage of zero size, as ΣJ tends to zero with z₂ and z₃ for z₁ = 1. Exact solutions are
-    /// not bounded.
+    /// Makes a task from positions. `ratios` are the bounds of z₁, z₂ and z₃ in [`Search`](super::Search). Without a
+    /// minimum a search would always end with a linkage of zero size, because for z₁ = 1 the sum ΣJ tends to zero with
+    /// z₂ and z₃. Exact solutions are not bounded.
     ///
     /// # Errors
-    /// Every reason at once, positions counted from 0.
+    /// All reasons that apply, with positions counted from 0.
     pub fn new(
         frame: Frame,
         positions: &[Position],
@@ -135,17 +135,17 @@ impl Task {
         self.frame
     }
 
-    /// The positions, in their order.
+    /// The positions, in the given order.
     pub fn positions(&self) -> &[Position] {
         &self.positions
     }
 
-    /// Bounds of z in a search.
+    /// Bounds of z₁, z₂ and z₃ in a search.
     pub fn ratios(&self) -> [f64; 2] {
         self.ratios
     }
 
-    /// The directions of output and input at a position relative to the frame's, with these starting angles.
+    /// Directions of output and input at a position with these starting angles, relative to the direction of the frame.
     pub(super) fn direction(&self, index: usize, [output, input]: [f64; 2]) -> Direction {
         let position = self.positions[index];
         let output = position.output + output - self.frame.angle;

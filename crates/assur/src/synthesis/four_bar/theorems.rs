@@ -1,8 +1,8 @@
 //! The paper's own method, for given angles of all links: the functional (3), the system (5) of its minimum, and the
 //! conditions and theorems on positive lengths, each with the exact result.
 //!
-//! Conditions and theorems are evaluated as printed, lengths by the corrected formulas: [`relations`] has both versions of
-//! each formula (docs/errata.md).
+//! Conditions and theorems are evaluated as printed, but lengths by the corrected formulas. [`relations`] has both
+//! versions of each formula (docs/errata.md).
 
 use crate::tolerance;
 mod conditions;
@@ -42,20 +42,20 @@ pub enum Unknown {
 }
 
 impl Unknown {
-    /// In the order of the paper's numbers.
+    /// All unknowns, in the order of the paper's numbers.
     pub const ALL: [Self; 3] = [Self::Coupler, Self::Output, Self::Input];
 }
 
-/// Two unknowns as functions of the third: zᵢ = P + Q z, the paper's (16) and its permutations.
+/// Two unknowns as functions of the third, z: zᵢ = P + Q z. This is the paper's (16) with its permutations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subsystem {
     /// The unknown chosen freely.
     pub third: Unknown,
-    /// The other two.
+    /// The other two unknowns.
     pub of: [Unknown; 2],
-    /// P of each.
+    /// P of each of the other two.
     pub constant: [f64; 2],
-    /// Q of each.
+    /// Q of each of the other two.
     pub slope: [f64; 2],
 }
 
@@ -74,10 +74,11 @@ impl Angles {
         all.iter().all(|angle| angle.is_finite())
     }
 
-    /// Two unknowns as functions of the third; none if these two links are parallel (for the third z₁: if condition
-    /// (13) fails).
+    /// Two unknowns as functions of the third; none if their two links are parallel. For z₁ as the third, they are
+    /// parallel if condition (13) fails.
     ///
-    /// zᵢ eᵢ + zⱼ eⱼ = e₀ − z e, and a product with eⱼ leaves zᵢ = (e₀ × eⱼ − z e × eⱼ)/(eᵢ × eⱼ).
+    /// The loop equation is zᵢ eᵢ + zⱼ eⱼ = e₀ − z e. Its vector product with eⱼ leaves zᵢ = (e₀ × eⱼ − z e × eⱼ)/(eᵢ ×
+    /// eⱼ).
     pub fn subsystem(&self, third: Unknown) -> Option<Subsystem> {
         let of = match third {
             Unknown::Coupler => [Unknown::Output, Unknown::Input],

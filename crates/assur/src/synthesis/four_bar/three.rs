@@ -9,18 +9,18 @@ use crate::tolerance;
 pub enum ThreePositions {
     /// Exactly one linkage.
     One(Solution),
-    /// The intersection has a negative length: the linkage takes up the positions with the angle of that link turned by
-    /// half a turn.
+    /// The intersection has a negative length: a linkage meets the positions if the angle of that link is turned
+    /// through half a turn.
     Negative {
         /// z₂.
         output: f64,
         /// z₃.
         input: f64,
     },
-    /// No such linkage: at the intersection a length is infinite or the coupler's is zero, or the lines are parallel.
-    /// Contains the two lines.
+    /// No such linkage: the lines are parallel, or at their intersection a length is infinite or the coupler's length
+    /// is zero. Holds the two lines.
     None([Line; 2]),
-    /// All positions are on the same line: the solutions for two of them.
+    /// The positions give only one line: holds the solutions for two of them.
     Same(TwoPositions),
 }
 
@@ -40,7 +40,7 @@ impl ThreePositions {
                     right: 0.0,
                 }
         };
-        // If one line is degenerate, the other one remains.
+        // If all coefficients of one line are zero, the other line remains.
         if empty(&lines[0]) {
             return Self::Same(TwoPositions::of(task, [i, k]));
         }
@@ -91,8 +91,9 @@ mod tests {
     use super::*;
     use crate::synthesis::four_bar::{Frame, Position};
 
-    /// Three poses of crank 1, coupler 4, rocker 3, frame 4 by triangles: outstretched 3-4-5, folded 3-3-4, and crank
-    /// against the frame with the diagonal 5. φ₂ points from the rocker's joint to its pivot.
+    /// Three poses of a four-bar with crank 1, coupler 4, rocker 3 and frame 4, from triangles: crank and coupler
+    /// outstretched (3-4-5), folded (3-3-4), and the crank opposite to the frame (diagonal 5). φ₂ points from the
+    /// rocker's joint to its pivot.
     #[test]
     fn from_triangles() {
         let poses = [

@@ -8,7 +8,7 @@ use super::Proportions;
 use super::closure::Direction;
 use crate::{Assembly, Cycle, FourBar, Grashof, Invalid};
 
-/// Properties of a linkage that is to take up positions.
+/// Properties of a linkage that is to pass through positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
     /// Passage of the linkage through all positions.
@@ -23,7 +23,8 @@ pub struct Verdict {
     pub turns: bool,
     /// Minimum transmission angle over the whole motion, 0 … π/2.
     pub transmission: f64,
-    /// Minimum transmission angle from the first position to the last; none if it does not pass through them.
+    /// Minimum transmission angle from the first position to the last; none if the linkage does not pass through all
+    /// positions.
     pub transmission_between: Option<f64>,
     /// Ratio of the longest to the shortest of the four lengths.
     pub size_ratio: f64,
@@ -34,12 +35,12 @@ pub struct Verdict {
 pub enum Passage {
     /// The linkage moves through all positions.
     Continuous,
-    /// The motions of the positions cross at a change point, where all links are in line; beyond it either motion may
+    /// The positions are on two motions that cross at a change point, where all links are in line and either motion may
     /// follow.
     ThroughChangePoint,
     /// Between positions the input reaches a dead point and would have to turn back (a branch defect).
     AcrossDeadPoint,
-    /// The linkage would have to be taken apart (a circuit defect).
+    /// Between positions the linkage would have to be taken apart (a circuit defect).
     OtherCircuit,
     /// First position at whose input the linkage cannot be assembled.
     Unreached(usize),
@@ -48,20 +49,20 @@ pub enum Passage {
 /// Order of the positions while the input moves in one direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// Given order as φ₃ grows.
+    /// The given order while φ₃ increases.
     Growing,
-    /// Given order as φ₃ falls.
+    /// The given order while φ₃ decreases.
     Falling,
-    /// In both directions of φ₃: a single position, or two of an input that turns fully.
+    /// The given order in both directions of φ₃: for a single position, or for two if the input turns fully.
     Either,
-    /// Another order, or not all positions.
+    /// Another order, or not all positions are met.
     Mixed,
 }
 
-/// The verdict on a linkage, with the directions of output and input relative to the frame's.
+/// The verdict on a linkage, from the directions of output and input relative to the direction of the frame.
 ///
 /// # Errors
-/// Every reason why these lengths make no linkage.
+/// Every reason why these lengths form no linkage.
 pub(super) fn verdict(
     proportions: Proportions,
     directions: &[Direction],
@@ -81,13 +82,13 @@ pub(super) fn verdict(
     })
 }
 
-/// The positions on the motions of a linkage.
+/// Where the positions lie on the motions of a linkage.
 struct Way {
     passage: Passage,
     /// The assembly of the positions; none if coupler and output are in line at all of them.
     assembly: Option<Assembly>,
     order: Order,
-    /// Range of the input from the first position to the last, if it moves through them.
+    /// Range of the input from the first position to the last; none unless the linkage moves through them all.
     span: Option<[f64; 2]>,
 }
 
@@ -141,7 +142,7 @@ impl Way {
     }
 }
 
-/// Index of the arc of the cycle that contains an input, and the input on the axis of the cycle.
+/// Index of the arc of the cycle that contains an input, and the input shifted by whole turns into this arc.
 fn arc_of(cycle: &Cycle, input: f64) -> Option<(usize, f64)> {
     let input = cycle.wrap(input);
     if cycle.is_full() {
@@ -160,7 +161,7 @@ fn arc_of(cycle: &Cycle, input: f64) -> Option<(usize, f64)> {
     None
 }
 
-/// The assembly of a position; none if coupler and output are in line. If a motion takes two turns, this is the
+/// The assembly of a position; none if coupler and output are in line. If the motion takes two turns, the result is the
 /// assembly of one turn, and `input` is shifted into that turn.
 fn assembly(
     linkage: &FourBar,
@@ -191,17 +192,18 @@ fn assembly(
     Some(assembly_at(*input))
 }
 
-/// Inputs of the positions in the order in which they are met.
+/// Inputs of the positions, added in the given order.
 struct Met {
     /// Period of the motion; only for a driver that turns fully.
     period: Option<f64>,
     count: usize,
     last: f64,
     first: f64,
-    /// Total input from each position to the next, if it only increases or only decreases.
+    /// Sum of the changes of the input from each position to the next, if the input only increases.
     up: f64,
+    /// The same sum, positive, if the input only decreases.
     down: f64,
-    /// Whether all steps of an oscillating driver increase or decrease.
+    /// For an oscillating driver: true if all its steps increase, and true if all decrease.
     monotone: [bool; 2],
     extremes: [f64; 2],
 }
@@ -264,8 +266,9 @@ impl Met {
     }
 }
 
-/// Minimum transmission angle over a range of the input. The angle decreases on either side of 90° and the diagonal is
-/// monotone from 0 to π, so the minimum is at an end or at a half turn.
+/// Minimum transmission angle over a range of the input. The angle decreases on either side of 90°, and the diagonal is
+/// a monotone function of the input from 0 to π. So the minimum is at an end of the range or at a multiple of half a
+/// turn.
 fn transmission_within(linkage: &FourBar, cycle: &Cycle, [from, to]: [f64; 2]) -> f64 {
     let half_turns = (0..8).map(|k| ((from / PI).ceil() + f64::from(k)) * PI);
     let within = half_turns.take_while(|input| *input < to);

@@ -6,7 +6,7 @@ use crate::numeric::linear::solve_positive_definite;
 use crate::numeric::max_abs;
 use crate::tolerance;
 
-/// A descent.
+/// State of a descent from one start.
 #[derive(Clone, Debug)]
 pub(super) struct Descent<const N: usize> {
     pub(super) x: Point<N>,
@@ -16,11 +16,11 @@ pub(super) struct Descent<const N: usize> {
     pub(super) over: bool,
 }
 
-/// Initial damping, relative to the matrix.
+/// Initial damping, relative to the greatest diagonal element of the Hessian.
 const FIRST_DAMPING: f64 = 1e-3;
 /// Maximum number of steps.
 const MAX_STEPS: usize = 200;
-/// Maximum change of a logarithm or an angle in a step.
+/// Maximum change of an unknown, a logarithm or an angle, in one step.
 const MAX_CHANGE: f64 = 0.5;
 
 impl<const N: usize> Descent<N> {
@@ -38,14 +38,14 @@ impl<const N: usize> Descent<N> {
         }
     }
 
-    /// True if a length is at a bound and the descent leads beyond it.
+    /// True if the unknown k is a length at a bound and the descent leads beyond this bound.
     fn held(&self, [least, greatest]: [f64; 2], k: usize) -> bool {
         let slope = self.here.gradient[k];
         k < 2 && (self.x[k] <= least && slope > 0.0 || self.x[k] >= greatest && slope < 0.0)
     }
 
-    /// Tries one step; the point stays if it does not decrease ΣJ. Then the next step is shorter, until the descent is
-    /// `over`.
+    /// Tries one step. If ΣJ does not decrease, the point stays and the next step is shorter. Sets `over` when the
+    /// descent ends.
     pub(super) fn step(&mut self, objective: &Objective) {
         let bounds = objective.bounds();
         let held: [bool; N] = std::array::from_fn(|k| self.held(bounds, k));
@@ -89,7 +89,7 @@ impl<const N: usize> Descent<N> {
             let moved = (0..N).any(|k| (next[k] - self.x[k]).abs() > 4.0 * f64::EPSILON);
             self.over = !moved;
             (self.x, self.here) = (next, then);
-            // Damping below the rounding of the matrix becomes zero.
+            // Damping below the rounding error of the Hessian is set to zero.
             self.damping = if self.damping <= tolerance::CONVERGED {
                 0.0
             } else {
@@ -102,7 +102,7 @@ impl<const N: usize> Descent<N> {
 
     fn damp(&mut self) {
         self.damping = (8.0 * self.damping).max(tolerance::TRIPLE_ROOT);
-        // Then a step is below the rounding of the point.
+        // With such damping a step is smaller than the rounding error of the point.
         self.over = self.damping > 1.0 / tolerance::CONVERGED;
     }
 }

@@ -1,7 +1,7 @@
 //! Four positions and more: the best compromise, the least ΣJ over positive lengths.
 //!
-//! ΣJ has several local minima, so the search descends from many starts and reports each end. It is deterministic and
-//! proceeds step by step, so that it can be shown and stopped.
+//! ΣJ has several local minima, so the search descends from many starts and reports where each descent ends. It is
+//! deterministic and proceeds step by step, so that it can be displayed and stopped.
 
 mod minimiser;
 mod objective;
@@ -28,9 +28,9 @@ pub struct Minimum {
     pub value: f64,
     /// Maximum error of the output's angle, radians: [`Solution::output_error`].
     pub output_error: Option<f64>,
-    /// Active bounds; empty for an inner minimum.
+    /// Active bounds; empty for an interior minimum.
     pub held: Vec<Bound>,
-    /// Number of starts that ended here.
+    /// Number of descents that ended at this minimum.
     pub reached: usize,
     /// Paths of these descents, with start and end.
     pub paths: Vec<Vec<Proportions>>,
@@ -41,28 +41,28 @@ pub struct Minimum {
 pub enum Bound {
     /// z₁ is at the least ratio.
     CouplerLeast,
-    /// z₁ is at the greatest.
+    /// z₁ is at the greatest ratio.
     CouplerGreatest,
     /// z₂ is at the least ratio.
     OutputLeast,
-    /// z₂ is at the greatest.
+    /// z₂ is at the greatest ratio.
     OutputGreatest,
     /// z₃ is at the least ratio.
     InputLeast,
-    /// z₃ is at the greatest.
+    /// z₃ is at the greatest ratio.
     InputGreatest,
 }
 
-/// The search after a step.
+/// State of the search after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
-    /// Number of finished starts.
+    /// Number of finished descents.
     pub ended: usize,
-    /// Number of starts.
+    /// Number of starts, one for each descent.
     pub starts: usize,
     /// Current point of the present descent.
     pub proportions: Proportions,
-    /// ΣJ there.
+    /// ΣJ at this point.
     pub value: f64,
     /// The least ΣJ of the finished descents.
     pub best: Option<f64>,
@@ -70,11 +70,11 @@ pub struct Progress {
     pub over: bool,
 }
 
-/// The search, step by step.
+/// The search, which runs step by step.
 #[derive(Clone, Debug)]
 pub struct Search {
     task: Task,
-    /// Factor from a mean of J to ΣJ with the weights of the task.
+    /// Sum of the task's weights: the factor from a weighted mean of J to ΣJ.
     weight: f64,
     ways: Ways,
 }
@@ -87,14 +87,14 @@ enum Ways {
 }
 
 impl Search {
-    /// The search with the given angles of the task, for four positions and more. For fewer,
+    /// The search with the given angles of the task, for four or more positions. For fewer positions,
     /// [`TwoPositions`](super::TwoPositions) and [`ThreePositions`](super::ThreePositions) are exact.
     pub fn new(task: &Task) -> Self {
         Self::with(task, Ways::Given(Descents::new(task, starts::given(task))))
     }
 
-    /// The search with free starts: φ₂ and φ₃ of the task are measured from unknown angles, which are found with the
-    /// lengths. For six positions and more; see [`five_positions`](super::five_positions).
+    /// The search with free starting angles: φ₂ and φ₃ of the task are measured from unknown angles, which are found
+    /// with the lengths. For six or more positions; for five see [`five_positions`](super::five_positions).
     pub fn free(task: &Task) -> Self {
         Self::with(task, Ways::Free(Descents::new(task, starts::free(task))))
     }
@@ -164,7 +164,7 @@ struct Descents<const N: usize> {
     found: Vec<Found<N>>,
 }
 
-/// An end of descents.
+/// A point at which one or more descents ended.
 #[derive(Clone, Debug)]
 struct Found<const N: usize> {
     x: Point<N>,
@@ -172,8 +172,8 @@ struct Found<const N: usize> {
     paths: Vec<Vec<Proportions>>,
 }
 
-/// Maximum difference of two ends of descents at one minimum. ΣJ is flat there: rounding of its value leaves half of the
-/// digits of a point, and a long valley some of them less.
+/// Maximum difference between the ends of two descents to the same minimum. ΣJ is flat at a minimum: rounding of its
+/// value leaves a point half of its digits, and fewer in a long valley.
 const SAME_END: f64 = 1e-5;
 
 impl<const N: usize> Descents<N> {

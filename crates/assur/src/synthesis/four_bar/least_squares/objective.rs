@@ -6,14 +6,14 @@ use nalgebra::Complex;
 use crate::synthesis::four_bar::closure::{Direction, dot};
 use crate::synthesis::four_bar::{Proportions, Task};
 
-/// The unknowns: ln z₂, ln z₃ and, with N = 4, φ₂₀ and φ₃₀. Logarithms keep lengths positive and treat halving like
-/// doubling.
+/// The unknowns: ln z₂, ln z₃ and, with N = 4, φ₂₀ and φ₃₀. Logarithms keep lengths positive and treat halving and
+/// doubling alike.
 pub(super) type Point<const N: usize> = [f64; N];
 
 /// ΣJ of a task.
 #[derive(Clone, Debug)]
 pub(super) struct Objective {
-    /// Directions at each position with its weight, scaled to a greatest weight of 1.
+    /// Directions at each position, and its weight; the greatest weight is scaled to 1.
     terms: Vec<(Direction, f64)>,
     total: f64,
     ratios: [f64; 2],
@@ -52,7 +52,7 @@ impl Objective {
         [0, 1].map(|k| Complex::from_polar(x[k].exp(), start(k)))
     }
 
-    /// The weighted mean of |r|, clamped to the ratios; true if it needed no clamping.
+    /// Best z₁: the weighted mean of |r|, clamped to the ratios. True if no clamping was needed.
     fn coupler(&self, gaps: impl Iterator<Item = f64>) -> (f64, bool) {
         let sum: f64 = gaps.zip(&self.terms).map(|(gap, (_, w))| gap * w).sum();
         let mean = sum / self.total;
@@ -75,8 +75,9 @@ impl Objective {
 
     /// ΣJ with its derivatives.
     ///
-    /// ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. At the best z₁, ∂ΣJ/∂z₁ = 0; its change subtracts
-    /// Σw ∂|r| ∂|r|/Σw from the second derivatives. At a bound it does not change.
+    /// With r̂ = r/|r|, ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. At the best z₁, ∂ΣJ/∂z₁ = 0. As the
+    /// best z₁ changes with the point, 2 ∂z₁ ∂z₁ is subtracted from the second derivatives of the mean of J; at a bound
+    /// z₁ does not change.
     pub(super) fn at<const N: usize>(&self, x: &Point<N>) -> Value<N> {
         let links = self.links(x);
         let gap = |at: &Direction| one() - at.output * links[0] - at.input * links[1];
@@ -95,7 +96,8 @@ impl Objective {
             let along = r / length;
             let links = [at.output * links[0], at.input * links[1]];
             let turn = Complex::new(0.0, 1.0);
-            // ∂r with respect to ln z is −w, to the angle −iw; second derivatives are −w, −iw, +w.
+            // For a link vector w = z e, ∂r is −w with respect to ln z and −iw with respect to the angle. The second
+            // derivatives are −w, −iw (mixed) and +w.
             let first: [Complex<f64>; N] = std::array::from_fn(|k| match k {
                 0 | 1 => -links[k],
                 _ => -links[k - 2] * turn,
@@ -135,7 +137,7 @@ impl Objective {
         self.with_coupler(x, self.value(x).1)
     }
 
-    /// The proportions at a point with a known z₁; values at a bound are exact.
+    /// The proportions at a point with a known z₁; a length at a bound equals the bound exactly.
     pub(super) fn with_coupler<const N: usize>(&self, x: &Point<N>, coupler: f64) -> Proportions {
         let [low, high] = self.bounds();
         let [output, input] = [0, 1].map(|k| match x[k] {

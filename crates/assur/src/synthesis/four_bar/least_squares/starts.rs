@@ -1,5 +1,5 @@
-//! Starts of a search for the least ΣJ: exact solutions for some of the positions, the least-squares solution of
-//! Freudenstein's equations, and a grid. They are deterministic.
+//! Starting points of a search for the least ΣJ: exact solutions for some of the positions, the least-squares solution
+//! of Freudenstein's equations, and a grid. None is random.
 
 use crate::sorting::sort_by;
 use std::f64::consts::TAU;
@@ -12,11 +12,12 @@ use crate::synthesis::four_bar::{Task, ThreePositions, five};
 const GRID: usize = 8;
 /// Maximum number of sets of three or five positions that are solved exactly.
 const CHOICES: usize = 20;
-/// Grid points along each length and each angle for free starting angles, and number of the lowest ones to start from.
+/// Grid points along each length and along each angle, if the starting angles are free.
 const COARSE: [usize; 2] = [3, 8];
+/// Number of points of this grid, those with the least ΣJ, from which the search starts.
 const LOWEST: usize = 32;
 
-/// Starts with given angles.
+/// Starting points if the starting angles are given.
 pub(super) fn given(task: &Task) -> Vec<Point<2>> {
     let count = task.positions().len();
     let linear = weighted_difference(task).into_iter();
@@ -32,7 +33,7 @@ pub(super) fn given(task: &Task) -> Vec<Point<2>> {
     starts
 }
 
-/// Starts with free angles.
+/// Starting points if the starting angles are free.
 pub(super) fn free(task: &Task) -> Vec<Point<4>> {
     let count = task.positions().len();
     let mut starts = Vec::new();
@@ -55,19 +56,19 @@ pub(super) fn free(task: &Task) -> Vec<Point<4>> {
     starts
 }
 
-/// Midpoints of equal intervals along both logarithms.
+/// Grid of the midpoints of equal intervals along ln z₂ and ln z₃.
 fn grid(places: usize, [from, to]: [f64; 2]) -> impl Iterator<Item = Point<2>> {
     let at = move |k: usize| from + (k as f64 + 0.5) / places as f64 * (to - from);
     (0..places * places).map(move |k| [at(k / places), at(k % places)])
 }
 
-/// Sets of K out of `count` positions, spread evenly over all of them.
+/// Sets of K out of `count` positions, evenly spread over all such sets.
 fn choices<const K: usize>(count: usize) -> Vec<[usize; K]> {
     let mut all: Vec<[usize; K]> = Vec::new();
     if count < K {
         return all;
     }
-    // Listing all sets of 12 positions is cheap; more positions are thinned out first.
+    // Listing all sets out of 12 positions is cheap. If there are more, 12 evenly spread positions are taken.
     let thinned: Vec<usize> = if count > 12 {
         (0..12).map(|k| k * (count - 1) / 11).collect()
     } else {
@@ -76,7 +77,7 @@ fn choices<const K: usize>(count: usize) -> Vec<[usize; K]> {
     let mut next: [usize; K] = std::array::from_fn(|k| k);
     loop {
         all.push(next.map(|k| thinned[k]));
-        // Increments the last index that can still grow; those after it follow it.
+        // Increments the last index that can still grow; the indices after it take the next numbers.
         let Some(k) = (0..K).rev().find(|k| next[*k] < thinned.len() - K + k) else {
             break;
         };

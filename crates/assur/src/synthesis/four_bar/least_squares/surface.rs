@@ -20,7 +20,7 @@ impl Surface {
         }
     }
 
-    /// ΣJ with the weights of the task at these z₂ and z₃; none if one is not positive or not finite.
+    /// ΣJ with the weights of the task at these z₂ and z₃; none unless both are positive and finite.
     pub fn value(&self, output: f64, input: f64) -> Option<f64> {
         let x = [output.ln(), input.ln()];
         let value = self.objective.value(&x).0 * self.weight;

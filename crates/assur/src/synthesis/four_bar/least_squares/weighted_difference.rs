@@ -1,16 +1,16 @@
 //! Levitsky's quadratic approximation: least squares of Freudenstein's equations.
 //!
-//! Its weighted difference is q = |r|² − z₁² = (|r| − z₁)(|r| + z₁). The residual of Freudenstein's equation
-//! cos(φ₂ − φ₃) = Z + cos φ₂/z₃ + cos φ₃/z₂, Z = (z₁² − z₂² − z₃² − 1)/(2z₂z₃),
-//! is q/(2z₂z₃). So the sum of its squares is ΣwJ with the weights w = ((|r| + z₁)/(2z₂z₃))². For three positions both
-//! minima are zero, at the same linkage. For more positions the weights differ little from position to position if J is
-//! small, and the two minima differ by the order of J.
+//! Levitsky's weighted difference is q = |r|² − z₁² = (|r| − z₁)(|r| + z₁). The residual of Freudenstein's equation
+//! cos(φ₂ − φ₃) = Z + cos φ₂/z₃ + cos φ₃/z₂, with Z = (z₁² − z₂² − z₃² − 1)/(2z₂z₃), is q/(2z₂z₃). So the sum of the
+//! squared residuals is ΣwJ with the weights w = ((|r| + z₁)/(2z₂z₃))². For three positions ΣJ and ΣwJ are both zero,
+//! at the same linkage. For more positions the weights differ little from position to position if J is small, and the
+//! minima of ΣJ and ΣwJ differ by the order of J.
 
 use crate::numeric::linear::least_squares;
 use crate::synthesis::four_bar::{Proportions, Task};
 
-/// The proportions with the least sum of squares, with the weights of the task: a linear problem in Z, 1/z₃ and 1/z₂.
-/// None if a length is not positive or the positions do not determine it.
+/// Finds the proportions with the least sum of squared residuals, with the weights of the task: a linear problem in Z,
+/// 1/z₃ and 1/z₂. None if a length is not positive or is not determined by the positions.
 pub fn weighted_difference(task: &Task) -> Option<Proportions> {
     let equations = task.directions([0.0; 2]).zip(task.positions());
     let rows = equations.map(|(at, position)| {

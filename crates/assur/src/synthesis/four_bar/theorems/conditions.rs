@@ -1,11 +1,11 @@
-//! The conditions on positive lengths, as printed and by their numbers, and the theorems that they make, each with the
-//! exact result.
+//! The conditions on positive lengths, as printed and with the paper's numbers, and the theorems that consist of them.
+//! Each comes with the exact result.
 
 use super::truth::non_negative;
 use super::{Angles, Subsystem, Truth, Unknown, truth};
 use crate::tolerance;
 
-/// Condition under which z = P + Q z₁ is positive.
+/// Cases of P and Q, with the z₁ for which z = P + Q z₁ is positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Alternative {
     /// P > 0 and Q < 0: for z₁ less than −P/Q.
@@ -18,13 +18,13 @@ pub enum Alternative {
         /// −P/Q.
         above: f64,
     },
-    /// P ≥ 0 and Q ≥ 0, not both zero: for every z₁ > 0; (14), (25) and (20) to (23) leave it out.
+    /// P ≥ 0 and Q ≥ 0, not both zero: for every z₁ > 0. The paper's (14), (25) and (20) to (23) omit this case.
     Always,
     /// For no z₁.
     Never,
 }
 
-/// The alternative in which P + Q z is positive.
+/// The alternative to which P (`constant`) and Q (`slope`) belong.
 pub fn alternative(constant: f64, slope: f64) -> Alternative {
     let limit = -constant / slope;
     if constant > 0.0 && slope < 0.0 && limit.is_finite() {
@@ -39,7 +39,7 @@ pub fn alternative(constant: f64, slope: f64) -> Alternative {
 }
 
 impl Alternative {
-    /// Range of z₁ in which the length is positive: the minimum, or zero, and the maximum, if there is one; none for
+    /// Range of z₁ in which the length is positive: the lower bound, and the upper bound if there is one. None for
     /// `Never`.
     pub fn range(self) -> Option<(f64, Option<f64>)> {
         match self {
@@ -75,14 +75,14 @@ pub struct Theorem {
     pub number: u8,
     /// True if its conditions hold, as printed.
     pub conditions: bool,
-    /// True if its conclusion holds: there are real lengths (1, 2), lengths that are not negative (3, 5), positive
-    /// lengths (4). If `conditions` holds and this does not, the theorem is false; in the opposite case it requires
-    /// more than is needed.
+    /// True if its conclusion holds: there are real lengths (theorems 1, 2), lengths that are not negative (3, 5) or
+    /// positive lengths (4). If `conditions` is true and this is false, the theorem is false. In the opposite case it
+    /// requires more than is needed.
     pub truth: bool,
 }
 
-/// The printed conditions at given angles, by number. If (13) fails there are no others on z₂ and z₃; none at angles
-/// that are not finite.
+/// The printed conditions at given angles, by number; empty if an angle is not finite. If (13) fails, it is the only
+/// one listed, because the others concern z₂ and z₃ as functions of z₁.
 pub fn conditions(angles: &Angles) -> Vec<Condition> {
     if !angles.is_finite() {
         return Vec::new();
@@ -104,7 +104,8 @@ pub fn conditions(angles: &Angles) -> Vec<Condition> {
     all
 }
 
-/// (14) and (29) for z₂ (k = 0), (25) and (30) for z₃. "(P ≥ 0 and Q ≤ 0) or PQ ≤ 0" is PQ ≤ 0.
+/// Conditions (14) and (29) for z₂ (k = 0), or (25) and (30) for z₃ (k = 1). The printed "(P ≥ 0 and Q ≤ 0) or PQ ≤ 0"
+/// is the same as PQ ≤ 0.
 fn of_signs(by: &Subsystem, k: usize) -> [Condition; 2] {
     let (p, q) = (by.constant[k], by.slope[k]);
     let condition = |number, holds, truth| Condition {
@@ -121,11 +122,12 @@ fn of_signs(by: &Subsystem, k: usize) -> [Condition; 2] {
     ]
 }
 
-/// (33) to (35) for z₂, (36) to (38) for z₃: signs of the two fractions of (31) and (32), where zero has either sign.
+/// Conditions (33) to (35) for z₂ and (36) to (38) for z₃, on the signs of the two fractions of (31) and (32). Zero
+/// counts as either sign.
 fn of_cases(angles: &Angles, by: &Subsystem) -> [Condition; 6] {
     let [f0, f1, f2, f3] = [angles.frame, angles.coupler, angles.output, angles.input];
     let second = [(f0 - f3).sin(), (f3 - f2).sin()].map(|one| one / (f3 - f1).sin());
-    // For z₃ the slope comes first.
+    // For z₃ the fraction of the slope is printed first.
     let third = [(f2 - f3).sin(), (f0 - f2).sin()].map(|one| one / (f2 - f1).sin());
     let not_negative = [0, 1].map(|k| by.constant[k] >= 0.0 || by.slope[k] > 0.0);
     let condition = |number, k: usize, values: [f64; 2], signs: [f64; 2]| Condition {
@@ -145,9 +147,8 @@ fn of_cases(angles: &Angles, by: &Subsystem) -> [Condition; 6] {
     ]
 }
 
-/// The condition that theorem 5 leaves out, that of the pair z₂, z₃: z₂ = −a₁ − b₁z₃ is not negative for some z₃ ≥ 0.
-/// With it theorem 5 is exact. `values` are a₁ = sin(φ₁ − φ₀)/sin(φ₂ − φ₁) and b₁ = sin(φ₃ − φ₁)/sin(φ₂ − φ₁); none if
-/// an angle is not finite or e₁ is parallel to e₂.
+/// The condition on the pair z₂, z₃ that theorem 5 omits: z₂ = −a₁ − b₁z₃ is not negative for some z₃ ≥ 0. Here a₁ =
+/// sin(φ₁ − φ₀)/sin(φ₂ − φ₁) and b₁ = sin(φ₃ − φ₁)/sin(φ₂ − φ₁). With this condition theorem 5 is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThirdPair {
     /// a₁ and b₁.
@@ -156,7 +157,7 @@ pub struct ThirdPair {
     pub holds: bool,
 }
 
-/// See [`ThirdPair`].
+/// The condition of [`ThirdPair`] at given angles; none if an angle is not finite or e₁ is parallel to e₂.
 pub fn third_pair(angles: &Angles) -> Option<ThirdPair> {
     let across = (angles.output - angles.coupler).sin();
     if across.abs() < tolerance::NEGLIGIBLE || !angles.is_finite() {
@@ -170,8 +171,9 @@ pub fn third_pair(angles: &Angles) -> Option<ThirdPair> {
     })
 }
 
-/// Theorems 1 to 5 at given angles, as printed; none if an angle is not finite. Their conditions are (13) and (14) for
-/// 1, (24) and (25) for 2, both for 3, both with strict signs for 4, one of (33) to (35) and one of (36) to (38) for 5.
+/// Theorems 1 to 5 at given angles, as printed; none if an angle is not finite. Theorem 1 has the conditions (13) and
+/// (14), theorem 2 (24) and (25), theorem 3 all of these, and theorem 4 all of these with strict signs. Theorem 5 has
+/// one of (33) to (35) and one of (36) to (38).
 pub fn theorems(angles: &Angles) -> Option<[Theorem; 5]> {
     let positive = truth(angles).as_ref().map(Truth::holds)?;
     let not_negative = non_negative(angles)?;
@@ -197,8 +199,8 @@ pub fn theorems(angles: &Angles) -> Option<[Theorem; 5]> {
 }
 
 impl Angles {
-    /// True if some real lengths close the loop: e₀ is a linear combination of e₁, e₂ and e₃, unless these are parallel
-    /// to each other and not to e₀.
+    /// True if some real lengths close the loop, so that e₀ is a linear combination of e₁, e₂ and e₃. None do if these
+    /// three are parallel to each other but not to e₀.
     fn have_real_lengths(&self) -> bool {
         let across = [self.coupler, self.output, self.input].map(|turn| turn - self.frame);
         let [a, b, c] = across;

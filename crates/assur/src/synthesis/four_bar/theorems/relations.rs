@@ -1,15 +1,16 @@
-//! The formulas of the paper in numbers, corrected and as printed (Sinchev and Mukhanova, (3) to (38)).
+//! The formulas of the paper, evaluated as corrected and as printed (Sinchev and Mukhanova, (3) to (38)).
 
 use super::{
     Alternative, Angles, Subsystem, System, Unknown, alternative, functional, opening, third_pair,
 };
 use crate::relation::Relation;
 
-/// The relations of the paper at each position, in the order of the paper, named with the position's number. `z` are
-/// the trial lengths z₁, z₂, z₃: (1), J with its derivatives and the gap are evaluated for them. All other formulas are
-/// evaluated for the lengths that close the position: z₁ and the z₂, z₃ that follow from it; if (13) fails there are
-/// none. `length` is l₀. `best` is, for each position, the coupler's angle with the least residual and that residual,
-/// in lengths of the frame. Positions with an angle that is not finite have no relations.
+/// Evaluates the relations of the paper at each position, in the order of the paper. Their names include the number of
+/// the position. `z` are the trial lengths z₁, z₂, z₃, for which (1), J with its derivatives, and the gap are
+/// evaluated. All other formulas are evaluated for lengths that close the position: z₁, and the z₂ and z₃ that follow
+/// from it. If (13) fails, these formulas are left out. `length` is l₀. For each position, `best` lists the coupler's
+/// angle with the least residual, and this residual in lengths of the frame. Positions with an angle that is not finite
+/// have no relations.
 pub fn relations(
     positions: &[Angles],
     z: [f64; 3],
@@ -73,7 +74,7 @@ impl<'a> Collected<'a> {
         }
     }
 
-    /// The quantity with the position's number, `[z₂ + e₂e₃z₃]⁽¹⁾`.
+    /// Name of a quantity with the position's number, such as `[z₂ + e₂e₃z₃]⁽¹⁾`.
     fn name(&self, name: &str) -> String {
         let number = self.number.to_string();
         let digits = number.chars().filter_map(|digit| digit.to_digit(10));
@@ -90,7 +91,7 @@ impl<'a> Collected<'a> {
             .push(Relation::of(item, self.name(name), value, printed));
     }
 
-    /// Adds a value whose formula is correct as printed, or that is only a name.
+    /// Adds a value whose formula is correct as printed, or a quantity that has no formula.
     fn same(&mut self, item: &'static str, name: &str, value: f64) {
         self.of(item, name, value, value);
     }
@@ -100,7 +101,7 @@ impl<'a> Collected<'a> {
             .push(Relation::angle(item, self.name(name), value, value));
     }
 
-    /// eᵢ·eⱼ, of the frame (0), coupler, output and input.
+    /// eᵢ·eⱼ, where the index is 0 for the frame, 1 for the coupler, 2 for the output and 3 for the input.
     fn dot(&self, i: usize, j: usize) -> f64 {
         (self.turn(i) - self.turn(j)).cos()
     }
@@ -120,7 +121,7 @@ impl<'a> Collected<'a> {
         [frame, coupler, output, input][i]
     }
 
-    /// (1): residual of the contour along the axes.
+    /// Adds (1): the residual of the contour along the axes.
     fn contour(&mut self, [z1, z2, z3]: [f64; 3], length: f64) {
         let open = |of: fn(f64) -> f64| {
             let links = z1 * of(self.turn(1)) + z2 * of(self.turn(2)) + z3 * of(self.turn(3));
@@ -131,7 +132,7 @@ impl<'a> Collected<'a> {
         self.same("000.(1)", "l₁e₁ + l₂e₂ + l₃e₃ − l₀e₀, y", y);
     }
 
-    /// (3), its least value and its derivatives (4), and the products of directions.
+    /// Adds (3), its least value and its derivatives (4), and the products of directions.
     fn functional(&mut self, [z1, z2, z3]: [f64; 3]) {
         if let Some(system) = System::new(&[*self.angles]) {
             let least = system.positive_minimum();
@@ -165,7 +166,7 @@ impl<'a> Collected<'a> {
         }
     }
 
-    /// The ranks, and the determinants of the subsystems in z₂, z₃.
+    /// Adds the ranks, and the determinants of the subsystems in z₂, z₃.
     fn system(&mut self) {
         let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
         if let Some(system) = System::new(&[*self.angles]) {
@@ -195,7 +196,7 @@ impl<'a> Collected<'a> {
         );
     }
 
-    /// (5) to (16), (26), (31), (32): formulas for lengths that close the position.
+    /// Adds (5) to (16), (26), (31), (32): formulas for lengths that close the position.
     fn closed(&mut self, by: &Subsystem, z1: f64) {
         let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
         let [e01, e02, e03] = [self.dot(0, 1), self.dot(0, 2), self.dot(0, 3)];
@@ -293,7 +294,7 @@ impl<'a> Collected<'a> {
         }
     }
 
-    /// (17) to (25), (29), (30): signs and ranges.
+    /// Adds (17) to (25), (29), (30): signs and ranges.
     fn ranges(&mut self, by: &Subsystem, z1: f64) {
         let [[p2, p3], [q2, q3]] = [by.constant, by.slope];
         self.of("000.(17)", "z₂", p2 + q2 * z1, p2 - q2 * z1);
@@ -328,7 +329,7 @@ impl<'a> Collected<'a> {
         }
     }
 
-    /// (33) to (38), the omitted pair, and the cone.
+    /// Adds (33) to (38), the pair that theorem 5 omits, and the opening of the cone.
     fn cases(&mut self) {
         let [second, third] = [self.sin(3, 1), self.sin(2, 1)];
         if second != 0.0 {

@@ -13,8 +13,8 @@ pub fn functional(angles: &Angles, z: [f64; 3]) -> f64 {
     sum[0] * sum[0] + sum[1] * sum[1]
 }
 
-/// ∂ΣJ/∂z = 0: `matrix` z = `right`, the sum over all positions of scalar products of the directions. For one position
-/// it is a Gram matrix of plane vectors, with rank at most two.
+/// The system ∂ΣJ/∂z = 0, which reads `matrix` z = `right`: scalar products of the directions, summed over all
+/// positions. For one position the matrix is a Gram matrix of plane vectors, so its rank is at most two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct System {
     /// Σ eᵢ·eⱼ.
@@ -32,7 +32,7 @@ pub struct System {
 pub struct PositiveMinimum {
     /// z₁, z₂, z₃; a zero is a length at its bound, and then ΣJ has no minimum over z > 0.
     pub z: [f64; 3],
-    /// ΣJ there.
+    /// ΣJ for these lengths.
     pub value: f64,
 }
 
@@ -60,9 +60,9 @@ impl System {
         })
     }
 
-    /// Rank of the matrix with the right-hand side, that of A + bbᵀ: A is positive semidefinite, so its columns and b
-    /// span the same space as the columns of A + bbᵀ. It always equals the rank of the matrix alone: there is a
-    /// minimum.
+    /// Rank of the matrix A augmented by the right-hand side b, found as the rank of A + bbᵀ. A is positive
+    /// semidefinite, so its columns and b span the same space as the columns of A + bbᵀ. The rank always equals that of
+    /// A, because ΣJ has a minimum.
     pub fn augmented_rank(&self) -> usize {
         let mut matrix = self.matrix;
         for (row, left) in matrix.iter_mut().zip(self.right) {
@@ -73,7 +73,7 @@ impl System {
         rank(matrix)
     }
 
-    /// ΣJ.
+    /// ΣJ for lengths z₁, z₂, z₃.
     pub fn value(&self, z: [f64; 3]) -> f64 {
         let mut value = self.positions as f64;
         for i in 0..3 {
@@ -85,15 +85,15 @@ impl System {
         value.max(0.0)
     }
 
-    /// z₁, z₂, z₃ of the unique minimum over all real numbers; none if the rank is less than three, when there are
-    /// many.
+    /// z₁, z₂, z₃ of the unique minimum over all real numbers; none if the rank is less than three, because there are
+    /// then many minima.
     pub fn minimum(&self) -> Option<[f64; 3]> {
         (self.rank == 3)
             .then(|| solve(self.matrix, self.right))
             .flatten()
     }
 
-    /// The minimum over z ≥ 0: the best of the eight minima with some of the lengths zero.
+    /// The minimum of ΣJ over z ≥ 0: the best of the eight minima in which a chosen set of lengths is zero.
     pub fn positive_minimum(&self) -> PositiveMinimum {
         let mut best = PositiveMinimum {
             z: [0.0; 3],

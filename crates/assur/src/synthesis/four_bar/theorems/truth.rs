@@ -6,26 +6,26 @@ use super::{Angles, Unknown};
 use crate::angle::nearest_to;
 use crate::tolerance;
 
-/// The z₁ > 0 for which z₂ > 0 and z₃ > 0 close the loop.
+/// Lengths z₁ > 0 for which positive z₂ and z₃ close the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Truth {
-    /// All z₁ strictly between two bounds; `to` is None without an upper bound.
+    /// All z₁ strictly between two bounds.
     Between {
-        /// The minimum, or zero.
+        /// The lower bound, at least zero.
         from: f64,
-        /// The maximum.
+        /// The upper bound; None if there is none.
         to: Option<f64>,
     },
-    /// No z₁.
+    /// No z₁ closes the loop.
     None,
-    /// Input and output are parallel, condition (13) fails: at most this one z₁.
+    /// Input and output are parallel, so condition (13) fails: at most one z₁ closes the loop.
     Parallel {
-        /// z₁.
+        /// This z₁, if there is one.
         coupler: Option<f64>,
     },
-    /// All links are parallel to the frame: every z₁, or none.
+    /// Coupler, output and input are parallel to each other: z₁ is not unique, or no z₁ closes the loop.
     InLine {
-        /// True if there are such lengths.
+        /// True if positive lengths close the loop.
         closes: bool,
     },
 }
@@ -42,9 +42,9 @@ impl Truth {
     }
 }
 
-/// δ₊ − δ₋: from the nearest of e₁, e₂, e₃ on the right of e₀ to the nearest on its left, radians. If it is less than
-/// π, e₀ lies strictly inside their cone and positive lengths close the loop. None if all are on one side, or an angle
-/// is not finite.
+/// Angle δ₊ − δ₋, radians, between the two of e₁, e₂, e₃ that are nearest to e₀ on its right and on its left. If it is
+/// less than π, e₀ lies strictly inside the cone of the three vectors, and positive lengths close the loop. None if all
+/// three are on one side, or an angle is not finite.
 pub fn opening(angles: &Angles) -> Option<f64> {
     let turns = angles.off_frame();
     let left = turns.into_iter().filter(|turn| *turn > 0.0);
@@ -53,8 +53,8 @@ pub fn opening(angles: &Angles) -> Option<f64> {
     opening.is_finite().then_some(opening)
 }
 
-/// True if some z ≥ 0 closes the loop: e₀ lies in the cone of e₁, e₂, e₃, including its border. None if an angle is not
-/// finite.
+/// True if some z ≥ 0 closes the loop: e₀ lies in the cone of e₁, e₂, e₃, including its boundary. None if an angle is
+/// not finite.
 pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
     if !angles.is_finite() {
         return None;
@@ -74,8 +74,8 @@ impl Angles {
     }
 }
 
-/// The exact criterion: P₂ + Q₂z₁ > 0 and P₃ + Q₃z₁ > 0 each give a ray of z₁ or none, together with z₁ > 0 an
-/// interval. None if an angle is not finite.
+/// The exact criterion. Each of P₂ + Q₂z₁ > 0 and P₃ + Q₃z₁ > 0 holds on a ray of z₁, for every z₁ or for none.
+/// Together with z₁ > 0 this leaves an interval or nothing. None if an angle is not finite.
 pub fn truth(angles: &Angles) -> Option<Truth> {
     if !angles.is_finite() {
         return None;
@@ -101,8 +101,8 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
     })
 }
 
-/// With e₃ = ±e₂ the product with e₂ gives e₀ × e₂ = z₁ e₁ × e₂. z₂ and ±z₃ make up the rest along e₂: any amount if e₂
-/// and e₃ are opposite, otherwise a positive one.
+/// Result for e₃ = ±e₂. The vector product of the loop equation and e₂ gives e₀ × e₂ = z₁ e₁ × e₂. The lengths z₂ and
+/// ±z₃ make up the rest along e₂: any amount if e₂ and e₃ are opposite, otherwise only a positive one.
 fn parallel(angles: &Angles) -> Truth {
     let [frame, coupler] = [angles.frame, angles.coupler].map(|angle| {
         let (sin, cos) = (angles.output - angle).sin_cos();
@@ -110,7 +110,7 @@ fn parallel(angles: &Angles) -> Truth {
     });
     let opposite = (angles.input - angles.output).cos() < 0.0;
     if coupler[0].abs() < tolerance::NEGLIGIBLE {
-        // The coupler is parallel as well; then the loop closes only if the frame is, too.
+        // The coupler is parallel as well, so the loop closes only if the frame is parallel too.
         let in_line = frame[0].abs() < tolerance::NEGLIGIBLE;
         let along = opposite || frame[1] > 0.0 || coupler[1] < 0.0;
         return Truth::InLine {
