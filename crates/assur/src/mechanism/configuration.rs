@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Assembly sign of each step; plus for a step with only one assembly.
+/// Assembly sign of each step. A step with only one assembly has the sign plus.
 pub(crate) type AssemblySigns = List<StepId, Sign>;
 
 /// All that differs between the assemblies of a layout: the input, the signs of the dyads, the orientations of the bodies,
@@ -17,7 +17,7 @@ pub(crate) struct Configuration {
 }
 
 impl Configuration {
-    /// The configuration as the nearby pose.
+    /// Orientations and unknowns of this configuration, near which a step is solved.
     pub(super) fn near(&self) -> Nearby<'_> {
         Nearby {
             orientations: &self.orientations,
@@ -37,7 +37,7 @@ impl Configuration {
         }
     }
 
-    /// The configuration with the pose of a state.
+    /// The configuration with the orientations and unknowns of a state.
     pub(super) fn posed<const N: usize>(self, state: &State<N>) -> Self {
         let places = state.natural.iter().map(|place| place.value());
         Self {
