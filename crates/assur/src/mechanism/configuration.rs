@@ -5,8 +5,8 @@ use super::*;
 /// Assembly sign of each step. A step with only one assembly has the sign plus.
 pub(crate) type AssemblySigns = List<StepId, Sign>;
 
-/// All that differs between the assemblies of a layout: the input, the signs of the dyads, the orientations of the bodies,
-/// the unknowns of groups solved by Newton's method, and the mounting of the wheels.
+/// All that differs between the assemblies of a layout: the input, the signs of the dyads, the orientations of the
+/// bodies, the unknowns of groups solved by Newton's method, and the mounting of the wheels.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Configuration {
     pub(super) input: f64,
