@@ -12,9 +12,9 @@ pub struct TracerSpec {
     pub name: String,
     /// Link that carries the tracer, or the frame.
     pub link: String,
-    /// Position of the tracer in the coordinates of its link. The origin is the link's first point; x points along the
-    /// link's angle: towards its second point, or along the zero direction of a wheel with one point. On the frame,
-    /// position in the coordinates of the drawing.
+    /// Position of the tracer in the coordinates of its link: origin at the link's first point, x along the link's
+    /// angle, which is towards its second point. For a wheel with one point, x is along the zero direction of the
+    /// wheel. For the frame, the coordinates are those of the drawing.
     pub at: Vector,
 }
 

@@ -74,7 +74,7 @@ impl LinkageSpec {
         spread
     }
 
-    /// True if another link is fixed to this link as drawn.
+    /// True if another link is fixed to this link.
     pub(super) fn is_base(&self, link: &str) -> bool {
         let mut fixed = self
             .links

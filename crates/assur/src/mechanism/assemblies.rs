@@ -40,8 +40,8 @@ pub struct Assemblies {
 }
 
 /// Assemblies of a linkage at successive inputs. If an input is near the previous one, the solutions of groups are
-/// tracked from the previous input, which takes at most a tenth of the time. The tracked set is complete if its
-/// solutions are distinct and as many as in the general case. If in doubt, all solutions are computed anew.
+/// tracked from there, in at most a tenth of the time of a new search. The tracked set is complete if its solutions are
+/// distinct and their number is that of the general case. If in doubt, all solutions are computed anew.
 #[derive(Clone, Debug)]
 pub struct Following {
     mechanism: Mechanism,
@@ -71,7 +71,8 @@ pub(crate) struct Found<const N: usize> {
     /// Pose and assembly signs of each assembly.
     pub(crate) ways: Vec<(Pose<N>, AssemblySigns)>,
     complex: Vec<usize>,
-    /// Pairs of complex conjugate solutions, of groups and of dyads out of reach, if derivatives are computed.
+    /// Pairs of complex conjugate solutions, of groups and of dyads out of reach. Empty unless derivatives are
+    /// computed.
     pub(crate) unreal: Vec<ComplexPair>,
     /// Square of the sine of the angle between two guides that must cross. At a zero of the sine bodies go to infinity;
     /// near this zero, links joined to these bodies may be within reach over a short interval.
@@ -184,8 +185,8 @@ struct Search<'a, const N: usize> {
     layout: &'a Layout,
     near: &'a Configuration,
     input: Jet<N>,
-    /// Signs and unknowns of the steps solved so far, and approximate orientations of the bodies. An angle is unwrapped
-    /// to its equivalent nearest to these orientations.
+    /// Signs and unknowns of the steps solved so far, and approximate orientations of the bodies. Angles are unwrapped
+    /// to be nearest to these orientations.
     at: Configuration,
     most: usize,
     tries: usize,

@@ -127,8 +127,8 @@ impl Layout {
         alone && self.closed_steps(&at.mounting).count() <= 1 && self.steps.iter().all(known)
     }
 
-    /// True if a wheel is back at its angle whenever the crank or rocker that turns it is, or if it looks the same at
-    /// any angle.
+    /// True if a wheel has returned to its angle whenever the crank or rocker that turns the wheel has returned, or if
+    /// the wheel looks the same at any angle.
     fn returns(&self, wheel: BodyId, at: &Configuration) -> bool {
         let Some(link) = self.made_for[wheel].filter(|_| self.shows_its_angle(wheel)) else {
             return true;
@@ -152,8 +152,8 @@ impl Mechanism {
         self.layout.closed_steps(self.mounting())
     }
 
-    /// True if the closed form gives the whole motion. The only driver is then a crank, there is at most one four-bar,
-    /// and wheels return with the crank and drive nothing else.
+    /// True if the closed form gives the whole motion: the only driver is a crank, there is at most one four-bar, and
+    /// wheels return with the crank and drive nothing else.
     pub(crate) fn whole_closed_form(&self) -> bool {
         self.layout.whole_closed_form(&self.drawn)
     }
@@ -172,8 +172,9 @@ impl Mechanism {
             .collect()
     }
 
-    /// Offset, from the input, of the angle of the first crank if it carries one of two hinges. The angle is measured
-    /// at the pivot of the crank, from the other hinge to the hinge on the crank. None if the other hinge moves.
+    /// Angle of the first crank less the input, if this crank carries one of two hinges. The angle is measured at the
+    /// pivot of the crank, from the direction to the other hinge to the direction to the hinge on the crank. None if
+    /// the other hinge moves.
     fn lead_of(&self, hinges: [BodyPoint; 2]) -> Option<f64> {
         let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
             [true, false] => hinges,

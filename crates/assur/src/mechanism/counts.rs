@@ -78,7 +78,8 @@ pub(super) fn counts(spec: &Resolved<'_>, bodies: &Bodies) -> Counts {
         links: graph.links - 1 + idlers + doubled,
         lower_pairs: graph.lower_pairs() + idlers + hinges,
         higher_pairs: graph.higher_pairs() + passive + idlers,
-        // An idler does not change the mobility: it adds 3 freedoms, and takes 2 by its hinge and 1 by one more mesh.
+        // An idler does not change the mobility: it has 3 freedoms, of which its hinge removes 2 and one more mesh
+        // removes 1.
         mobility: graph.mobility() - passive as isize + 3 * doubled as isize - 2 * hinges as isize,
         passive,
     }

@@ -52,7 +52,7 @@ const ASIDE: f64 = 0.1;
 impl Mechanism {
     /// All dimensions, in the order of the specification. The length, sides and corners of each link are followed by
     /// offsets of slides, then coordinates of hinges and guide points of the frame. A point of the frame is left out if
-    /// a driven slide is measured from it, or if a link at this point is fixed to another link.
+    /// a driven slide is measured from it, or if a link at this point is fixed to another link or carries a fixed link.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let spec = self.spec();
         let links = self.link_ids().zip(&spec.links);
@@ -70,8 +70,8 @@ impl Mechanism {
         all.filter(|dimension| self.has(*dimension)).collect()
     }
 
-    /// True if a dimension exists. A point of a link gives no dimension if the link shares the point with the frame, or
-    /// with a link that must keep its shape, and is one body with it.
+    /// True if a dimension exists. A point of a link gives no dimension if the link is one body with the frame, or with
+    /// a link that must keep its shape, and shares the point with this frame or link.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {
@@ -121,7 +121,7 @@ impl Mechanism {
         })
     }
 
-    /// Equivalent of a value that is nearest to the current value of a dimension, so that an angle changes by at most
+    /// Value equivalent to a given one and nearest to the current value of the dimension. An angle changes by at most
     /// half a turn.
     pub fn nearest(&self, dimension: Dimension, value: f64) -> f64 {
         match (dimension, self.value(dimension)) {
@@ -153,8 +153,8 @@ impl Mechanism {
 }
 
 impl Dimension {
-    /// Setting that gives this dimension a value in a drawn linkage. A side from the second point is set by the corner
-    /// instead.
+    /// Setting that gives this dimension a value in a drawn linkage. A side from the second point must be set by the
+    /// corner instead.
     pub(crate) fn setting(self, spec: &LinkageSpec, value: f64) -> Setting {
         let at = |point: PointId| spec.points[point.index()].at;
         let placed = |link: LinkId, point: usize, angle: f64, side: f64| {

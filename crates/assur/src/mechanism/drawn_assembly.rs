@@ -136,7 +136,7 @@ impl Layout {
         }
     }
 
-    /// Point of a step's links that is farthest from its drawn position, with this distance.
+    /// Point of a step's links that is farthest from its drawn position, and this distance.
     fn misdrawn(
         &self,
         spec: &LinkageSpec,
@@ -172,7 +172,7 @@ impl Layout {
         }
     }
 
-    /// Input of a configuration, or an input next to it if the pose at this input has no derivatives.
+    /// Input of a configuration or, if the pose at this input has no derivatives, an input next to it.
     pub(super) fn entry(
         &self,
         signs: &AssemblySigns,
@@ -183,8 +183,9 @@ impl Layout {
         inputs.find(|input| self.solve(*input, signs, at, state).is_ok())
     }
 
-    /// Input of a configuration and one input on each side of it, for a singular drawn pose. The distance between them
-    /// is a thousandth of a radian for a crank; for a slide, the same fraction of the range as this angle is of a turn.
+    /// Input of a configuration and one input on each side of it, for a singular drawn pose. These inputs are a
+    /// thousandth of a radian apart for a crank. For a slide they are apart by the same fraction of the range as this
+    /// angle is of a turn.
     pub(super) fn entries(&self, at: &Configuration) -> [f64; 3] {
         [0.0, tolerance::NEAR, -tolerance::NEAR].map(|aside| at.input + aside * self.span() / TAU)
     }

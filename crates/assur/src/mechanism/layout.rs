@@ -13,7 +13,7 @@ pub(crate) struct Layout {
     /// Link for which each body is made; None for the frame.
     pub(super) made_for: List<BodyId, LinkOrFrame>,
     pub(super) links: List<LinkId, Part>,
-    /// Each point on its body: first the points of the specification, then its tracers.
+    /// Points, each with its position on a body: first the points of the specification, then its tracers.
     pub(super) points: List<PointId, BodyPoint>,
     /// Number of points of the specification without its tracers.
     pub(super) listed: usize,
@@ -75,7 +75,7 @@ impl Layout {
         let plan = plan::plan(resolved, &bodies, placements, &structure, parallel, drawn);
         let plan = plan.map_err(|defect| vec![defect])?;
         let points = resolved.places.enumerate().map(|(point, at)| {
-            // A point that no link lists stays at its drawn place.
+            // A point that no link lists stays at its drawn position.
             let still = || BodyPoint {
                 body: BodyId::FRAME,
                 local: *at,

@@ -25,7 +25,7 @@ pub(crate) enum Setting {
     Offset(SlideId, f64),
 }
 
-/// Linkage assembled at an input, with a specification drawn in this pose.
+/// Linkage assembled at an input, and its specification drawn in the assembled pose.
 #[derive(Clone, Debug)]
 pub(crate) struct Assembled {
     layout: Arc<Layout>,
@@ -177,7 +177,7 @@ impl Layout {
         drawn: Drawn<'_>,
     ) -> Result<(Self, Configuration), Vec<Defect>> {
         let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
-        // Two links cease to be one body if a dimension changes on only one of them; so do a link and the frame.
+        // Two links cease to be one body if a dimension changes on only one of the two; one of them may be the frame.
         let (before, after) = (&self.doubled, &resolved.doubled);
         if before != after {
             let parted = before.iter().filter(|one| !after.contains(one));

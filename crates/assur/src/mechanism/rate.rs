@@ -9,7 +9,7 @@ use crate::mechanism::{Layout, Mechanism};
 use crate::position::Step;
 
 /// Maximum period of the drivers, in turns of the first crank. It also limits the period of a linkage with wheels whose
-/// motions are searched.
+/// circuits are searched.
 pub(crate) const MAX_PERIOD: usize = 24;
 
 /// Number of turns that stands for no return: it is greater than in any followed motion.

@@ -36,7 +36,7 @@ pub struct Mobility {
     pub rank: isize,
     /// Names of the pairs with redundant constraints, one for each constraint, in the order of points, slides and
     /// gears. A hinge or slide is named by its point, a mesh by both wheels. Of several dependent constraints the last
-    /// in this order is redundant.
+    /// in this order is taken as redundant.
     pub redundant: Vec<String>,
 }
 

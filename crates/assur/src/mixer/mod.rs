@@ -80,7 +80,7 @@ pub struct Mixer {
     pub linkage: FourBar,
     /// Assembly of the four-bar.
     pub assembly: Assembly,
-    /// Wheel 4, which turns with the rocker, and wheels 5, 6, … around it.
+    /// Wheel 4, which turns with the rocker, and wheels 5, 6, … around wheel 4.
     pub gears: GearSet,
     /// The traced points; every wheel that carries a point exists.
     tracers: Vec<Tracer>,

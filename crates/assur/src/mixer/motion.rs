@@ -5,7 +5,7 @@ use crate::Unsolved;
 use crate::mechanism::{Defect, LinkageSpec, Mechanism};
 use crate::motion::{Motion, Unjoinable};
 
-/// The reason why a mixer has no motion as a linkage.
+/// The reason why a mixer has no motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unmoved {
     /// The mixer cannot be drawn.

@@ -154,8 +154,8 @@ mod tests {
                 let (origin, angle) = mixer.body(&pose, carrier);
                 let arm = mixer.traced(&pose, &tracer).place() - origin.place();
                 assert!((arm.norm() - tracer.x.hypot(tracer.y)).abs() < 1e-15);
-                // If the body turns about a fixed centre, the velocity is normal to the arm, and its length is φ′ times
-                // the arm's.
+                // If the body turns about a fixed centre, the velocity is normal to the arm and equals φ′ times the
+                // arm's length.
                 if carrier != Carrier::Coupler {
                     let rate = mixer.traced(&pose, &tracer).derivative(1);
                     assert!(rate.dot(&arm).abs() < 1e-14, "{carrier:?}");
@@ -166,7 +166,7 @@ mod tests {
         }
     }
 
-    /// The middle of the coupler is its centre of mass, which the table of reference values checks.
+    /// The middle of the coupler is its centre of mass, which is checked against the table of reference values.
     #[test]
     fn the_couplers_middle_is_its_centre() {
         let mixer = Mixer::new(&dimensions(Vec::new())).unwrap();

@@ -8,7 +8,7 @@ use super::elimination::System;
 use super::screw::{Form, IN_PLANE, Screw, basis};
 use super::{Pair, Scheme, Space};
 
-/// Wrenches of each pair between its first link and any other link, in the space of the motions.
+/// Constraint wrenches of each pair between its first link and any other link, in the space of the motions.
 pub(super) struct Constraints {
     wrenches: Vec<Vec<Screw>>,
     /// Indices of the components of a screw in this space.
@@ -153,7 +153,7 @@ impl Space {
 
 impl Pair {
     /// Sign of a link in the constraints between the first link of the pair and another of its links, `other`, counted
-    /// from 0. Zero for any third link.
+    /// from 0. The sign of any third link is zero.
     pub(super) fn sign(&self, link: usize, other: usize) -> f64 {
         if self.links.first() == Some(&link) {
             -1.0

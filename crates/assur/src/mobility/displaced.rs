@@ -63,7 +63,7 @@ impl Displaced {
         let [a, b] = [first.carries(drawn), second.carries(drawn)];
         let across = b.place - a.place;
         let opening = |direction: usize| a.frame[direction].dot(&across);
-        // Rotation from the first axis to the second, as its component about each direction of the frame.
+        // Component, about each direction of the frame, of the rotation from the first axis to the second.
         let axes = a.frame[0].cross(&b.frame[0]);
         let leaning = |direction: usize| a.frame[direction].dot(&axes);
         let twisted = a.frame[0].dot(&a.frame[1].cross(&b.frame[1]));

@@ -131,8 +131,8 @@ impl Scheme {
         between.collect()
     }
 
-    /// Smallest motion x of the links that closes the gaps: J x + gaps = 0 with the Jacobian J. It is computed from x =
-    /// Jᵀλ and (J Jᵀ + damping) λ = − gaps.
+    /// Smallest motion x of the links that closes the gaps: J x + gaps = 0 with the Jacobian J. It follows from x = Jᵀλ
+    /// and (J Jᵀ + damping) λ = − gaps.
     fn correction(
         &self,
         halves: &[Vec<Displaced>],

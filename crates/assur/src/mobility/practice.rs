@@ -103,7 +103,7 @@ impl Task {
             pair.kind == PairKind::Revolute && pair.links.contains(&host)
         });
         let hinges: Vec<usize> = hinges.map(|(at, _)| at).collect();
-        // Sometimes the dyad uses an existing hinge of its host, but none that the other host shares.
+        // Sometimes the dyad shares an existing hinge of the first host link, but not a hinge of both hosts.
         let other_host = hosts[1].to_string();
         let hinge = (self.random.below(4) == 0)
             .then(|| {

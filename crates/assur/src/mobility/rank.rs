@@ -87,7 +87,7 @@ impl Scheme {
         constraints.equilibrium(self).eliminated(None).rank()
     }
 
-    /// Forms of the pairs, which contain the screws, in the drawn pose.
+    /// Forms of the pairs in the drawn pose, from which their screws follow.
     pub(super) fn forms(&self, space: Space) -> Result<Vec<Form>, NoRank> {
         if space == Space::Plane && !self.is_planar() {
             return Err(NoRank::NotPlanar);

@@ -8,8 +8,8 @@ use crate::mechanism::plan::driver::DrivenPair;
 use crate::mechanism::plan::willis::{Adds, Equation, Solved};
 use crate::position::{EpicyclicStep, Member, Orientation};
 
-/// Error of a group whose meshes do not determine the angles of its bodies. If the wheels in mesh with the group turn
-/// alike, any angles satisfy its equations.
+/// Error if the meshes of a group do not determine the angles of its bodies. For example, the wheels in mesh with a
+/// body of the group may turn alike, so that any angle of this body satisfies the equations.
 pub(in crate::mechanism) struct Singular;
 
 impl Placed<'_> {
@@ -24,9 +24,9 @@ impl Placed<'_> {
         self.bodies.active_gears().filter(of_it).collect()
     }
 
-    /// Mounts those wheels of a group whose orientation is shown by no point or guide. The first coupling that
-    /// determines such a wheel sets its angle relative to the carrier: zero if the angle of its mate is zero. The
-    /// coordinate of a driven wheel gives its angle.
+    /// Mounts the wheels of a group whose orientation no point and no guide shows. The first coupling that determines
+    /// the angle of such a wheel relative to the carrier sets this angle: zero when the angle of the mate is zero.
+    /// Driven wheels are left out, because their coordinates give their angles.
     pub(in crate::mechanism) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
         let round = group.iter().copied();
         let round = round.filter(|body| {
@@ -57,7 +57,7 @@ impl Placed<'_> {
         })
     }
 
-    /// Angle that follows from the drawn angles of other bodies by the given ratios.
+    /// Angle that follows from the drawn angles of other bodies and the given ratios.
     fn turned(&self, ratios: &[(BodyId, f64)]) -> f64 {
         ratios
             .iter()

@@ -113,8 +113,8 @@ impl Solved {
         Some(Adds::Angle)
     }
 
-    /// Bodies for which the equations are solved. The angle of each body follows from the listed ratios to the angles
-    /// of other bodies.
+    /// Bodies for which the equations are solved, each with the factors of the angles of other bodies that give its
+    /// angle.
     pub(in crate::mechanism) fn ratios(
         &self,
     ) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {

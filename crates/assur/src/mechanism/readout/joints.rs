@@ -164,7 +164,7 @@ impl Mechanism {
         self.layout.origin.into()
     }
 
-    /// Unit of [`Self::scaled`]: the size of the linkage, or 1 if the linkage has no size.
+    /// Unit of [`Self::scaled`]: the size of the linkage, or 1 if this size is zero.
     pub(crate) fn scale_of_places(&self) -> f64 {
         let size = self.size();
         if size > 0.0 { size } else { 1.0 }

@@ -39,8 +39,8 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// All quantities of the position of a mechanism: the angles of the links, then x and y of each point. Quantities
-    /// of transmission are given by [`Mechanism::transmitting`].
+    /// All angles and coordinates of a mechanism: first the angle of each link, then x and y of each point.
+    /// [`Mechanism::transmitting`] lists the transmission and pressure angles.
     pub fn all(mechanism: &Mechanism) -> Vec<Self> {
         let points = mechanism.point_ids();
         let points = points.flat_map(|point| [Self::X(point), Self::Y(point)]);
@@ -159,7 +159,7 @@ impl Quantity {
         sense(&(*angle * self.folds().recip()))
     }
 
-    /// Value of the quantity before folding, which is smooth.
+    /// Value of the quantity before folding. This value is smooth.
     pub(crate) fn unfolded<const N: usize>(self, mechanism: &Mechanism, pose: &Pose<N>) -> Jet<N> {
         match self {
             Self::Angle(link) => mechanism.angle(pose, link),

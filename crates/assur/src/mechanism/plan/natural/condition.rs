@@ -11,7 +11,8 @@ use crate::position::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, 
 
 /// Condition between linear forms. It gives one equation or two.
 pub(in crate::mechanism) enum Condition {
-    /// A direction has length 1. The length of the link in this direction makes the residual a length.
+    /// A direction has length 1. The number is the length of the link in this direction, which makes the residual a
+    /// length.
     Unit(Form, f64),
     Zero(Form),
     /// Component of the vector `way` along a direction of length 1. The angle constraint with index `mesh` gives its
