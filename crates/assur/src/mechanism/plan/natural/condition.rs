@@ -11,7 +11,7 @@ use crate::position::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, 
 
 /// Condition between linear forms. It gives one equation or two.
 pub(in crate::mechanism) enum Condition {
-    /// A direction has length 1. The number is the length of the link in this direction, which makes the residual a
+    /// Unit length of a direction. The number is the length of the link in this direction, which makes the residual a
     /// length.
     Unit(Form, f64),
     Zero(Form),
@@ -25,8 +25,8 @@ pub(in crate::mechanism) enum Condition {
     /// Turns of bodies with the coefficients of their angles, and the index of the angle constraint that gives the
     /// weighted sum of these angles.
     AngleConstraint(Vec<(Form, f64)>, usize),
-    /// The vector `way` is parallel to a direction. The factor `length` makes the residual a length. It is 1, or 0 if
-    /// both forms are directions.
+    /// Vector `way` parallel to a direction. The factor `length` makes the residual a length. It is 1, or 0 if both
+    /// forms are directions.
     Line {
         direction: Form,
         way: Form,
