@@ -1,4 +1,4 @@
-//! Tracer points of a specification: points of a link that join nothing.
+//! Tracer points of a specification: points on a link that are not joints.
 
 use std::collections::BTreeSet;
 
@@ -12,14 +12,14 @@ pub struct TracerSpec {
     pub name: String,
     /// Link that carries the tracer, or the frame.
     pub link: String,
-    /// Its place in the link's own coordinates: the origin at the link's first
-    /// point, x along its angle, so towards its second point; of a wheel with one
-    /// point, along its zero direction. Of the frame: those of the drawing.
+    /// Position of the tracer in the coordinates of its link: origin at the link's first point, x along the link's
+    /// angle, which is towards its second point. For a wheel with one point, x is along the zero direction of the
+    /// wheel. For the frame, the coordinates are those of the drawing.
     pub at: Vector,
 }
 
 impl LinkageSpec {
-    /// With a tracer point at (x, y) in the coordinates of a link.
+    /// Adds a tracer point at (x, y) in the coordinates of a link.
     #[must_use]
     pub fn tracer(mut self, name: &str, link: &str, x: f64, y: f64) -> Self {
         self.tracers.push(TracerSpec {
@@ -31,7 +31,7 @@ impl LinkageSpec {
     }
 }
 
-/// The defects of the tracers of a specification; `sound` checks a coordinate.
+/// The defects of the tracers of a specification; `sound` is true for an admissible coordinate.
 pub(super) fn defects(spec: &LinkageSpec, sound: impl Fn(f64) -> bool) -> Vec<Defect> {
     let names = spec.points.iter().map(|point| point.name.as_str());
     let mut names: BTreeSet<&str> = names.collect();

@@ -1,4 +1,4 @@
-//! Assembly of a linkage by its dimensions alone, whatever its drawing shows.
+//! Assembly of a linkage from its dimensions alone, whatever its drawing shows.
 
 use crate::Vector;
 use crate::linkage::spec::{Defect, LinkSpec, LinkageSpec, extent};
@@ -9,9 +9,10 @@ use crate::mechanism::{Layout, Mechanism, check};
 use crate::tolerance::COINCIDENT;
 
 impl Mechanism {
-    /// The linkage of a specification, drawn in one of its assemblies at an input: radians, or the coordinate of a
-    /// driven slide; None stands for the drawn input. Only dimensions given by the drawing, and coordinates of further
-    /// drivers, are taken from it. None if the links cannot be joined at the input.
+    /// Mechanism of a specification, redrawn in one of its assemblies at an input. The input is in radians, or is the
+    /// coordinate of a driven slide; None stands for the drawn input. The drawing gives only the dimensions that the
+    /// specification lacks, and the coordinates of further drivers. Returns None if the links cannot be joined at the
+    /// input.
     ///
     /// # Errors
     /// All defects of the specification except defects of its drawing.
@@ -39,7 +40,8 @@ impl Mechanism {
 }
 
 impl LinkageSpec {
-    /// Specification with coincident points of a link drawn apart, if their drawn places give no dimension.
+    /// Specification in which coincident points of a link are drawn apart. A point stays if its drawn position gives a
+    /// dimension.
     fn spread(&self) -> Self {
         let shapes = self.links.iter().filter_map(|link| link.shape.as_ref());
         let lengths = shapes.map(|shape| extent(shape.iter().map(|at| at.coords)));
@@ -72,7 +74,7 @@ impl LinkageSpec {
         spread
     }
 
-    /// True if another link is fixed to this one in its drawn place.
+    /// True if another link is fixed to this link.
     pub(super) fn is_base(&self, link: &str) -> bool {
         let mut fixed = self
             .links

@@ -7,12 +7,13 @@ use crate::index::{List, StepId};
 use crate::mechanism::{AssemblySigns, Configuration, Defect, Layout, Mechanism, Pose};
 use crate::position::{Cause, ComplexPair, Method, Sign, State, Step, StepContext, Tracker};
 
-/// Maximum number of assemblies, and of steps solved to find them: n dyads have 2ⁿ combinations, of which only a few
-/// may close.
+/// Maximum number of assemblies. Of n dyads there are 2ⁿ combinations, but only a few may close.
 const MAX_ASSEMBLIES: usize = 4096;
+/// Maximum number of steps solved to find the assemblies.
 const MAX_TRIES: usize = 1 << 16;
-/// Maximum work to solve groups over the complex numbers, in microseconds approximately. It is enough for a group of
-/// four loops of hinges, or three with slides, but not for long chains of such groups with many assemblies each.
+/// Maximum work of solving groups over the complex numbers, approximately in microseconds. This is enough for a group
+/// of four loops with hinges only, or of three with slides, but not for a long chain of such groups with many
+/// assemblies each.
 const MAX_WORK: usize = 60_000;
 
 /// The assemblies of a linkage at an input.
@@ -29,17 +30,18 @@ const MAX_WORK: usize = 60_000;
 pub struct Assemblies {
     /// Pose of each assembly.
     pub poses: Vec<Pose<1>>,
-    /// Number of solutions of each group solved over the complex numbers, once for each assembly of the groups before
-    /// it: six for a Baranov truss of five links; 14, 16 or 18 for a truss of seven; fewer for special dimensions.
+    /// Numbers of complex solutions of the groups that are solved over the complex numbers. A group is listed once for
+    /// each assembly of the groups before it. A Baranov truss of five links has six solutions; one of seven links has
+    /// 14, 16 or 18. Special dimensions have fewer.
     pub complex: Vec<usize>,
-    /// True if these are all assemblies. Some may be missing if wheels mesh within a group, if the maximum number is
+    /// True if no assembly is missing. Some may be missing if wheels mesh within a group, if the maximum number is
     /// exceeded, or if the search would take too long.
     pub whole: bool,
 }
 
-/// Assemblies of a linkage at successive inputs. Near the last input the solutions of groups are tracked from there, in
-/// a tenth of the time or less. The tracked set is complete if its solutions are distinct and of the general number;
-/// in any doubt they are found anew.
+/// Assemblies of a linkage at successive inputs. If an input is near the previous one, the solutions of groups are
+/// tracked from there, in at most a tenth of the time of a new search. The tracked set is complete if its solutions are
+/// distinct and their number is that of the general case. If in doubt, all solutions are computed anew.
 #[derive(Clone, Debug)]
 pub struct Following {
     mechanism: Mechanism,
@@ -69,20 +71,22 @@ pub(crate) struct Found<const N: usize> {
     /// Pose and assembly signs of each assembly.
     pub(crate) ways: Vec<(Pose<N>, AssemblySigns)>,
     complex: Vec<usize>,
-    /// Complex pairs of groups, and of dyads out of reach, if derivatives are computed.
+    /// Pairs of complex conjugate solutions, of groups and of dyads out of reach. Empty unless derivatives are
+    /// computed.
     pub(crate) unreal: Vec<ComplexPair>,
-    /// Square of the sine between two guides that must cross. At its zeros bodies go to infinity; near a zero, links
-    /// joined to these bodies may be within reach over a short interval.
+    /// Square of the sine of the angle between two guides that must cross. At a zero of the sine bodies go to infinity;
+    /// near this zero, links joined to these bodies may be within reach over a short interval.
     pub(crate) parallel: Vec<ComplexPair>,
     pub(crate) whole: bool,
 }
 
 impl Mechanism {
-    /// All assemblies at an input: radians, or the coordinate of a driven slide. Dyads are solved in closed form; the
-    /// equations of other groups are solved over the complex numbers, so that no solution is missed. Wheels keep their
-    /// mounting.
+    /// All assemblies at an input, in radians or as the coordinate of a driven slide. Dyads are solved in closed form.
+    /// The equations of other groups are solved over the complex numbers, so that no solution is missed. Wheels keep
+    /// their mounting.
     ///
-    /// The assemblies are in no particular order, without repetition; those that meet in a singular pose are left out.
+    /// The assemblies are in no particular order, without repetition. Assemblies that meet in a singular pose are left
+    /// out.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
         let state = &mut self.blank_state();
         let found = self
@@ -105,7 +109,7 @@ impl Mechanism {
         self.layout.found_at(&self.drawn, input)
     }
 
-    /// The linkage drawn in a pose found at an input.
+    /// The mechanism redrawn in an assembly found at an input.
     pub(crate) fn in_assembly(
         &self,
         input: f64,
@@ -129,7 +133,7 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// All assemblies at an input, with the data of a nearby configuration.
+    /// All assemblies at an input. A nearby configuration gives the whole turns of angles and the mounting of wheels.
     pub(super) fn found_at<const N: usize>(&self, at: &Configuration, input: f64) -> Found<N> {
         self.found_with(at, input, Method::Usual, None, &mut self.blank_state())
     }
@@ -150,8 +154,8 @@ impl Layout {
         search.result(state)
     }
 
-    /// Signs of the assemblies at the input of a configuration, up to a maximum number of assemblies and of solved
-    /// steps. Groups without closed form are solved only near the configuration.
+    /// Signs of the assemblies at the input of a configuration. The search stops after `most` assemblies or `tries`
+    /// solved steps. Groups without closed form are solved only near the configuration.
     pub(super) fn found_by_signs(
         &self,
         near: &Configuration,
@@ -181,7 +185,8 @@ struct Search<'a, const N: usize> {
     layout: &'a Layout,
     near: &'a Configuration,
     input: Jet<N>,
-    /// Signs and unknowns so far, and approximate orientations of the bodies, next to which angles are unwrapped.
+    /// Signs and unknowns of the steps solved so far, and approximate orientations of the bodies. Angles are unwrapped
+    /// to be nearest to these orientations.
     at: Configuration,
     most: usize,
     tries: usize,
@@ -259,7 +264,8 @@ impl<'a, const N: usize> Search<'a, N> {
         self.at.signs[*step] = Sign::Plus;
     }
 
-    /// Places a step, whose unknowns may already be solved, and joins the remaining steps.
+    /// Places the bodies of a step, then those of the remaining steps. `solved` is true if the step's unknowns are
+    /// solved.
     fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>, solved: bool) {
         if self.tries == 0 || self.found.ways.len() == self.most {
             self.found.whole = false;
@@ -278,7 +284,7 @@ impl<'a, const N: usize> Search<'a, N> {
                 }
                 self.join(rest, state);
             }
-            // The margins of a group are not squares.
+            // Unlike the margins of a dyad, those of a group are not squares.
             Err(_) if matches!(self.layout.steps[step], Step::Group(_)) => {}
             Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
                 let negative = state.margins[step].into_iter();

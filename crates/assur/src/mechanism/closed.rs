@@ -1,4 +1,4 @@
-//! Arcs, dead points and periods of motions by the closed forms of four-bars, without a search.
+//! Arcs, dead points and periods of motions from the closed form of four-bars, without a search.
 
 use crate::tolerance;
 use std::f64::consts::{PI, TAU};
@@ -10,7 +10,7 @@ use crate::sorting::sort_by;
 use crate::structure;
 use crate::{Assembly, FourBar, Grashof, Unsolved, Vector};
 
-/// Four-bar on the driven crank and the frame, solved as one step.
+/// Four-bar of the driven crank, the frame and a dyad that is solved in one step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DrivenFourBar<'a> {
     /// Step of the plan that solves the four-bar.
@@ -18,12 +18,12 @@ pub(crate) struct DrivenFourBar<'a> {
     pub(crate) linkage: &'a FourBar,
     /// Body of the rocker.
     pub(crate) rocker: BodyId,
-    /// Offset of φ₁ from the input.
+    /// Offset of φ₁, the crank angle of the four-bar, from the input.
     pub(crate) angle_offset: f64,
 }
 
-/// Inputs within an arc at which φ₁, the input plus the offset, is a multiple of π. There the diagonal is longest or
-/// shortest.
+/// Inputs within an arc at which the crank angle φ₁, the input plus the offset, is a multiple of π. At these inputs the
+/// diagonal from the crank pin to the fixed hinge of the dyad is longest or shortest.
 pub(crate) fn half_turns(angle_offset: f64, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
     let first = ((from + angle_offset) / PI).ceil() as i32;
     let last = ((to + angle_offset) / PI).floor() as i32;
@@ -31,7 +31,7 @@ pub(crate) fn half_turns(angle_offset: f64, [from, to]: [f64; 2]) -> impl Iterat
 }
 
 impl DrivenFourBar<'_> {
-    /// Arc that contains `input`, or else the nearest arc; None if the crank turns fully.
+    /// Arc that contains `input`, or otherwise the arc nearest to the input; None if the crank turns fully.
     pub(crate) fn arc(&self, input: f64) -> Option<[f64; 2]> {
         let cycle = self.linkage.cycle();
         let crank = input + self.angle_offset;
@@ -46,20 +46,21 @@ impl DrivenFourBar<'_> {
         nearest.map(|(_, arc)| arc).filter(|_| !cycle.is_full())
     }
 
-    /// Turns of the crank after which the four-bar repeats.
+    /// Number of turns of the crank after which the motion of the four-bar repeats.
     pub(crate) fn turns(&self) -> usize {
         let period = self.linkage.cycle().period().unwrap_or(TAU);
         (period / TAU).round() as usize
     }
 
-    /// Input at which coupler and rocker of a kite coincide and swing freely about the hinge of the frame.
+    /// Input at which the crank pin of a kite lies on the fixed hinge of the rocker. Coupler and rocker then coincide
+    /// and swing freely about this hinge. None if there is no such input.
     pub(crate) fn free_swing(&self) -> Option<f64> {
         let pose = self.linkage.pose::<1>(Assembly::First, 0.0);
         matches!(pose, Err(Unsolved::Undetermined { .. })).then_some(-self.angle_offset)
     }
 
-    /// Inputs of the change points within an arc, ascending, without the end of the arc. At a change point motions
-    /// cross; in a kite coupler and rocker swing freely from one motion to the other.
+    /// Inputs of the change points within an arc, in ascending order; the end of the arc is excluded. Two motions cross
+    /// at a change point. In a kite, coupler and rocker swing freely from one motion to the other.
     pub(crate) fn change_points(&self, [from, to]: [f64; 2]) -> Vec<f64> {
         let turns = self.turns();
         let period = TAU * turns as f64;
@@ -70,7 +71,7 @@ impl DrivenFourBar<'_> {
         let mut found = Vec::new();
         for input in crossings.chain(swings) {
             let ahead = (input - from).rem_euclid(period);
-            // Rounding may put a change point at the start of the arc before the start.
+            // Rounding may put a change point that is at the start of the arc just before the start.
             let ahead = if ahead > period * (1.0 - tolerance::NEGLIGIBLE) {
                 0.0
             } else {
@@ -126,7 +127,8 @@ impl Layout {
         alone && self.closed_steps(&at.mounting).count() <= 1 && self.steps.iter().all(known)
     }
 
-    /// True if a wheel returns together with the crank or four-bar that turns it, or looks the same at any angle.
+    /// True if a wheel has returned to its angle whenever the crank or rocker that turns the wheel has returned, or if
+    /// the wheel looks the same at any angle.
     fn returns(&self, wheel: BodyId, at: &Configuration) -> bool {
         let Some(link) = self.made_for[wheel].filter(|_| self.shows_its_angle(wheel)) else {
             return true;
@@ -150,14 +152,14 @@ impl Mechanism {
         self.layout.closed_steps(self.mounting())
     }
 
-    /// True for one crank with at most one four-bar and wheels that drive nothing else: the closed form then gives the
-    /// whole motion.
+    /// True if the closed form gives the whole motion: the only driver is a crank, there is at most one four-bar, and
+    /// wheels return with the crank and drive nothing else.
     pub(crate) fn whole_closed_form(&self) -> bool {
         self.layout.whole_closed_form(&self.drawn)
     }
 
-    /// Inputs within an arc at which the crank is in line with the outer hinges of a dyad RRR or RPR, one of them on
-    /// the crank and the other fixed. There the distance of the hinges is minimum or maximum.
+    /// Inputs within an arc at which the crank is in line with the outer hinges of an RRR or RPR dyad, one hinge on the
+    /// crank and the other fixed. At these inputs the distance of the two hinges is minimum or maximum.
     pub(crate) fn in_line(&self, arc: [f64; 2]) -> Vec<f64> {
         let closed = self.closed_steps().map(|closed| closed.angle_offset);
         let guided = self.steps().iter().filter_map(|step| match step {
@@ -170,8 +172,9 @@ impl Mechanism {
             .collect()
     }
 
-    /// Offset from the input of the angle of a crank that carries one of two hinges. The angle is measured from the
-    /// line through its pivot and the other hinge; None if the other hinge moves.
+    /// Angle of the first crank less the input, if this crank carries one of two hinges. The angle is measured at the
+    /// pivot of the crank, from the direction to the other hinge to the direction to the hinge on the crank. None if
+    /// the other hinge moves.
     fn lead_of(&self, hinges: [BodyPoint; 2]) -> Option<f64> {
         let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
             [true, false] => hinges,
@@ -188,8 +191,8 @@ impl Mechanism {
         is_first.then(|| angle(driven.local - crank.hinge) - crank.angle_offset - base)
     }
 
-    /// True if another drawing shows the same linkage: equal names and steps, and equal places of joints on their
-    /// bodies within rounding.
+    /// True if two drawings show the same linkage: names and steps are equal, and joints have the same positions on
+    /// their bodies within rounding.
     pub(crate) fn is_redrawn_as(&self, other: &Self) -> bool {
         let within = tolerance::COINCIDENT * self.size();
         let near = |a: &Vector, b: &Vector| (a - b).norm() <= within;

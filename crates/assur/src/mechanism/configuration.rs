@@ -2,11 +2,11 @@
 
 use super::*;
 
-/// Assembly sign of each step; plus for a step with only one assembly.
+/// Assembly sign of each step. A step with only one assembly has the sign plus.
 pub(crate) type AssemblySigns = List<StepId, Sign>;
 
-/// All that differs between the assemblies of a layout: the input, the signs of the dyads, the orientations of the bodies,
-/// the unknowns of groups solved by Newton's method, and the mounting of the wheels.
+/// All that differs between the assemblies of a layout: the input, the signs of the dyads, the orientations of the
+/// bodies, the unknowns of groups solved by Newton's method, and the mounting of the wheels.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Configuration {
     pub(super) input: f64,
@@ -17,7 +17,7 @@ pub(crate) struct Configuration {
 }
 
 impl Configuration {
-    /// The configuration as the nearby pose.
+    /// Orientations and unknowns of this configuration, near which a step is solved.
     pub(super) fn near(&self) -> Nearby<'_> {
         Nearby {
             orientations: &self.orientations,
@@ -37,7 +37,7 @@ impl Configuration {
         }
     }
 
-    /// The configuration with the pose of a state.
+    /// The configuration with the orientations and unknowns of a state.
     pub(super) fn posed<const N: usize>(self, state: &State<N>) -> Self {
         let places = state.natural.iter().map(|place| place.value());
         Self {

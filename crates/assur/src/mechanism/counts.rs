@@ -11,27 +11,27 @@ use crate::mechanism::{Layout, Mechanism, Part};
 /// Numbers from which the mobility is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Counts {
-    /// n: moving links; links fixed to each other count as one, doubled links do not.
+    /// Number of moving links, n. Links fixed to each other count as one link; a doubled link counts separately.
     pub links: usize,
-    /// P₁: hinges and slides; a hinge of k links counts as k − 1.
+    /// Number of hinges and slides, P₁. A hinge of k links counts as k − 1.
     pub lower_pairs: usize,
-    /// P₂: wheels in mesh.
+    /// Number of pairs of wheels in mesh, P₂.
     pub higher_pairs: usize,
-    /// W by the formula; each passive mesh makes it too low by one.
+    /// Mobility W by the formula. Each passive mesh makes W too low by one.
     pub mobility: isize,
     /// Number of passive meshes, which repeat the effect of other meshes.
     pub passive: usize,
 }
 
 impl Mechanism {
-    /// Links, pairs and mobility by Chebyshev and Grübler. Wheels in mesh "as printed" have an idler between them; the
-    /// idler counts as a link with its hinge and meshes.
+    /// Numbers of links and pairs, and the mobility by Chebyshev and Grübler. Wheels in mesh "as printed" have an idler
+    /// between them; the idler counts as a link with its hinge and meshes.
     pub fn counts(&self) -> Counts {
         self.layout.counts
     }
 
-    /// Wheel of each passive mesh: the satellite, whose hinge has fewer links than the hinge of sun and ring. The
-    /// equation of a passive mesh holds in every pose.
+    /// One wheel for each passive mesh: the satellite, because its hinge joins fewer links than the hinge of sun and
+    /// ring. The equation of a passive mesh holds in every pose.
     pub fn passive_wheels(&self) -> impl Iterator<Item = LinkId> {
         let Layout { bodies, links, .. } = &*self.layout;
         let passive = bodies.gears.iter().filter(|gear| gear.is_passive);
@@ -42,17 +42,17 @@ impl Mechanism {
                 let shares = |link: &&Part| link.points.iter().any(|point| own.contains(point));
                 links.iter().filter(shares).count()
             };
-            // The second of equal wheels is taken.
+            // If both wheels share points with the same number of links, the second is taken.
             wheels.rev().min_by_key(sharing)
         })
     }
 }
 
 impl LinkageSpec {
-    /// Links, pairs and mobility of a specification that need not be movable yet.
+    /// Numbers of links and pairs, and the mobility, of a specification that need not be movable yet.
     ///
     /// # Errors
-    /// Names of absent objects, and all other defects that prevent counting.
+    /// Names that refer to nothing, and all other defects that prevent counting.
     pub fn counts(&self) -> Result<Counts, Vec<Defect>> {
         let defects = check::defects(self);
         if !defects.is_empty() {
@@ -78,7 +78,8 @@ pub(super) fn counts(spec: &Resolved<'_>, bodies: &Bodies) -> Counts {
         links: graph.links - 1 + idlers + doubled,
         lower_pairs: graph.lower_pairs() + idlers + hinges,
         higher_pairs: graph.higher_pairs() + passive + idlers,
-        // An idler changes no mobility: it has three freedoms, less its hinge and one more mesh.
+        // An idler does not change the mobility: it has 3 freedoms, of which its hinge removes 2 and one more mesh
+        // removes 1.
         mobility: graph.mobility() - passive as isize + 3 * doubled as isize - 2 * hinges as isize,
         passive,
     }

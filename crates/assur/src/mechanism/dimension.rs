@@ -1,4 +1,4 @@
-//! Dimensions of a linkage: single numbers to read and to set, with sliders, by dragging on the drawing, or in
+//! Dimensions of a linkage: single numbers to be read, and to be set by sliders, by dragging in the drawing, or by
 //! searches.
 
 use crate::index::{BodyId, LinkId, PointId, SlideId};
@@ -7,8 +7,8 @@ use crate::mechanism::{DoubledLink, Mechanism, Part, Setting};
 use crate::{Point, Vector};
 use nalgebra::Rotation2;
 
-/// A dimension of a linkage; valid only with the mechanism of its link or point. Setting it leaves the rest of the
-/// linkage unchanged.
+/// A dimension of a linkage, valid only with the mechanism from which the id of its link, slide or point comes. Setting
+/// a dimension leaves the rest of the linkage unchanged.
 ///
 /// ```
 /// # use assur::{linkage::LinkageSpec, mechanism::{Dimension, Mechanism}};
@@ -22,22 +22,23 @@ use nalgebra::Rotation2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
-    /// Distance of the first two points of a link; the length of a link with only two points. Other points keep their
-    /// places on the link.
+    /// Distance between the first two points of a link; for a link with two points, its length. If it is set, other
+    /// points keep their positions on the link.
     Length(LinkId),
-    /// Distance from the first (0) or second (1) point of a link to a later point, given by its index from 2. The first
-    /// two points stay. For 0 the angle at the first point stays too, for 1 the distance from the first point.
+    /// Distance from the first (0) or second (1) point of a link to a later point, given by its index from 2. If the
+    /// distance is set, the first two points stay. The later point keeps its angle at the first point (0), or its
+    /// distance from the first point (1).
     Side(LinkId, [usize; 2]),
-    /// Angle at the first point of a link from the second to a later point, given by its index from 2; radians in
-    /// (−π, π]. The adjacent sides stay.
+    /// Angle at the first point of a link, from the second point to a later point, given by its index from 2; radians
+    /// in (−π, π]. If it is set, the adjacent sides keep their lengths.
     Corner(LinkId, usize),
-    /// Distance of the point of a slide to the left of its line; the line runs from its first point to its second
-    /// point.
+    /// Distance of the point of a slide from the line of the slide, positive to the left. The line is directed from its
+    /// first point to its second point.
     Offset(SlideId),
-    /// Abscissa of a hinge of the frame, or of a point of a guide of the frame; links hinged or sliding there keep
-    /// their dimensions.
+    /// Abscissa of a hinge of the frame, or of a point that defines a guide of the frame. If it is set, links hinged
+    /// there or sliding on the guide keep their dimensions.
     X(PointId),
-    /// Ordinate of a hinge of the frame, or of a point of a guide of the frame.
+    /// Ordinate of a hinge of the frame, or of a point that defines a guide of the frame.
     Y(PointId),
 }
 
@@ -45,13 +46,13 @@ pub enum Dimension {
 const LENGTHS: [f64; 2] = [0.05, 2.0];
 /// Maximum change of a corner, radians.
 const OPENED: f64 = 0.5;
-/// Maximum change of an offset or of the coordinate of a hinge, relative to the size.
+/// Maximum change of an offset or of the coordinate of a hinge, relative to the size of the linkage.
 const ASIDE: f64 = 0.1;
 
 impl Mechanism {
-    /// All dimensions, in the order of the specification: lengths of links with two points, sides and corners of links
-    /// with more points, offsets of slides, then coordinates of hinges and guide points of the frame on which nothing
-    /// else depends: no driven slide is measured from such a point, and no link is fixed to another there.
+    /// All dimensions, in the order of the specification. The length, sides and corners of each link are followed by
+    /// offsets of slides, then coordinates of hinges and guide points of the frame. A point of the frame is left out if
+    /// a driven slide is measured from it, or if a link at this point is fixed to another link or carries a fixed link.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let spec = self.spec();
         let links = self.link_ids().zip(&spec.links);
@@ -69,8 +70,8 @@ impl Mechanism {
         all.filter(|dimension| self.has(*dimension)).collect()
     }
 
-    /// True if a dimension exists. A point does not give one if its link shares it, as one body, with the frame or with
-    /// a link that must keep its shape.
+    /// True if a dimension exists. A point of a link gives no dimension if the link is one body with the frame, or with
+    /// a link that must keep its shape, and shares the point with this frame or link.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {
@@ -120,7 +121,8 @@ impl Mechanism {
         })
     }
 
-    /// Equivalent of a value nearest to the current value: an angle changes by at most half a turn.
+    /// Value equivalent to a given one and nearest to the current value of the dimension. An angle changes by at most
+    /// half a turn.
     pub fn nearest(&self, dimension: Dimension, value: f64) -> f64 {
         match (dimension, self.value(dimension)) {
             (Dimension::Corner(..), Some(from)) => crate::angle::nearest_to(value, from),
@@ -128,8 +130,8 @@ impl Mechanism {
         }
     }
 
-    /// Sensible range of a dimension; some values in it may make no mechanism. None if the dimension is not among
-    /// [`Self::dimensions`].
+    /// Sensible range of a dimension. Some values within the range may not give a mechanism. None if the dimension is
+    /// not among [`Self::dimensions`].
     pub fn range(&self, dimension: Dimension) -> Option<[f64; 2]> {
         let value = self.value(dimension)?;
         let around = |aside: f64| [value - aside, value + aside];
@@ -144,14 +146,15 @@ impl Mechanism {
         })
     }
 
-    /// Sides adjacent to a corner at the first point of a link.
+    /// Lengths of the sides from the first point of a link to the second point and to a later point.
     pub(crate) fn beside_corner(&self, link: LinkId, point: usize) -> [f64; 2] {
         [1, point].map(|end| self.spec().side(link, [0, end]))
     }
 }
 
 impl Dimension {
-    /// Setting that gives this dimension a value in a drawn linkage; a side opposite a corner is set by the corner.
+    /// Setting that gives this dimension a value in a drawn linkage. A side from the second point must be set by the
+    /// corner instead.
     pub(crate) fn setting(self, spec: &LinkageSpec, value: f64) -> Setting {
         let at = |point: PointId| spec.points[point.index()].at;
         let placed = |link: LinkId, point: usize, angle: f64, side: f64| {
@@ -174,7 +177,7 @@ impl Dimension {
 }
 
 impl LinkageSpec {
-    /// Specification with a shape for every link that can have one, so that moving the drawing changes no shape.
+    /// Specification with a shape for every link that can have one. Moving points of the drawing then changes no shape.
     pub(super) fn shaped(&self) -> Self {
         let mut shaped = self.clone();
         for (link, own) in shaped.links.iter_mut().zip(&self.links) {
@@ -187,7 +190,7 @@ impl LinkageSpec {
         shaped
     }
 
-    /// True if the drawn linkage has a dimension.
+    /// True if the drawn linkage has a given dimension.
     fn has(&self, dimension: Dimension) -> bool {
         let shaped = |link: LinkId| self.links.get(link.index()).filter(|own| self.is_free(own));
         let has_corner = |link: LinkId, point: usize| {
@@ -205,15 +208,15 @@ impl LinkageSpec {
         }
     }
 
-    /// True if the distances of a link's points may change: the link is fixed to no other link and, if it has three
-    /// or more points, no other link is fixed to it.
+    /// True if the distances between a link's points may change. The link is then fixed to no other link and, if it has
+    /// three or more points, no other link is fixed to it.
     fn is_free(&self, link: &LinkSpec) -> bool {
         let points = link.points.len();
         link.fixed_to.is_none() && (points == 2 || points > 2 && !self.is_base(&link.name))
     }
 
-    /// True if a point of the frame is a hinge or gives a line, and nothing else depends on its place: no driven slide
-    /// is measured from the point, and no link at the point is fixed to another link or carries a fixed link.
+    /// True if a point of the frame is a hinge or defines a guide, and nothing else depends on its position. No driven
+    /// slide is measured from the point, and no link at the point is fixed to another link or carries a fixed link.
     fn can_move(&self, point: &String) -> bool {
         let has = |link: &LinkSpec| link.points.contains(point);
         let guides = |slide: &SlideSpec| slide.line.contains(point);
@@ -234,18 +237,18 @@ impl LinkageSpec {
         self.on_link(link, to) - self.on_link(link, from)
     }
 
-    /// The distance of two points of a link.
+    /// Distance between two points of a link.
     fn side(&self, link: LinkId, ends: [usize; 2]) -> f64 {
         self.ray(link, ends).norm()
     }
 
-    /// The angle at the first point of a link from the second to a later one.
+    /// Angle at the first point of a link, from the second point to a later point.
     fn corner(&self, link: LinkId, point: usize) -> f64 {
         let [from, to] = [1, point].map(|end| self.ray(link, [0, end]));
         from.perp(&to).atan2(from.dot(&to))
     }
 
-    /// Place of a point on its link; the point is given by its index among the link's points.
+    /// Position of a point on its link; the point is given by its index among the link's points.
     pub(super) fn on_link(&self, link: &LinkSpec, point: usize) -> Point {
         let shape = link.shape.as_ref().and_then(|shape| shape.get(point));
         let drawn = || self.place(link.points.get(point)?);
@@ -253,7 +256,7 @@ impl LinkageSpec {
     }
 }
 
-/// Shape of a link; of a link with two points only the distance counts.
+/// Shape of a link. Two points are put on the x-axis, because only their distance matters.
 pub(super) fn along_axis(shape: Vec<Point>) -> Vec<Point> {
     match shape[..] {
         [from, to] => vec![Point::origin(), Point::new((to - from).norm(), 0.0)],

@@ -13,16 +13,18 @@ use crate::position::{
 };
 use crate::{Point, tolerance};
 
-/// Maximum distance of a point from its drawn place, relative to the size.
+/// Maximum distance of a point from its drawn position, relative to the size of the linkage.
 const MISDRAWN: f64 = 0.3;
-/// Maximum number of doublings of the step back from an input just beyond a dead point; the first step is the rounding.
+/// Maximum number of doublings of the step back from an input just beyond a dead point. The first step is the rounding
+/// unit of the input.
 const BACK: u32 = 24;
-/// Maximum deviation, radians, of a wheel mounted as drawn. A whole turn of the driving body shifts the wheel by more,
-/// unless it has tens of thousands of teeth.
+/// Maximum deviation, in radians, of a wheel from its drawn angle that counts as rounding. A whole turn of the driving
+/// body shifts a wheel by more, unless the wheel has tens of thousands of teeth.
 const MOUNTED: f64 = 1e-4;
 
 impl Layout {
-    /// Drawn configuration from a guess of it, and the start of the motion. Groups adopt the pivots of the drawn pose.
+    /// Drawn configuration, found from a guess, and the start of the motion. Groups adopt the elimination order of the
+    /// drawn pose.
     pub(super) fn settle(
         &mut self,
         spec: &LinkageSpec,
@@ -74,8 +76,8 @@ impl Layout {
         Ok(Start { input, pose })
     }
 
-    /// Mounts the wheels of a step as drawn. Each whole turn by which the driving body differs from the drawing turns a
-    /// wheel by a fraction of a turn.
+    /// Mounts the wheels of a step as drawn. Each whole turn by which the angle of the driving body differs from the
+    /// drawing turns a wheel through a fraction of a turn.
     fn mount(&self, step: StepId, at: &mut Configuration, state: &mut State<1>) {
         match &self.steps[step] {
             Step::Group(group) => {
@@ -101,7 +103,7 @@ impl Layout {
         }
     }
 
-    /// Sign of a step with which its points are closest to their drawn places.
+    /// Sign of a step for which its points are closest to their drawn positions.
     pub(super) fn drawn_sign(
         &self,
         spec: &LinkageSpec,
@@ -134,7 +136,7 @@ impl Layout {
         }
     }
 
-    /// Point of a step's links farthest from its drawn place, and this distance.
+    /// Point of a step's links that is farthest from its drawn position, and this distance.
     fn misdrawn(
         &self,
         spec: &LinkageSpec,
@@ -170,7 +172,7 @@ impl Layout {
         }
     }
 
-    /// Input of a configuration, or an input next to it if the pose there has no derivatives.
+    /// Input of a configuration or, if the pose at this input has no derivatives, an input next to it.
     pub(super) fn entry(
         &self,
         signs: &AssemblySigns,
@@ -181,18 +183,19 @@ impl Layout {
         inputs.find(|input| self.solve(*input, signs, at, state).is_ok())
     }
 
-    /// Input of a configuration and one input on each side, for a singular drawn pose: at a distance of a thousandth of
-    /// a radian for a crank, and of the same fraction of the range for a slide.
+    /// Input of a configuration and one input on each side of it, for a singular drawn pose. These inputs are a
+    /// thousandth of a radian apart for a crank. For a slide they are apart by the same fraction of the range as this
+    /// angle is of a turn.
     pub(super) fn entries(&self, at: &Configuration) -> [f64; 3] {
         [0.0, tolerance::NEAR, -tolerance::NEAR].map(|aside| at.input + aside * self.span() / TAU)
     }
 }
 
 impl Mechanism {
-    /// Shifts the drawn input by whole turns; wheels and four-bars keep their drawn positions. Returns false, and
+    /// Shifts the drawn input by whole turns. Wheels and four-bars keep their drawn positions. Returns false, and
     /// changes nothing, if the links do not close at the new input.
     pub(crate) fn rebase_turns(&mut self, drawn_input: f64) -> bool {
-        // The new input is rounded again: if drawn at a dead point, it may lie just beyond.
+        // The new input is rounded again. At a dead point, rounding may move the input just beyond this point.
         let unit = f64::EPSILON * drawn_input.abs().max(self.span());
         let aside = (0..BACK).flat_map(|doubled| {
             let off = unit * f64::from((1_u32 << doubled) - 1);
@@ -207,7 +210,8 @@ impl Mechanism {
         true
     }
 
-    /// Drawn configuration at an input reduced by whole turns; None if the links do not close there.
+    /// Drawn configuration at an input that differs from the drawn input by whole turns. `turned` is the angle of these
+    /// turns. None if the links do not close at the input.
     fn rebased(&self, input: f64, turned: f64) -> Option<Configuration> {
         let mut at = Configuration {
             input,
@@ -215,7 +219,7 @@ impl Mechanism {
         };
         let mut state: State<1> = self.blank_state();
         for (step, placing) in self.steps().enumerate() {
-            // If φ₁ passes a change point, a whole turn leads to the other assembly.
+            // If the crank angle φ₁ passes a change point, a whole turn leads to the other assembly.
             if let Some(four_bar) = placing.four_bar()
                 && four_bar.linkage.changes()
             {
@@ -233,7 +237,7 @@ impl Mechanism {
         self.drawn_by(&pose.state)
     }
 
-    /// Specification of the linkage drawn in a given pose with one point moved. Links that list the point take their
+    /// Specification of the linkage drawn in a given pose, with one point moved. Links that list the point take their
     /// dimensions from the drawing; other links keep theirs. A tracer is moved on its link.
     pub fn redrawn(&self, pose: &Pose<1>, point: PointId, to: Point) -> LinkageSpec {
         let mut spec = self.drawn_in(pose);
@@ -301,7 +305,7 @@ mod tests {
         });
         let mut mechanism = Mechanism::new(&spec).unwrap();
         let drawn = mechanism.drawn.clone();
-        // The crank goes from −90° to 90° of the frame.
+        // The crank can reach only angles between −90° and 90° from the frame.
         assert!(!mechanism.rebase_turns(drawn.input + 0.5 * TAU));
         assert!(mechanism.drawn == drawn);
         assert!(mechanism.rebase_turns(drawn.input + TAU));

@@ -2,8 +2,8 @@
 
 use super::*;
 
-/// Bodies, pairs, structure and order of solving of a linkage. They follow from its topology and dimensions and do not
-/// change.
+/// Bodies, pairs, structure and order of solving of a linkage. These follow from the topology and dimensions of the
+/// linkage and do not change.
 #[derive(Debug)]
 pub(crate) struct Layout {
     /// Origin of the coordinates used while solving.
@@ -13,37 +13,37 @@ pub(crate) struct Layout {
     /// Link for which each body is made; None for the frame.
     pub(super) made_for: List<BodyId, LinkOrFrame>,
     pub(super) links: List<LinkId, Part>,
-    /// Points on their bodies: first the points that links list, then the tracers.
+    /// Points, each with its position on a body: first the points of the specification, then its tracers.
     pub(super) points: List<PointId, BodyPoint>,
-    /// Number of points listed by links.
+    /// Number of points of the specification without its tracers.
     pub(super) listed: usize,
     pub(super) doubled: Vec<DoubledLink>,
     pub(super) counts: Counts,
     /// The structure used for solving, with passive links inside their groups.
     pub(super) structure: Structure,
-    /// Bodies of groups with redundant constraints that stay parallel to another body.
+    /// Pairs of bodies that stay parallel to each other, for groups with redundant constraints.
     pub(super) parallel: Vec<[BodyId; 2]>,
     pub(super) steps: List<StepId, Step>,
     /// The step that places each body; None for the frame.
     pub(super) placed_by: List<BodyId, Option<StepId>>,
     pub(super) passive: Option<PassiveLinks>,
     pub(super) size: f64,
-    /// The range of a driven slide.
+    /// Range of the first driver if it is a slide.
     pub(super) range: Option<[f64; 2]>,
-    /// Turns of the crank until all drivers and visible wheels return; None for a driven slide, or if a driver does not
-    /// return.
+    /// Number of turns of the crank after which all drivers and visible wheels have returned. None for a driven slide,
+    /// or if a driver does not return.
     pub(super) period_turns: Option<usize>,
-    /// Turns of the crank until the assemblies repeat, without regard to wheels that carry nothing.
+    /// Number of turns of the crank after which the assemblies repeat, without regard to wheels that carry nothing.
     pub(super) turns_of_assemblies: Option<usize>,
     /// Number of complex unknowns of groups solved by Newton's method.
     unknowns: usize,
 }
 
-/// Moving link, or part fixed to a link.
+/// A moving link. It has a body of its own, or is fixed to another body.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub(super) body: BodyId,
-    /// Offset of the angle of the part from the angle of its body.
+    /// Offset of the angle of the link from the angle of its body.
     pub(super) angle_offset: f64,
     pub(super) points: Vec<PointId>,
 }
@@ -58,8 +58,8 @@ pub(super) struct PassiveLinks {
 }
 
 impl Layout {
-    /// Layout of a specification with a given structure, and a guess of its drawn configuration, in which loops may be
-    /// open. If the drawn pose is known, angles keep its whole turns.
+    /// Layout of a specification with a given structure, and a guess of its drawn configuration, whose loops may be
+    /// open. If the drawn pose is known, the guess has the whole turns of this pose.
     ///
     /// # Errors
     /// Inadmissible rates of drivers, or a group that no step can solve.
@@ -75,7 +75,7 @@ impl Layout {
         let plan = plan::plan(resolved, &bodies, placements, &structure, parallel, drawn);
         let plan = plan.map_err(|defect| vec![defect])?;
         let points = resolved.places.enumerate().map(|(point, at)| {
-            // A point that no link lists stays at its drawn place.
+            // A point that no link lists stays at its drawn position.
             let still = || BodyPoint {
                 body: BodyId::FRAME,
                 local: *at,
@@ -150,12 +150,11 @@ impl Layout {
         link.map_or(0.0, |link| self.links[link].angle_offset)
     }
 
-    /// The tracers.
     pub(super) fn tracers(&self) -> impl Iterator<Item = PointId> + use<> {
         self.points.ids().skip(self.listed)
     }
 
-    /// Moves the points of a specification to their places in a pose.
+    /// Moves the points of a specification to their positions in a pose.
     pub(super) fn draw<const N: usize>(&self, spec: &mut LinkageSpec, state: &State<N>) {
         for (drawn, anchor) in spec.points.iter_mut().zip(self.points.iter()) {
             drawn.at = Point::from(state.place(*anchor).value() + self.origin);

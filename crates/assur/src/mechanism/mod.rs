@@ -1,7 +1,7 @@
-//! Any planar linkage: links with points, hinges, slides, gears, a driver.
+//! Any planar linkage: links joined by hinges, slides and gears, with drivers.
 //!
 //! A [`LinkageSpec`] need not be valid. A [`Mechanism`] can be assembled as drawn, because [`Mechanism::new`] refuses
-//! other specifications. It is solved group by group, in the order found by [`crate::structure`].
+//! other specifications. A mechanism is solved group by group, in the order found by [`crate::structure`].
 
 mod assembled_by_dimensions;
 mod assemblies;
@@ -67,7 +67,7 @@ use plan::body::{Bodies, Placement};
 use plan::resolved::Resolved;
 use plan::{Drawn, structured};
 
-/// A linkage that can be assembled as it is drawn: a layout in its drawn configuration.
+/// A linkage that can be assembled as drawn: a layout in its drawn configuration.
 ///
 /// A clone shares the layout and the specification; only the configuration is copied.
 ///
@@ -91,8 +91,8 @@ pub struct Mechanism {
     start: Start,
 }
 
-/// Input and pose from which the motion is followed: the drawn ones, or, if the drawn pose is singular, an input and
-/// pose next to them. The pose is blank if a closed form gives the motion.
+/// Input and pose from which the motion is followed: those of the drawing or, if the drawn pose is singular, an input
+/// and pose nearby. The pose is blank if a closed form gives the motion.
 #[derive(Clone, Debug)]
 struct Start {
     input: f64,

@@ -13,7 +13,7 @@ impl Mechanism {
         self.spec.links.iter().map(|link| link.name.as_str())
     }
 
-    /// Names of the points in the order of the specification, then of the tracers.
+    /// Names of the points in the order of the specification, then names of its tracers.
     pub fn points(&self) -> impl ExactSizeIterator<Item = &str> {
         self.point_ids().map(|point| self.point_name(point))
     }
@@ -61,7 +61,8 @@ impl Mechanism {
         &self.layout.links[link].points
     }
 
-    /// Link to which a link is ultimately fixed, or the link itself if it is fixed to none; None for the frame.
+    /// Link to which a link is ultimately fixed: the link itself if it is fixed to no other link, None if it is fixed
+    /// to the frame.
     pub fn root_of(&self, link: LinkId) -> LinkOrFrame {
         self.link_of(self.layout.links[link].body)
     }
@@ -71,14 +72,15 @@ impl Mechanism {
         self.spec.drivable()
     }
 
-    /// The links that can be driven as cranks: hinged on the frame, fixed to no other.
+    /// Links that can be driven as cranks: hinged to the frame and not fixed to another link.
     pub fn cranks(&self) -> impl Iterator<Item = LinkId> + '_ {
         let links = &self.spec.links;
         self.link_ids()
             .filter(|link| self.spec.is_crank(&links[link.index()]))
     }
 
-    /// Driver and Assur groups, then passive links. Links of the structure are bodies, given by index.
+    /// Structure of the mechanism: drivers and Assur groups, then passive links. A link of the structure is the index
+    /// of a body.
     pub fn structure(&self) -> &Structure {
         let layout = &self.layout;
         let shown = layout.passive.as_ref();
@@ -100,7 +102,7 @@ impl Mechanism {
         self.spec.name_of(self.link_of(body))
     }
 
-    /// The names of the structure's links, in their order.
+    /// Names of the bodies, in the order of the structure's links.
     pub fn body_names(&self) -> impl ExactSizeIterator<Item = &str> {
         self.bodies().map(|body| self.body_name(body))
     }
@@ -133,7 +135,7 @@ impl Mechanism {
         bodies.map(|body| self.body_name(body))
     }
 
-    /// Kind of singular position at a dead point of a step.
+    /// Kind of singular pose at a dead point of a step.
     pub fn singularity(&self, step: StepId) -> Singularity {
         self.steps()[step].singularity()
     }

@@ -1,15 +1,16 @@
-//! Assemblies numbered by the signs of their dyads, as in older files and links. Otherwise assemblies are numbered by
-//! the angle of a link, see [`Motion::assemblies_at`](crate::motion::Motion::assemblies_at).
+//! Assemblies numbered by the signs of their dyads, as in older files and web addresses. Otherwise assemblies are
+//! numbered by the angle of a link: see [`Motion::assemblies_at`](crate::motion::Motion::assemblies_at).
 
 use crate::Assembly;
 use crate::mechanism::{AssemblySigns, Mechanism};
 use crate::position::Predictor;
 
-/// Maximum number of assemblies, and of steps solved to find them, with which older files were numbered.
+/// Maximum numbers of assemblies, and of steps solved to find them, in the numbering of older files.
 const MOST: [usize; 2] = [256, (1 << 14) - 1];
 
-/// Assemblies at the drawn input in which a motion can begin, in the order of the signs of their dyads. Groups of
-/// higher class are only as drawn. Beyond 256 assemblies or 16,383 solved steps, only the drawn assembly is added.
+/// Assemblies at the drawn input from which a motion can start, in the order of the signs of their dyads. Groups of
+/// higher class stay in their drawn assembly. The search stops at 256 assemblies or 16,383 solved steps; the drawn
+/// assembly is included in any case.
 #[derive(Clone, Debug)]
 pub struct SignedAssemblies<'a> {
     mechanism: &'a Mechanism,
@@ -30,15 +31,17 @@ impl SignedAssemblies<'_> {
             .count()
     }
 
-    /// The linkage drawn in the assembly with a given number, from 0, at the drawn input, or just beside this input if
-    /// assemblies meet there. None if no assembly has this number, or no drawing distinguishes it from the others.
+    /// The mechanism redrawn in the assembly with a given number, from 0. It is drawn at the drawn input, or just
+    /// beside this input if assemblies meet there. None if no assembly has this number, or no drawing distinguishes it
+    /// from the others.
     pub fn assembly(&self, number: usize) -> Option<Mechanism> {
         self.mechanism.with_signs(self.all.get(number)?)
     }
 }
 
 impl Mechanism {
-    /// Assemblies at the drawn input by their signs, found anew at each call in up to some milliseconds.
+    /// Assemblies at the drawn input, numbered by their signs. Each call searches anew, which takes up to a few
+    /// milliseconds.
     pub fn signed_assemblies(&self) -> SignedAssemblies<'_> {
         let mut all = self.layout.found_by_signs(&self.drawn, MOST);
         // The search may have stopped before the drawn assembly.
@@ -56,8 +59,8 @@ impl Mechanism {
         }
     }
 
-    /// The linkage drawn with its four-bar in a given assembly. None if it is drawn so already, does not close, or no
-    /// drawing distinguishes this assembly.
+    /// The mechanism redrawn with its four-bar in a given assembly. None if the drawing already shows this assembly, if
+    /// the links do not close, or if no drawing distinguishes the assembly.
     pub(crate) fn with_four_bar(&self, assembly: Assembly) -> Option<Self> {
         let step = self.closed_steps().next()?.step;
         let mut signs = self.drawn.signs.clone();

@@ -1,5 +1,5 @@
-//! Neighbours of a linkage: one dimension is slightly different, in the same assembly, at an input nearby. Larger
-//! changes go from neighbour to neighbour.
+//! Neighbours of a linkage: linkages with one dimension slightly changed, in the same assembly at a nearby input. A
+//! larger change is made from neighbour to neighbour.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -17,22 +17,22 @@ use crate::tolerance;
 /// A change of a linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Setting {
-    /// Place of a point on a link; the point is given by its index on the link.
+    /// Position of a point on a link; the point is given by its index on the link.
     Place(LinkId, usize, Point),
-    /// Place of a hinge of the frame.
+    /// Position of a hinge of the frame.
     Hinge(PointId, Point),
-    /// Distance of the point of a slide to the left of its line.
+    /// Distance of the point of a slide from its line, positive to the left.
     Offset(SlideId, f64),
 }
 
-/// Linkage assembled at an input, with a specification drawn in this pose.
+/// Linkage assembled at an input, and its specification drawn in the assembled pose.
 #[derive(Clone, Debug)]
 pub(crate) struct Assembled {
     layout: Arc<Layout>,
     spec: LinkageSpec,
     input: f64,
     state: State<1>,
-    /// Side on which the links of each step are joined: ±1.
+    /// Side on which each step joins its links: ±1.
     sides: List<StepId, f64>,
 }
 
@@ -53,15 +53,16 @@ pub(crate) enum NoNeighbour {
     Defects(Vec<Defect>),
 }
 
-/// Maximum turn, radians, and maximum displacement, relative to the size, of a body between neighbours.
+/// Maximum turn of a body between neighbours, in radians, and its maximum displacement, relative to the size of the
+/// linkage.
 const NEAR: f64 = 0.2;
-/// Maximum ratio of the second to the first correction at which Newton's method converges to the continuation of the
-/// last solution: P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 5.1.
+/// Maximum ratio of the second Newton correction to the first. Up to this ratio Newton's method converges to the
+/// continuation of the last solution: P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 5.1.
 const CONTRACTION: f64 = 0.125;
-/// Maximum length of the first correction, relative to the size.
+/// Maximum first Newton correction, in units of the unknowns.
 const CORRECTED: f64 = 0.03;
-/// Maximum factor by which the determinant of a group's Jacobian may change. It keeps two solutions about to meet from
-/// being confused.
+/// Maximum factor by which the determinant of a group's Jacobian may change. This limit keeps two solutions that are
+/// about to meet from being confused.
 const CHANGED: f64 = 2.0;
 
 impl Assembled {
@@ -79,8 +80,8 @@ impl Assembled {
         Self::joined(&mechanism.layout, spec, None, drawn, input, None)
     }
 
-    /// Mechanism of a specification with a setting that differs from its drawing, joined at an input on the given
-    /// sides, or as drawn where no sign joins the links on its side.
+    /// Assembles a specification at an input, with one setting that differs from the drawing. Each step joins its links
+    /// on the given side, or as drawn if no sign joins them on this side.
     fn joined(
         before: &Layout,
         mut spec: LinkageSpec,
@@ -107,7 +108,7 @@ impl Assembled {
         })
     }
 
-    /// The linkage drawn in its pose.
+    /// Specification of the linkage, drawn in its pose.
     pub(crate) fn spec(&self) -> &LinkageSpec {
         &self.spec
     }
@@ -121,12 +122,12 @@ impl Assembled {
         self.layout.span()
     }
 
-    /// Margin of a step: distance of its links from being in line, or from a singular pose. It is comparable with the
-    /// margins of neighbours.
+    /// Margin of a step: measure of the distance of its links from being in line, or from a singular pose. Margins of
+    /// neighbours can be compared.
     pub(crate) fn margin(&self, step: StepId) -> f64 {
         let [p, q] = self.state.margins[step].map(|margin| margin.value());
         match self.layout.steps[step] {
-            // The logarithm of the determinant.
+            // The binary logarithm of the Jacobian's determinant.
             Step::Group(_) => p.abs().log2() + q,
             _ => p.abs().min(q.abs()),
         }
@@ -167,8 +168,8 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// Layout of a specification drawn in a known pose, with a setting that differs from the drawing, and its
-    /// configuration before assembly.
+    /// Layout of a specification drawn in a known pose, with one setting that differs from the drawing, and the
+    /// configuration of this layout before it is assembled.
     fn with_setting(
         &self,
         spec: &LinkageSpec,
@@ -176,7 +177,7 @@ impl Layout {
         drawn: Drawn<'_>,
     ) -> Result<(Self, Configuration), Vec<Defect>> {
         let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
-        // Links cease to be one body if a dimension changes on one of them and not on the other, or on the frame.
+        // Two links cease to be one body if a dimension changes on only one of the two; one of them may be the frame.
         let (before, after) = (&self.doubled, &resolved.doubled);
         if before != after {
             let parted = before.iter().filter(|one| !after.contains(one));
@@ -210,7 +211,7 @@ impl Layout {
         )
     }
 
-    /// Joins the links on these sides, or else as drawn.
+    /// Joins the links of each step on its given side, or as drawn if no sign joins them on this side.
     fn join(
         &self,
         spec: &LinkageSpec,
@@ -245,7 +246,7 @@ impl Layout {
         })
     }
 
-    /// Step whose links moved too far for a neighbour; None if there is none.
+    /// Step whose links moved too far for a neighbour; None if no links did.
     fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
         let moved = self.moved(before, state, NEAR);
         if let Some(body) = moved {
@@ -264,7 +265,8 @@ impl Layout {
         let lost = groups.find(|(step, group)| {
             let margins = [before, state].map(|state| state.margins[*step]);
             let [[a, of_a], [b, of_b]] = margins.map(|both| both.map(|margin| margin.value()));
-            // Pivoting may have dropped different redundant equations.
+            // In a redundant group, pivoting may have dropped different equations, so the determinants cannot be
+            // compared.
             let ratio = b / a * (of_b - of_a).exp2();
             let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&ratio);
             far || changed

@@ -10,16 +10,16 @@ use crate::{Jet, JetPoint};
 /// Reason why a mechanism has no pose at an input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unsolved {
-    /// The input.
+    /// Input that has no pose.
     pub input: f64,
     /// Step of the plan that fails; [`Mechanism::links_of`] gives the names of its links.
     pub step: StepId,
-    /// The cause.
+    /// Cause of the failure.
     pub cause: Cause,
 }
 
 impl fmt::Display for Unsolved {
-    /// Debug form, for the programmer's log; texts for the reader are in the string tables.
+    /// Debug form, for the programmer's log; texts for the user are in the string tables.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self:?}")
     }
@@ -27,8 +27,8 @@ impl fmt::Display for Unsolved {
 
 impl std::error::Error for Unsolved {}
 
-/// Positions of all links, with `N − 1` derivatives with respect to the input. Written only by
-/// [`crate::motion::Motion`]; valid only with its mechanism.
+/// Positions of all links, with `N − 1` derivatives with respect to the input. A pose is valid only with the mechanism
+/// from which it comes, for example that of a [`crate::motion::Motion`].
 #[derive(Clone, Debug)]
 pub struct Pose<const N: usize> {
     pub(super) state: State<N>,
@@ -44,8 +44,8 @@ impl<const N: usize> Pose<N> {
         }
     }
 
-    /// Copy of the pose with only the places of its bodies. It omits the data for solving nearby poses, many times as
-    /// large, so that many poses may be kept.
+    /// Copy of the pose with only the positions of its bodies. It omits the data for solving nearby poses, which are
+    /// many times larger, so many copies can be kept.
     pub fn bodies(&self) -> Self {
         Self::of(self.state.bodies())
     }
@@ -74,7 +74,7 @@ impl Mechanism {
         (pose.state.place(self.layout.points[point]) + Complex::constant(self.layout.origin)).into()
     }
 
-    /// Position of a point as carried by a link: equal to [`Self::place`] for each of the links hinged there. None if
+    /// Position of a point as carried by a link. It equals [`Self::place`] for every link hinged at the point. None if
     /// the point is not on the link.
     pub fn carried<const N: usize>(
         &self,

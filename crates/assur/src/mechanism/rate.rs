@@ -8,17 +8,18 @@ use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::mechanism::{Layout, Mechanism};
 use crate::position::Step;
 
-/// Maximum period of the drivers, in turns of the first crank, and of a linkage with wheels whose motions are searched.
+/// Maximum period of the drivers, in turns of the first crank. It also limits the period of a linkage with wheels whose
+/// circuits are searched.
 pub(crate) const MAX_PERIOD: usize = 24;
 
-/// Number of turns greater than in any followed motion.
+/// Number of turns that stands for no return: it is greater than in any followed motion.
 pub(crate) const NEVER: usize = 10_000_000;
 
-/// Tolerance of a rate as a ratio of whole numbers.
+/// Tolerance within which a rate is a ratio of whole numbers.
 const WHOLE: f64 = 1e-11;
 
-/// Turns of the first crank until every driver returns; None if the first driver is a slide, or a further driver is a
-/// slide that does not return.
+/// Number of turns of the first crank after which every driver has returned. None if the first driver is a slide, or a
+/// further driver is a slide that does not return.
 ///
 /// # Errors
 /// The drivers with inadmissible rates.
@@ -49,7 +50,7 @@ pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Def
                     .map(|turns| period_turns.map(|_| turns))
             }
             Driver::Slide { .. } if rate == 0.0 => Some(period_turns),
-            // The slide must reach an end of its range before the motion is cut.
+            // The slide must reach an end of its range before the followed motion is cut off.
             Driver::Slide { range, .. } => {
                 let way = (range[1] - range[0]) / rate.abs();
                 (way < TAU * (MAX_PERIOD - 1) as f64).then_some(None)
@@ -67,13 +68,13 @@ pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Def
     }
 }
 
-/// Denominator of a ratio of numbers of teeth, by its continued fraction; None beyond [`NEVER`].
+/// Denominator of a ratio of numbers of teeth, found from its continued fraction; None beyond [`NEVER`].
 fn denominator(ratio: f64) -> Option<usize> {
     let mut rest = ratio;
     let mut denominators = [0.0, 1.0];
     while denominators[1] < NEVER as f64 {
         let turned = ratio * denominators[1];
-        // Bound on the rounding of a sum of products of a few ratios.
+        // Bound on the rounding error of a sum of products of a few ratios.
         let exact = 64.0 * f64::EPSILON * (1.0 + ratio.abs()) * denominators[1];
         if (turned - turned.round()).abs() <= exact {
             return Some(denominators[1] as usize);
@@ -100,8 +101,8 @@ fn is_whole(rate: f64, turns: usize) -> bool {
 }
 
 impl Layout {
-    /// Extends the period to the wheels that turn in proportion to the input, if they carry other links or show their
-    /// orientation. The period becomes [`NEVER`] if one of these wheels does not return.
+    /// Extends the period until the wheels that turn in proportion to the input also return, if they carry other links
+    /// or show their orientation. The period becomes [`NEVER`] if one of these wheels does not return.
     pub(super) fn count_turns_of_wheels(&mut self) {
         let [carrying, seen] = [false, true].map(|seen| {
             self.together(|body| self.carries(body) || seen && self.shows_its_angle(body))
@@ -109,7 +110,8 @@ impl Layout {
         (self.period_turns, self.turns_of_assemblies) = (seen, carrying);
     }
 
-    /// Turns until all drivers return, together with the selected bodies that turn in proportion to the input.
+    /// Number of turns after which all drivers have returned, and so have the selected bodies that turn in proportion
+    /// to the input.
     fn together(&self, counts: impl Fn(BodyId) -> bool) -> Option<usize> {
         let period_turns = self.period_turns?;
         let rates = self.rates_of_bodies();
@@ -145,8 +147,8 @@ impl Layout {
 }
 
 impl Mechanism {
-    /// Maximum rate, radians per unit of the input, of links turned by drivers and of wheels that carry another link or
-    /// a point off their centre; 0 if no link turns in proportion to the input.
+    /// Maximum rate, in radians per unit of the input, of the links that turn in proportion to the input. These are
+    /// links turned by drivers, and wheels that carry another link or a point off their centre. 0 if there are none.
     pub fn quickest(&self) -> f64 {
         let rates = self.layout.rates_of_bodies();
         let bodies = self.bodies();
@@ -161,16 +163,16 @@ impl Mechanism {
         self.spec.drivers.iter().map(DriverSpec::rate)
     }
 
-    /// Period of the drivers in the input: whole turns of a crank. None for a driven slide, or if a further driver is a
-    /// slide that does not return.
+    /// Period of the drivers and visible wheels, in radians of the first crank. None for a driven slide, or if a
+    /// further driver is a slide that does not return.
     pub(crate) fn period(&self) -> Option<f64> {
         self.layout
             .period_turns
             .map(|period_turns| TAU * period_turns as f64)
     }
 
-    /// Turns of the crank until the assemblies repeat, that is, until the drivers and the wheels that carry other links
-    /// return. None as for [`Self::period`].
+    /// Number of turns of the crank after which the assemblies repeat: the drivers, and the wheels that carry other
+    /// links, have then returned. None in the same cases as [`Self::period`].
     pub(crate) fn turns_of_assemblies(&self) -> Option<usize> {
         self.layout.turns_of_assemblies
     }
@@ -193,13 +195,13 @@ impl Mechanism {
         })
     }
 
-    /// The period in turns; 1 if there is none.
+    /// [`Self::period`] in turns of the first crank; 1 if there is no period.
     pub(crate) fn period_turns(&self) -> usize {
         self.layout.period_turns.unwrap_or(1)
     }
 
-    /// Turns until a mechanism of only cranks and wheels repeats, from the numbers of teeth; None for any other
-    /// mechanism, and beyond [`NEVER`].
+    /// Number of turns after which a mechanism of only cranks and wheels repeats, from the numbers of teeth. None for
+    /// any other mechanism, and beyond [`NEVER`].
     pub(crate) fn turns_of_wheels(&self) -> Option<usize> {
         let mut steps = self.steps().iter();
         let alone = steps.all(|step| matches!(step, Step::Crank(_) | Step::Epicyclic(_)));
@@ -208,15 +210,16 @@ impl Mechanism {
             .filter(|turns| alone && *turns < NEVER)
     }
 
-    /// Minimum number of turns after which a motion may repeat: common multiple of the period of drivers and wheels and
-    /// the periods of four-bars in closed form (two turns if one leads to the other assembly). None beyond [`NEVER`].
+    /// Minimum number of turns after which a motion may repeat: the common multiple of two periods. One is the period
+    /// of drivers and wheels; the other is that of four-bars in closed form, two turns if one turn leads to the other
+    /// assembly. None beyond [`NEVER`].
     pub(crate) fn least_turns(&self) -> Option<usize> {
         let turns = self.closed_steps().map(|closed| closed.turns());
         common(turns.max().unwrap_or(1), self.period_turns())
     }
 
-    /// Shift of the input that leaves the pose of a motion that does not repeat unchanged: [`Self::least_turns`] in
-    /// radians. None without such turns, or if a group depends on the number of turns of the crank.
+    /// Shift of the input that leaves the poses of a motion between two dead points unchanged: [`Self::least_turns`] in
+    /// radians. None if there are no such turns, or if a group depends on the number of turns of the crank.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.layout.rates_of_bodies();
         let mut counted = self.steps().iter().flat_map(|step| match step {

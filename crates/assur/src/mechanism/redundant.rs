@@ -1,9 +1,9 @@
-//! Redundant constraints: groups with more constraints than freedoms that move all the same.
+//! Redundant constraints: groups that have more constraints than freedoms but move all the same.
 //!
-//! Every constraint of such a group is one of its equations. In each pose pivoting selects as many independent
-//! equations as there are unknowns; the residuals of the others are checked. Bodies that stay parallel, such as rods on
-//! equal cranks, give additional equations: with all cranks in line the Jacobian of the constraints alone is singular,
-//! although all constraints together allow only one motion.
+//! Every constraint of such a group gives an equation of the group. In each pose pivoting selects independent
+//! equations, one for each unknown; the residuals of the other equations are checked. Bodies that stay parallel, such
+//! as rods on equal cranks, give additional equations. Without these, the Jacobian is singular if all cranks are in
+//! line, although the constraints together allow only one motion.
 
 use crate::tolerance;
 use std::collections::BTreeSet;
@@ -24,32 +24,33 @@ use crate::mechanism::{
 use crate::position::{Arm, BodyPoint, Cause, Predictor, Step};
 use crate::structure::{self, Structure, with_passive_links};
 
-/// Inputs on either side of the drawn one at which the constraints are checked, radians of a crank.
+/// Offsets of the inputs, on both sides of the drawn input, at which the constraints are checked; radians of a crank.
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
 
 /// Mobility by count and by rank.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mobility {
-    /// W = 3n − 2P₁ − P₂ by Chebyshev and Grübler.
+    /// Mobility by count, W = 3n − 2P₁ − P₂, by Chebyshev and Grübler: n moving links, P₁ lower pairs, P₂ higher pairs.
     pub count: isize,
-    /// W = 3n − r with the rank r of the constraints of the pairs in a general pose.
+    /// Mobility by rank, W = 3n − r: r is the rank of the constraints of the pairs in a general pose.
     pub rank: isize,
-    /// Names of the pairs with a redundant constraint, one per constraint, in the order of points, slides and gears:
-    /// the point of a hinge or slide, both wheels in mesh. Of dependent constraints the last in this order is listed.
+    /// Names of the pairs with redundant constraints, one for each constraint, in the order of points, slides and
+    /// gears. A hinge or slide is named by its point, a mesh by both wheels. Of several dependent constraints the last
+    /// in this order is taken as redundant.
     pub redundant: Vec<String>,
 }
 
 impl Mobility {
-    /// q, the number of redundant constraints in the plane.
+    /// Number of redundant constraints in the plane, q.
     pub fn q(&self) -> isize {
         self.rank - self.count
     }
 }
 
-/// The constraints of the pairs in a pose.
+/// Constraints of the pairs in a pose: rows of a matrix, each with the name of its pair.
 type Rows = Vec<(PairName, DVector<f64>)>;
 
-/// A pair: a hinge or a slide by its point, or two wheels.
+/// Name of a pair: the point of a hinge or slide, or the two wheels of a mesh.
 #[derive(Clone, Copy, Debug)]
 enum PairName {
     At(PointId),
@@ -61,7 +62,7 @@ enum PairName {
 struct Basis(Vec<DVector<f64>>);
 
 impl Basis {
-    /// Adds a row if it is independent of the rows before; returns true if the row is added.
+    /// Adds a row if it is independent of the rows added before; returns true if the row is added.
     fn takes(&mut self, row: &DVector<f64>) -> bool {
         let mut rest = row.clone();
         // Two orthogonalizations suffice (Kahan, in Parlett, The Symmetric Eigenvalue Problem, 6.9).
@@ -111,14 +112,14 @@ impl Layout {
         redundant
     }
 
-    /// True if the rank of the constraints in the most general of several poses leaves as many freedoms as drivers.
+    /// True if the rank of the constraints, in the most general of several poses, leaves one freedom for each driver.
     fn rank_allows(&self, rows: &[Rows], drivers: &[structure::Driver]) -> bool {
         let rank = self.counts.mobility + self.redundant(rows).len() as isize;
         rank == drivers.len() as isize
     }
 
-    /// Hinges of doubled links, each repeated as often as it has redundant constraints: not listed for the first hinge
-    /// of a link, once for the second, twice for each further hinge.
+    /// Hinges of doubled links, each listed once for each of its redundant constraints. The first hinge of a link has
+    /// no redundant constraint, the second has one, and each further hinge has two.
     fn hinges_of_doubled(&self) -> impl Iterator<Item = PairName> {
         self.doubled.iter().flat_map(|one| {
             let further = one.shared.iter().enumerate().skip(1);
@@ -126,18 +127,18 @@ impl Layout {
         })
     }
 
-    /// The constraints of the pairs in the poses beside that of a configuration.
+    /// The constraints of the pairs in poses beside the pose of a configuration.
     fn rows_beside(&self, at: &Configuration) -> Vec<Rows> {
         let poses = self.beside(at);
         poses.iter().map(|pose| self.rows(pose)).collect()
     }
 
-    /// The constraints of the pairs on the twists of the bodies. A twist is the velocity
-    /// at the origin, divided by the size, and the angular velocity.
+    /// The constraints of the pairs in a pose, as rows that multiply the twists of the bodies. A twist is the velocity
+    /// of the body at the origin, divided by the size of the linkage, and the angular velocity.
     fn rows(&self, pose: &Predictor) -> Rows {
         let place = |anchor: BodyPoint| pose.place(anchor).value() / self.size;
         let blank = || DVector::zeros(3 * self.placed_by.len());
-        // Component in a direction of the velocity of a body relative to another, at a place.
+        // Row of the velocity of a body relative to another at a position: its component in the direction `way`.
         let along = |at: Vector, way: Vector, [body, base]: [BodyId; 2]| {
             let mut row = blank();
             for (of, sign) in [(body, 1.0), (base, -1.0)] {
@@ -242,15 +243,15 @@ impl Layout {
     }
 
     /// Structure with passive links as separate steps. None if a redundant constraint fails near the drawn pose, or if
-    /// the mobility by rank differs from the number of drivers: drivers that are compatible only at their given rates
-    /// are too many.
+    /// the mobility by rank differs from the number of drivers. Drivers that are compatible only at their given rates
+    /// exceed this mobility.
     fn shown(&self, redundancy: &Redundancy, at: &Configuration) -> Option<Structure> {
         let rows = self.rows_beside(at);
         let Redundancy { graph, drivers, .. } = redundancy;
         if rows.is_empty() || !self.rank_allows(&rows, drivers) {
             return None;
         }
-        // Counting alone would also remove a link that drives others.
+        // Counting alone would also treat a link that drives others as passive.
         let moves = |passive: &BTreeSet<usize>| {
             let rank = |rows: &Rows| {
                 let mut basis = Basis::default();
@@ -267,8 +268,8 @@ impl Layout {
         Some(shown.unwrap_or_else(|| self.structure.clone()))
     }
 
-    /// Defects of a drawing whose constraints fail near it. If the rank in the drawn pose allows a motion, the links
-    /// are mobile for an instant; otherwise they are locked.
+    /// Defects of a drawing whose constraints fail near the drawn pose. If the rank in the drawn pose allows a motion,
+    /// the links are mobile for an instant; otherwise they are locked.
     fn locked(&self, redundancy: &Redundancy, at: &Configuration) -> Vec<Defect> {
         let mut state: Predictor = self.blank_state();
         let solved = self.solve(at.input, &at.signs, at, &mut state);
@@ -282,7 +283,7 @@ impl Layout {
     }
 
     /// Poses on both sides of the drawn pose, as far as they exist. Empty if a redundant constraint fails in one of
-    /// them: the links are then locked.
+    /// these poses, because the links are then locked.
     fn beside(&self, drawn: &Configuration) -> Vec<Predictor> {
         let unit = self.span() / TAU;
         let mut found = Vec::new();
@@ -307,7 +308,7 @@ impl Layout {
         found
     }
 
-    /// A configuration as drawn with the signs of the drawing; None if a step without redundant constraints does not
+    /// Drawn configuration with the signs that the drawing shows; None if a step without redundant constraints does not
     /// close.
     fn signed(&self, spec: &LinkageSpec, drawn: Configuration) -> Option<Configuration> {
         let mut at = drawn;
@@ -316,7 +317,7 @@ impl Layout {
             let sign = self.drawn_sign(spec, step, &at, &mut state);
             match sign {
                 Ok(sign) => at.signs[step] = sign,
-                // All constraints together are singular in the drawn pose.
+                // A step with redundant constraints may be singular in the drawn pose.
                 Err(_) if self.is_redundant(step) => {}
                 Err(_) => return None,
             }
@@ -328,8 +329,8 @@ impl Layout {
         Some(at)
     }
 
-    /// Bodies of groups with redundant constraints that stay parallel to the frame or to another body, in pairs. None
-    /// if the constraints fail beside the drawn pose.
+    /// Pairs of bodies that stay parallel to each other, for groups with redundant constraints. The first body of a
+    /// pair may be the frame. None if the constraints fail beside the drawn pose.
     fn parallel(&self, drawn: &Configuration) -> Option<Vec<[BodyId; 2]>> {
         let poses = self.beside(drawn);
         if poses.is_empty() {
@@ -342,13 +343,13 @@ impl Layout {
                 (a - b).abs() <= tolerance::DOUBLE_ROOT
             });
             let alike = alike.count();
-            // In one of the poses links may be in line; cancellation then makes angular velocities inexact.
+            // Links may be in line in one of the poses, where cancellation makes angular velocities inexact.
             2 * alike > poses.len() && alike + 1 >= poses.len()
         };
         let mut parallel = Vec::new();
         for step in self.steps.ids().filter(|step| self.is_redundant(*step)) {
             for body in self.steps[step].bodies() {
-                // The first body with the same angular velocity is taken; the frame is before all others.
+                // The first body with the same angular velocity is taken; the frame precedes all others.
                 let before = self.bodies.ids().filter(|other| *other != body);
                 let before = before.filter(|other| {
                     let placed = self.placed_by[*other];

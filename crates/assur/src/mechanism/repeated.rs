@@ -15,8 +15,9 @@ impl Mechanism {
         })
     }
 
-    /// Distance of two poses: maximum over the bodies of the turn (radians if small) and of the displacement. A
-    /// displacement is relative to the size, or to the distance from the origin if larger. Idle wheels do not count.
+    /// Distance between two poses: the greatest turn or displacement of a body. Small turns are in radians. A
+    /// displacement is relative to the size of the linkage or, if greater, to the distance of the body from the origin.
+    /// Idle wheels do not count.
     pub(crate) fn distance<const N: usize, const M: usize>(&self, a: &Pose<N>, b: &Pose<M>) -> f64 {
         let bodies = self.bodies();
         let bodies = bodies.filter(|body| !self.layout.is_idle_wheel(*body));
@@ -30,7 +31,8 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// Body whose position or orientation differs between two poses. A wheel that moves nothing else may have turned.
+    /// Body whose position or orientation differs between two poses, if there is one. A wheel that moves nothing else
+    /// may have turned.
     pub(crate) fn moved<const N: usize>(
         &self,
         a: &State<N>,
@@ -63,7 +65,7 @@ impl Layout {
         self.bodies.of(body).len() > 1 || tracers.any(|tracer| tracer.body == body)
     }
 
-    /// True if a step depends on the place or the angle of a body.
+    /// True if a step depends on the position or the angle of a body.
     pub(super) fn carries(&self, body: BodyId) -> bool {
         self.steps.iter().any(|step| step.depends_on(body))
     }

@@ -1,5 +1,5 @@
-//! Tracer points: points of a link that join nothing. They change neither the structure nor the assemblies, and keep
-//! their places on the link whenever it is redrawn.
+//! Tracer points: points on a link that are not joints. They change neither the structure nor the assemblies, and keep
+//! their positions on the link when the linkage is redrawn.
 
 use crate::index::{BodyId, LinkId, List, PointId};
 use crate::linkage::TracerSpec;
@@ -10,19 +10,20 @@ use crate::position::{BodyPoint, product};
 use crate::{Point, Vector};
 
 impl Mechanism {
-    /// Place on the link of a tracer that is at `place` in a pose, in the coordinates of [`TracerSpec::at`].
+    /// Position of a tracer on its link, in the coordinates of [`TracerSpec::at`], if the tracer is at `place` in a
+    /// pose.
     pub(super) fn on_link_of(&self, tracer: &TracerSpec, pose: &Pose<1>, place: Point) -> Vector {
         let link = self.link(&tracer.link);
         link.map_or(place.coords, |link| self.on_link(pose, link, place))
     }
 
-    /// The tracer of a point; None for a point that links list.
+    /// The tracer with a given id; None for a point that is no tracer.
     pub fn tracer(&self, point: PointId) -> Option<&TracerSpec> {
         let tracer = point.index().checked_sub(self.layout.listed)?;
         self.spec.tracers.get(tracer)
     }
 
-    /// Place of the frame in the coordinates of a link, as in [`TracerSpec::at`].
+    /// Converts a position on the frame to the coordinates of a link in a pose, as in [`TracerSpec::at`].
     pub fn on_link<const N: usize>(&self, pose: &Pose<N>, link: LinkId, place: Point) -> Vector {
         // `Mechanism::new` refuses a link without points.
         let origin = self
@@ -34,7 +35,7 @@ impl Mechanism {
     }
 }
 
-/// The places of the tracers on bodies.
+/// Positions of the tracers on bodies.
 pub(super) fn anchored<'a>(
     spec: &'a Resolved<'_>,
     bodies: &'a Bodies,

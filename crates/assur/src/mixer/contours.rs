@@ -1,4 +1,4 @@
-//! The closed vector contours of the mixer's linkage in numbers, relation by relation (Smelyagin and Prikhodko, (1) to
+//! The closed vector contours of the mixer's linkage, evaluated relation by relation (Smelyagin and Prikhodko, (1) to
 //! (26)).
 
 use std::f64::consts::TAU;
@@ -9,10 +9,10 @@ use crate::{Assembly, FourBar, Link, Offset, Pose, Unsolved, Vector};
 
 impl Mixer {
     /// The paper's relations at a crank angle φ₁, radians, in the order of the paper. Lengths are in the unit of the
-    /// dimensions, derivatives by φ₁.
+    /// dimensions; derivatives are with respect to φ₁.
     ///
     /// # Errors
-    /// The loop is open there, or a derivative is unbounded.
+    /// The loop is open at this angle, or a derivative is unbounded.
     pub fn relations(&self, crank: f64) -> Result<Vec<Relation>, Unsolved> {
         let pose = self.linkage.pose(self.assembly, crank)?;
         let mut all = self.triangles(&pose)?;
@@ -22,7 +22,8 @@ impl Mixer {
         Ok(all)
     }
 
-    /// (1) to (6): the triangles ABD and BCD. The paper's first assembly is the one with φ₃₅ less than half a turn.
+    /// Relations (1) to (6) of the triangles ABD and BCD. In the paper's first assembly the angle φ₃₅ from the diagonal
+    /// BD to the rocker is less than half a turn.
     fn triangles(&self, pose: &Pose<3>) -> Result<Vec<Relation>, Unsolved> {
         let [l1, l2, l3, l4] = self.linkage.lengths();
         let crank = pose.crank.value();
@@ -91,7 +92,7 @@ impl Mixer {
         Ok(all)
     }
 
-    /// (25), (26): the wheels, with u unsigned as in the paper; and the signed u.
+    /// Relations (25) and (26) of the wheels, with the ratio u unsigned as in the paper; then u with its sign.
     fn wheels(&self, pose: &Pose<3>) -> Vec<Relation> {
         let mut all = Vec::new();
         let strokes = [["ψ₄", "ψ₅"], ["ψ₄′", "ψ₅′"], ["ψ₄″", "ψ₅″"]];
@@ -117,17 +118,18 @@ impl Mixer {
     }
 }
 
-/// A vector by its length and direction.
+/// Vector of a given length and direction.
 fn along(length: f64, angle: f64) -> Vector {
     Vector::new(angle.cos(), angle.sin()) * length
 }
 
-/// The sum of the vectors of a closed contour.
+/// Relations that compare the sum of the vectors of a closed contour with zero.
 fn closed(item: &'static str, sum: Vector) -> [Relation; 2] {
     Relation::both(item, ["Σx", "Σy"], Vector::zeros(), sum)
 }
 
-/// (7) to (13): the contour ABCD, both sides of each equation, and the analogues.
+/// Relations (7) to (13) of the contour ABCD: both sides of each equation, and the analogues of velocity and
+/// acceleration.
 fn derivatives(linkage: &FourBar, pose: &Pose<3>) -> Vec<Relation> {
     let [l1, l2, l3, l4] = linkage.lengths();
     let (s1, c1) = pose.crank.value().sin_cos();
@@ -183,7 +185,7 @@ fn derivatives(linkage: &FourBar, pose: &Pose<3>) -> Vec<Relation> {
     all
 }
 
-/// (14) to (24): the centres of mass in the middles of crank, coupler and rocker.
+/// Relations (14) to (24) of the centres of mass, which are in the middle of crank, coupler and rocker.
 fn centres(linkage: &FourBar, pose: &Pose<3>) -> Vec<Relation> {
     let [l1, l2, l3, l4] = linkage.lengths();
     let (s1, c1) = pose.crank.value().sin_cos();

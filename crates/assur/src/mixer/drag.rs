@@ -5,42 +5,40 @@ use std::f64::consts::PI;
 use super::Mixer;
 use crate::{Assembly, FourBar, Point, Unsolved};
 
-/// A joint that can be dragged; A is fixed.
+/// A joint that can be dragged. Joint A is fixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joint {
-    /// Crank and coupler: drives the crank.
+    /// Joint of crank and coupler; dragging it turns the crank.
     B,
-    /// Coupler and rocker: changes the lengths of both.
+    /// Joint of coupler and rocker; dragging it changes the lengths of both.
     C,
-    /// Rocker and frame: changes the lengths of both.
+    /// Joint of rocker and frame; dragging it changes the lengths of both.
     D,
 }
 
 /// The change made by dragging a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dragged {
-    /// The crank angle, radians, with its whole turns kept.
+    /// New crank angle, radians; it differs from the old one by at most half a turn.
     Crank(f64),
-    /// The dimensions, valid or not.
+    /// New lengths, valid or not, and the assembly.
     Lengths {
-        /// l₁ … l₄, in the unit of the lengths.
+        /// Lengths l₁ … l₄ of crank, coupler, rocker and frame.
         lengths: [f64; 4],
-        /// The assembly with C at its new place.
+        /// Assembly in which C is nearest to its required position.
         assembly: Assembly,
     },
 }
 
 impl Mixer {
-    /// The mixer after its `joint` was dragged to `to` while the crank is at
-    /// `crank` (radians).
+    /// Change of the mixer if `joint` is dragged to `to` while the crank angle is `crank`, radians.
     ///
-    /// B follows in direction only: the crank keeps its length. C takes coupler
-    /// and rocker with it. D stays on the line of the frame, at the abscissa of
-    /// `to`, and the rocker's length changes with the frame's, so that C stays.
-    /// The lengths are not checked: [`Mixer::new`] does that.
+    /// B follows `to` in direction only, because the crank keeps its length. C moves to `to`, which changes the lengths
+    /// of coupler and rocker. D moves along the line of the frame to the abscissa of `to`; the lengths of frame and
+    /// rocker change so that C stays. The lengths are not checked here but in [`Mixer::new`].
     ///
     /// # Errors
-    /// [`Unsolved`]: an angle or a place that is not finite, or D dragged at a crank angle without a pose.
+    /// [`Unsolved`]: an angle or a position that is not finite, or D dragged at a crank angle without a pose.
     pub fn dragged(&self, joint: Joint, crank: f64, to: Point) -> Result<Dragged, Unsolved> {
         if !(crank.is_finite() && to.x.is_finite() && to.y.is_finite()) {
             return Err(Unsolved::NotAnAngle);
@@ -71,7 +69,7 @@ impl Mixer {
     }
 }
 
-/// The assembly with C nearest to a place; None if there is no pose.
+/// The assembly in which C is nearest to a position; None if no assembly has a pose.
 fn nearest(lengths: [f64; 4], crank: f64, c: Point) -> Option<Assembly> {
     let linkage = FourBar::new(lengths).ok()?;
     let off = |assembly| {
@@ -124,7 +122,8 @@ mod tests {
         }
     }
 
-    /// On either side of BD, at any crank angle, from either assembly, also if the lengths then make a parallelogram.
+    /// C can be dragged to either side of BD, at any crank angle, from either assembly, even if the new lengths make a
+    /// parallelogram.
     #[test]
     fn c_follows_to_either_side() {
         for start in Assembly::ALL {
@@ -189,7 +188,7 @@ mod tests {
                 assert_eq!(swings.dragged(joint, crank, to), Err(Unsolved::NotAnAngle));
             }
         }
-        // Valid or not: `Mixer::new` refuses invalid lengths.
+        // Invalid lengths are returned too; `Mixer::new` refuses them.
         let Ok(Dragged::Lengths { lengths, assembly }) =
             swings.dragged(Joint::D, 1.0, Point::new(-1.0, 0.0))
         else {

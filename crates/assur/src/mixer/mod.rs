@@ -1,6 +1,5 @@
-//! The reciprocating-rotational mixer: a crank-rocker whose rocker carries wheel
-//! 4, which drives wheel 5, or several wheels around it (Smelyagin and Prikhodko,
-//! fig. 1 and 4).
+//! The reciprocating-rotational mixer: a crank-rocker whose rocker carries wheel 4. This wheel drives wheel 5, or
+//! several wheels around wheel 4 (Smelyagin and Prikhodko, fig. 1 and 4).
 
 mod contours;
 mod drag;
@@ -17,7 +16,7 @@ pub use tracer::{Carrier, Tracer};
 use crate::gears::{GearSet, Mate, Mesh};
 use crate::{Assembly, FourBar, Invalid};
 
-/// The three cases of fig. 4. Lengths are in metres.
+/// The three cases of fig. 4, with the length l₃ of the rocker and the gear ratio u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Case {
     /// l₃ = 0.55 m, u = 2.
@@ -29,11 +28,11 @@ pub enum Case {
 }
 
 impl Case {
-    /// All, in the order of the figure.
+    /// All cases, in the order of the figure.
     pub const ALL: [Self; 3] = [Self::A, Self::B, Self::C];
 
-    /// The dimensions of the case. The paper prints lengths and u; the numbers
-    /// of teeth, the module and the centre line are ours.
+    /// Dimensions of the case, lengths in metres. The paper gives the lengths and u; the numbers of teeth, the module
+    /// and the centre line are chosen here.
     pub fn dimensions(self) -> Dimensions {
         let [rocker, z4, z5] = match self {
             Self::A => [0.55, 36.0, 18.0],
@@ -55,21 +54,20 @@ impl Case {
     }
 }
 
-/// The free dimensions of a mixer, valid or not.
+/// The independent dimensions of a mixer, valid or not.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dimensions {
-    /// l₁ … l₄: crank, coupler, rocker, frame.
+    /// Lengths l₁ … l₄ of crank, coupler, rocker and frame.
     pub lengths: [f64; 4],
-    /// z₄, of the wheel on the rocker's shaft.
+    /// Number of teeth z₄ of wheel 4, which is on the rocker's shaft.
     pub z4: f64,
-    /// The peripheral wheels around it: wheel 5, 6, …, each with its direction
-    /// from the shaft of wheel 4.
+    /// Wheels 5, 6, … around wheel 4, each with the direction of its centre from the shaft of wheel 4.
     pub wheels: Vec<Mate>,
-    /// How the wheels engage.
+    /// Type of mesh of the wheels.
     pub mesh: Mesh,
-    /// Module of the wheels, in the unit of the lengths.
+    /// Module of the wheels, in the unit of `lengths`.
     pub module: f64,
-    /// The assembly of the loop.
+    /// Assembly of the four-bar.
     pub assembly: Assembly,
     /// The traced points P₁, P₂, …
     pub tracers: Vec<Tracer>,
@@ -78,18 +76,18 @@ pub struct Dimensions {
 /// A mixer that can move.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mixer {
-    /// The linkage.
+    /// The four-bar.
     pub linkage: FourBar,
-    /// The assembly of its loop.
+    /// Assembly of the four-bar.
     pub assembly: Assembly,
-    /// Wheel 4, which turns with the rocker, and wheels 5, 6, … around it.
+    /// Wheel 4, which turns with the rocker, and wheels 5, 6, … around wheel 4.
     pub gears: GearSet,
-    /// The traced points; their wheels exist.
+    /// The traced points; every wheel that carries a point exists.
     tracers: Vec<Tracer>,
 }
 
 impl Mixer {
-    /// The mixer with these dimensions.
+    /// The mixer with given dimensions.
     ///
     /// # Errors
     /// All invalid dimensions at once.

@@ -1,27 +1,26 @@
-//! The motion of a mixer, as of any linkage.
+//! The motion of a mixer, found as for any linkage.
 
 use super::Mixer;
 use crate::Unsolved;
 use crate::mechanism::{Defect, LinkageSpec, Mechanism};
 use crate::motion::{Motion, Unjoinable};
 
-/// The reason why a mixer has no motion as a linkage.
+/// The reason why a mixer has no motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unmoved {
-    /// It cannot be drawn.
+    /// The mixer cannot be drawn.
     Unsolved(Unsolved),
-    /// Its specification is no mechanism.
+    /// The specification of the mixer is not a mechanism.
     Defects(Vec<Defect>),
-    /// Its arcs are not those of one linkage.
+    /// The arcs of the mixer cannot be joined to one motion.
     Unjoinable(Unjoinable),
 }
 
 impl Mixer {
-    /// The motion over all arcs of [`FourBar::cycle`](crate::FourBar::cycle), in the
-    /// assembly of the mixer.
+    /// The motion over all arcs of [`FourBar::cycle`](crate::FourBar::cycle), in the assembly of the mixer.
     ///
     /// # Errors
-    /// The reason why there is none.
+    /// The reason why the mixer has no motion.
     pub fn motion(&self) -> Result<Motion, Unmoved> {
         let mut motion = self.moved(&self.spec().map_err(Unmoved::Unsolved)?)?;
         let cycle = self.linkage.cycle();
@@ -35,7 +34,7 @@ impl Mixer {
 
     fn moved(&self, spec: &LinkageSpec) -> Result<Motion, Unmoved> {
         let mechanism = Mechanism::new(spec).map_err(Unmoved::Defects)?;
-        // A drawing that fits both assemblies is redrawn.
+        // If the drawing fits both assemblies, it is redrawn in the assembly of the mixer.
         let redrawn = mechanism.with_four_bar(self.assembly);
         Ok(Motion::new(redrawn.unwrap_or(mechanism)))
     }

@@ -6,7 +6,7 @@ use super::{Carrier, Mixer};
 use crate::mechanism::{FRAME, GearSpec, LinkSpec, LinkageSpec, PointSpec, TracerSpec};
 use crate::{Link, Point, Unsolved, Vector};
 
-/// The links with two joints, and the names of their joints and centres of mass.
+/// The links with two joints, and the names of each link, its two joints and its centre of mass.
 const BARS: [(Link, Carrier, [&str; 4]); 3] = [
     (Link::Crank, Carrier::Crank, ["crank", "A", "B", "C1"]),
     (Link::Coupler, Carrier::Coupler, ["coupler", "B", "C", "C2"]),
@@ -14,28 +14,29 @@ const BARS: [(Link, Carrier, [&str; 4]); 3] = [
 ];
 
 impl Mixer {
-    /// The mixer as a specification. Links `crank`, `coupler`, `rocker`, `wheel4` fixed to the rocker, `wheel5`, … on
-    /// the frame; joints A, B, C, D, centres of mass C1, C2, C3 in the middle of their links, the wheels' centres E5,
-    /// …; the traced points, P1, …, are tracers.
+    /// The mixer as a specification. The links are `crank`, `coupler`, `rocker`, `wheel4`, which is fixed to the
+    /// rocker, and `wheel5`, …, which are hinged to the frame. The points are the joints A, B, C, D, the centres of
+    /// mass C1, C2, C3 in the middle of their links, and the wheels' centres E5, …. The traced points P1, … are
+    /// tracers.
     ///
     /// # Errors
     /// The reason why there is no pose to draw.
     pub fn spec(&self) -> Result<LinkageSpec, Unsolved> {
         let cycle = self.linkage.cycle();
         if cycle.is_full() {
-            // Any angle would do.
+            // Any crank angle would do.
             return self.spec_at(1.0);
         }
         self.spec_on(cycle.arcs()[0])
     }
 
-    /// The same, drawn in the middle of an arc, or beside it: a kite's pose may be undetermined there.
+    /// Specification drawn in the middle of an arc, or beside the middle if the pose of a kite is undetermined there.
     pub(super) fn spec_on(&self, [from, to]: [f64; 2]) -> Result<LinkageSpec, Unsolved> {
         let drawn = self.spec_at(0.5 * (from + to));
         drawn.or_else(|_| self.spec_at(0.6 * from + 0.4 * to))
     }
 
-    /// The same, drawn at a crank angle.
+    /// Specification drawn at a crank angle.
     fn spec_at(&self, crank: f64) -> Result<LinkageSpec, Unsolved> {
         let pose = self.linkage.pose::<1>(self.assembly, crank)?;
         let joints = self.linkage.joints(&pose).map(|joint| joint.place());
@@ -99,8 +100,8 @@ impl Mixer {
         Ok(spec.crank("crank"))
     }
 
-    /// The traced points, on the links of the specification. On a wheel they are measured from its middle tooth, which
-    /// the mounting turns from its zero direction.
+    /// Tracers of the specification for the traced points. The mixer measures a point of a wheel from the wheel's
+    /// middle tooth, which the mounting turns from the zero direction of the wheel.
     fn spec_tracers(&self) -> impl Iterator<Item = TracerSpec> {
         self.tracers().iter().enumerate().map(|(k, tracer)| {
             let at = Vector::new(tracer.x, tracer.y);

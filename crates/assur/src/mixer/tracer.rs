@@ -1,31 +1,30 @@
-//! Traced points of the mixer's bodies (coupler curves).
+//! Traced points on the mixer's bodies, as for coupler curves.
 
 use super::Mixer;
 use crate::tolerance::FARTHEST;
 use crate::{Dimension, Fault, Invalid, Jet, JetPoint, Point, Pose};
 
-/// A moving body that can carry a traced point.
+/// A moving body that can carry a traced point, with the axes of its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carrier {
-    /// Crank, seen from A along AB.
+    /// Crank: origin A, x along AB.
     Crank,
-    /// Coupler, seen from B along BC.
+    /// Coupler: origin B, x along BC.
     Coupler,
-    /// Rocker with wheel 4, seen from D along DC.
+    /// Rocker with wheel 4: origin D, x along DC.
     Rocker,
-    /// A peripheral wheel, counted from 0 (wheel 5), seen from its centre along
-    /// its middle tooth.
+    /// Peripheral wheel, counted from 0 (wheel 5): origin at its centre, x along its middle tooth.
     Wheel(usize),
 }
 
-/// A point fixed on a body, in the body's own coordinates.
+/// A point fixed to a body, in the coordinates of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tracer {
-    /// The body.
+    /// Body that carries the point.
     pub carrier: Carrier,
-    /// Along the body from its first joint (or centre), in the unit of the lengths.
+    /// Abscissa on the body, in the unit of length.
     pub x: f64,
-    /// Across it, to the left.
+    /// Ordinate on the body, in the unit of length.
     pub y: f64,
 }
 
@@ -34,7 +33,8 @@ impl Tracer {
     pub const MOST: usize = 6;
 }
 
-/// Checks that these points are on bodies of a mixer with this number of peripheral wheels.
+/// Checks that traced points have valid coordinates and are on bodies of a mixer with a given number of peripheral
+/// wheels.
 pub(super) fn check(tracers: &[Tracer], wheels: usize) -> Result<(), Vec<Invalid>> {
     let mut reasons = Vec::new();
     if tracers.len() > Tracer::MOST {
@@ -74,7 +74,7 @@ impl Mixer {
         &self.tracers
     }
 
-    /// A traced point in a pose, with its derivatives by the crank angle.
+    /// A traced point in a pose, with its derivatives with respect to the crank angle.
     pub fn traced<const N: usize>(&self, pose: &Pose<N>, tracer: &Tracer) -> JetPoint<N> {
         let (origin, angle) = self.body(pose, tracer.carrier);
         origin.offset(angle, tracer.x, tracer.y)
@@ -92,8 +92,8 @@ impl Mixer {
         }
     }
 
-    /// The origin of a body's coordinates, and the direction of its x axis. A wheel that does not exist counts as the
-    /// rocker; [`Mixer::new`] refuses it.
+    /// Origin of a body's coordinates, and direction of their x-axis. For a wheel that does not exist, those of the
+    /// rocker; [`Mixer::new`] refuses such wheels.
     pub fn body<const N: usize>(&self, pose: &Pose<N>, carrier: Carrier) -> (JetPoint<N>, Jet<N>) {
         let [a, b, _, d] = self.linkage.joints(pose);
         match carrier {
@@ -139,7 +139,7 @@ mod tests {
         }
     }
 
-    /// A point taken at a place is there, and keeps its distance from the body's first joint.
+    /// A tracer made from a position is at this position, and keeps its distance from the origin of its body.
     #[test]
     fn a_point_keeps_its_place_on_its_body() {
         let mixer = Mixer::new(&dimensions(Vec::new())).unwrap();
@@ -154,7 +154,8 @@ mod tests {
                 let (origin, angle) = mixer.body(&pose, carrier);
                 let arm = mixer.traced(&pose, &tracer).place() - origin.place();
                 assert!((arm.norm() - tracer.x.hypot(tracer.y)).abs() < 1e-15);
-                // About a fixed centre the velocity is normal to the arm, φ′ times as long.
+                // If the body turns about a fixed centre, the velocity is normal to the arm and equals φ′ times the
+                // arm's length.
                 if carrier != Carrier::Coupler {
                     let rate = mixer.traced(&pose, &tracer).derivative(1);
                     assert!(rate.dot(&arm).abs() < 1e-14, "{carrier:?}");
@@ -165,7 +166,7 @@ mod tests {
         }
     }
 
-    /// The coupler's middle is its centre of mass, which the golden table pins.
+    /// The middle of the coupler is its centre of mass, which is checked against the table of reference values.
     #[test]
     fn the_couplers_middle_is_its_centre() {
         let mixer = Mixer::new(&dimensions(Vec::new())).unwrap();

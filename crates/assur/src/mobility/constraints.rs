@@ -8,12 +8,12 @@ use super::elimination::System;
 use super::screw::{Form, IN_PLANE, Screw, basis};
 use super::{Pair, Scheme, Space};
 
-/// Wrenches of each pair between its first link and any other, in the space of the motions.
+/// Constraint wrenches of each pair between its first link and any other link, in the space of the motions.
 pub(super) struct Constraints {
     wrenches: Vec<Vec<Screw>>,
-    /// Components of a screw in this space.
+    /// Indices of the components of a screw in this space.
     components: &'static [usize],
-    /// First column of each pair's unknowns, and the end.
+    /// First column of the unknowns of each pair, then the number of columns.
     starts: Vec<usize>,
 }
 
@@ -38,8 +38,8 @@ impl Constraints {
         }
     }
 
-    /// Equilibrium of every moving link under stresses of the pairs alone: the transposed constraints, whose solutions
-    /// are the self-stresses. Its rank equals the rank of the constraints.
+    /// Equations of equilibrium of every moving link under the stresses of the pairs alone. Their matrix is the
+    /// transpose of the constraints and has the same rank; their solutions are the self-stresses.
     pub(super) fn equilibrium(&self, scheme: &Scheme) -> System {
         let sizes = self
             .starts
@@ -61,7 +61,7 @@ impl Constraints {
         system
     }
 
-    /// The constraints, whose solutions are the motions; the unknowns are the twists of the moving links.
+    /// Constraint equations whose unknowns are the twists of the moving links. Their solutions are the motions.
     pub(super) fn motions(&self, scheme: &Scheme) -> System {
         let moving = scheme.links().len() - 1;
         let mut system = System::new((0..moving).map(|_| self.components.len()));
@@ -94,7 +94,7 @@ impl Constraints {
         (0..self.wrenches.len()).filter(bears).collect()
     }
 
-    /// The wrenches of a stressed pair, between its first link and each other one.
+    /// The wrenches of a stressed pair, between its first link and each of its other links.
     pub(super) fn wrenches_of(&self, stress: &[f64], pair: usize) -> Vec<Screw> {
         let wrenches = &self.wrenches[pair];
         let own = &stress[self.starts[pair]..self.starts[pair + 1]];
@@ -106,17 +106,17 @@ impl Constraints {
         sums.collect()
     }
 
-    /// The pair of an unknown of [`Self::equilibrium`].
+    /// Pair to which an unknown of [`Self::equilibrium`] belongs.
     pub(super) fn pair_of(&self, column: usize) -> usize {
         self.starts.partition_point(|start| *start <= column) - 1
     }
 
-    /// Number of independent constraints of these pairs on a link, if all other links are at rest.
+    /// Number of independent constraints that given pairs impose on a link if all other links are at rest.
     pub(super) fn rank(&self, pairs: impl Iterator<Item = usize>) -> usize {
         basis(pairs.flat_map(|pair| &self.wrenches[pair]).copied()).len()
     }
 
-    /// Number of freedoms of two links with all others at rest; `pairs` are all their pairs.
+    /// Number of freedoms of two links if all other links are at rest; `pairs` lists all pairs of the two links.
     pub(super) fn together(
         &self,
         scheme: &Scheme,
@@ -142,7 +142,7 @@ impl Constraints {
 }
 
 impl Space {
-    /// Components of a screw in this space.
+    /// Indices of the components of a screw in this space.
     pub(super) fn components(self) -> &'static [usize] {
         match self {
             Self::Plane => &IN_PLANE,
@@ -152,8 +152,8 @@ impl Space {
 }
 
 impl Pair {
-    /// Sign of a link in the constraints between the first link and another one, counted from 0; zero for any other
-    /// link.
+    /// Sign of a link in the constraints between the first link of the pair and another of its links, `other`, counted
+    /// from 0. The sign of any third link is zero.
     pub(super) fn sign(&self, link: usize, other: usize) -> f64 {
         if self.links.first() == Some(&link) {
             -1.0
@@ -164,7 +164,7 @@ impl Pair {
         }
     }
 
-    /// These signs for each of the other links.
+    /// Signs of a link by [`Self::sign`], for each value of `other`.
     pub(super) fn signs(&self, link: usize) -> impl Iterator<Item = f64> + '_ {
         (0..self.count()).map(move |other| self.sign(link, other))
     }

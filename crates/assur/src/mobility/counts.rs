@@ -7,20 +7,21 @@ use super::Scheme;
 /// Numbers of links and pairs, and the resulting mobility.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Counts {
-    /// n: moving links.
+    /// Number of moving links, n.
     pub links: usize,
-    /// P_i: number of pairs with i freedoms in the scheme's own space; a hinge of k links counts as k − 1.
+    /// Numbers P_i of pairs with i freedoms in the scheme's own space, the plane or space. A hinge of k links counts as
+    /// k − 1.
     pub pairs: BTreeMap<u8, usize>,
-    /// Number of pairs with i freedoms in space.
+    /// Numbers of pairs with i freedoms in space.
     pub spatial_pairs: BTreeMap<u8, usize>,
-    /// W by Chebyshev and Grübler for a planar scheme, W = 3n − 2P₁ − P₂ (mobility paper, (1)).
+    /// Mobility W by Chebyshev and Grübler for a planar scheme, W = 3n − 2P₁ − P₂ (mobility paper, (1)).
     pub planar: Option<isize>,
-    /// W by Somov and Malyshev, W = 6n − Σ(6 − i)P_i (mobility paper, (2)).
+    /// Mobility W by Somov and Malyshev, W = 6n − Σ(6 − i)P_i (mobility paper, (2)).
     pub spatial: isize,
 }
 
 impl Scheme {
-    /// Numbers of links and pairs, with W by the formulas.
+    /// Numbers of links and pairs, with the mobility W by the formulas.
     pub fn counts(&self) -> Counts {
         let links = self.links().len() - 1;
         let (mut pairs, mut spatial_pairs) = (BTreeMap::new(), BTreeMap::new());
@@ -40,7 +41,7 @@ impl Scheme {
     }
 }
 
-/// W of links with `freedoms` each, less the constraints of their pairs.
+/// Mobility W: the freedoms of the links, `freedoms` for each, less the constraints of their pairs.
 fn mobility(freedoms: isize, links: usize, pairs: &BTreeMap<u8, usize>) -> isize {
     let constraints = pairs
         .iter()
@@ -49,19 +50,20 @@ fn mobility(freedoms: isize, links: usize, pairs: &BTreeMap<u8, usize>) -> isize
 }
 
 impl Counts {
-    /// W in the scheme's own space.
+    /// Mobility W in the scheme's own space.
     pub fn mobility(&self) -> isize {
         self.planar.unwrap_or(self.spatial)
     }
 
-    /// q, the redundant constraints in space for a known mobility: q = Σ(6 − i)P_i − 6n + W (mobility paper, (3), which
-    /// prints − W).
+    /// Number q of redundant constraints in space for a known mobility W: q = Σ(6 − i)P_i − 6n + W (mobility paper,
+    /// (3), which prints − W instead of + W).
     pub fn redundant(&self, mobility: isize) -> isize {
         mobility - self.spatial
     }
 
-    /// q of a planar scheme whose pairs have one freedom each, also in space: q = ΣS + 2(n − P₁), where each of P₁ − n
-    /// cut pairs has S = 5 (mobility paper, (6)): 3 for each independent loop. None for other schemes.
+    /// Number q of redundant constraints of a planar scheme whose pairs have one freedom each, in the plane and in
+    /// space. It is q = ΣS + 2(n − P₁), where S = 5 for each of the P₁ − n cut pairs (mobility paper, (6)). This gives
+    /// 3 for each independent loop. None for other schemes.
     pub fn redundant_by_plane(&self) -> Option<isize> {
         let one = |pairs: &BTreeMap<u8, usize>| pairs.keys().eq([&1]);
         let applies = self.planar.is_some() && one(&self.pairs) && one(&self.spatial_pairs);
@@ -76,7 +78,7 @@ pub(super) mod tests {
     use super::*;
     use crate::mobility::{PairKind, PairSpec, SchemeSpec};
 
-    /// A contour of these pairs from the ground over links 1, 2, … back to the ground.
+    /// Contour of pairs of given kinds, from the ground through links 1, 2, … and back to the ground.
     pub(in crate::mobility) fn contour(planar: bool, kinds: &[PairKind]) -> Scheme {
         let link = |number: usize| (number % kinds.len()).to_string();
         let pairs = kinds.iter().enumerate().map(|(at, kind)| PairSpec {
@@ -95,8 +97,9 @@ pub(super) mod tests {
         Scheme::new(&spec).unwrap()
     }
 
-    /// Four-bar 3·3 − 2·4 and 6·3 − 5·4; five-bar 3·4 − 2·5 and 6·4 − 5·5; two spheres in a contour with two hinges
-    /// 6·3 − 5 − 3 − 3 − 5, of which one freedom is the coupler's own rotation.
+    /// Mobilities in the plane and in space. Four-bar: 3·3 − 2·4 and 6·3 − 5·4; five-bar: 3·4 − 2·5 and 6·4 − 5·5. A
+    /// contour of two spheres and two hinges: 6·3 − 5 − 3 − 3 − 5 in space, where one freedom is the rotation of the
+    /// coupler about its axis.
     #[test]
     fn contours() {
         use PairKind::{Revolute, Spherical};

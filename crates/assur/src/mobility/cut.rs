@@ -3,13 +3,13 @@
 use super::Scheme;
 use crate::sorting::sort;
 
-/// A link detached from a pair. A pair of two links is removed by either of them; a compound hinge loses one link at a
-/// time.
+/// A link detached from a pair. Detaching either link of a pair of two removes the pair; a compound hinge loses one
+/// link at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Cut {
-    /// The pair.
+    /// Index of the pair.
     pub pair: usize,
-    /// The detached link.
+    /// Index of the detached link.
     pub link: usize,
 }
 
@@ -33,14 +33,14 @@ pub enum CutError {
     WhichLink { pair: String },
     /// This pair was cut before, and nothing is left to cut.
     CutTwice { pair: String },
-    /// The shortest contour that is still closed, by its pairs in their order along it.
+    /// A contour is still closed: the shortest one is given, by its pairs in order.
     StillClosed { pairs: Vec<String> },
-    /// Links that are disconnected.
+    /// These links are disconnected from the ground.
     CutOff { links: Vec<String> },
 }
 
 impl Scheme {
-    /// Cut with a given name: the name of a pair, or of a compound hinge and a link, `Q:3`.
+    /// Cut with a given name: the name of a pair, or the names of a compound hinge and a link, as in `Q:3`.
     ///
     /// # Errors
     /// There is no such pair, no such link in it, or the link of a compound hinge is missing.
@@ -85,7 +85,7 @@ impl Scheme {
         let mut been = vec![false; self.links().len()];
         let mut passed = vec![false; self.pairs().len()];
         let mut cuts = vec![];
-        // The current path of links and pairs, each with the next one to try.
+        // The current path of links and pairs, each with the index of the next element to try.
         let mut way = vec![Stop::Link(0, 0)];
         been[0] = true;
         while let Some(stop) = way.last_mut() {

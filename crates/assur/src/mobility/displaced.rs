@@ -33,7 +33,7 @@ impl Placement {
         }
     }
 
-    /// Distance from the drawn pose: the greater of the angle turned and the displacement of the centre.
+    /// Distance from the drawn pose: the greater of the angle of rotation and the displacement of the centre.
     pub(super) fn distance(&self) -> f64 {
         self.rotation.angle().max(self.shift.norm())
     }
@@ -49,21 +49,21 @@ impl Placement {
 
 /// A pair between two links away from the drawn pose.
 pub(super) struct Displaced {
-    /// Its half on the first link, which has the cylinder around a ball, and the plane of a contact. A universal pair
-    /// has its second axis on the second link.
+    /// Half of the pair on the first link. This link has the cylinder around a ball, or the plane of a contact. The
+    /// second axis of a universal pair is on the second link.
     pub(super) form: Form,
-    /// Violation of each of [`Form::constraints`], in their order.
+    /// Violation of each constraint, in the order of [`Form::constraints`].
     pub(super) gaps: Vec<f64>,
 }
 
 impl Displaced {
-    /// A pair of the drawn pose with its links displaced. Surfaces in contact are known to first order only: the second
-    /// link has the line or the point of contact, the first the plane.
+    /// A pair of the drawn pose after its links are displaced. Surfaces in contact are known to first order only: the
+    /// first link has the plane of contact, the second link the line or point of contact.
     pub(super) fn new(drawn: &Form, [first, second]: [&Placement; 2]) -> Self {
         let [a, b] = [first.carries(drawn), second.carries(drawn)];
         let across = b.place - a.place;
         let opening = |direction: usize| a.frame[direction].dot(&across);
-        // Angle from the first axis to the second about each direction of the frame.
+        // Component, about each direction of the frame, of the rotation from the first axis to the second.
         let axes = a.frame[0].cross(&b.frame[0]);
         let leaning = |direction: usize| a.frame[direction].dot(&axes);
         let twisted = a.frame[0].dot(&a.frame[1].cross(&b.frame[1]));

@@ -1,14 +1,14 @@
-//! Rank and null space of a matrix of small dense blocks, most of which are zero.
+//! Rank and null space of a sparse matrix of small dense blocks.
 //!
 //! Gaussian elimination by *fronts* (Duff, Reid, *The multifrontal solution of indefinite sparse symmetric linear
-//! equations*, 1983): a front is dense rows over a few blocks of columns. To eliminate a block, the fronts that contain
-//! it are merged, the greatest entry in its columns is the pivot, and the remaining rows form one front without the
-//! block. The block with the smallest front is next. No multiplier is greater than 1. Columns left with zeros only have
-//! no pivot and are *free*.
+//! equations*, 1983). A front is a set of dense rows over a few blocks of columns. To eliminate a block, all fronts
+//! that contain the block are merged. Each pivot is the greatest entry in the columns of the block, so no multiplier is
+//! greater than 1. The remaining rows form one front without the block. The next block is the one with the smallest
+//! merged front. Columns in which only zeros are left have no pivot and are *free*.
 
 use super::screw::ZERO;
 
-/// Rows of a homogeneous system, with entries of about 1 or less.
+/// Homogeneous linear system, with entries of about 1 or less.
 #[derive(Clone, Debug)]
 pub(super) struct System {
     /// Columns of each block: the first, and one past the last.
@@ -40,7 +40,7 @@ pub(super) struct Eliminated {
     free: Vec<Free>,
 }
 
-/// Pivot row: its unknown as a combination of free unknowns and of unknowns eliminated later.
+/// Pivot row: the unknown of its column as a linear combination of free unknowns and of unknowns eliminated later.
 #[derive(Clone, Debug)]
 struct Pivot {
     column: usize,
@@ -52,12 +52,12 @@ struct Pivot {
 #[derive(Clone, Copy, Debug)]
 struct Free {
     column: usize,
-    /// Number of pivots before the column was found to be free: no later pivot depends on it.
+    /// Number of pivots found before the column proved free. No later pivot depends on the column.
     before: usize,
 }
 
 impl System {
-    /// A system without rows, with blocks of these numbers of columns.
+    /// A system without rows; `sizes` gives the number of columns of each block.
     pub(super) fn new(sizes: impl Iterator<Item = usize>) -> Self {
         let blocks = sizes.scan(0, |end, size| {
             *end += size;
@@ -69,7 +69,7 @@ impl System {
         }
     }
 
-    /// Adds rows over these blocks, with row-major entries.
+    /// Adds rows over given blocks, with row-major entries.
     pub(super) fn push(&mut self, blocks: Vec<usize>, entries: Vec<f64>) {
         let width = blocks.iter().map(|block| self.size(*block)).sum();
         self.fronts.push(Front {
@@ -88,7 +88,7 @@ impl System {
         self.blocks.last().map_or(0, |[_, end]| *end)
     }
 
-    /// Eliminates every block, except for one that is kept free.
+    /// Eliminates every block except `kept`, whose columns stay free.
     pub(super) fn eliminated(mut self, kept: Option<usize>) -> Eliminated {
         let mut done = Eliminated {
             columns: self.columns(),
@@ -129,7 +129,7 @@ impl System {
         done
     }
 
-    /// Size of the front of a block. `marks` is scratch space.
+    /// Number of entries of the merged front of a block. `marks` is scratch space.
     fn cost(&self, block: usize, fronts: &[usize], marks: &mut [usize]) -> usize {
         let (mut rows, mut width) = (0, 0);
         for &at in fronts {
@@ -149,7 +149,8 @@ impl System {
         rows * width
     }
 
-    /// Merges fronts, with the columns of the block first, and leaves them empty.
+    /// Merges fronts into one that begins with the columns of the block, and leaves the old fronts empty. `starts` is
+    /// scratch space.
     fn merged(&mut self, block: usize, fronts: &[usize], starts: &mut [usize]) -> Front {
         let mut blocks = vec![block];
         starts[block] = 0;
@@ -190,7 +191,7 @@ impl System {
         }
     }
 
-    /// Eliminates the first block of a front and removes it.
+    /// Eliminates the first block of a front and removes this block from the front.
     fn reduce(&self, front: &mut Front, done: &mut Eliminated) {
         let (width, rows) = (front.width, front.rows());
         let block = front.blocks.remove(0);
@@ -250,7 +251,8 @@ impl System {
     }
 }
 
-/// Index and absolute value of the greatest entry in columns `from` to `to` of the rows from `from` on.
+/// Index and absolute value of the entry of greatest absolute value in rows from `from` on and columns from `from` to
+/// `to`.
 fn greatest(entries: &[f64], width: usize, from: usize, to: usize) -> (usize, f64) {
     let mut greatest = (from * width + from, 0.0);
     for (row, line) in entries.chunks_exact(width).enumerate().skip(from) {
@@ -287,7 +289,8 @@ impl Eliminated {
             .extend(columns.map(|column| Free { column, before }));
     }
 
-    /// Basis of the null space: one free unknown is 1, the other free ones are 0; vectors of a kept block come last.
+    /// Basis of the null space. In each vector one free unknown is 1 and the other free unknowns are 0. The vectors of
+    /// a kept block come last.
     pub(super) fn solutions(&self) -> impl DoubleEndedIterator<Item = Vec<f64>> + '_ {
         self.free.iter().map(|free| {
             let mut values = vec![0.0; self.columns];
@@ -297,18 +300,19 @@ impl Eliminated {
         })
     }
 
-    /// Generic combination of the solutions of the wanted free unknowns, with no two coefficients in a simple ratio.
+    /// Generic linear combination of the solutions of the wanted free unknowns. No two coefficients are in a simple
+    /// ratio.
     pub(super) fn mixture(&self, wanted: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut values = vec![0.0; self.columns];
         for column in self.free().filter(|column| wanted(*column)) {
-            // Fractional part of a multiple of the golden ratio.
+            // Fractional part of a multiple of the golden ratio, increased by one half.
             values[column] = 0.5 + ((column + 1) as f64 * 0.618_033_988_749_895).fract();
         }
         self.substitute(&mut values, self.pivots.len());
         values
     }
 
-    /// Computes the unknowns of the first pivots from the others.
+    /// Computes the unknowns of the first `pivots` pivots from the other unknowns.
     fn substitute(&self, values: &mut [f64], pivots: usize) {
         for pivot in self.pivots[..pivots].iter().rev() {
             let others = pivot.others.iter();

@@ -1,4 +1,4 @@
-//! Mobility in a pose near the drawn one, with nothing in line by chance.
+//! Mobility in a pose near the drawn pose, where nothing is in line by chance.
 
 use super::constraints::Constraints;
 use super::displaced::{Displaced, Placement};
@@ -10,21 +10,21 @@ use crate::numeric::newton::MAX_STEPS_FROM_DRAWING;
 use crate::sorting::sort_by_key;
 use crate::tolerance;
 
-/// Steps from the drawn pose, angles and displacements relative to the size.
+/// Steps from the drawn pose: angles in radians, and displacements relative to the size of the scheme.
 const STEPS: [f64; 3] = [0.05, 0.02, 0.005];
 
 /// Mobility by rank away from the drawn pose.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Generic {
-    /// W in a pose nearby.
+    /// Mobility in a pose nearby.
     At {
-        /// W.
+        /// Mobility W.
         mobility: usize,
     },
     /// No other pose was reached: the freedoms in the drawn pose are instantaneous.
     Instantaneous,
-    /// Redundant constraints involve surfaces in contact; whether they remain redundant depends on the curvature of the
-    /// surfaces, which a scheme does not contain.
+    /// Redundant constraints involve surfaces in contact. The curvature of the surfaces, which a scheme does not
+    /// contain, determines if these constraints remain redundant.
     Contact {
         /// The pairs with these surfaces, in the order of names.
         pairs: Vec<usize>,
@@ -32,8 +32,8 @@ pub enum Generic {
 }
 
 impl Scheme {
-    /// Mobility by rank in a pose nearby: after a small step along a motion of the drawn pose the pairs are closed
-    /// again.
+    /// Mobility by rank in a pose nearby. A small step is made along a motion of the drawn pose, then the pairs are
+    /// closed again.
     ///
     /// # Errors
     /// The data missing for the rank.
@@ -71,7 +71,8 @@ impl Scheme {
         Ok(Generic::Instantaneous)
     }
 
-    /// A combination of all motions of the drawn pose: twists of the links, with greatest component 1.
+    /// Linear combination of all motions of the drawn pose: twists of the links, scaled so that the greatest component
+    /// is 1.
     fn way(&self, forms: &[Form], space: Space) -> Vec<Screw> {
         let motions = Constraints::new(self, forms, space)
             .motions(self)
@@ -88,8 +89,8 @@ impl Scheme {
         [Screw::zeros()].into_iter().chain(twists).collect()
     }
 
-    /// Closes the pairs with the least motion of the links (Gauss-Newton with Levenberg-Marquardt damping). Returns the
-    /// placements and the pairs in them; none if it does not converge.
+    /// Closes the pairs with the smallest motion of the links (Gauss-Newton with Levenberg-Marquardt damping). Returns
+    /// the placements of the links and the forms of the pairs; None if the iteration does not converge.
     fn closed(
         &self,
         drawn: &[Form],
@@ -119,7 +120,7 @@ impl Scheme {
         None
     }
 
-    /// Each pair between its first link and each other one.
+    /// Displaced pairs: each pair between its first link and each of its other links.
     fn halves(&self, drawn: &[Form], placements: &[Placement]) -> Vec<Vec<Displaced>> {
         let pairs = self.pairs().iter().zip(drawn);
         let between = pairs.map(|(pair, form)| {
@@ -130,7 +131,8 @@ impl Scheme {
         between.collect()
     }
 
-    /// The least motion x of the links with J x + gaps = 0, from x = Jᵀλ and (J Jᵀ + damping) λ = − gaps.
+    /// Smallest motion x of the links that closes the gaps: J x + gaps = 0 with the Jacobian J. It follows from x = Jᵀλ
+    /// and (J Jᵀ + damping) λ = − gaps.
     fn correction(
         &self,
         halves: &[Vec<Displaced>],
@@ -180,7 +182,7 @@ impl Scheme {
             let forces = pairs.iter().map(|pair| moving + pair);
             system.push([link - 1].into_iter().chain(forces).collect(), entries);
         }
-        // The constant was kept free, so its solution is the last one.
+        // The column of the gaps was kept free, so its solution is the last one.
         let mut solution = system.eliminated(Some(constant)).solutions().next_back()?;
         solution.truncate(moving * width);
         Some(solution)

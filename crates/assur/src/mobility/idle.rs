@@ -7,11 +7,11 @@ use super::constraints::Constraints;
 use super::{Pair, Scheme, Space};
 
 impl Scheme {
-    /// Idle links, single or in joined twos, in the order of names.
+    /// Idle links, single or as two joined links, in the order of names.
     ///
-    /// Excluded are the ends of open chains. Also excluded is a link joined to the ground by a pair of one freedom, if
-    /// only this link moves at this instant (a cam in its dwell), and two links of which one is joined so (a crank in
-    /// its dead point with its coupler).
+    /// The ends of open chains are excluded. So is a link joined to the ground by a pair of one freedom, if only this
+    /// link moves at this instant (a cam during a dwell). Two joined links are excluded if such a pair joins one of
+    /// them to the ground (a crank and its coupler at a dead point).
     pub(super) fn idle(
         &self,
         constraints: &Constraints,
@@ -34,7 +34,7 @@ impl Scheme {
         });
         let mut idle: Vec<Vec<usize>> = lone.map(|link| vec![link]).collect();
         for two in self.joined() {
-            // If one of the links is held by others alone, there is no motion in which both move.
+            // If other links alone hold one of the two links, there is no motion in which both move.
             let by_others = |link: usize| {
                 let pairs = pairs_of[link].iter().copied();
                 let is_theirs = |pair: &usize| {
@@ -65,7 +65,7 @@ impl Scheme {
         idle
     }
 
-    /// Pairs of moving links that are joined to each other.
+    /// Every two moving links that are joined to each other.
     fn joined(&self) -> BTreeSet<[usize; 2]> {
         let pairs = self.pairs().iter();
         let joined = pairs.flat_map(|pair| {
@@ -78,8 +78,8 @@ impl Scheme {
         joined.collect()
     }
 
-    /// For each link true if it is in a contour or between two: links with a single pair, the ends of open chains, are
-    /// removed until none is left.
+    /// For each link, true if it is in a contour or between two contours. Links with a single pair, which are the ends
+    /// of open chains, are removed until none are left.
     fn between_others(&self) -> Vec<bool> {
         let mut between = vec![true; self.links().len()];
         loop {

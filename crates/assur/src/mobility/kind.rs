@@ -1,19 +1,19 @@
 //! Kinds of pairs, by their freedoms.
 
-/// A kinematic pair by its form. Each has an *axis* (of rotation, sliding, or a cylinder) or a *normal* (of a plane),
-/// and some a second direction perpendicular to it.
+/// Kind of a kinematic pair, by its form. Most pairs have an *axis* (of rotation, sliding, or a cylinder) or a *normal*
+/// (of a plane). Some also have a second direction, perpendicular to this axis or normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PairKind {
     /// A hinge: turns about its axis.
     Revolute,
     /// A slide along its axis.
     Prismatic,
-    /// A screw: turns about its axis and moves along it by the pitch with every turn.
+    /// A screw: turns about its axis and moves along the axis by the pitch with every turn.
     Screw {
-        /// Displacement per turn, in the unit of the lengths; not zero.
+        /// Displacement per turn, in the unit of length; not zero.
         pitch: f64,
     },
-    /// Turns about its axis and slides along it.
+    /// Turns about its axis and slides along the axis.
     Cylindrical,
     /// Turns about two axes that intersect at right angles (also a sphere with a pin in a slot).
     Universal,
@@ -34,7 +34,7 @@ pub enum PairKind {
 }
 
 impl PairKind {
-    /// All kinds with a form; the screw has this pitch.
+    /// All kinds with a form; the screw has the given pitch.
     pub fn forms(pitch: f64) -> [Self; 10] {
         [
             Self::Revolute,
@@ -50,7 +50,7 @@ impl PairKind {
         ]
     }
 
-    /// i: freedoms in space, 1 to 5 (for [`PairKind::Class`] as given).
+    /// Number of freedoms in space, i, from 1 to 5; for [`PairKind::Class`] as given.
     pub fn freedoms(self) -> u8 {
         match self {
             Self::Revolute | Self::Prismatic | Self::Screw { .. } => 1,
@@ -62,17 +62,18 @@ impl PairKind {
         }
     }
 
-    /// True if it has a second direction: turning the pair about its axis makes a different one.
+    /// True if the pair has a second direction. Turning such a pair about its axis gives a different pair.
     pub fn has_second(self) -> bool {
         matches!(self, Self::Universal | Self::CylinderOnPlane)
     }
 
-    /// True if its directions matter; a ball in its socket has none.
+    /// True if the pair has an axis or a normal; a ball in its socket has none.
     pub fn has_axis(self) -> bool {
         !matches!(self, Self::Spherical | Self::Class(_))
     }
 
-    /// True if more than two links can meet in it: the relative motion is of the same kind for any two of them.
+    /// True if more than two links can meet in the pair. The relative motion is then of the same kind for any two of
+    /// these links.
     pub fn joins_many(self) -> bool {
         matches!(
             self,
@@ -85,7 +86,7 @@ impl PairKind {
         matches!(self, Self::CylinderOnPlane | Self::SphereOnPlane)
     }
 
-    /// True if it allows rotation in the plane normal to its axis.
+    /// True if the pair allows rotation in the plane normal to its axis.
     pub(super) fn turns_in_plane(self) -> bool {
         matches!(
             self,

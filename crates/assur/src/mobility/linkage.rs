@@ -9,7 +9,7 @@ use crate::mechanism::{
 };
 use crate::{Point, Vector, perpendicular};
 
-/// Name of a contact of wheels in mesh: P, as the pitch point in textbooks.
+/// Name of the contact of wheels in mesh: P, the letter of the pitch point in textbooks.
 const PITCH_POINT: &str = "P";
 
 /// Name of the idler that a mesh as printed implies.
@@ -19,18 +19,19 @@ const IDLER: &str = "idler";
 const PRESSURE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
 impl SchemeSpec {
-    /// The scheme of a linkage in a pose. A hinge is named after its point, a slide after its point or the link that
-    /// slides; wheels in mesh touch in P. Links fixed to each other are one; between wheels that mesh "as printed"
-    /// there is an idler, as in [`Mechanism::counts`]. Meshes of wheels with a common centre have no place.
+    /// The scheme of a linkage in a pose. A hinge is named after its point, a slide after its point or its sliding
+    /// link, and a contact of wheels in mesh is P. Links fixed to each other are one link. Wheels that mesh "as
+    /// printed" have an idler between them, as in [`Mechanism::counts`]. A mesh of wheels with a common centre has no
+    /// place.
     pub fn of(mechanism: &Mechanism, pose: &Pose<1>) -> Self {
         Self::of_sound(&mechanism.drawn_in(pose))
     }
 
-    /// The scheme of a linkage that need not move, with its pairs as drawn: it may be locked, have too few drivers, or
-    /// not close.
+    /// The scheme of a linkage with its pairs as drawn. The linkage need not move: it may be locked, have too few
+    /// drivers, or not close.
     ///
     /// # Errors
-    /// Missing names, and all other defects that leave no pairs to count.
+    /// Names that refer to nothing, and all other defects that leave no pairs to count.
     pub fn of_drawing(spec: &LinkageSpec) -> Result<Self, Vec<Defect>> {
         let defects = spec.defects();
         if defects.is_empty() {
@@ -40,7 +41,7 @@ impl SchemeSpec {
         }
     }
 
-    /// The scheme of a specification without missing names.
+    /// The scheme of a specification without defects.
     fn of_sound(spec: &LinkageSpec) -> Self {
         let own = spec.links.iter().filter(|link| link.fixed_to.is_none());
         let own = own.map(|link| link.name.as_str());
@@ -91,7 +92,7 @@ impl Parts<'_> {
         }
     }
 
-    /// The names of the bodies with a point, in the order of the specification.
+    /// Names of the bodies that have a point, in the order of the specification.
     fn joined(&self, point: &String) -> Vec<String> {
         let spec = self.spec;
         let on_frame = spec.frame.contains(point).then_some(FRAME);
@@ -141,7 +142,7 @@ impl Parts<'_> {
         };
         let train = pair.train();
         let length = train.last().map_or(1.0, |last| last.centre.norm());
-        // The wheels scaled to the distance of the centres.
+        // Centre of a wheel of the train, scaled to the drawn distance between the centres.
         let at = |wheel: &Wheel| {
             centres.map(|[from, to]| from + wheel.centre * ((to - from).norm() / length))
         };
@@ -171,7 +172,7 @@ impl Parts<'_> {
         }
     }
 
-    /// Adds a pair; if its name is in use, it gets primes.
+    /// Adds a pair; if its name is in use, primes are added to the name.
     fn pair(
         &mut self,
         name: String,
@@ -206,8 +207,8 @@ impl Parts<'_> {
     }
 }
 
-/// Pitch point of two wheels with these centres, where the second turns in this ratio to the first, and direction of
-/// the line of action.
+/// Pitch point of two wheels with given centres, and direction of their line of action. The second wheel turns at
+/// `ratio` times the rate of the first.
 fn contact([one, other]: [Point; 2], ratio: f64) -> (Point, Vector) {
     let line = other - one;
     let along = line.normalize();
@@ -223,7 +224,7 @@ fn spatial(direction: Vector) -> Vector3 {
     Vector3::new(direction.x, direction.y, 0.0)
 }
 
-/// The name with as many primes as needed to be unique.
+/// The name, with primes added until it is unique.
 fn unused(mut name: String, given: &mut BTreeSet<String>) -> String {
     while !given.insert(name.clone()) {
         name.push('′');

@@ -1,10 +1,10 @@
-//! Mobility and redundant constraints, by counting, in the plane and in space, and by geometry.
+//! Mobility and redundant constraints in the plane and in space, by counting and by geometry.
 //!
-//! A [`Scheme`] is links and the pairs that join them, each with its freedoms. No motion is followed and no length is
-//! needed: W is counted by the formulas of Chebyshev and Grübler, of Somov and Malyshev, loop by loop, and by the
-//! *method of sections* (Ambartsumyants, Arabadzhi): pairs are cut until every contour is open, the freedoms of the
-//! remaining pairs are summed, and the constraints of the cut pairs are subtracted. If places and axes of the pairs are
-//! known, the rank of the constraints decides: counting can be wrong.
+//! A [`Scheme`] consists of links and the pairs that join them, each pair with its freedoms. No motion is followed and
+//! no length is needed. The mobility W is counted by the formulas of Chebyshev and Grübler and of Somov and Malyshev,
+//! loop by loop, and by the *method of sections* (Ambartsumyants, Arabadzhi). In this method pairs are cut until every
+//! contour is open; W is the sum of the freedoms of the remaining pairs less the constraints of the cut pairs. Counting
+//! can be wrong. If places and axes of the pairs are known, the rank of the constraints decides.
 
 mod constraints;
 mod counts;
@@ -35,7 +35,7 @@ pub use scheme::{Pair, Scheme};
 pub use sections::{Loop, Sections};
 pub use spec::{PairSpec, SchemeDefect, SchemeSpec};
 
-/// A point in space, in the unit of the lengths.
+/// A point in space, in the unit of length.
 pub type Point3 = nalgebra::Point3<f64>;
 
 /// A direction or a displacement in space.

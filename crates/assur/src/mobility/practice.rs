@@ -1,18 +1,18 @@
-//! Schemes for practice: 2 to 6 moving links, with places for a drawing, and W ≥ 1 by the count.
+//! Schemes for practice, with 2 to 6 moving links, positions for a drawing, and a counted mobility W ≥ 1.
 
 use super::{PairKind, PairSpec, Point3, SchemeSpec, Vector3};
 
-/// Grid of cells for the joints; the lowest row is for the ground.
+/// Columns and rows of the grid of cells for the joints. The lowest row is for joints of the ground.
 const CELLS: [usize; 2] = [4, 3];
 
 /// Maximum distance of a joint from the middle of its cell along each axis. Joints are at least 1 − 2 · JITTER apart.
 const JITTER: f64 = 0.15;
 
-/// Number of the ground, which is its name.
+/// Number of the ground, which also serves as its name.
 const GROUND: usize = 0;
 
-/// A scheme to count, determined by the seed. Most are planar: cranks, sliders, dyads of which one may share a compound
-/// hinge, cams; some are contours or arms in space.
+/// A scheme for counting, determined by the seed. Most schemes are planar, with cranks, sliders, cams and dyads, which
+/// may share a compound hinge. The others are contours or open chains in space.
 pub fn generated(seed: u32) -> SchemeSpec {
     let mut random = Random(u64::from(seed));
     let planar = random.below(4) > 0;
@@ -36,8 +36,9 @@ struct Task {
     pairs: Vec<PairSpec>,
     /// Number of links, including the ground.
     links: usize,
-    /// Free cells: in the lowest row, and above.
+    /// Free cells in the lowest row.
     ground: Vec<[usize; 2]>,
+    /// Free cells above the lowest row.
     above: Vec<[usize; 2]>,
 }
 
@@ -79,7 +80,7 @@ impl Task {
         }
     }
 
-    /// Adds a link on the ground, moved by a cam.
+    /// Adds a link joined to the ground and moved by a cam.
     fn follower(&mut self, cam: usize) {
         let follower = self.link();
         let kind = [PairKind::Revolute, PairKind::Prismatic][self.random.below(2)];
@@ -87,7 +88,7 @@ impl Task {
         self.pair(PairKind::CylinderOnPlane, &[cam, follower]);
     }
 
-    /// Adds two links, hinged on each other and joined to two existing ones.
+    /// Adds two links, hinged to each other and joined to two existing links.
     fn dyad(&mut self) {
         let first = self.random.below(self.links);
         let mut second = self.random.below(self.links - 1);
@@ -102,7 +103,7 @@ impl Task {
             pair.kind == PairKind::Revolute && pair.links.contains(&host)
         });
         let hinges: Vec<usize> = hinges.map(|(at, _)| at).collect();
-        // Sometimes in an existing hinge of its host, but not one shared with the other host.
+        // Sometimes the dyad shares an existing hinge of the first host link, but not a hinge of both hosts.
         let other_host = hosts[1].to_string();
         let hinge = (self.random.below(4) == 0)
             .then(|| {
@@ -145,8 +146,8 @@ impl Task {
         }
     }
 
-    /// Adds links between two existing ones, with this number of pairs and total number of freedoms, at most one of
-    /// them sliding.
+    /// Adds a chain of links between two existing links, with a given number of pairs and a given total number of
+    /// freedoms. At most one of the pairs slides.
     fn chain(&mut self, [start, end]: [usize; 2], pairs: usize, freedoms: usize) {
         let kinds = loop {
             let kinds: Vec<PairKind> = (0..pairs).map(|_| self.kind()).collect();
@@ -185,7 +186,7 @@ impl Task {
         self.links - 1
     }
 
-    /// Adds a pair of these links in a free cell.
+    /// Adds a pair of given links in a free cell.
     fn pair(&mut self, kind: PairKind, links: &[usize]) {
         let cells = if links.contains(&GROUND) {
             self.ground.pop().or_else(|| self.above.pop())
@@ -237,7 +238,7 @@ impl Task {
     }
 }
 
-/// SplitMix64 (Steele, Lea, Flood, *Fast splittable pseudorandom number generators*, 2014).
+/// Random numbers by SplitMix64 (Steele, Lea, Flood, *Fast splittable pseudorandom number generators*, 2014).
 struct Random(u64);
 
 impl Random {

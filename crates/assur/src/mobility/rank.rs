@@ -12,12 +12,12 @@ use crate::sorting::sort_by_key;
 pub enum Space {
     /// The plane; for planar schemes only.
     Plane,
-    /// Space.
+    /// Three-dimensional space.
     Whole,
 }
 
 impl Space {
-    /// Freedoms of an unconstrained link.
+    /// Number of freedoms of an unconstrained link.
     pub(super) fn freedoms(self) -> usize {
         match self {
             Self::Plane => 3,
@@ -31,7 +31,7 @@ impl Space {
 pub enum NoRank {
     /// The first pair without a place.
     NoPlace(String),
-    /// The first pair without an axis, or without the second direction that its kind has.
+    /// The first pair without an axis, or without a second direction if its kind has one.
     NoAxis(String),
     /// The first pair given only by its number of freedoms.
     NoForm(String),
@@ -43,13 +43,13 @@ pub enum NoRank {
 /// scheme.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RankReport {
-    /// W: number of independent motions.
+    /// Mobility W: number of independent motions.
     pub mobility: usize,
     /// Number of independent constraints.
     pub rank: usize,
-    /// Redundant constraints, in independent parts.
+    /// Redundant constraints, grouped by independent parts of the scheme.
     pub redundancies: Vec<Redundancy>,
-    /// Links that can move while all others are at rest, single or in joined twos.
+    /// Links that can move while all others are at rest, single or as two joined links.
     pub idle: Vec<Vec<usize>>,
 }
 
@@ -58,7 +58,7 @@ pub struct RankReport {
 pub struct Redundancy {
     /// Number of redundant constraints.
     pub count: usize,
-    /// Pairs involved: pairs that can be stressed without a load.
+    /// Pairs involved: those that can be stressed without a load.
     pub pairs: Vec<usize>,
 }
 
@@ -87,7 +87,7 @@ impl Scheme {
         constraints.equilibrium(self).eliminated(None).rank()
     }
 
-    /// The pairs with their screws.
+    /// Forms of the pairs in the drawn pose, from which their screws follow.
     pub(super) fn forms(&self, space: Space) -> Result<Vec<Form>, NoRank> {
         if space == Space::Plane && !self.is_planar() {
             return Err(NoRank::NotPlanar);
@@ -107,11 +107,11 @@ impl Scheme {
         forms.collect()
     }
 
-    /// Self-stresses in independent parts; two belong to one part if they stress a common pair.
+    /// Self-stresses, grouped by independent parts. Two self-stresses belong to one part if they stress a common pair.
     fn redundancies(&self, constraints: &Constraints, equilibrium: &Eliminated) -> Vec<Redundancy> {
         let count = self.pairs().len();
         let mut parts = Partition::new(count);
-        // A generic combination of the stresses of a part stresses a pair of another part only if the two are one.
+        // If a generic combination of the stresses of one part stresses a pair of another part, the two parts are one.
         let mut apart = false;
         while !apart {
             apart = true;

@@ -1,4 +1,4 @@
-//! The relations of the mobility paper in numbers (Ambartsumyants and Arabadzhi, (1) to (6) and those of its figures).
+//! The relations of the mobility paper, evaluated (Ambartsumyants and Arabadzhi, (1) to (6) and those of its figures).
 
 use std::collections::BTreeMap;
 
@@ -7,8 +7,8 @@ use crate::relation::Relation;
 
 impl Scheme {
     /// The paper's relations for the scheme, in the order of the paper: numbers of links, freedoms and constraints.
-    /// Those of an open chain need `sections`. q is based on the W by rank if places and axes of all pairs are known,
-    /// otherwise on the counted one.
+    /// Relations of an open chain need `sections`. The number q of redundant constraints is based on the mobility W by
+    /// rank if places and axes of all pairs are known, otherwise on the counted W.
     pub fn relations(&self, sections: Option<&Sections>) -> Vec<Relation> {
         let counts = self.counts();
         let links = counts.links as isize;
@@ -30,7 +30,7 @@ impl Scheme {
         relation("001.(3)", "q", counts.redundant(whole), -spatial - whole);
         if let Some(open) = sections {
             let left = |weight: fn(isize) -> isize| sum(&open.left, weight);
-            // Each term contains Pᵢ twice.
+            // As printed, each term contains Pᵢ twice.
             let squared = |(i, count): (&u8, &usize)| isize::from(*i) * (count * count) as isize;
             let twice = open.left.iter().map(squared).sum();
             let [freedoms, removed, in_space] =
@@ -46,7 +46,7 @@ impl Scheme {
                 let printed = of_space - in_space;
                 relation("001.fig4.Wspace", "W_пр", counts.spatial, printed);
             } else {
-                // The same for a mechanism with W = 1.
+                // The same relation for a mechanism with W = 1.
                 relation("001.fig2a.q.meaning", "W", open.mobility, 1);
                 let printed = in_space + 1 - of_space;
                 relation("001.fig2a.q.meaning", "q", open.redundant, printed);

@@ -1,8 +1,9 @@
 //! Replacements of pairs after which no constraint in space is redundant.
 //!
 //! A pair with more freedoms has fewer constraints. No constraint is redundant any more, and the mobility is unchanged,
-//! if exactly as many constraints are removed as are redundant and every self-stress loses some. Each added freedom is
-//! a linear form on the self-stresses (the power of their wrench on its twist), and these forms must be independent.
+//! if two conditions hold. The number of removed constraints equals the number of redundant ones, and no self-stress
+//! remains. Each added freedom gives a linear form on the self-stresses: the power of their wrench on the twist of this
+//! freedom. No self-stress remains if these forms are linearly independent.
 
 use crate::numeric::linear::remainder;
 use crate::numeric::max_abs;
@@ -14,23 +15,23 @@ use super::constraints::Constraints;
 use super::screw::{Form, across};
 use super::{NoRank, Pair, PairKind, Scheme, SchemeSpec, Space, Vector3};
 
-/// Maximum number of products of forms in a search.
+/// Maximum number of multiplications in a search.
 const WORK: usize = 20_000_000;
 
-/// Power of a freedom for each self-stress.
+/// Linear form of an added freedom: its power for each self-stress of a basis.
 type PowerForm = nalgebra::DVector<f64>;
 
-/// A set of pairs replaced by others with more freedoms.
+/// Replacement of one or more pairs by pairs with more freedoms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Replacement {
-    /// The changes, by name of the pair.
+    /// Changes, in the order of the names of the pairs.
     pub changes: Vec<Change>,
 }
 
-/// A pair replaced by another form at the same place, which has all its freedoms and more.
+/// Replacement of one pair by another form at the same place. The new form has all freedoms of the pair and more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
-    /// The pair.
+    /// Index of the pair.
     pub pair: usize,
     /// New kind of the pair.
     pub kind: PairKind,
@@ -43,15 +44,15 @@ pub struct Change {
 /// Possible replacements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Replacements {
-    /// By increasing number of changed pairs, then by name. Empty if no constraint is redundant.
+    /// Replacements by increasing number of changed pairs, then by name. Empty if no constraint is redundant.
     pub list: Vec<Replacement>,
     /// True if the list is complete.
     pub complete: bool,
 }
 
 impl Scheme {
-    /// At most `most` replacements of pairs after which no constraint in space is redundant and W is unchanged. None
-    /// contains another: all add as many freedoms as there are redundant constraints.
+    /// At most `most` replacements of pairs after which no constraint in space is redundant and the mobility W is
+    /// unchanged. Every replacement adds one freedom for each redundant constraint, so none contains another.
     ///
     /// # Errors
     /// The data missing for the rank.
@@ -77,8 +78,8 @@ impl Scheme {
                         PowerForm::from_iterator(bears.len(), powers)
                     })
                 });
-                // Forms must be independent: existing freedoms give none, and a change that relieves no self-stress
-                // does not help.
+                // The forms of the added freedoms must be independent. Existing freedoms give no forms, and a change
+                // that relieves no self-stress does not help.
                 let added = change.kind.freedoms() - self.pairs()[pair].kind.freedoms();
                 let forms = independent(&[], powers);
                 let helps = forms.len() == usize::from(added) * self.pairs()[pair].count();
@@ -109,7 +110,7 @@ impl Scheme {
         })
     }
 
-    /// Specification of the scheme with these replacements.
+    /// Specification of the scheme after a replacement.
     pub fn replaced(&self, replacement: &Replacement) -> SchemeSpec {
         let mut spec = self.spec();
         for change in &replacement.changes {
@@ -119,8 +120,8 @@ impl Scheme {
         spec
     }
 
-    /// The forms that have the freedoms of a pair and more. Arbitrary directions are in general position, depending on
-    /// `place`, the index of the pair in the order of names.
+    /// Changes to forms that have the freedoms of a pair and more. Directions free to choose are in general position;
+    /// they depend on `place`, the index of the pair in the order of names.
     fn others(&self, pair: usize, place: usize) -> Vec<Change> {
         let Pair { kind, links, .. } = &self.pairs()[pair];
         let (axis, second) = (self.pairs()[pair].axis, self.pairs()[pair].second);
@@ -132,7 +133,7 @@ impl Scheme {
         };
         let beside = axis.map(|axis| self.beside(&axis, place));
         let on_axis = |kind| change(kind, axis, None);
-        // A cylinder whose line of contact is along the axis, on a plane with a normal perpendicular to it.
+        // A cylinder with its line of contact along the axis, on a plane whose normal is perpendicular to the axis.
         let lying = || change(PairKind::CylinderOnPlane, beside, axis);
         let any = if self.is_planar() {
             Vector3::z()
@@ -186,7 +187,7 @@ impl Change {
     }
 }
 
-/// A change with the linear forms on the self-stresses that it adds, orthonormal.
+/// A change, with an orthonormal basis of the linear forms on the self-stresses that it adds.
 struct Raise {
     change: Change,
     forms: Vec<PowerForm>,
@@ -194,21 +195,21 @@ struct Raise {
 
 /// Search for sets of raises.
 struct Search {
-    /// For each pair, in the order of names.
+    /// Possible changes of each pair, with the pairs in the order of names.
     raises: Vec<Vec<Raise>>,
-    /// Maximum number of forms in a raise.
+    /// Maximum number of forms that one change adds.
     greatest: usize,
     /// Maximum number of results.
     most: usize,
-    /// Number of products left.
+    /// Number of multiplications left.
     work: usize,
     chosen: Vec<Change>,
     found: Vec<Replacement>,
 }
 
 impl Search {
-    /// Raises the given number of `pairs`, from index `from` on, so that `missing` forms are added, independent of
-    /// those taken. False if there are more results than wanted, or the work is exhausted.
+    /// Changes `pairs` pairs, from index `from` on, so that they add `missing` forms independent of the forms in
+    /// `taken`. Returns false if there are more results than wanted, or the work is exhausted.
     fn choose(&mut self, from: usize, pairs: usize, missing: usize, taken: &[PowerForm]) -> bool {
         if pairs == 0 {
             if missing > 0 {
@@ -254,7 +255,7 @@ impl Search {
     }
 }
 
-/// Orthonormal basis of the forms relative to those taken.
+/// Orthonormal basis of what `forms` add to the forms in `taken`.
 fn independent(taken: &[PowerForm], forms: impl Iterator<Item = PowerForm>) -> Vec<PowerForm> {
     let mut new: Vec<PowerForm> = vec![];
     for form in forms {
@@ -264,7 +265,7 @@ fn independent(taken: &[PowerForm], forms: impl Iterator<Item = PowerForm>) -> V
     new
 }
 
-/// The values relative to the greatest absolute value.
+/// The values divided by their greatest absolute value.
 fn scaled(mut values: Vec<f64>) -> Vec<f64> {
     let greatest = max_abs(values.iter().copied());
     if greatest > 0.0 {

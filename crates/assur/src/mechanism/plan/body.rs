@@ -16,7 +16,7 @@ use crate::mechanism::plan::willis;
 pub(in crate::mechanism) struct Bodies {
     /// The points of each body, in the order of its links.
     points: List<BodyId, Vec<(PointId, Vector)>>,
-    /// Drawn origin and turn of each body.
+    /// Drawn origin of each body, and its drawn turn as a unit vector.
     drawn: List<BodyId, (Vector, Vector)>,
     pub(in crate::mechanism) slides: List<SlideId, Slide>,
     /// Gear couplings in the order of the specification.
@@ -41,8 +41,8 @@ pub(in crate::mechanism) struct Placement {
 }
 
 impl Bodies {
-    /// Bodies of a specification, and the placements of its links. A hinge of the frame may differ from the drawing:
-    /// links, guides and wheels at the hinge stay as drawn.
+    /// Bodies of a specification, and the placements of its links. One hinge of the frame may be moved from its drawn
+    /// position; links, guides and wheels at this hinge stay as drawn.
     ///
     /// # Errors
     /// A link of undetermined orientation; a slide whose point is not on its link, or whose line has two coincident
@@ -104,8 +104,8 @@ impl Bodies {
         Ok((bodies, placements))
     }
 
-    /// Makes the body of a link. Its origin is the first point; its axis runs to the second point or, without a second
-    /// point, along the guide of the link.
+    /// Makes the body of a link. The origin of the body is the link's first point. The axis runs to the second point
+    /// or, without a second point, along the guide of the link.
     ///
     /// # Errors
     /// A link with a shape and no two points drawn apart: its orientation is not determined.
@@ -140,7 +140,7 @@ impl Bodies {
         Ok(())
     }
 
-    /// Adds the points of a link fixed to a body; returns the angle of the link on the body.
+    /// Adds to a body the points of a link fixed to it; returns the angle of the link on the body.
     fn fix(&mut self, spec: &Resolved<'_>, body: BodyId, points: &[PointId]) -> f64 {
         let (origin, turn) = self.drawn[body];
         let own = |way: Vector| product(way, conjugate(turn));
@@ -150,7 +150,7 @@ impl Bodies {
             known.unwrap_or_else(|| own(spec.places[point] - origin))
         };
         let way = match *points {
-            // For two points close together, rounded places on the body would give an inexact direction.
+            // For two points close together, rounded positions on the body would give an inexact direction.
             [first, second, ..] if is_new(&first) && is_new(&second) => {
                 own(spec.places[second] - spec.places[first])
             }
@@ -185,12 +185,12 @@ impl Bodies {
         self.gears.iter().filter(|gear| !gear.is_passive)
     }
 
-    /// Points of a body with their places on it.
+    /// Points of a body with their positions on the body.
     pub(in crate::mechanism) fn of(&self, body: BodyId) -> &[(PointId, Vector)] {
         &self.points[body]
     }
 
-    /// Place of a point on a body; None if the body does not have the point.
+    /// Position of a point on a body; None if the body does not have the point.
     pub(in crate::mechanism) fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
         let mut points = self.points[body].iter();
         points
@@ -198,7 +198,7 @@ impl Bodies {
             .map(|(_, local)| *local)
     }
 
-    /// A point on the first accepted body that has the point.
+    /// A point with its position on the first accepted body that has the point.
     pub(in crate::mechanism) fn anchor_of(
         &self,
         point: PointId,
@@ -234,7 +234,7 @@ impl Bodies {
         }
     }
 
-    /// A driver of the structure: its pair and bodies.
+    /// Driver of the structure: the driven pair and the two bodies that it joins.
     ///
     /// # Errors
     /// A driver between links that are one body, or that no pair joins.
@@ -266,19 +266,19 @@ impl Bodies {
         Ok(structure::Driver { pair, links })
     }
 
-    /// True if the drawing shows the orientation of a body: a wheel with no point but its hinge looks the same at any
+    /// True if the drawing shows the orientation of a body. A wheel with no point but its hinge looks the same at any
     /// angle.
     pub(in crate::mechanism) fn shows_its_angle(&self, body: BodyId) -> bool {
         let mut slides = self.slides.iter();
         self.of(body).len() > 1 || slides.any(|slide| slide.bodies.contains(&body))
     }
 
-    /// The turn of a body in the drawing.
+    /// Drawn turn of a body, as a unit vector.
     pub(in crate::mechanism) fn drawn_turn(&self, body: BodyId) -> Vector {
         self.drawn[body].1
     }
 
-    /// The angle of a body in the drawing.
+    /// Drawn angle of a body.
     pub(in crate::mechanism) fn drawn_angle(&self, body: BodyId) -> f64 {
         let turn = self.drawn[body].1;
         turn.y.atan2(turn.x)
@@ -286,7 +286,7 @@ impl Bodies {
 }
 
 impl Gear {
-    /// z₁ and z₂; z₂ < 0 if the sense is kept.
+    /// Numbers of teeth z₁ and z₂. z₂ is negative if, seen from the carrier, both wheels turn in the same sense.
     pub(in crate::mechanism) fn signed_teeth(&self) -> [f64; 2] {
         let [first, second] = self.by_link.teeth;
         match self.by_link.mesh {
@@ -301,11 +301,11 @@ impl Gear {
     }
 }
 
-/// Turn of a link, from the vectors of its first point to all its points in the drawing: the direction to the second
-/// point. If this point is drawn at the first one, the direction of the first two points that are apart both in the
-/// drawing and in the link's shape. None if no two points are apart.
+/// Turn of a link as a unit vector. `ways` are the drawn vectors from the link's first point to all its points. The
+/// turn is the direction to the second point. If the second point is drawn at the first, the turn follows from the
+/// first two points that are apart both in the drawing and in the link's shape. None if no two points are apart.
 fn drawn_turn(ways: &[Vector], shape: Option<&[Vector]>, size: f64) -> Option<Vector> {
-    // However small a link is drawn, the direction is known if the distance exceeds the rounding.
+    // However small the link is drawn, a distance that exceeds the rounding error gives the direction.
     let direction = |way: Vector, size: f64| {
         let length = way.norm();
         (length > f64::EPSILON * size).then(|| way / length)
@@ -325,7 +325,7 @@ fn drawn_turn(ways: &[Vector], shape: Option<&[Vector]>, size: f64) -> Option<Ve
     })
 }
 
-/// Places of a shape, moved so that the first place is the origin and the second is on the axis.
+/// Points of a shape, moved so that the first point is the origin and the second is on the x-axis.
 fn in_own_axes(shape: &[Vector]) -> Vec<Vector> {
     let [first, rest @ ..] = shape else {
         return Vec::new();

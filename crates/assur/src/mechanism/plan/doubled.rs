@@ -1,5 +1,5 @@
-//! Doubled links: a link that shares two or more points with another body, at the same places on both, is one body with
-//! the other.
+//! Doubled links. A doubled link shares two or more points with another body, at the same positions on both, so the two
+//! are one body.
 
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::linkage::spec::{Defect, LinkageSpec, extent};
@@ -15,21 +15,21 @@ use crate::{Point, Vector};
 /// Link that is one body with another link, or with the frame, because of shared points.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct DoubledLink {
-    /// The link.
+    /// The doubled link.
     pub link: LinkId,
-    /// Points shared with the body, at least two.
+    /// Points that the link shares with the other body, at least two.
     pub shared: Vec<PointId>,
 }
 
 impl DoubledLink {
-    /// Letter q with the number of redundant constraints: q₁ for two shared points, q₃ for three.
+    /// Letter q with the number of redundant constraints as its subscript: q₁ for two shared points, q₃ for three.
     pub fn symbol(&self) -> String {
         format!("q{}", subscript(2 * self.shared.len() - 3))
     }
 }
 
 impl Layout {
-    /// Specification of this layout with a point moved on a link and on the links doubled with this link.
+    /// Specification with a point moved on one link, and on the other links of the same body that have the point.
     pub(in crate::mechanism) fn placed(
         &self,
         spec: &LinkageSpec,
@@ -59,7 +59,7 @@ impl Layout {
         changed
     }
 
-    /// Place on a link, in the coordinates of another link of the same body.
+    /// Position on the first of two links of one body, converted to the coordinates of the second.
     fn on_other(&self, spec: &LinkageSpec, at: Point, links: [LinkId; 2]) -> Option<Point> {
         let [from, to] = links.map(|link| self.axes(spec, link));
         let ([own, on_body, turn], [other, there, turned]) = (from?, to?);
@@ -67,8 +67,8 @@ impl Layout {
         Some((other + product(at - there, conjugate(turned))).into())
     }
 
-    /// Place of the first point of a link with a shape, on the link and on its body, and the turn of the link's axes
-    /// relative to the body.
+    /// Position of the first point of a link on the link and on its body, and turn of the link's axes relative to the
+    /// body. None if the link has no shape.
     fn axes(&self, spec: &LinkageSpec, link: LinkId) -> Option<[Vector; 3]> {
         let Part { body, points, .. } = &self.links[link];
         let shape = spec.links[link.index()].shape.as_ref()?;
@@ -87,18 +87,18 @@ impl Layout {
     }
 }
 
-/// Body that is one body with an earlier one.
+/// Body that is one body with an earlier body, the base.
 struct Doubling {
     body: BodyId,
     base: BodyId,
     shared: Vec<PointId>,
-    /// Other points of the body, with their places on the base.
+    /// Other points of the body, with their positions on the base.
     others: Vec<(PointId, Vector)>,
 }
 
 impl Resolved<'_> {
-    /// Merges doubled links with the bodies that they double. Each doubled link brings its points along; by these
-    /// points further links may double the merged body.
+    /// Merges doubled links with the bodies that they double. The points of a doubled link are added to the merged
+    /// body. With these points, further links may double this body.
     ///
     /// # Errors
     /// A link of undetermined orientation.
@@ -136,7 +136,8 @@ impl Resolved<'_> {
 }
 
 impl Doubling {
-    /// Doubling of a base by a body; None unless two shared points are apart and all are at equal places on both.
+    /// Doubling of a base by another body. None unless two shared points are apart, and all shared points have the same
+    /// positions on both bodies.
     fn of(bodies: &Bodies, [body, base]: [BodyId; 2]) -> Option<Self> {
         let closest = COINCIDENT * extent(bodies.of(body).iter().map(|(_, own)| *own));
         let (mut shared, mut others) = (Vec::new(), Vec::new());

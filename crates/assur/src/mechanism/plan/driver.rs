@@ -15,7 +15,7 @@ pub(in crate::mechanism) struct DrivenPair {
 }
 
 pub(in crate::mechanism) enum PairKind {
-    /// Hinge: the driven body, its base, and the offset of the coordinate from the angle between the two.
+    /// Hinge, with the driven body and its base. The coordinate is the angle between the two bodies plus an offset.
     Hinge {
         bodies: [BodyId; 2],
         angle_offset: f64,
@@ -54,7 +54,7 @@ impl DrivenPair {
 }
 
 impl Bodies {
-    /// Hinge of two bodies, with its places on the first and on the second body.
+    /// Hinge between two bodies, with its position on each of them.
     pub(in crate::mechanism) fn hinge(
         &self,
         [base, body]: [BodyId; 2],
@@ -88,7 +88,7 @@ pub(in crate::mechanism) fn drawn_beyond_range(
 }
 
 impl Placed<'_> {
-    /// Offset of the angle between a driven link and its base from the angle between their bodies.
+    /// Angle between a driven link and its base, less the angle between their bodies.
     fn angle_offset(&self, driver: &Driver) -> f64 {
         match driver {
             Driver::Crank { link, base, .. } => {
@@ -114,8 +114,8 @@ impl Placed<'_> {
         }
     }
 
-    /// Drawn input. An angle relative to a moving link is at most half a turn. In a known pose, the input and the
-    /// driven link have the whole turns of this pose.
+    /// Drawn input. The angle of a crank relative to a moving link is reduced to at most half a turn. If the pose is
+    /// known, the input and the driven link have the whole turns of this pose.
     pub(in crate::mechanism) fn drawn_input(
         &mut self,
         spec: &Resolved<'_>,
@@ -141,7 +141,7 @@ impl Placed<'_> {
         drawn + turned
     }
 
-    /// Step of a driver that places `body` when `base` is placed; either of the two may be the driven body.
+    /// Step of a driver that places `body` after `base` is placed. Either of the two may be the driven body.
     pub(in crate::mechanism) fn driven(
         &self,
         spec: &Resolved<'_>,

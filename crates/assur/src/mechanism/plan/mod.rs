@@ -31,7 +31,7 @@ pub(in crate::mechanism) struct Plan {
     pub(in crate::mechanism) drawn_input: f64,
     /// The range of the first driver, if it is a slide.
     pub(in crate::mechanism) range: Option<[f64; 2]>,
-    /// The drawn unknowns of groups solved by Newton's method.
+    /// Drawn values of the unknowns of groups solved by Newton's method.
     pub(in crate::mechanism) natural: Vec<f64>,
     /// Orientations of the bodies in the drawing; for wheels, as mounted.
     pub(in crate::mechanism) orientations: List<BodyId, Orientation>,
@@ -50,11 +50,11 @@ pub(in crate::mechanism) struct Placed<'a> {
     pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,
     pub(in crate::mechanism) solved: List<BodyId, bool>,
     pub(in crate::mechanism) orientations: List<BodyId, Orientation>,
-    /// Crank on the frame turned by the input.
+    /// Crank that is hinged to the frame and turned by the input.
     crank: Option<BodyId>,
 }
 
-/// Steps in the order of the structure, and the drawn input. Bodies that stay parallel give additional equations of
+/// Plan with the steps in the order of the structure. Pairs of bodies that stay parallel give additional equations for
 /// groups with redundant constraints.
 ///
 /// # Errors
@@ -110,7 +110,7 @@ pub(in crate::mechanism) fn plan(
                 if let (true, Driver::Slide { range, .. }) = (first, driver) {
                     plan.range = Some(*range);
                 }
-                // The bodies driven from the group are solved with the group.
+                // A driver between two bodies of one group is solved with the group.
                 if of_group(links) {
                     within.push(DrivenPair::new(&placed, spec, driver, course));
                     continue;
@@ -161,11 +161,11 @@ pub(in crate::mechanism) fn plan(
     Ok(plan)
 }
 
-/// Hinge of a body on a body solved before.
+/// Hinge between a body and a body already solved.
 pub(in crate::mechanism) struct Hinge {
     joint: PointId,
     at: BodyPoint,
-    /// Place of the hinge on the body.
+    /// Position of the hinge on the body to be solved.
     local: Vector,
 }
 
@@ -177,14 +177,13 @@ enum Outer<'a> {
 
 /// Inner pair of a dyad.
 enum Inner<'a> {
-    /// Hinge, with its place on each of the two links.
+    /// Hinge, with its position on each of the two links.
     Hinge(PointId, [Vector; 2]),
     Slide(&'a Slide),
 }
 
 impl Placed<'_> {
-    /// Step of a group that is a dyad, when the other bodies joined to it are solved; None if no closed form is
-    /// known.
+    /// Step of a group that is a dyad, if the bodies to which it is joined are solved. None if no closed form is known.
     fn closed_form(&self, group: &[BodyId]) -> Option<Step> {
         match *group {
             [i, j] if self.couplings(group).is_empty() => self.dyad([i, j]),
@@ -192,7 +191,7 @@ impl Placed<'_> {
         }
     }
 
-    /// A point on the solved body that has the point.
+    /// A point with its position on a solved body that has the point.
     fn anchor(&self, point: PointId) -> Option<BodyPoint> {
         self.bodies.anchor_of(point, |body| self.solved[body])
     }
@@ -232,7 +231,7 @@ impl Placed<'_> {
             slide.track(body).moved(inner, at)
         };
         let step = match (self.outer(i)?, self.outer(j)?, self.inner([i, j])?) {
-            // The arms are swapped, so that the hinge is the first pair.
+            // The links are swapped, so that the hinge is the first outer pair.
             (Outer::Slide(_), Outer::Hinge(_), _) => return self.dyad([j, i]),
             (Outer::Hinge(b), Outer::Hinge(d), Inner::Hinge(c, [c_i, c_j])) => {
                 let mut arms = [arm(i, &b, c, c_i), arm(j, &d, c, c_j)];
@@ -270,8 +269,8 @@ impl Placed<'_> {
         Some(step)
     }
 
-    /// Four-bar of two arms, the first hinged on the driven crank and the second on the frame. Its closed form also
-    /// gives arcs and dead points.
+    /// Four-bar of two arms, the first hinged to the driven crank and the second to the frame. The closed form of the
+    /// four-bar also gives arcs and dead points. None for other arms.
     fn four_bar(&self, arms: &[Arm; 2]) -> Option<CrankFourBar> {
         let crank = self.crank?;
         if arms.each_ref().map(|arm| arm.outer.body) != [crank, BodyId::FRAME] {

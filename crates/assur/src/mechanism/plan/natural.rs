@@ -1,4 +1,4 @@
-//! Natural coordinates of an Assur group: the unknowns, the places that follow from the unknowns, and the remaining
+//! Natural coordinates of an Assur group: the unknowns, the positions that follow from the unknowns, and the remaining
 //! equations.
 
 mod condition;
@@ -17,7 +17,7 @@ use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::driver::DrivenPair;
 use condition::Condition;
 
-/// Plan of a group and the drawn values of its unknowns; None if it has fewer equations than unknowns.
+/// Plan of a group and the drawn values of its unknowns; None if the group has fewer equations than unknowns.
 pub(in crate::mechanism) fn group(
     placed: &Placed<'_>,
     members: &[BodyId],
@@ -42,7 +42,7 @@ pub(in crate::mechanism) fn group(
         drawn_input: Vec::new(),
         units: Vec::new(),
         close: BTreeMap::new(),
-        // A group drawn in one place may have any size.
+        // If all points of a group are drawn in one place, any size will do.
         size: Some(extent(drawn_points))
             .filter(|size| size.is_finite() && *size > 0.0)
             .unwrap_or(1.0),
@@ -85,9 +85,9 @@ pub(in crate::mechanism) fn group(
     plan.finished(offset)
 }
 
-/// Known data that determine the place of a body.
+/// Known data that determine the position of a body.
 enum Follows {
-    /// Two known points, with their places on the body.
+    /// Two known points, with their positions on the body.
     Points([(PointId, Vector); 2]),
     /// A known point, and the direction of a slide along another body.
     Slide {
@@ -102,19 +102,21 @@ struct Plan<'a> {
     solved: &'a List<BodyId, bool>,
     orientations: &'a List<BodyId, Orientation>,
     inputs: Vec<KnownTerm>,
-    /// Places of the known points.
+    /// Forms of the positions of the known points.
     points: BTreeMap<PointId, Form>,
-    /// Origin and turn of the bodies placed so far.
+    /// Forms of the origin and turn of the bodies placed so far.
     placed: BTreeMap<BodyId, [Form; 2]>,
-    /// Slides used for a direction.
+    /// Slides that have given the direction of a body.
     by_slide: Vec<SlideId>,
-    /// Conditions, each with the constrained body.
+    /// Conditions, each with the body that it constrains.
     conditions: Vec<(BodyId, Condition)>,
     angle_constraints: Vec<AngleConstraint>,
-    /// The drawn values of the unknowns, and their units.
+    /// Drawn values of the unknowns.
     drawn_input: Vec<Vector>,
+    /// Unit of each unknown.
     units: Vec<f64>,
-    /// Bodies turned by two points close together, with the place of the first of these points on the body.
+    /// Bodies whose turn follows from two points close together, with the position of the first of these points on the
+    /// body.
     close: BTreeMap<BodyId, Vector>,
     /// The size of the group.
     size: f64,
@@ -122,7 +124,7 @@ struct Plan<'a> {
 
 impl Plan<'_> {
     fn input(&mut self, input: KnownTerm) -> Form {
-        // The frame does not move.
+        // A term of the frame is constant, because the frame does not move.
         let (KnownTerm::Place(anchor) | KnownTerm::Direction(anchor)) = input;
         if anchor.body == BodyId::FRAME {
             return Form {
@@ -154,7 +156,7 @@ impl Plan<'_> {
         self.solved[body] || self.placed.contains_key(&body)
     }
 
-    /// Slide between a body and a placed body, with the placed body.
+    /// Slide between a body and a placed body, and the placed body.
     fn guided(&self, body: BodyId) -> Option<(SlideId, BodyId)> {
         let mut slides = self.bodies.slides.enumerate();
         slides.find_map(|(slide, joint)| {
@@ -174,7 +176,7 @@ impl Plan<'_> {
                 slide,
                 other,
             }),
-            // The first of equal bodies is taken.
+            // Of pairs of points equally far apart, the first is taken.
             None => {
                 let pairs = known.iter().enumerate();
                 let pairs = pairs.flat_map(|(k, a)| known[k + 1..].iter().map(move |b| [*a, *b]));
@@ -186,7 +188,8 @@ impl Plan<'_> {
                         best
                     }
                 });
-                // Two points close together do not determine a distant point, which must be known first.
+                // Two points close together do not determine a distant point, so the distant point must become known
+                // first.
                 let longest =
                     longest.filter(|pair| length(pair) >= CLOSE * self.reach(body, first.1));
                 longest.map(Follows::Points)
@@ -194,7 +197,8 @@ impl Plan<'_> {
         }
     }
 
-    /// Maximum distance from a place on a body to its hinges and guides, from which other bodies follow.
+    /// Maximum distance from a position on a body to the hinges and guides of the body, by which other bodies are
+    /// placed.
     fn reach(&self, body: BodyId, from: Vector) -> f64 {
         let bodies = self.bodies;
         let others = move |point| {
@@ -215,8 +219,8 @@ impl Plan<'_> {
         places.fold(0.0, |most, at| most.max((at - from).norm()))
     }
 
-    /// True if a place on a body is so far from its known points that it determines the whole body together with any of
-    /// these points.
+    /// True if a position on a body is so far from the known points of the body that it determines the whole body
+    /// together with any of these points.
     fn is_far(&self, body: BodyId, at: Vector) -> bool {
         let mut known = self.bodies.of(body).iter();
         known.all(|(point, other)| {
@@ -225,8 +229,7 @@ impl Plan<'_> {
         })
     }
 
-    /// Readiness of a body to be placed: the number of its known points and guides, then the number of all its points,
-    /// which will follow.
+    /// Readiness of a body to be placed: the number of its known points and guides, then the number of all its points.
     fn readiness(&self, body: BodyId) -> (usize, usize) {
         let known = self
             .bodies
@@ -247,7 +250,7 @@ impl Plan<'_> {
         };
         let free = self.bodies.of(body).iter();
         let free = free.filter(|(point, _)| !self.points.contains_key(point));
-        // The first of equal points is taken; `max_by_key` would give the last.
+        // Of equal points, `rev` makes `max_by_key` take the first instead of the last.
         let best = free
             .rev()
             .max_by_key(|(point, at)| (self.is_far(body, *at), joints(*point)));
@@ -275,7 +278,7 @@ impl Plan<'_> {
                 if (b - a).norm() < CLOSE * self.size {
                     self.close.insert(body, a);
                 }
-                // The distance of two points on solved bodies, or on the frame, is a redundant constraint.
+                // For two points on solved bodies or on the frame, this condition is a redundant constraint.
                 let unit = Condition::Unit(turn.clone(), (b - a).norm());
                 self.conditions.push((body, unit));
                 let origin = p.minus(&turn.by(a));
@@ -297,7 +300,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Sets the forms of a body and of its points; a point that already has a form gives a condition.
+    /// Sets the forms of a body and of its points. A point that already has a form gives a condition.
     fn settle(&mut self, body: BodyId, [origin, turn]: [Form; 2], used: &[PointId]) {
         for (point, local) in self.bodies.of(body) {
             let at = origin.plus(&turn.by(*local));
@@ -317,7 +320,7 @@ impl Plan<'_> {
         self.placed.insert(body, [origin, turn]);
     }
 
-    /// A direction of a placed body.
+    /// Form of a direction on a placed body.
     fn direction(&mut self, body: BodyId, heading: Vector) -> Form {
         match self.placed.get(&body) {
             Some([_, turn]) => turn.by(heading),
@@ -328,7 +331,7 @@ impl Plan<'_> {
         }
     }
 
-    /// A place on a placed body.
+    /// Form of a position on a placed body.
     fn place_on(&mut self, body: BodyId, local: Vector) -> Form {
         match self.placed.get(&body) {
             Some([origin, turn]) => origin.plus(&turn.by(local)),

@@ -12,10 +12,10 @@ use crate::{Point, Vector};
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) spec: &'a LinkageSpec,
-    /// Origin of the coordinates used while solving: far from the origin of the drawing, coordinates would lose digits.
-    /// Places are moved without rounding (Sterbenz's lemma), because two places close together may give a direction.
+    /// Origin of the coordinates used while solving. Far from their origin, coordinates would lose digits. Points are
+    /// moved without rounding (Sterbenz's lemma), because two points close together may give a direction.
     pub(in crate::mechanism) origin: Vector,
-    /// Drawn places of the points.
+    /// Drawn positions of the points.
     pub(in crate::mechanism) places: List<PointId, Vector>,
     pub(in crate::mechanism) frame: Vec<PointId>,
     pub(in crate::mechanism) links: List<LinkId, Link>,
@@ -26,7 +26,7 @@ pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) tracers: Vec<(LinkOrFrame, &'a TracerSpec)>,
     /// Link of each body; None for the frame.
     pub(in crate::mechanism) bodies: List<BodyId, LinkOrFrame>,
-    /// Points that doubled links bring to each body, with their places on the body.
+    /// Points that doubled links add to each body, with their positions on the body.
     pub(in crate::mechanism) brought: List<BodyId, Vec<(PointId, Vector)>>,
     /// The doubled links, in the order of the specification.
     pub(in crate::mechanism) doubled: Vec<DoubledLink>,
@@ -194,13 +194,14 @@ impl<'a> Resolved<'a> {
         }
     }
 
-    /// Places of a link's points on the link, if it has its own shape.
+    /// Positions of a link's points on the link, if the link has its own shape.
     pub(in crate::mechanism) fn shape(&self, link: LinkId) -> Option<&'a [Point]> {
         self.spec.links[link.index()].shape.as_deref()
     }
 }
 
-/// Body of a link: its own, or the body of the link to which it is ultimately fixed. None if a link is fixed to itself.
+/// Body of a link: its own, or the body of the link to which it is ultimately fixed. None if links are fixed to each
+/// other in a circle.
 fn body(
     link: LinkId,
     bases: &List<LinkId, Option<LinkOrFrame>>,

@@ -15,16 +15,19 @@ pub(in crate::mechanism) struct Slide {
     pub(in crate::mechanism) by_link: resolved::Slide,
     /// Body with the line, and body that slides.
     pub(in crate::mechanism) bodies: [BodyId; 2],
-    /// Line on the first body: a point, and the direction of length 1.
+    /// Point of the line on the first body.
     start: Vector,
+    /// Direction of the line on the first body, as a unit vector.
     heading: Vector,
-    /// Distance of the two points that give the line.
+    /// Distance between the two points that define the line.
     length: f64,
-    /// Data on the second body: the point, the direction of the line, its distance to the left of the line.
+    /// Sliding point on the second body.
     point: Vector,
+    /// Direction of the line on the second body, as a unit vector.
     direction: Vector,
+    /// Distance of the sliding point from the line, positive to the left.
     off: f64,
-    /// Drawn coordinate of the point along the line.
+    /// Drawn coordinate of the sliding point along the line.
     way: f64,
 }
 
@@ -52,7 +55,8 @@ impl Bodies {
         let heading = (to - start).normalize();
         let bodies = [slide.on, slide.link].map(|link| spec.body(link));
         let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
-        // A line of the frame may differ from the drawing; the link slides on it as drawn.
+        // If a line of the frame is moved from the drawing, the link that slides on it keeps its drawn angle to the
+        // line.
         let along = match slide.on {
             None => (spec.places[end] - spec.places[from]).normalize(),
             Some(_) => product(heading, on_turn),
@@ -88,32 +92,32 @@ impl Slide {
         }
     }
 
-    /// Point of the sliding body, in the coordinates of that body.
+    /// Sliding point, in the coordinates of the sliding body.
     pub(in crate::mechanism) fn point(&self) -> Vector {
         self.point
     }
 
-    /// Drawn coordinate of the point along the line.
+    /// Drawn coordinate of the sliding point along the line.
     pub(in crate::mechanism) fn drawn_way(&self) -> f64 {
         self.way
     }
 
-    /// Distance of the sliding point to the left of the line.
+    /// Distance of the sliding point from the line, positive to the left.
     pub(in crate::mechanism) fn offset(&self) -> f64 {
         self.off
     }
 
-    /// Sets the distance of the sliding point to the left of the line, whatever the drawing.
+    /// Sets the distance of the sliding point from the line, positive to the left, whatever the drawing shows.
     pub(in crate::mechanism) fn set_offset(&mut self, off: f64) {
         self.off = off;
     }
 
-    /// Distance of the two points that give the line.
+    /// Distance between the two points that define the line.
     pub(in crate::mechanism) fn line_length(&self) -> f64 {
         self.length
     }
 
-    /// Line on one of the two bodies: a point and the direction.
+    /// Line on one of the two bodies: a point of the line and its direction.
     pub(in crate::mechanism) fn line_on(&self, body: BodyId) -> (Vector, Vector) {
         if body == self.bodies[0] {
             (self.start, self.heading)

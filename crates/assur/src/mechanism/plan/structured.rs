@@ -1,4 +1,4 @@
-//! The structure of the bodies of a specification, and its defects by name.
+//! The structure of the bodies of a specification, and the defects of this structure with the names of links.
 
 use crate::index::{BodyId, Id};
 use crate::linkage::spec::Defect;
@@ -8,7 +8,7 @@ use crate::mechanism::plan::resolved::Resolved;
 use crate::numeric::graph::Partition;
 use crate::structure::{self, Fault, Graph, Pair, Structure, decompose, decompose_redundant};
 
-/// Structure with surplus constraints; the geometry decides whether they are redundant.
+/// Data of a structure with surplus constraints. The geometry decides whether these constraints are redundant.
 pub(in crate::mechanism) struct Redundancy {
     pub(in crate::mechanism) graph: Graph,
     pub(in crate::mechanism) drivers: Vec<structure::Driver>,
@@ -16,7 +16,7 @@ pub(in crate::mechanism) struct Redundancy {
     pub(in crate::mechanism) defects: Vec<Defect>,
 }
 
-/// Driver and Assur groups of the bodies.
+/// Drivers and Assur groups of the bodies, and the data of surplus constraints if there are any.
 ///
 /// # Errors
 /// All defects found by counting pairs.
@@ -37,7 +37,7 @@ pub(in crate::mechanism) fn structured(
     };
     let redundant = decompose_redundant(&graph, &drivers);
     let defects = || {
-        // Passive meshes take no freedom.
+        // Passive meshes remove no freedom.
         let counts = counts(spec, bodies);
         let mobility = counts.mobility + counts.passive as isize;
         if let Some(gear) = contradicting(bodies, &graph, &drivers) {
@@ -84,7 +84,7 @@ pub(in crate::mechanism) fn structured(
     Ok((structure, Some(redundancy)))
 }
 
-/// The last gear coupling that is not passive, closes a ring of wheels, and whose removal leaves no fault.
+/// The last active gear coupling that closes a ring of wheels, and without which the structure has no fault.
 fn contradicting<'a>(
     bodies: &'a Bodies,
     graph: &Graph,

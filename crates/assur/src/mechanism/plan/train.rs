@@ -1,4 +1,4 @@
-//! Meshes of a group, mounting of its wheels, and plan of a group that is an epicyclic train.
+//! Meshes of a group, mounting of its wheels, and the step of a group that is an epicyclic train.
 
 use crate::Vector;
 use crate::index::BodyId;
@@ -8,12 +8,13 @@ use crate::mechanism::plan::driver::DrivenPair;
 use crate::mechanism::plan::willis::{Adds, Equation, Solved};
 use crate::position::{EpicyclicStep, Member, Orientation};
 
-/// Error of a group whose meshes do not determine the angles of its bodies: if its mates turn alike, any angle fits.
+/// Error if the meshes of a group do not determine the angles of its bodies. For example, the wheels in mesh with a
+/// body of the group may turn alike, so that any angle of this body satisfies the equations.
 pub(in crate::mechanism) struct Singular;
 
 impl Placed<'_> {
-    /// Gear couplings of a group: at least one of their bodies is in the group, the others are in the group or solved
-    /// before.
+    /// Gear couplings of a group. At least one body of each coupling is in the group; the others are in the group or
+    /// already solved.
     pub(in crate::mechanism) fn couplings(&self, group: &[BodyId]) -> Vec<&Gear> {
         let inside = |body: &BodyId| group.contains(body);
         let of_it = |gear: &&Gear| {
@@ -23,9 +24,9 @@ impl Placed<'_> {
         self.bodies.active_gears().filter(of_it).collect()
     }
 
-    /// Mounts the wheels of a group whose orientation no point and no guide shows. By the first coupling that gives it,
-    /// the angle relative to the carrier is zero when the angle of the mate is zero. The angle of a driven wheel is
-    /// given by its coordinate.
+    /// Mounts the wheels of a group whose orientation no point and no guide shows. The first coupling that determines
+    /// the angle of such a wheel relative to the carrier sets this angle: zero when the angle of the mate is zero.
+    /// Driven wheels are left out, because their coordinates give their angles.
     pub(in crate::mechanism) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
         let round = group.iter().copied();
         let round = round.filter(|body| {
@@ -41,7 +42,7 @@ impl Placed<'_> {
         }
     }
 
-    /// Waiting wheel whose mate and carrier are known, and its angle.
+    /// A wheel not yet mounted, whose mate and carrier are known, and its angle.
     fn mounted(&self, group: &[BodyId], waiting: &[BodyId]) -> Option<(BodyId, f64)> {
         self.couplings(group).into_iter().find_map(|gear| {
             let mut unknown = gear.all().into_iter().filter(|body| waiting.contains(body));
@@ -56,7 +57,7 @@ impl Placed<'_> {
         })
     }
 
-    /// Angle in the drawing that follows from the angles of other bodies.
+    /// Angle that follows from the drawn angles of other bodies and the given ratios.
     fn turned(&self, ratios: &[(BodyId, f64)]) -> f64 {
         ratios
             .iter()
@@ -64,8 +65,8 @@ impl Placed<'_> {
             .fold(0.0, |sum, term| sum + term)
     }
 
-    /// Step of a group that is a train: each body has only a hinge, and there are as many meshes as bodies. None for
-    /// any other group.
+    /// Step of a group that is a train: each body has only a hinge, and the numbers of meshes and bodies are equal.
+    /// None for any other group.
     ///
     /// # Errors
     /// The numbers of teeth do not determine the angles of the train.

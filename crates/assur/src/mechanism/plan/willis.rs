@@ -1,5 +1,5 @@
-//! Willis's equations of wheels in mesh, in integers: their dependence, and the ratios of the angles of a train (R.
-//! Willis, *Principles of Mechanism*, 1841).
+//! Willis's equations of wheels in mesh, in integers: their linear dependence, and the ratios of the angles of a train
+//! (R. Willis, *Principles of Mechanism*, 1841).
 
 use crate::index::BodyId;
 use crate::mechanism::plan::body::Gear;
@@ -10,7 +10,8 @@ use crate::mechanism::plan::body::Gear;
 pub(in crate::mechanism) struct Equation(Vec<(BodyId, i128)>);
 
 impl Equation {
-    /// Equation `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` of two wheels, with the angle θ₀ of the carrier.
+    /// Equation `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` of two wheels with z₁ and z₂ teeth; θ₁ and θ₂ are the angles of the
+    /// wheels and θ₀ that of their carrier.
     pub(in crate::mechanism) fn of(gear: &Gear) -> Self {
         // Numbers of teeth are whole.
         let [first, second] = gear.signed_teeth().map(|teeth| teeth as i128);
@@ -46,7 +47,8 @@ impl Equation {
         Some(())
     }
 
-    /// Equation from which a body is eliminated by another equation, in the smallest integers; None on overflow.
+    /// This equation after a body is eliminated by means of another equation, in the smallest integers; None on
+    /// overflow.
     fn without(&self, body: BodyId, other: &Self) -> Option<Self> {
         let (Some(own), Some(its)) = (self.factor(body), other.factor(body)) else {
             return Some(self.clone());
@@ -111,7 +113,8 @@ impl Solved {
         Some(Adds::Angle)
     }
 
-    /// Bodies for which equations are solved, with the ratios of their angles to the angles of other bodies.
+    /// Bodies for which the equations are solved, each with the factors of the angles of other bodies that give its
+    /// angle.
     pub(in crate::mechanism) fn ratios(
         &self,
     ) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {

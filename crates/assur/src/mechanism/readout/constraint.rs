@@ -1,5 +1,6 @@
 //! Constraint equations of a mechanism: the conditions that its links and pairs impose on its points. The engine solves
-//! other unknowns, group by group; here the equations have the form used in papers, so that a reader can check a pose.
+//! for other unknowns, group by group. Here the equations have the form used in papers, so that a reader can check a
+//! pose.
 
 use std::f64::consts::TAU;
 
@@ -19,54 +20,54 @@ pub type LinkOrFrame = Option<LinkId>;
 pub struct Constraint {
     /// Expression that stays constant.
     pub kind: ConstraintKind,
-    /// Constant, in the square of the unit of lengths or in radians.
+    /// Value of the constant, in the square of the unit of length or in radians.
     pub constant: f64,
 }
 
 /// An expression that stays constant while a mechanism moves. A subscript PQ is a difference, `x_PQ = x_P − x_Q`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ConstraintKind {
-    /// `x_PQ² + y_PQ² = l²`: a link keeps the distance of two of its points.
+    /// `x_PQ² + y_PQ² = l²`: a link keeps the distance l of two of its points, P and Q.
     Distance {
         /// The link.
         link: LinkId,
-        /// P and Q.
+        /// Points P and Q.
         points: [PointId; 2],
     },
-    /// `x_QP y_SP − y_QP x_SP = h·PQ`: S keeps its distance h to the left of the
-    /// line PQ.
+    /// `x_QP y_SP − y_QP x_SP = h·PQ`: a sliding point S keeps its distance h from the line PQ, positive to the left.
     Offset {
         /// The link that slides.
         link: LinkOrFrame,
-        /// S.
+        /// Point S.
         point: PointId,
-        /// P and Q.
+        /// Points P and Q.
         line: [PointId; 2],
     },
-    /// `θ − θ₀ = α`: a link that slides keeps its angle to the link with the line.
+    /// `θ − θ₀ = α`: a link that slides, at the angle θ, keeps its angle α to the link with the line, at the angle θ₀.
     Direction {
         /// The link that slides.
         link: LinkOrFrame,
         /// The link with the line.
         on: LinkOrFrame,
     },
-    /// `z₁(θ₁ − θ₀) + z₂(θ₂ − θ₀) = α`: wheels in mesh, seen from their carrier.
+    /// `z₁(θ₁ − θ₀) + z₂(θ₂ − θ₀) = α`: wheels in mesh at the angles θ₁ and θ₂, seen from their carrier at the angle
+    /// θ₀.
     Mesh {
         /// The wheels.
         links: [LinkOrFrame; 2],
-        /// Link on which both wheels are hinged.
+        /// Link to which both wheels are hinged.
         carrier: LinkOrFrame,
-        /// Numbers of teeth; z₂ < 0 if the sense is kept.
+        /// Numbers of teeth z₁ and z₂. z₂ is negative if, seen from the carrier, both wheels turn in the same sense.
         teeth: [f64; 2],
     },
 }
 
-/// Both sides of a constraint equation, or of a derivative of it, in a pose.
+/// Values of both sides of a constraint equation, or of one of its derivatives, in a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sides {
-    /// The left side, evaluated at one position for each point.
+    /// Left side, evaluated with one position for each point.
     pub left: f64,
-    /// The required value.
+    /// Required value of the left side.
     pub right: f64,
 }
 
@@ -78,7 +79,7 @@ impl Sides {
 }
 
 impl Layout {
-    /// Equations in the order of links, slides and gears, with the mounting of the wheels in a pose.
+    /// Equations in the order of links, slides and gears. The orientations show how the wheels are mounted.
     pub(in crate::mechanism) fn constraints(
         &self,
         orientations: &List<BodyId, Orientation>,
@@ -92,7 +93,7 @@ impl Layout {
         links.chain(slides).chain(gears).collect()
     }
 
-    /// Distances between the joints of a link with its own body. The distance of the first two joints, and two
+    /// Distances between the joints of a link that has a body of its own. The distance of the first two joints, and two
     /// distances for each further joint, make the link rigid without redundancy.
     fn distances(&self, link: LinkId) -> Vec<Constraint> {
         let body = self.links[link].body;
@@ -114,7 +115,7 @@ impl Layout {
         found
     }
 
-    /// True if a point of a body is hinged on another body, slides, or gives a line.
+    /// True if a point of a body is hinged to another body, slides, or defines a line.
     fn is_joint(&self, body: BodyId, point: PointId) -> bool {
         let having = self.bodies.ids();
         let having = having.filter(|other| self.bodies.local(*other, point).is_some());
@@ -169,14 +170,15 @@ impl Layout {
 }
 
 impl Mechanism {
-    /// Constraint equations: distances that keep each link rigid, two equations of each slide, one of each pair
-    /// of wheels. If all pairs are hinges, their number is that of the coordinates of moving points less the mobility.
+    /// Constraint equations: distances that keep each link rigid, two equations for each slide, and one for each pair
+    /// of wheels. If all pairs are hinges, the number of equations is the number of coordinates of moving points less
+    /// the mobility.
     pub fn constraints(&self) -> &[Constraint] {
         &self.constraints
     }
 
-    /// Both sides of an equation in a pose, or of its derivative by the input, of an order below `N`. Squares of
-    /// distances are halved when differentiated, as in papers: `x x′ + y y′ = 0`, `x x″ + y y″ = −(x′² + y′²)`.
+    /// Both sides of an equation in a pose, or of its derivative with respect to the input, of an order below `N`.
+    /// Derivatives of squared distances are halved, as in papers: `x x′ + y y′ = 0`, `x x″ + y y″ = −(x′² + y′²)`.
     pub fn sides<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -223,8 +225,8 @@ impl Mechanism {
     }
 }
 
-/// Derivative of half the square of a vector of constant length, by Leibniz's rule: the term with the highest
-/// derivative on the left, the others on the right.
+/// Derivative of half the square of a vector of constant length, by Leibniz's rule. The term with the highest
+/// derivative is the left side; the other terms are on the right.
 fn differentiated<const N: usize>(way: [Jet<N>; 2], order: usize) -> Sides {
     let term = |k: usize| -> f64 {
         let terms = way.iter();

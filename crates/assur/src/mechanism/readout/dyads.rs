@@ -1,4 +1,4 @@
-//! RRR dyads of the plan, their transmission angles, and the four-bars closed by them.
+//! RRR dyads of the plan, their transmission angles, and the four-bars that they close.
 
 use crate::index::{LinkId, PointId};
 use crate::mechanism::closed::DrivenFourBar;
@@ -11,34 +11,33 @@ use crate::{FourBar, Grashof, Jet};
 pub struct RrrDyad {
     /// The two links of the dyad.
     pub links: [LinkId; 2],
-    /// Point at which the two links are hinged on each other.
+    /// Point at which the two links are hinged to each other.
     pub inner: PointId,
-    /// Hinges of the two links on links solved before, in the order of `links`.
+    /// Hinges of the two links to links already solved, in the order of `links`.
     pub outer: [OuterJoint; 2],
 }
 
-/// A hinge of a dyad on a link solved before.
+/// A hinge of a dyad to a link already solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OuterJoint {
     /// Point of the hinge.
     pub point: PointId,
-    /// Link solved before, on which the dyad is hinged.
+    /// Link already solved, to which the dyad is hinged.
     pub on: LinkOrFrame,
 }
 
-/// Four-bar within a linkage: an RRR dyad whose outer links are hinged on each other.
+/// Four-bar within a linkage: an RRR dyad whose outer links are hinged to each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FourBarLoop {
     /// Base: the frame, or the outer link that is solved first.
     pub base: LinkOrFrame,
     /// The other outer link.
     pub crank: LinkId,
-    /// The link of the dyad on the crank.
+    /// Link of the dyad that is hinged to the crank.
     pub coupler: LinkId,
-    /// The link of the dyad on the base.
+    /// Link of the dyad that is hinged to the base.
     pub rocker: LinkId,
-    /// The points A, B, C, D: crank on base, crank and coupler, coupler and rocker,
-    /// rocker on base.
+    /// Hinges A, B, C, D: base and crank, crank and coupler, coupler and rocker, rocker and base.
     pub joints: [PointId; 4],
     /// Lengths of the four-bar.
     pub linkage: FourBar,
@@ -74,15 +73,15 @@ impl Mechanism {
         u.perp(&v).abs().atan2(u.dot(&v).abs())
     }
 
-    /// Squared distance of the outer joints of a dyad. By the law of cosines it is a decreasing function of the cosine
-    /// of the angle between the links, so both have their extrema at the same inputs.
+    /// Squared distance between the outer joints of a dyad. By the law of cosines it is a decreasing function of the
+    /// cosine of the angle between the links, so distance and angle have their extrema at the same inputs.
     pub(crate) fn diagonal<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> Jet<N> {
         let [b, d] = dyad.outer.map(|outer| self.place(pose, outer.point));
         let (x, y) = (d.x - b.x, d.y - b.y);
         x.square() + y.square()
     }
 
-    /// Maximum distance of the outer joints of a dyad: the sum of the lengths of its links.
+    /// Maximum distance between the outer joints of a dyad: the sum of the lengths of its links.
     pub(crate) fn reach_of(&self, dyad: &RrrDyad) -> f64 {
         let links = dyad.links.iter().zip(&dyad.outer);
         let lengths =
@@ -90,7 +89,7 @@ impl Mechanism {
         lengths.sum()
     }
 
-    /// The distance of two points of a link.
+    /// Distance between two points of a link.
     pub(in crate::mechanism) fn length_between(&self, link: LinkId, points: [PointId; 2]) -> f64 {
         let body = self.body_of(Some(link));
         let [from, to] = points.map(|point| self.layout.bodies.local(body, point));
@@ -104,7 +103,7 @@ impl Mechanism {
         arms.filter_map(|arms| self.four_bar_of(arms)).collect()
     }
 
-    /// Four-bar in closed form with the links of a dyad; None if there is none.
+    /// Four-bar that contains a dyad and is solved in closed form; None if there is no such four-bar.
     pub(crate) fn closed_form_of(&self, dyad: &RrrDyad) -> Option<DrivenFourBar<'_>> {
         let mut closed = self.closed_steps();
         closed.find(|closed| {
@@ -163,7 +162,7 @@ impl Mechanism {
     }
 }
 
-/// The arms of a step that is a dyad RRR.
+/// The arms of a step that is an RRR dyad.
 pub(crate) fn arms_of(step: &Step) -> Option<&[Arm; 2]> {
     match step {
         Step::Rrr(dyad) => Some(&dyad.arms),

@@ -13,7 +13,7 @@ pub enum Joint {
     Hinge {
         /// Point of the hinge.
         point: PointId,
-        /// Bodies hinged at the point, ascending.
+        /// Bodies hinged at the point, in ascending order.
         bodies: Vec<BodyId>,
     },
     /// A slide.
@@ -22,16 +22,17 @@ pub enum Joint {
         bodies: [BodyId; 2],
         /// Point of the sliding body that keeps its distance from the line.
         point: PointId,
-        /// Two points of the body with the line; the line runs through them.
+        /// Two points of the body with the line, through which the line runs.
         line: [PointId; 2],
     },
-    /// Wheels in mesh, `z₁(ω₁ − ω₀) + z₂(ω₂ − ω₀) = 0`.
+    /// Wheels in mesh: `z₁(ω₁ − ω₀) + z₂(ω₂ − ω₀) = 0`, with the angular velocities ω₁ and ω₂ of the wheels and ω₀ of
+    /// the carrier.
     Mesh {
         /// The wheels.
         bodies: [BodyId; 2],
-        /// Body on which both wheels are hinged.
+        /// Body to which both wheels are hinged.
         carrier: BodyId,
-        /// z₁ and z₂; z₂ < 0 if the sense is kept.
+        /// Numbers of teeth z₁ and z₂. z₂ is negative if, seen from the carrier, both wheels turn in the same sense.
         teeth: [f64; 2],
     },
 }
@@ -52,7 +53,7 @@ impl Mechanism {
         self.layout.body_of(link)
     }
 
-    /// Points of a body that its links list, in the order of the lists.
+    /// Points of a body that are listed by its links, in the order of these lists.
     pub fn points_on(&self, body: BodyId) -> impl Iterator<Item = PointId> {
         self.layout.bodies.of(body).iter().map(|(point, _)| *point)
     }
@@ -85,8 +86,8 @@ impl Mechanism {
         pose.state.angle(body)
     }
 
-    /// Motion of the point of a body that is at a given place in a pose; the point need not be a drawn one. The value
-    /// is the place, and the derivatives follow from the motion of the body.
+    /// Motion of the point of a body that is at a given place in a pose. The point need not be in the specification.
+    /// The value is the given place; the derivatives follow from the motion of the body.
     pub fn fixed_to<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -101,7 +102,7 @@ impl Mechanism {
         (place + Complex::constant(self.layout.origin)).into()
     }
 
-    /// Unit vector from one point of a body to another in a pose; exact to all digits even if the points are close.
+    /// Unit vector from one point of a body to another in a pose, accurate to all digits even if the points are close.
     pub(crate) fn heading<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -138,7 +139,7 @@ impl Mechanism {
         tracers.filter(move |tracer| self.layout.points[*tracer].body == body)
     }
 
-    /// Point of the drawing in the coordinates used while solving, divided by the size.
+    /// Point of the drawing in the coordinates used while solving, divided by the size of the linkage.
     pub(crate) fn scaled(&self, place: Point) -> Vector {
         (place.coords - self.layout.origin) / self.scale_of_places()
     }
@@ -148,8 +149,8 @@ impl Mechanism {
         (place * self.scale_of_places() + self.layout.origin).into()
     }
 
-    /// Twist of a body: the velocity, with respect to the input, of its point at the origin of [`Self::scaled`], in the
-    /// same unit, and the angular velocity of the body.
+    /// Twist of a body: a velocity and an angular velocity, both with respect to the input. The velocity is that of the
+    /// body's point at the origin of [`Self::scaled`], in the same unit.
     pub(crate) fn twist<const N: usize>(&self, pose: &Pose<N>, body: BodyId) -> (Vector, f64) {
         let origin: JetPoint<N> = pose.state.bodies[body].origin.into();
         let spin = pose.state.angle(body).derivative(1);
@@ -158,12 +159,12 @@ impl Mechanism {
         (velocity / self.scale_of_places(), spin)
     }
 
-    /// Origin of the coordinates used while solving: a hinge of the frame, or a point near the drawing.
+    /// Origin of the coordinates used while solving. It is near the drawing.
     pub(crate) fn middle(&self) -> Point {
         self.layout.origin.into()
     }
 
-    /// Unit of [`Self::scaled`]. A mechanism of one point has no size, but it has a unit.
+    /// Unit of [`Self::scaled`]: the size of the linkage, or 1 if this size is zero.
     pub(crate) fn scale_of_places(&self) -> f64 {
         let size = self.size();
         if size > 0.0 { size } else { 1.0 }

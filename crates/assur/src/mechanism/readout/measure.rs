@@ -1,5 +1,5 @@
-//! Measurements on a drawing: the distance of two points, the angle at a point between two others, the angle of two
-//! links.
+//! Measurements on a drawing: the distance between two points, the angle at a point between two others, the angle
+//! between two links.
 
 use crate::Jet;
 use crate::index::{LinkId, PointId};
@@ -7,8 +7,8 @@ use crate::mechanism::{Mechanism, Pose};
 use crate::tolerance;
 
 impl Mechanism {
-    /// Distance of two points. If the points coincide, derivatives are those just after the pose; they are zero if the
-    /// points stay together.
+    /// Distance between two points. If the points coincide, the derivatives are those just after the pose; they are
+    /// zero if the points stay together.
     pub(in crate::mechanism) fn between_points<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -19,7 +19,7 @@ impl Mechanism {
         if span(ways) > tolerance::NEGLIGIBLE * self.size() {
             return norm(ways);
         }
-        // The points part as t u with the initial relative velocity u: their distance is t |u|.
+        // The points separate by the vector t u, where t is the change of the input; their distance is t |u|.
         let parting: [Jet<N>; 2] = ways.map(|way| {
             Jet::of_derivatives(std::array::from_fn(|order| {
                 let next = order + 1;

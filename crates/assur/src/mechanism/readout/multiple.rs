@@ -1,4 +1,4 @@
-//! Angles at a constant ratio to other angles: of wheels, and of parts fixed to links.
+//! Angles that are linear functions of other angles: those of wheels, and of links fixed to other links.
 
 use crate::index::LinkId;
 use crate::mechanism::{Layout, Mechanism};
@@ -16,8 +16,9 @@ pub struct Multiple {
 }
 
 impl Mechanism {
-    /// Angle of a link as a constant multiple of another link's angle, at all inputs: for a wheel or a carrier, of the
-    /// only body that turns it in a train. Without such a body, the multiple is of the link's own angle.
+    /// Angle of a link as a linear function of another link's angle, at all inputs. For a wheel or a carrier of a
+    /// train, the other link is the only body that turns it. Without such a body, the function is of the link's own
+    /// angle.
     pub fn multiple_of(&self, link: LinkId) -> Multiple {
         self.layout.multiple_of(link, self.mounting())
     }

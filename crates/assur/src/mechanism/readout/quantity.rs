@@ -22,7 +22,7 @@ use crate::mechanism::{Mechanism, Pose, RrpDyad, RrrDyad};
 pub enum Quantity {
     /// The angle of a link, from its first to its second point, radians.
     Angle(LinkId),
-    /// The abscissa of a point, in the unit of the lengths.
+    /// The abscissa of a point, in the unit of length.
     X(PointId),
     /// The ordinate of a point.
     Y(PointId),
@@ -30,7 +30,7 @@ pub enum Quantity {
     Transmission(RrrDyad),
     /// Pressure angle of an RRP dyad: the acute angle between rod and line, radians; 90° less the transmission angle.
     Pressure(RrpDyad),
-    /// The distance of two points, in the unit of the lengths.
+    /// The distance between two points, in the unit of length.
     Distance([PointId; 2]),
     /// Angle at the second of three points between the other two, at most half a turn, radians.
     Corner([PointId; 3]),
@@ -39,8 +39,8 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// All quantities of the position of a mechanism: the angles of the links, then x and y of each point. Quantities
-    /// of transmission are given by [`Mechanism::transmitting`].
+    /// All angles and coordinates of a mechanism: first the angle of each link, then x and y of each point.
+    /// [`Mechanism::transmitting`] lists the transmission and pressure angles.
     pub fn all(mechanism: &Mechanism) -> Vec<Self> {
         let points = mechanism.point_ids();
         let points = points.flat_map(|point| [Self::X(point), Self::Y(point)]);
@@ -66,7 +66,8 @@ impl Quantity {
         }
     }
 
-    /// Name of the quantity, with the letter d `order` times before the kind: `C.ddx`.
+    /// Name of the quantity or a derivative of it. The letter d stands `order` times before the kind: `C.ddx` is the
+    /// second derivative of `C.x`.
     pub fn name(self, mechanism: &Mechanism, order: usize) -> String {
         let (of, what) = (self.subject(mechanism), self.kind_name());
         let prefix = "d".repeat(order);
@@ -87,7 +88,8 @@ impl Quantity {
         }
     }
 
-    /// Name of the link or point, for a dyad of the inner joint; several names have hyphens in between.
+    /// Name of the link or point to which the quantity belongs; for a dyad, name of the inner joint. Several names are
+    /// joined by hyphens.
     pub fn subject(self, mechanism: &Mechanism) -> Cow<'_, str> {
         let points = |points: &[PointId]| {
             let names = points.iter().map(|point| mechanism.point_name(*point));
@@ -117,8 +119,9 @@ impl Quantity {
         matches!(self, Self::Distance(_) | Self::Corner(_) | Self::Between(_))
     }
 
-    /// True for an angle without sense: the acute angle between two lines, or the angle at a corner. It is folded when
-    /// its sides are in line or, for lines, at right angles; its rate jumps there, which does not count as an extremum.
+    /// True for an angle without sense: the acute angle between two lines, or the angle at a corner. The angle is
+    /// folded where its sides are in line or, between lines, at right angles. Its rate jumps at a fold, which is not
+    /// counted as an extremum.
     pub fn is_folded(self) -> bool {
         matches!(
             self,
@@ -136,8 +139,8 @@ impl Quantity {
         }
     }
 
-    /// Factor between the folded angle and an acute angle: 2 at a corner, folded at every half turn; 1 between lines,
-    /// folded at every quarter turn.
+    /// Ratio of the folded angle to an acute angle: 2 for a corner, folded at every half turn; 1 for the angle between
+    /// two lines, folded at every quarter turn.
     fn folds(self) -> f64 {
         if matches!(self, Self::Corner(_)) {
             2.0
@@ -146,17 +149,17 @@ impl Quantity {
         }
     }
 
-    /// Folds an angle.
+    /// Folds an angle at half or quarter turns, as this quantity requires.
     pub(crate) fn folded(self, angle: f64) -> f64 {
         acute(angle / self.folds()) * self.folds()
     }
 
-    /// Sense of the quantity: 1 if it grows with the angle before folding, −1 otherwise.
+    /// Sense of the folded quantity: 1 if it grows with the unfolded angle, −1 otherwise.
     pub(crate) fn sense<const N: usize>(self, angle: &Jet<N>) -> f64 {
         sense(&(*angle * self.folds().recip()))
     }
 
-    /// Value of the quantity before folding, which is smooth.
+    /// Value of the quantity before folding. This value is smooth.
     pub(crate) fn unfolded<const N: usize>(self, mechanism: &Mechanism, pose: &Pose<N>) -> Jet<N> {
         match self {
             Self::Angle(link) => mechanism.angle(pose, link),

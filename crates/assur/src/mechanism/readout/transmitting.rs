@@ -17,9 +17,9 @@ pub struct RrpDyad {
     pub rod: LinkId,
     /// Link that slides.
     pub slider: LinkId,
-    /// Point at which rod and slider are hinged on each other.
+    /// Point at which rod and slider are hinged to each other.
     pub inner: PointId,
-    /// Hinge of the rod on a link solved before.
+    /// Hinge of the rod to a link already solved.
     pub outer: OuterJoint,
     /// Link with the line of the slide.
     pub on: LinkOrFrame,
@@ -92,7 +92,8 @@ impl Mechanism {
         self.length_between(dyad.rod, [dyad.inner, dyad.outer.point])
     }
 
-    /// Rise of the rod of a dyad above its line.
+    /// Rise of the rod of a dyad: its component perpendicular to the line of the slide, from the outer to the inner
+    /// hinge.
     pub(crate) fn rise<const N: usize>(&self, pose: &Pose<N>, dyad: &RrpDyad) -> Jet<N> {
         let Step::Rrp(Rrp { arm, track }) = &self.steps()[dyad.step] else {
             debug_assert!(false, "a dyad of this mechanism");
@@ -105,7 +106,7 @@ impl Mechanism {
     }
 }
 
-/// The angle between two lines that turn with links of these angles.
+/// Directed angle from the first line to the second. The lines turn with links at the given angles.
 fn turned<const N: usize>([u, v]: [Vector; 2], [a, b]: [Jet<N>; 2]) -> Jet<N> {
     let grown = b - a;
     grown + (u.perp(&v).atan2(u.dot(&v)) - grown.value())

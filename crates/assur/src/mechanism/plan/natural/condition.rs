@@ -9,22 +9,24 @@ use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::plan::willis;
 use crate::position::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, conjugate};
 
-/// Condition in linear forms: one equation or two.
+/// Condition between linear forms. It gives one equation or two.
 pub(in crate::mechanism) enum Condition {
-    /// Unit length of a direction, with the length of the link in this direction.
+    /// Unit length of a direction. The number is the length of the link in this direction, which makes the residual a
+    /// length.
     Unit(Form, f64),
     Zero(Form),
-    /// Displacement along a direction of length 1, with the index of the angle constraint that gives its length.
+    /// Component of the vector `way` along a direction of length 1. The angle constraint with index `mesh` gives its
+    /// value.
     Along {
         direction: Form,
         way: Form,
         mesh: usize,
     },
-    /// Turns of bodies with the coefficients of their angles, and the index of the angle constraint that gives the sum
-    /// of the angles.
+    /// Turns of bodies with the coefficients of their angles, and the index of the angle constraint that gives the
+    /// weighted sum of these angles.
     AngleConstraint(Vec<(Form, f64)>, usize),
-    /// Vector parallel to a direction. The factor `length` makes the residual a length: 1, or 0 if both forms are
-    /// directions.
+    /// Vector `way` parallel to a direction. The factor `length` makes the residual a length. It is 1, or 0 if both
+    /// forms are directions.
     Line {
         direction: Form,
         way: Form,
@@ -73,7 +75,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Adds the condition that a body stays parallel to another one, as drawn.
+    /// Adds the condition that a body keeps its drawn angle to another body.
     pub(in crate::mechanism) fn keep_parallel(&mut self, [base, body]: [BodyId; 2]) {
         let turns = [base, body].map(|body| conjugate(self.orientations[body].turn));
         let condition = Condition::Line {
@@ -87,7 +89,7 @@ impl Plan<'_> {
     /// Adds the condition of wheels in mesh.
     pub(in crate::mechanism) fn mesh(&mut self, gear: &Gear) {
         let equation = willis::Equation::of(gear);
-        // The unit is a turn of the larger wheel.
+        // The equation is scaled so that the coefficient of the larger wheel is ±1.
         let scale = gear.by_link.teeth[0].max(gear.by_link.teeth[1]).recip();
         let terms = equation.terms();
         let terms: Vec<_> = terms.map(|(body, by)| (body, by as f64 * scale)).collect();
@@ -156,7 +158,7 @@ impl Plan<'_> {
         Some(())
     }
 
-    /// The finished group; None if it has fewer equations than unknowns.
+    /// The finished group; None if the group has fewer equations than unknowns.
     pub(in crate::mechanism) fn finished(self, offset: usize) -> Option<(Group, Vec<Vector>)> {
         let mut forms: Vec<Form> = Vec::new();
         let mut index = |form: Form| {
