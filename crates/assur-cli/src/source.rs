@@ -99,7 +99,7 @@ fn moving(name: &Name, whole: &Document) -> Result<Moved, Failure> {
 /// Reads the document of a linkage, movable or not.
 ///
 /// # Errors
-/// An unknown name or file; not a linkage.
+/// An unknown name or file; a document that is not a linkage.
 pub(crate) fn linkage(name: &Name) -> Result<LinkageDocument, Failure> {
     let linkage = any(name)?.linkage();
     linkage.map_err(|problems| refused(name, &problems))
@@ -118,7 +118,7 @@ fn can_be_assembled(document: &LinkageDocument) -> bool {
 /// alone, at the requested input.
 ///
 /// # Errors
-/// An unknown name or file; every reason why the document is not a mechanism, even so.
+/// An unknown name or file; every reason why the document is not a mechanism even when assembled.
 pub(crate) fn laid_out(
     name: &Name,
     asked: impl FnOnce(bool) -> Result<Option<f64>, Failure>,
@@ -279,7 +279,7 @@ fn unmoved(name: &Name, problems: &[Problem]) -> Result<(), Failure> {
             ))
         );
         if !undriven {
-            // Without standard error nobody can be informed.
+            // A failure to write to standard error cannot be reported.
             let _ = writeln!(io::stderr(), "{name}: {}", words.sentence(problem)?);
         }
     }

@@ -42,7 +42,7 @@ const TYPES: [(&str, &str); 16] = [
     ("unit", "null"),
 ];
 
-/// English sentences by key, from the common table and from those of all kinds of documents.
+/// English sentences by key, from the common table and from the tables of some kinds of documents.
 pub(crate) struct Words(BTreeMap<String, String>);
 
 /// A problem as serialized: its code and parameters.

@@ -37,9 +37,9 @@ const MARGIN: Margin = Margin {
     bottom: 22,
 };
 
-/// Greatest share of the full axis for which the axis is shortened to the range of a motion.
+/// Greatest range of a motion, as a share of the full axis, for which the axis is shortened to the range.
 const MOST_OF_A_TURN: f64 = 0.8;
-/// Least share for which the axis is shortened: some motions consist of an instant.
+/// Least range of a motion, as a share of the full axis, for which the axis is shortened: some motions last an instant.
 const LEAST_OF_A_TURN: f64 = 0.001;
 /// Margin at both ends of a shortened axis, as a share of the motion's span.
 const BESIDE: f64 = 0.04;

@@ -65,7 +65,7 @@ pub(crate) struct Asked {
     assembly: Option<usize>,
 }
 
-/// Writes the table.
+/// Writes the table of a motion.
 ///
 /// # Errors
 /// A document that is not a mechanism; an invalid number, step or column; output that cannot be written.

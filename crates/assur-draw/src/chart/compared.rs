@@ -9,7 +9,7 @@ const GAP: f64 = 4.0;
 
 impl Chart {
     /// Adds the curves of another chart for each quantity, by name, that both charts have. The axes
-    /// are extended to both ranges.
+    /// then span both charts.
     pub fn compare(&mut self, other: &Self) {
         if self.turns != other.turns || self.kind != other.kind {
             return;

@@ -18,11 +18,11 @@ const ANGLES: [f64; 12] = [
 
 /// Least step of crank angles over a long span, degrees.
 const FINEST: f64 = 30.0;
-/// Span below which a span is short, degrees.
+/// Span of an axis below which it counts as short, degrees.
 const SHORT: f64 = 120.0;
 /// Least step of crank angles over a short span, degrees.
 const FINEST_OF_SHORT: f64 = 5.0;
-/// Span below which the step has no least value, degrees.
+/// Span of an axis below which the step has no least value, degrees.
 const VERY_SHORT: f64 = 20.0;
 
 /// Returns ticks of the crank angle, given in radians, about 50 × `scale` pixels apart.

@@ -15,15 +15,15 @@ use crate::parts;
 const CIRCLE: f64 = 1.9;
 /// Position of the number on a bar, as a share of the length.
 const MIDDLE: f64 = 0.5;
-/// Position on the driver, beyond the arc of its angle, if there is room.
+/// Position of the number on a driver, as a share of the length: beyond the arc of the input, if there is room.
 const BEYOND_ARC: f64 = 0.75;
-/// Least distance of this position from the end of the driver, in symbol units.
+/// Least distance of the number from the end of a driver, in symbol units.
 const ROOM: f64 = 3.2;
 /// Offset of a number without a circle, in text heights.
 const BESIDE: [f64; 2] = [1.5, -1.5];
-/// Position of a number relative to its support, in symbol units.
+/// Position of a number relative to its support, in symbol units times the size of the support.
 const AT_SUPPORT: [f64; 2] = [2.3, -2.6];
-/// Offset of a number from this position, in text heights.
+/// Offset of a number beside a support from its position, in text heights.
 const BESIDE_SUPPORT: [f64; 2] = [0.8, 0.0];
 
 /// A number of a link.

@@ -31,7 +31,7 @@ const MOST_NAMED: usize = 3;
 const LARGEST: f64 = 10.0;
 /// Input angle, radians, below which its name is turned away from the middle of the arc.
 const SMALL: f64 = 0.8;
-/// Greatest angle through which the name is turned, radians.
+/// Greatest angle through which the name of a small input angle is turned, radians.
 const BELOW: f64 = 0.6;
 
 /// The overlays of a linkage, ready to be drawn in any pose.

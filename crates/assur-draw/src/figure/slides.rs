@@ -17,7 +17,7 @@ const BEYOND: f64 = 5.0;
 const AROUND_SLOT: f64 = 2.4;
 /// Half the length of the arrow of a driven block, in symbol units.
 const ARROW: f64 = 4.0;
-/// Distance of this arrow from the middle of the block, in symbol units.
+/// Distance of the arrow of a driven block from the middle of the block, in symbol units.
 const BESIDE: f64 = 3.4;
 /// Distance from the walls of a channel up to which its inside is cleared, in symbol units.
 const WALL: f64 = 0.15;

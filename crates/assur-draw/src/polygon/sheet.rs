@@ -16,7 +16,8 @@ const POSES: Sampling = Sampling {
 /// Greatest size of a polygon, relative to the median, that counts for the sheet of a motion without dead points.
 /// Nearly all polygons count.
 const MOST: f64 = 10.0;
-/// The same for a motion with dead points, near which vectors grow without bound.
+/// Greatest size of a polygon, relative to the median, that counts for the sheet of a motion with dead points, near
+/// which vectors grow without bound.
 const MOST_OF_DEAD: f64 = 3.0;
 /// Least distance of the pole from the sheet's edges, as a share of the side of the sheet.
 const EDGE: f64 = 0.1;

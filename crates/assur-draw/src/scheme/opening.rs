@@ -11,7 +11,7 @@ const GAP: f64 = 0.09;
 /// Greatest turn of a pair to open a gap, radians.
 const MOST: f64 = 0.45;
 
-/// Displacement of a slide in place of a turn of one radian, relative to the size of the drawing.
+/// Displacement of a slide that has the weight of a turn of one radian, relative to the size of the drawing.
 const LEVER: f64 = 0.3;
 
 /// A displacement in space.
