@@ -111,8 +111,8 @@ enum Command {
     Mobility {
         /// Catalogue name or file.
         name: Name,
-        /// Pairs to cut. At a hinge of three or more links, a link is added after a colon, as in Q:3 [default: the cuts
-        /// of the file, or else automatic ones]
+        /// Pairs to cut. At a hinge of three or more links, the link to detach follows a colon, as in Q:3 [default: the
+        /// cuts of the file, or else automatic ones]
         #[arg(long, value_name = "PAIR,PAIR", value_delimiter = ',')]
         cut: Option<Vec<String>>,
         /// Prints JSON.
