@@ -1,4 +1,4 @@
-//! All assemblies at an input as CSV.
+//! Table (CSV) of all assemblies of a linkage at one input.
 
 use std::io::{self, Write};
 
@@ -17,18 +17,18 @@ use crate::{Failure, source};
 pub(crate) struct Asked {
     /// Catalogue name or file.
     name: Name,
-    /// The input: degrees, or a length for a driven slide [default: the drawn one]
+    /// Input: degrees, or a length if a slide is driven [default: the drawn input]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     at: Option<f64>,
-    /// Writes the linkage drawn in the assembly with this number, as a file, instead of the table
+    /// Instead of the table, writes the linkage drawn in assembly number N, as a file
     #[arg(long, value_name = "N")]
     assemble: Option<usize>,
 }
 
-/// Writes the table, or the drawing of one assembly; standard error says if there may be more assemblies.
+/// Writes the table, or the linkage drawn in one assembly. Standard error warns if the table may be incomplete.
 ///
 /// # Errors
-/// Not a mechanism; an invalid number; output that cannot be written.
+/// A document that is not a mechanism; an invalid number; output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let at = |turns: bool| {
         let at = asked.at.map(|at| asked_for("--at", at, turns));
@@ -72,7 +72,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     if !found.whole {
         let at = source::at(mechanism.turns(), input);
         let name = &asked.name;
-        // Without standard error nobody can be informed.
+        // A failure to write to standard error cannot be reported.
         let _ = writeln!(
             io::stderr(),
             "assur: {name}: there may be more assemblies at {at}"

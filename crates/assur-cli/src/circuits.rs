@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use crate::Failure;
 use crate::source::{Moved, Name, at};
 
-/// Writes branches and circuits, as lines for people or as JSON.
+/// Writes branches and circuits, as text or as JSON.
 ///
 /// # Errors
 /// Output that cannot be written.
@@ -37,7 +37,7 @@ struct Told<'a> {
     found: Circuits,
 }
 
-/// An end or a crossing of a branch: its input, kind and links, and the branch that continues from it.
+/// A dead point or crossing of a branch: its input, kind and links, and the other branch that meets this one there.
 struct Joint<'a> {
     input: f64,
     what: &'static str,
@@ -85,7 +85,7 @@ impl Told<'_> {
         at(self.mechanism.turns(), input)
     }
 
-    /// The ends of a branch, then its crossings.
+    /// Returns the dead points of a branch, followed by its crossings.
     fn joints(&self, number: usize) -> Vec<Joint<'_>> {
         let motion = &self.found.branches()[number].motion;
         let meetings = self.found.meetings().iter();
@@ -159,7 +159,7 @@ impl Told<'_> {
                 "turns_fully": cycle.is_full(),
                 "turns": turns(branch),
                 "range": range.collect::<Vec<_>>(),
-                // Dead points, each with the branch that meets it there.
+                // Dead points, each with the branch that continues from it, if any.
                 "ends": joints(false),
                 "crossings": joints(true),
             })

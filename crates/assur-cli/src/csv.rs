@@ -1,11 +1,11 @@
-//! Lines and numbers of CSV.
+//! Writing of CSV: lines, cells and numbers.
 
 use std::io::{self, Write};
 
 /// Format of a table.
 #[derive(Clone, Copy)]
 pub(crate) struct Csv {
-    /// 0,5 for 0.5, and so a semicolon between cells.
+    /// Whether the decimal sign is a comma (0,5 for 0.5). Cells are then separated by semicolons.
     pub(crate) decimal_comma: bool,
 }
 
@@ -17,7 +17,7 @@ pub(crate) enum Cell {
 }
 
 impl Csv {
-    /// Writes a line, with texts quoted if necessary.
+    /// Writes a line; texts are quoted if necessary.
     pub(crate) fn line(
         self,
         out: &mut impl Write,
@@ -40,8 +40,8 @@ impl Csv {
         out.write_all(b"\n")
     }
 
-    /// Writes the shortest text that reads back as the same number. Long tables consist mainly of
-    /// numbers, so this allocates nothing.
+    /// Writes the shortest text that reads back as the same number. Nothing is allocated, because
+    /// long tables consist mainly of numbers.
     fn number(self, out: &mut impl Write, value: f64) -> io::Result<()> {
         let mut buffer = zmij::Buffer::new();
         let text = buffer.format(value + 0.0);

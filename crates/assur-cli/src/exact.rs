@@ -1,14 +1,14 @@
-//! A drawing whose redundant constraints hold only nearly, made exact.
+//! Correction of a drawing whose redundant constraints hold only approximately.
 
 use std::io::{self, Write};
 
 use crate::source::Name;
 use crate::{Failure, source};
 
-/// Writes the exact drawing as a file, and the greatest move of a point to standard error.
+/// Writes the corrected drawing as a file. Standard error names the point that moved farthest, and its distance.
 ///
 /// # Errors
-/// An unknown name or file; a drawing that moves already, or after no small change; output that cannot be written.
+/// An unknown name or file; a drawing that moves already or needs a large change; output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, name: &Name) -> Result<(), Failure> {
     let document = source::linkage(name)?;
     let Some(exact) = document.spec().made_exact() else {
@@ -18,7 +18,7 @@ pub(crate) fn write(out: &mut impl Write, name: &Name) -> Result<(), Failure> {
     serde_json::to_writer_pretty(&mut *out, &document.redrawn(&exact.spec))
         .map_err(io::Error::from)?;
     writeln!(out)?;
-    // Without standard error nobody can be informed.
+    // A failure to write to standard error cannot be reported.
     let _ = writeln!(
         io::stderr(),
         "{name}: point {} moves farthest, by {:.3e}",

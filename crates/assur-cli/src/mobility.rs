@@ -12,7 +12,7 @@ use crate::source::{Name, Schemed, refused, schemed};
 /// Maximum number of replacements in the report.
 const REPLACEMENTS: usize = 20;
 
-/// The lines of the report, in order.
+/// Keys of the lines of the report, in order.
 const LINES: [&str; 21] = [
     "n",
     "pairs",
@@ -37,11 +37,12 @@ const LINES: [&str; 21] = [
     "replacements",
 ];
 
-/// Writes the report, as lines for people or as JSON. The cuts are those of the command line, or
-/// else of the document, or else automatic.
+/// Writes the report, as text or as JSON. Cuts are taken from the command line, or else from the
+/// document, or else chosen automatically.
 ///
 /// # Errors
-/// Not a scheme; cuts that do not open it; output that cannot be written.
+/// A document that is not a scheme; cuts that are unknown, leave a contour closed or disconnect links; output that
+/// cannot be written.
 pub(crate) fn write(
     out: &mut impl Write,
     name: &Name,
@@ -52,7 +53,7 @@ pub(crate) fn write(
     let refuse = |error| refused(name, &[Problem::from(error)]);
     let cuts: Vec<Cut> = match cut {
         Some(names) => {
-            // An empty name between commas is not a cut.
+            // Empty names between commas are ignored.
             let names = names.iter().filter(|name| !name.is_empty());
             let cuts = names
                 .map(|name| scheme.cut_named(name))
@@ -85,13 +86,13 @@ pub(crate) fn write(
     Ok(())
 }
 
-/// Numbers of pairs as P₁ and so on.
+/// Formats the numbers of pairs as P1 = …, P2 = ….
 fn numbers_of_pairs(numbers: &Map<String, Value>) -> String {
     let numbers = numbers.iter().map(|(i, count)| format!("P{i} = {count}"));
     numbers.collect::<Vec<_>>().join(", ")
 }
 
-/// A value on one line; empty if it is null.
+/// Formats a value on one line; the text is empty for null.
 fn in_line(value: &Value) -> String {
     match value {
         Value::Null => String::new(),
@@ -113,7 +114,7 @@ fn fields(value: Value) -> Map<String, Value> {
     }
 }
 
-/// The results of counting.
+/// Returns mobility and redundant constraints by counting and by sections.
 fn counted(scheme: &Scheme, sections: &Sections) -> Map<String, Value> {
     let counts = scheme.counts();
     let numbered = |pairs: &std::collections::BTreeMap<u8, usize>| {
@@ -152,8 +153,8 @@ fn counted(scheme: &Scheme, sections: &Sections) -> Map<String, Value> {
     }))
 }
 
-/// The results of the rank: in the plane for planar schemes, and in space. All null if places, axes
-/// or forms of pairs are missing.
+/// Returns mobility and redundant constraints by rank, in space and, for a planar scheme, in the
+/// plane. All values are null if positions, axes or kinds of pairs are missing.
 fn rank_report(scheme: &Scheme) -> Map<String, Value> {
     let own = if scheme.is_planar() {
         Space::Plane

@@ -10,12 +10,14 @@ use assur_file::LinkageProblem;
 use crate::Failure;
 use crate::source::{Moved, Name, refused};
 
-/// Width of the sheet, height of the drawing and of each chart, pixels.
+/// Width of the sheet, pixels.
 const WIDTH: f64 = 900.0;
+/// Height of the drawing, pixels.
 const DRAWING: f64 = 560.0;
+/// Height of each chart, pixels.
 const CHART: f64 = 480.0;
 
-/// The drawing with the plots below it, angles before lengths.
+/// Draws the mechanism with its plots below it, angles before lengths.
 ///
 /// # Errors
 /// A mechanism without a pose to draw.

@@ -1,4 +1,4 @@
-//! The mechanism denoted by a name.
+//! The mechanism that NAME denotes on the command line.
 
 use std::fmt::{self, Display, Formatter};
 use std::fs::File;
@@ -18,13 +18,13 @@ use crate::words::Words;
 /// Maximum size of a file, in bytes: the largest possible linkage is far smaller.
 const LARGEST: u64 = 4 << 20;
 
-/// Maximum number of characters of a link shown after its host.
+/// Maximum number of characters of a link to another program that are shown after its host.
 const SHOWN: usize = 16;
-/// Maximum number of characters of the host shown.
+/// Maximum number of characters of the host that are shown.
 const LONGEST_HOST: usize = 60;
 
-/// The name of a mechanism on the command line: a name of the catalogue, a file, or a link of another
-/// program. A link, which may have thousands of characters, is displayed only by its beginning.
+/// NAME on the command line: a name of the catalogue, a file, or a link (URL) of another program. A link may have
+/// thousands of characters, so only its beginning is displayed.
 #[derive(Clone, Debug)]
 pub(crate) struct Name(String);
 
@@ -59,16 +59,16 @@ impl Display for Name {
     }
 }
 
-/// A mechanism in motion, with its document.
+/// The motion of a mechanism, with its document.
 pub(crate) struct Moved {
     pub(crate) document: LinkageDocument,
     pub(crate) motion: Motion,
 }
 
-/// The motion of a named mechanism in the assembly of its document, or else in the drawn one.
+/// Returns the motion of the named mechanism, in the assembly given by its document or else in the drawn one.
 ///
 /// # Errors
-/// An unknown name or file; every reason why it is not a mechanism.
+/// An unknown name or file; every reason why the document is not a mechanism.
 pub(crate) fn moved(name: &Name) -> Result<Moved, Failure> {
     moving(name, &any(name)?)
 }
@@ -96,10 +96,10 @@ fn moving(name: &Name, whole: &Document) -> Result<Moved, Failure> {
     Ok(Moved { document, motion })
 }
 
-/// The document of a linkage, whether it moves or not.
+/// Reads the document of a linkage, movable or not.
 ///
 /// # Errors
-/// An unknown name or file; not a linkage.
+/// An unknown name or file; a document that is not a linkage.
 pub(crate) fn linkage(name: &Name) -> Result<LinkageDocument, Failure> {
     let linkage = any(name)?.linkage();
     linkage.map_err(|problems| refused(name, &problems))
@@ -114,11 +114,11 @@ fn can_be_assembled(document: &LinkageDocument) -> bool {
     document.assembly.is_none() && document.assembled(None).is_ok()
 }
 
-/// The motion of a named mechanism; one that does not close as drawn is laid out in one of its
-/// assemblies by its dimensions alone, at the requested input.
+/// Returns the motion of the named mechanism. A linkage that does not close as drawn is assembled from its dimensions
+/// alone, at the requested input.
 ///
 /// # Errors
-/// An unknown name or file; every reason why it is not a mechanism even so.
+/// An unknown name or file; every reason why the document is not a mechanism even when assembled.
 pub(crate) fn laid_out(
     name: &Name,
     asked: impl FnOnce(bool) -> Result<Option<f64>, Failure>,
@@ -146,14 +146,14 @@ pub(crate) fn laid_out(
     Ok(Moved { document, motion })
 }
 
-/// The failure that there is no assembly at an input.
+/// Returns the failure of a linkage that has no assembly at an input.
 fn unjoined(name: &Name, turns: bool, input: f64) -> Failure {
     let at = at(turns, input);
     Failure::Input(format!("{name}: there is no assembly at {at}"))
 }
 
 impl Moved {
-    /// The link by whose angle assemblies are numbered.
+    /// Returns the link by whose angle assemblies are numbered.
     ///
     /// # Errors
     /// A mechanism without links.
@@ -162,8 +162,8 @@ impl Moved {
         output.ok_or_else(|| Failure::Input(format!("{name}: there are no links")))
     }
 
-    /// The quantities that the document plots, otherwise the angles of all links and the
-    /// coordinates of points that slide on the frame.
+    /// Returns the quantities plotted by the document, or else the angles of all links and the coordinates of points
+    /// that slide on the frame.
     pub(crate) fn outputs(&self) -> Vec<Quantity> {
         let mechanism = self.motion.mechanism();
         if !self.document.plots.is_empty() {
@@ -178,7 +178,7 @@ impl Moved {
     }
 }
 
-/// The motion in the assembly of this number, from 1, at an input, by default the drawn one.
+/// Returns the motion in the assembly with this number, counted from 1, at the given input or else at the drawn one.
 ///
 /// # Errors
 /// There is no such assembly.
@@ -199,7 +199,7 @@ pub(crate) fn in_assembly(
     Ok(Moved { document, motion })
 }
 
-/// The failure that there is no assembly of this number at an input.
+/// Returns the failure of a linkage that has no assembly with this number at an input.
 pub(crate) fn no_assembly(
     name: &Name,
     mechanism: &Mechanism,
@@ -216,7 +216,7 @@ pub(crate) fn no_assembly(
     })
 }
 
-/// An input for people: degrees of a crank, otherwise the displacement of a slide.
+/// Formats an input for messages: degrees of a crank, or the displacement of a slide.
 pub(crate) fn at(turns: bool, input: f64) -> String {
     if turns {
         format!("{}°", (input.to_degrees() * 1e6).round() / 1e6 + 0.0)
@@ -225,17 +225,17 @@ pub(crate) fn at(turns: bool, input: f64) -> String {
     }
 }
 
-/// A scheme with the cuts of its document.
+/// A scheme of links and pairs, with the cuts given by its document.
 pub(crate) struct Schemed {
     pub(crate) scheme: Scheme,
     pub(crate) cuts: Vec<Cut>,
 }
 
-/// The scheme of a name; a linkage as it is drawn, even if it does not move. Standard error gives
-/// the reasons, except too few drivers, which do not affect the count.
+/// Reads the named scheme, or the scheme of the named linkage as drawn, movable or not. Standard error lists why a
+/// linkage does not move, except a lack of drivers, which does not affect the count.
 ///
 /// # Errors
-/// An unknown name or file; every reason why it is not a scheme.
+/// An unknown name or file; every reason why the document is not a scheme.
 pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
     // Read only once: a pipe cannot be read again.
@@ -268,7 +268,7 @@ pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
     Ok(Schemed { scheme, cuts })
 }
 
-/// Writes to standard error why a linkage does not move, a line for each reason except too few drivers.
+/// Writes why a linkage does not move to standard error, one reason per line; a lack of drivers is not mentioned.
 fn unmoved(name: &Name, problems: &[Problem]) -> Result<(), Failure> {
     let words = Words::english()?;
     for problem in problems {
@@ -279,16 +279,16 @@ fn unmoved(name: &Name, problems: &[Problem]) -> Result<(), Failure> {
             ))
         );
         if !undriven {
-            // Without standard error nobody can be informed.
+            // A failure to write to standard error cannot be reported.
             let _ = writeln!(io::stderr(), "{name}: {}", words.sentence(problem)?);
         }
     }
     Ok(())
 }
 
-/// The document denoted by a name, of any kind: a name of the catalogue, a link of another program, a file.
+/// Reads a document of any kind from the catalogue, from a link of another program, or from a file.
 fn any(name: &Name) -> Result<Document, Failure> {
-    // Nothing is fetched: the link itself contains everything that is read.
+    // Nothing is downloaded: the link itself contains the whole document.
     if name.is_link() {
         return imported(name, &name.0);
     }
@@ -305,7 +305,7 @@ fn any(name: &Name) -> Result<Document, Failure> {
     found.map_err(|problems| refused(name, &problems))
 }
 
-/// A document of another program. Standard error lists what could not be imported unchanged.
+/// Imports a document of another program. Standard error lists anything that could not be imported unchanged.
 fn imported(name: &Name, text: &str) -> Result<Document, Failure> {
     let Imported { document, left_out } =
         assur_import::read(text).map_err(|problem| refused(name, &[problem]))?;
@@ -318,7 +318,7 @@ fn imported(name: &Name, text: &str) -> Result<Document, Failure> {
 
 fn text(name: &Name) -> Result<String, Failure> {
     let unread = |error: io::Error| {
-        // A bare word was meant as a name of the catalogue.
+        // A word without slash or dot is taken for a misspelt name of the catalogue.
         if error.kind() == io::ErrorKind::NotFound && !name.0.contains(['/', '\\', '.']) {
             let said = format!("{name}: no such name; `assur list` shows the names there are");
             Failure::Input(said)
@@ -326,7 +326,7 @@ fn text(name: &Name) -> Result<String, Failure> {
             Failure::Io(format!("{name}: {error}"))
         }
     };
-    // Limited while reading: devices and pipes have no size.
+    // The limit applies while reading, because the size of a device or pipe is not known beforehand.
     let mut bytes = Vec::new();
     let file = File::open(&name.0).map_err(unread)?;
     file.take(LARGEST + 1)
@@ -339,7 +339,7 @@ fn text(name: &Name) -> Result<String, Failure> {
     }
     match String::from_utf8(bytes) {
         Ok(text) => Ok(text),
-        // Linkage writes names in the code page of its machine; the rest of a file is ASCII.
+        // The program Linkage writes names in the machine's code page; the rest of its file is ASCII.
         Err(other) if other.as_bytes().starts_with(b"<") => {
             Ok(String::from_utf8_lossy(other.as_bytes()).into_owned())
         }
@@ -347,7 +347,7 @@ fn text(name: &Name) -> Result<String, Failure> {
     }
 }
 
-/// The problems as a failure, one line each.
+/// Returns a failure that lists the problems, one per line.
 pub(crate) fn refused(name: &Name, problems: &[impl Serialize]) -> Failure {
     let sentences = Words::english().and_then(|words| {
         let sentences = problems.iter().map(|problem| words.sentence(problem));

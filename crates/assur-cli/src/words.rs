@@ -7,13 +7,13 @@ use assur_import::LeftOut;
 use serde::{Deserialize, Serialize};
 use serde_json::{Error, Map, Value};
 
-/// Sentences on files, in place of those of the page on its settings.
+/// Sentences on files, in place of the page's sentences on its saved settings.
 const OF_FILES: [(&str, &str); 2] = [
     ("problem.bad_state", "{path} has the wrong form: {detail}."),
     ("problem.not_json", "This is not JSON: {detail}."),
 ];
 
-/// Names of faults in serde, by their beginnings, with JSON terms for them.
+/// Prefixes of serde's messages on faults, with their replacements in JSON terms.
 const FAULTS: [(&str, &str); 5] = [
     ("invalid type: ", ""),
     ("invalid value: ", ""),
@@ -22,7 +22,7 @@ const FAULTS: [(&str, &str); 5] = [
     ("unknown variant ", "unknown choice "),
 ];
 
-/// Names of Rust types in serde, by their beginnings, with JSON terms for them.
+/// Prefixes of serde's names of types, with their replacements in JSON terms.
 const TYPES: [(&str, &str); 16] = [
     ("struct ", "an object"),
     ("internally tagged enum ", "an object"),
@@ -42,10 +42,10 @@ const TYPES: [(&str, &str); 16] = [
     ("unit", "null"),
 ];
 
-/// The English tables: those of all kinds, and those of single kinds.
+/// English sentences by key, from the common table and from the tables of some kinds of documents.
 pub(crate) struct Words(BTreeMap<String, String>);
 
-/// A problem in its form for programs.
+/// A problem as serialized: its code and parameters.
 #[derive(Deserialize)]
 struct Written {
     code: String,
@@ -71,7 +71,7 @@ impl Words {
         Ok(Self(tables.into_iter().flatten().chain(of_files).collect()))
     }
 
-    /// The sentence of a problem, or its code if there is none.
+    /// Returns the sentence for a problem, or the code of the problem if the tables have no sentence.
     ///
     /// # Errors
     /// A problem that cannot be written.
@@ -79,7 +79,7 @@ impl Words {
         self.said("problem", problem)
     }
 
-    /// The sentence of a part that could not be imported from another program.
+    /// Returns the sentence for a part that could not be imported from another program.
     ///
     /// # Errors
     /// A part that cannot be written.
@@ -87,7 +87,7 @@ impl Words {
         self.said("import", told)
     }
 
-    /// The sentence of a code with parameters, with keys from this space.
+    /// Returns the sentence with the key `space.code`, with its parameters filled in.
     fn said(&self, space: &str, told: &impl Serialize) -> Result<String, Error> {
         let Written { code, parameters } = serde_json::from_value(serde_json::to_value(told)?)?;
         let Some(text) = self.0.get(&format!("{space}.{code}")) else {
@@ -111,10 +111,10 @@ impl Words {
     }
 }
 
-/// The text of a parameter in a sentence.
+/// Formats a parameter of a sentence.
 fn filled(place: &str, value: &Value) -> String {
     match value {
-        // The path of a fault without a particular place.
+        // The path of a fault that concerns the whole file.
         Value::String(path) if place == "path" && [".", "?"].contains(&path.as_str()) => {
             "The file".to_owned()
         }
@@ -134,7 +134,7 @@ fn filled(place: &str, value: &Value) -> String {
     }
 }
 
-/// A text of a file for a message: if long, only its beginning and end.
+/// Shortens a long text of a file to its beginning and end, for a message.
 fn shortened(text: &str) -> String {
     const MOST: usize = 300;
     const END: usize = 100;
@@ -147,14 +147,14 @@ fn shortened(text: &str) -> String {
     format!("{beginning}…{end}")
 }
 
-/// A serde message with JSON terms.
+/// Rewrites a message of serde in JSON terms.
 fn plain(detail: &str) -> String {
     let replaced = |text: &str, words: &[(&str, &str)]| {
         let mut words = words.iter();
         let found = words.find_map(|(start, said)| Some((*said, text.strip_prefix(start)?)));
         found.map(|(said, rest)| (said.to_owned(), rest.to_owned()))
     };
-    // Only the type of the expected or found value is named.
+    // Of the expected and the found value, only the type is kept.
     let typed = |text: &str| {
         let named = replaced(text, &TYPES);
         named.map_or_else(|| text.to_owned(), |(said, _)| said)
@@ -170,7 +170,7 @@ fn plain(detail: &str) -> String {
     found + &expected
 }
 
-/// Reads the number of an option.
+/// Parses the number of an option.
 ///
 /// # Errors
 /// A number with a unit, with a decimal comma, or anything else that is not a number.
@@ -179,15 +179,15 @@ pub(crate) fn number(text: &str) -> Result<f64, String> {
     text.trim().parse().map_err(|_| said.to_owned())
 }
 
-/// The name of a Grashof class.
+/// Returns the name of a Grashof class.
 pub(crate) fn class(class: Grashof) -> String {
     class.code().replace('_', "-")
 }
 
-/// A number with four significant digits.
+/// Formats a number with four significant digits.
 pub(crate) fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    // The greatest number would be infinite if rounded up.
+    // Rounding the greatest number up would make it infinite.
     let rounded = if rounded.is_finite() { rounded } else { value };
     if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {
         format!("{}", rounded + 0.0)
@@ -240,7 +240,7 @@ mod tests {
         }
     }
 
-    /// Values of every type, in every place of every file of the catalogue.
+    /// Puts values of every type in every place of every file of the catalogue.
     #[test]
     fn no_sentence_has_the_name_of_a_type_of_ours() {
         fn places(value: &Value, at: &str, all: &mut Vec<String>) {
@@ -305,7 +305,7 @@ mod tests {
             rust.contains(&word) || word == "usize" || numbered || camel
         };
         let rusty = said.iter().filter(|sentence| {
-            // Keys are left out: before the fault, and in backquotes.
+            // Keys are not checked: they stand before the fault and in backquotes.
             let prose: String = sentence.split('`').step_by(2).collect();
             let prose = prose
                 .split_once(" has the wrong form")

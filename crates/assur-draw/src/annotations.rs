@@ -1,4 +1,4 @@
-//! Annotations of a document for its drawing.
+//! Annotations that a document adds to its drawing.
 
 use assur::Point;
 use assur::gears::GearSet;
@@ -6,34 +6,34 @@ use assur::mixer::Mixer;
 
 use crate::list::Role;
 
-/// Annotations of a drawing. Links and points are identified by name; annotations of unknown ones
-/// are ignored.
+/// Annotations of a drawing. Links and points are identified by name; annotations with unknown names are ignored.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Annotations {
-    /// The colours of links; the remaining ones take theirs in turn.
+    /// Colours of links; colours of the other links are assigned in turn.
     pub roles: Vec<(String, Role)>,
-    /// The numbers of links, which denote their angles: φ₃. Angles of other links have the names of
-    /// the links.
+    /// Numbers of links, which are the subscripts of their angles, as in φ₃. The angle of any other link has the name
+    /// of the link.
     pub numbers: Vec<(String, String)>,
-    /// Links whose wheels carry stirrer blades, with the number of blades.
+    /// Links whose wheels carry mixing blades, each with the number of blades.
     pub blades: Vec<(String, usize)>,
-    /// Numbers of wheels.
+    /// Numbers written beside wheels.
     pub tags: Vec<Tag>,
-    /// The symbol of the input angle, with which its arc is drawn; if a slide is driven, an arrow
-    /// beside its block is drawn instead.
+    /// Symbol of the input angle, drawn beside its arc. If a slide is driven, an arrow beside its block is drawn
+    /// instead.
     pub input: Option<String>,
-    /// Symbols of loop vectors, each between two points; if there are any, only these vectors are drawn.
+    /// Loop vectors: first and last point, and symbol. If the list is not empty, only its vectors are drawn.
     pub loop_vectors: Vec<([String; 2], String)>,
-    /// Symbols of angles to be drawn, each at the second of three points, from the first to the third.
+    /// Angles to be drawn: three points, of which the second is the vertex, and the symbol of the angle from the first
+    /// to the third.
     pub corners: Vec<([String; 3], String)>,
     /// The given positions of a synthesis.
     pub given: Vec<GivenPosition>,
-    /// The height of the ground. It is not drawn farther from the drawing than the drawing's size.
+    /// Height of the ground, drawn only if its distance from the drawing is at most the drawing's size.
     pub ground: Option<f64>,
 }
 
 impl Annotations {
-    /// Annotations of any linkage: its driver, and its ground, if it has one.
+    /// Returns the annotations of any linkage: the symbol of its input, and its ground, if given.
     pub fn of_linkage(ground: Option<f64>) -> Self {
         Self {
             input: Some("φ₁".to_owned()),
@@ -42,8 +42,8 @@ impl Annotations {
         }
     }
 
-    /// Adds the letters of the paper on the combined method (Sakhabutdinova): the sides of the
-    /// rigid triangles, the angles from the first side to the second, the output.
+    /// Adds the letters of the paper on the combined method (Sakhabutdinova): of the sides of the rigid triangles, of
+    /// the angles from the first side to the second, and of link DC.
     #[must_use]
     pub fn with_letters_of_combined_method(mut self) -> Self {
         let owned = |letters: &str| letters.chars().map(String::from).collect::<Vec<_>>();
@@ -69,10 +69,10 @@ impl Annotations {
     }
 }
 
-/// A given position of a linkage; lines go from the first point to the second.
+/// A given position of a linkage; lines run from their first point to their second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenPosition {
-    /// Its number.
+    /// Number of the position.
     pub number: String,
     /// The given directions, with handles at their ends.
     pub directions: Vec<([Point; 2], Role)>,
@@ -80,8 +80,8 @@ pub struct GivenPosition {
     pub links: Vec<([Point; 2], Role)>,
 }
 
-/// The number of a wheel, written by its rim. A wheel with a number that is its link's only part
-/// turns on a plain shaft: without a support and without the name of its centre.
+/// Number of a wheel, written beside its rim. If the wheel's centre is the only point of its link, a plain shaft is
+/// drawn there, with neither hinge nor name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
     /// The link of the wheel.
@@ -92,13 +92,13 @@ pub struct Tag {
     pub direction: f64,
 }
 
-/// Blades of the wheel on the rocker's shaft, and of those around it.
+/// Numbers of mixing blades: of the wheel on the rocker's shaft, and of each wheel around it.
 const BLADES: [usize; 2] = [3, 4];
 
-/// Angle between the centre line and the number of a mixer's wheel, radians.
+/// Angle from the centre line to the number of a mixer's wheel, radians.
 const BESIDE_LINE: f64 = 1.9;
 
-/// Colours of wheel 4 and of the wheels around it: wheel 5, 6, …
+/// Colours of wheel 4, and of wheels 5, 6, … around it.
 const WHEELS: [Role; 1 + GearSet::MOST] = [
     Role::Accent1,
     Role::Accent2,
@@ -110,8 +110,7 @@ const WHEELS: [Role; 1 + GearSet::MOST] = [
 ];
 
 impl From<&Mixer> for Annotations {
-    /// Annotations of a mixer, in the symbols of fig. 1 and 4 of the paper by Smelyagin and
-    /// Prikhodko.
+    /// Returns the annotations of a mixer, with the symbols of fig. 1 and 4 of the paper by Smelyagin and Prikhodko.
     fn from(mixer: &Mixer) -> Self {
         let links = [
             ("crank", Role::Crank),
@@ -120,7 +119,7 @@ impl From<&Mixer> for Annotations {
         ];
         let links = links.map(|(link, role)| (link.to_owned(), role));
         let pairs = mixer.gears.pairs();
-        // The number of wheel 4 is beside the first of the wheels it drives.
+        // The number of wheel 4 stands beside the first of the wheels that it drives.
         let lines = pairs.first().into_iter().chain(pairs);
         let lines: Vec<f64> = lines.map(|pair| pair.centre_line()).collect();
         let wheels = || (0..lines.len()).map(|k| format!("wheel{}", k + 4));

@@ -1,10 +1,9 @@
-//! Plots of quantities and of their first two derivatives, stacked on one crank-angle axis, drawn
+//! Plots of quantities and of their first two derivatives, stacked on one axis of the input, drawn
 //! by plotters on any backend.
 //!
-//! plotters draws lines and dots only. Tick labels, titles and the labels of
-//! zeros and extrema are left to the caller: each [`Panel`] has their places
-//! (plotters would measure text by inserting elements into the page, and the
-//! decimal sign depends on the reader).
+//! plotters draws lines and dots only. Tick labels, titles and the labels of zeros and extrema are left to the caller,
+//! at the positions given by each [`Panel`]. (To measure text, plotters would insert elements into the page; and the
+//! decimal sign depends on the user's language.)
 
 mod against;
 mod compared;
@@ -26,8 +25,8 @@ use curves::{Plot, Range};
 pub(crate) use curves::{sampled, sampling};
 pub use ticks::Tick;
 
-/// Units of the backend's integer coordinates per pixel of the reader: in whole pixels a curve
-/// would look stepped.
+/// Units of the backend's coordinates per screen pixel. The coordinates are integers, and a curve in whole pixels would
+/// look stepped.
 pub const FINE: i32 = 16;
 
 /// Room around the plots for tick labels and titles, pixels.
@@ -38,11 +37,11 @@ const MARGIN: Margin = Margin {
     bottom: 22,
 };
 
-/// Greatest share of a turn for which the axis is cut to the arcs of a motion: nearly a turn is shown as a turn.
+/// Greatest range of a motion, as a share of the full axis, for which the axis is shortened to the range.
 const MOST_OF_A_TURN: f64 = 0.8;
-/// Least share for which it is cut: some motions consist of an instant.
+/// Least range of a motion, as a share of the full axis, for which the axis is shortened: some motions last an instant.
 const LEAST_OF_A_TURN: f64 = 0.001;
-/// Margin beside the arcs, as a share of their span.
+/// Margin at both ends of a shortened axis, as a share of the motion's span.
 const BESIDE: f64 = 0.04;
 
 struct Margin {
@@ -71,7 +70,7 @@ pub type Palette = [RGBColor; ROLES.len()];
 /// Kind of the quantities of a chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Angles, in radians; the values' axis is labelled in degrees.
+    /// Angles, in radians; the axis of values is labelled in degrees.
     Angle,
     /// Lengths.
     Length,
@@ -80,11 +79,11 @@ pub enum Kind {
 /// A plotted quantity.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// Its name.
+    /// Name of the quantity.
     pub name: String,
-    /// The role whose colour its curves have.
+    /// Role whose colour the curves have.
     pub role: Role,
-    /// Zeros and extrema of it and of its first two derivatives; none if they were not searched.
+    /// Zeros and extrema of the quantity and of its first two derivatives; none if they were not searched for.
     pub features: Option<[Features; 3]>,
 }
 
@@ -93,14 +92,14 @@ pub struct Series {
 pub struct Settings {
     /// The input rate, which defines the derivatives.
     pub input: InputRate,
-    /// Whether the input rate is that of a machine, so that derivatives are with respect to time.
+    /// Whether the input rate is that of a machine; derivatives are then with respect to time.
     pub physical: bool,
-    /// Whether difference quotients of the first derivative are plotted over the second one.
+    /// Whether difference quotients of the first derivative are plotted over the second derivative.
     pub differenced: bool,
 }
 
 impl Settings {
-    /// Of a motion by time alone.
+    /// Settings for a motion given over time.
     pub const BY_TIME: Self = Self {
         input: InputRate::ANALOGUES,
         physical: true,
@@ -108,37 +107,37 @@ impl Settings {
     };
 }
 
-/// One plot: where it stands, in pixels of the reader, and what its axes span.
+/// A plot: its rectangle, in screen pixels, and the ranges of its axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     /// Order of the derivative: 0 for the quantity itself.
     pub order: usize,
     /// Left edge of the plot rectangle.
     pub left: f64,
-    /// Its upper edge.
+    /// Upper edge of the plot rectangle.
     pub top: f64,
-    /// Its width.
+    /// Width of the plot rectangle.
     pub width: f64,
-    /// Its height.
+    /// Height of the plot rectangle.
     pub height: f64,
-    /// Crank angles at the left and the right edge, radians.
+    /// Inputs at the left and the right edge; angles are in radians.
     pub x: [f64; 2],
     /// Values at the lower and the upper edge.
     pub y: [f64; 2],
-    /// Ticks along x, values of angles in degrees.
+    /// Ticks of the x axis; angles are in degrees.
     pub x_ticks: Vec<Tick>,
-    /// Ticks along y, values of angles in degrees.
+    /// Ticks of the y axis; angles are in degrees.
     pub y_ticks: Vec<Tick>,
-    /// The marks of each curve, in the order of the series.
+    /// Marks of each curve, in the order of the series.
     pub marks: Vec<Vec<Mark>>,
-    /// The values of constant curves, in the order of the series.
+    /// Values of constant curves, in the order of the series; none for other curves.
     pub levels: Vec<Option<f64>>,
-    /// Points of the curves a few pixels apart, in pixels of the reader: x and y of each in turn.
-    /// Labels are kept clear of them.
+    /// Points along the curves, to be kept clear of labels: x and y of each point in turn, in screen pixels.
+    /// Neighbouring points are a few pixels apart.
     pub points: Vec<f64>,
 }
 
-/// A chart ready to be drawn: the curves, sampled once for all drawings.
+/// A chart ready to be drawn. Its curves are sampled once for all drawings.
 #[derive(Clone, Debug)]
 pub struct Chart {
     axis: [f64; 2],
@@ -152,8 +151,8 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// The chart of quantities of one kind over a cycle, from unbroken runs of samples in the order
-    /// of `series`.
+    /// Makes the chart of quantities of one kind over a cycle. Samples are in unbroken runs, their quantities in the
+    /// order of `series`.
     pub fn new(
         cycle: &Cycle,
         kind: Kind,
@@ -171,8 +170,8 @@ impl Chart {
         }
     }
 
-    /// The chart of quantities of one kind over time, from samples over a span with derivatives
-    /// with respect to time.
+    /// Makes the chart of quantities of one kind over a span of time, from samples with derivatives with respect to
+    /// time.
     pub fn by_time(span: [f64; 2], kind: Kind, series: Vec<Series>, samples: Vec<At>) -> Self {
         let settings = Settings::BY_TIME;
         Self {
@@ -190,27 +189,27 @@ impl Chart {
         self.turns
     }
 
-    /// The kind of the quantities.
+    /// Returns the kind of the quantities.
     pub fn kind(&self) -> Kind {
         self.kind
     }
 
-    /// The settings of the plots.
+    /// Returns the settings of the plots.
     pub fn settings(&self) -> Settings {
         self.settings
     }
 
-    /// The quantities.
+    /// Returns the quantities.
     pub fn series(&self) -> &[Series] {
         &self.series
     }
 
-    /// Draws the chart on an area with [`FINE`] units per pixel, and returns the places of the
-    /// text. Margins, lines and dots are `scale` times as large as usual. `only`: the order of the
-    /// plot that takes all the room.
+    /// Draws the chart on an area with [`FINE`] units per pixel, and returns its panels, with the positions of the
+    /// text. Margins, lines and dots are `scale` times as large as usual. With `only`, the plot of this order takes the
+    /// whole area.
     ///
     /// # Errors
-    /// Errors of the backend. An area too small for a plot is left empty, with no panels.
+    /// Errors of the backend. An area too small for a plot is left empty, and no panels are returned.
     pub fn draw<B: DrawingBackend>(
         &self,
         area: &DrawingArea<B, Shift>,
@@ -225,7 +224,7 @@ impl Chart {
         Ok(panels)
     }
 
-    /// The panels of an area; none if it is too small.
+    /// Lays out the panels of an area; none if it is too small.
     fn panels(&self, (width, height): (u32, u32), scale: f64, only: Option<usize>) -> Vec<Panel> {
         let plots = self.plots.iter().enumerate();
         let plots = plots.filter(|(order, _)| only.is_none_or(|only| only == *order));
@@ -272,7 +271,7 @@ impl Chart {
         plots.into_iter().enumerate().map(panel).collect()
     }
 
-    /// Whether the values of an order are labelled in degrees.
+    /// Whether the values of the derivative of this order are labelled in degrees.
     fn in_degrees(&self, order: usize) -> bool {
         order == 0 && self.kind == Kind::Angle
     }
@@ -289,7 +288,7 @@ impl Chart {
         let (left, top) = (fine(panel.left), fine(panel.top));
         let (right, bottom) = (left + fine(panel.width), top + fine(panel.height));
         let ([x0, x1], [y0, y1]) = (panel.x, panel.y);
-        // y grows upwards: its pixels run from bottom to top.
+        // The y axis points upwards: values increase from the bottom pixel to the top one.
         let area = area.apply_coord_spec(Place::new(x0..x1, y0..y1, (left..right, bottom..top)));
         let mut lines: Vec<Line> = Vec::new();
         for tick in &panel.x_ticks {
@@ -311,7 +310,7 @@ impl Chart {
         if y0 < 0.0 && y1 > 0.0 {
             lines.push((vec![(x0, 0.0), (x1, 0.0)], Role::Secondary, FINE));
         }
-        // Extrema are filled dots, zeros open ones, differences small ones.
+        // Extrema are filled dots, zeros are open dots, difference quotients are small dots.
         let mut dots: Vec<Dot> = Vec::new();
         for (curve, series) in plot.curves.iter().zip(&self.series) {
             let dashes = curve.compared_within(y0, y1).into_iter();
@@ -334,7 +333,7 @@ impl Chart {
     }
 }
 
-/// Draws lines, and dots over them.
+/// Draws lines, then dots over them.
 fn paint<B: DrawingBackend>(
     area: &DrawingArea<B, Place>,
     lines: Vec<Line>,
@@ -356,8 +355,9 @@ fn paint<B: DrawingBackend>(
 
 type Place = Cartesian2d<RangedCoordf64, RangedCoordf64>;
 
-/// A line with its points, its colour and its width; a dot with its place, colour and radius.
+/// A line: its points, colour and width.
 type Line = (Vec<(f64, f64)>, Role, i32);
+/// A dot: its position, colour and radius.
 type Dot = ((f64, f64), Role, i32);
 
 #[cfg(test)]

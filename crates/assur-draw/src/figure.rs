@@ -1,5 +1,4 @@
-//! The drawing of any linkage to scale: supports, links, blocks on guides, wheels in mesh, paths
-//! and overlays.
+//! The drawing of a linkage to scale: supports, links, blocks on guides, wheels in mesh, paths and overlays.
 
 mod beside;
 mod bounds;
@@ -37,27 +36,27 @@ use posed::Posed;
 use slides::Guide;
 use wheels::Gearing;
 
-/// A name beyond a link's end stands at least this angle off the other links there.
+/// Least angle between a name beyond a link's end and the other links at that end, radians.
 const ASIDE: f64 = 0.7;
 
-/// View of a linkage: everything drawn besides its links.
+/// View of a linkage: everything that is drawn in addition to its links.
 #[derive(Clone, Debug, Default)]
 pub struct View {
     /// Overlays of the drawing.
     pub overlays: Overlays,
-    /// Points with paths and derivatives, besides tracers: paths are drawn with
-    /// [`Overlays::traces`], derivatives with [`Overlays::vectors`].
+    /// Points in addition to the linkage's traced points. Their paths are drawn with
+    /// [`Overlays::traces`], their derivatives with [`Overlays::vectors`].
     pub traced: Vec<PointId>,
-    /// Lecturer's lines.
+    /// Instant centres, centrodes and circles of curvature.
     pub lines: Lines,
-    /// Measures between points or links.
+    /// Distances between points and angles between links to be shown.
     pub measures: Vec<Quantity>,
     /// Annotations of the document.
     pub annotations: Annotations,
 }
 
 impl View {
-    /// The symbol of a loop vector; without an annotation, its points.
+    /// Returns the symbol of a loop vector, or its two points if it is not annotated.
     fn symbol(&self, ends: &[String; 2]) -> String {
         let [from, to] = ends;
         let mut noted = self.annotations.loop_vectors.iter();
@@ -67,7 +66,7 @@ impl View {
     }
 }
 
-/// A direction, turned until nothing is within [`ASIDE`] of it.
+/// Turns a direction until it is at least [`ASIDE`] away from all others.
 fn clear_of(others: impl Iterator<Item = Vector>, direction: Vector) -> Vector {
     let angle = |other: Vector| other.perp(&direction).atan2(other.dot(&direction));
     let nearest = others
@@ -78,12 +77,12 @@ fn clear_of(others: impl Iterator<Item = Vector>, direction: Vector) -> Vector {
     layout::turned(direction, by)
 }
 
-/// A point with its paths.
+/// A point with the parts of its path.
 type Ways = (PointId, Vec<Path>);
 
-/// The drawing of a linkage: a rigid part, drawn once in the coordinates of the bodies, and the
-/// bodies' poses. Body 0 is the frame, followed by the links, each with its first point as origin
-/// and its angle, then idlers.
+/// The drawing of a linkage. Whatever moves with the bodies is drawn once, in the coordinates of the bodies; then only
+/// the poses of the bodies change. Body 0 is the frame. Next come the links, each with its first point as origin and
+/// turned through its angle, then the idlers.
 #[derive(Clone, Debug)]
 pub struct Figure {
     motion: Motion,
@@ -94,7 +93,7 @@ pub struct Figure {
     lines: lines::Drawn,
     numbers: Vec<Number>,
     given: Given,
-    /// Numbers of wheels, each with its position in a pose and its name.
+    /// Numbers of wheels: the link, the tag, and the index of the text among the names.
     tags: Vec<(LinkId, Tag, usize)>,
     bounds: [f64; 4],
     /// The unit of symbols, a hundredth of the drawing's size.
@@ -103,10 +102,10 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// The drawing of a mechanism in its motion.
+    /// Makes the drawing of a mechanism over its motion.
     ///
     /// # Errors
-    /// The reason why there is no pose to draw it in.
+    /// The reason why there is no pose in which to draw the mechanism.
     pub fn new(motion: &Motion, view: &View) -> Result<Self, Unsolved> {
         let mechanism = motion.mechanism();
         let home = motion.pose::<1>(motion.drawn_input())?;
@@ -198,52 +197,52 @@ impl Figure {
         Ok(figure)
     }
 
-    /// Whether a point has a symbol of its own: a joint, a tracer, a shown centre of mass.
+    /// Whether a point has its own symbol, as joints, traced points and shown centres of mass do.
     pub fn is_drawn(&self, point: PointId) -> bool {
         self.layout.is_drawn(point)
     }
 
-    /// The display list of the rigid part.
+    /// Returns the display list of whatever moves with the bodies.
     pub fn rigid(&self) -> &List {
         &self.rigid
     }
 
-    /// The rectangle that holds the drawing in every pose: left, bottom, right, top. Overlays that
-    /// grow without bound may leave it.
+    /// Returns the rectangle that holds the drawing in every pose: left, bottom, right, top. Overlays that grow without
+    /// bound may extend beyond it.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }
 
-    /// The names to which the labels refer: the names of the points, then symbols. A symbol
-    /// followed by a tab and the name of a read-out, such as `μ` and `C.transmission`, is written
-    /// with the read-out's value, an angle (`input`: the input).
+    /// Returns the texts to which labels refer by index: the names of the points, then symbols. A symbol may be
+    /// followed by a tab and the name of a read-out, as in `μ` and `C.transmission`. It is written with the value of
+    /// the read-out, an angle (`input` means the input).
     pub fn names(&self) -> &[String] {
         self.names.all()
     }
 
-    /// The role of a link: its colour in plots, and in a drawing without [`Overlays::groups`].
+    /// Returns the role of a link, whose colour it has in plots, and in drawings without [`Overlays::groups`].
     pub fn role(&self, link: LinkId) -> Role {
         self.layout.role(link)
     }
 
-    /// The role of a link in the drawing.
+    /// Returns the role of a link in the drawing.
     pub fn drawn_role(&self, link: LinkId) -> Role {
         self.layout.drawn_role(link)
     }
 
-    /// The roles of drivers, Assur groups and doubled links, in the order of [`Mechanism::terms`](assur::mechanism::Mechanism::terms).
+    /// Returns the roles of drivers, Assur groups and doubled links, in the order of
+    /// [`Mechanism::terms`](assur::mechanism::Mechanism::terms).
     pub fn term_roles(&self) -> impl Iterator<Item = Role> {
         roles::of_terms(self.motion.mechanism())
     }
 
-    /// The moving part in a pose of the motion: `n, x₀, y₀, θ₀, …` of the n bodies, then a display
-    /// list in the coordinates of the frame. Derivatives are drawn if the pose has them, with `N`
-    /// of 3 and more.
+    /// Returns what changes with the pose: `n, x₀, y₀, θ₀, …`, the number n of bodies and the pose of each, then a
+    /// display list in the coordinates of the frame. Derivatives are drawn if the pose has at least two (`N` ≥ 3).
     pub fn frame<const N: usize>(&self, pose: &Pose<N>) -> Vec<f32> {
         self.frame_beside(pose, &[])
     }
 
-    /// The frame with other assemblies, dashed, below the names.
+    /// Returns the same as [`Figure::frame`], with other assemblies drawn dashed below the names.
     pub fn frame_beside<const N: usize>(&self, pose: &Pose<N>, others: &[Pose<1>]) -> Vec<f32> {
         let posed = self.posed(pose);
         let mut list = List::default();
@@ -258,7 +257,7 @@ impl Figure {
         numbers
     }
 
-    /// Poses of the bodies, as at the beginning of a frame: `n, x₀, y₀, θ₀, …`.
+    /// Returns the poses of the bodies, with which a frame begins: `n, x₀, y₀, θ₀, …`.
     pub fn bodies<const N: usize>(&self, pose: &Pose<N>) -> Vec<f32> {
         let posed = self.posed(pose);
         let links = posed.mechanism.link_ids();
@@ -308,7 +307,7 @@ impl Figure {
             parts::support(&mut list, centre, u);
         }
         self.gearing.draw(&mut list, u);
-        // The first link, usually the crank, is on top.
+        // Links are drawn in reverse order, so that the first link, usually the crank, is on top.
         for link in mechanism.link_ids().rev() {
             list.body(layout::number(Some(link)));
             let (role, outline) = (self.layout.drawn_role(link), self.layout.outline(link));

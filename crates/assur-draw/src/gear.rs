@@ -7,25 +7,26 @@ use assur::Point;
 
 /// Pressure angle of the teeth.
 const PRESSURE_ANGLE: f64 = 20.0 * PI / 180.0;
-/// Tooth height above the pitch circle and depth below it, in modules.
+/// Height of a tooth above the pitch circle, in modules.
 const ADDENDUM: f64 = 1.0;
+/// Depth of a gap below the pitch circle, in modules.
 const DEDENDUM: f64 = 1.25;
-/// Difference of the widths of gap and tooth, for both to be visible, in modules.
+/// Amount by which a tooth is narrower than half the pitch, in modules, to make the gaps visible.
 const BACKLASH: f64 = 0.06;
-/// Points along a flank.
+/// Number of points along a flank.
 const FLANK: usize = 7;
 
-/// A wheel's teeth, in the unit of the module.
+/// Teeth of a wheel, with lengths in modules.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Teeth {
     count: f64,
     ring: bool,
-    /// Radius of the tips: above the pitch circle, for a ring below it.
+    /// Radius of the tips: outside the pitch circle, or inside it for a ring.
     tip: f64,
 }
 
 impl Teeth {
-    /// The teeth of a wheel that meshes with all of `mates` (teeth, ring).
+    /// Makes the teeth of a wheel that meshes with all of `mates` (number of teeth, whether a ring).
     pub(crate) fn new(count: u32, ring: bool, mates: &[(u32, bool)]) -> Self {
         let z = f64::from(count);
         let pitch = 0.5 * z;
@@ -42,13 +43,13 @@ impl Teeth {
                 0.5 * (z + mate)
             };
             let base = pitch * PRESSURE_ANGLE.cos();
-            // Beyond this radius the tip would touch the mate below its base
-            // circle, where it has no involute.
+            // Beyond this radius the tip would touch the mate inside the mate's base circle, where
+            // there is no involute.
             let limit = base.hypot(distance * PRESSURE_ANGLE.sin());
             match (ring, mate_ring) {
                 (false, false) => tip.min(limit),
                 (true, _) => tip.max(limit),
-                // With few teeth of difference, tips interfere away from the contact.
+                // If the numbers of teeth differ little, tips interfere away from the contact.
                 (false, true) => tip.min(pitch + ADDENDUM * ((mate - z) / 12.0).min(1.0)),
             }
         });
@@ -59,19 +60,19 @@ impl Teeth {
         }
     }
 
-    /// The pitch radius, in modules.
+    /// Returns the pitch radius, in modules.
     pub(crate) fn pitch_radius(self) -> f64 {
         0.5 * self.count
     }
 
-    /// Radius of the bottom of the gaps, in modules.
+    /// Returns the radius of the bottom of the gaps, in modules.
     pub(crate) fn root_radius(self) -> f64 {
         let depth = if self.ring { DEDENDUM } else { -DEDENDUM };
         self.pitch_radius() + depth
     }
 
-    /// The closed toothed line for a module, counter-clockwise, a tooth (of a
-    /// ring: an inward one) centred on the direction of x.
+    /// Returns the closed outline of the teeth for a module, counter-clockwise. A tooth, which
+    /// points inwards on a ring, is centred on the x axis.
     pub(crate) fn outline(self, module: f64) -> Vec<Point> {
         let pitch_angle = 2.0 * PI / self.count;
         let flank = self.flank();
@@ -87,7 +88,7 @@ impl Teeth {
             .collect()
     }
 
-    /// A flank from root to tip: radius and half the tooth's angle there.
+    /// Returns points of a flank from root to tip: the radius, and half the angle of the tooth at this radius.
     fn flank(self) -> Vec<(f64, f64)> {
         let pitch = self.pitch_radius();
         let base = pitch * PRESSURE_ANGLE.cos();
@@ -118,7 +119,7 @@ mod tests {
     use super::*;
     use assur::gears::{GearSet, Mate, Mesh, Wheel};
 
-    /// Distance of `point` from the polygon's line, negative inside.
+    /// Returns the distance of `point` from the outline of the polygon, negative inside.
     fn distance(point: Point, polygon: &[Point]) -> f64 {
         let (mut inside, mut nearest) = (false, f64::INFINITY);
         for (i, a) in polygon.iter().enumerate() {
@@ -148,15 +149,14 @@ mod tests {
         outline.map(|p| turned(p) + wheel.centre).collect()
     }
 
-    /// At every angle no tooth of a pair cuts into the other wheel by more than a
-    /// fiftieth of a module, and tips reach well into each other's gaps.
+    /// At every angle no tooth of a pair cuts into the other wheel by more than a fiftieth of a
+    /// module, and tips reach well into each other's gaps.
     fn check_pair(wheels: [&Wheel; 2], teeth: [Teeth; 2], what: &str) {
         for step in 0..12 {
             let driver = f64::from(step) * 0.0573;
             let outlines = [0, 1].map(|i| placed(wheels[i], teeth[i], driver));
             for (i, j) in [(0, 1), (1, 0)] {
-                // A ring is solid outside its toothed line, a wheel inside; a
-                // ring's own points are compared with the wheel as they are.
+                // A ring is solid outside its outline, a plain wheel inside.
                 let sense = if wheels[j].ring { -1.0 } else { 1.0 };
                 let depth = |p: &Point| -sense * distance(*p, &outlines[j]);
                 let near = |p: &&Point| (*p - wheels[j].centre).coords.norm() < teeth[j].outer();
@@ -224,7 +224,7 @@ mod tests {
         }
     }
 
-    /// Also where one wheel meshes with six others, each of its own size.
+    /// The wheels also mesh if one of them meshes with six others of different sizes.
     #[test]
     fn every_wheel_of_a_set_meshes_at_every_angle() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {

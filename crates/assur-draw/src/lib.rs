@@ -1,7 +1,6 @@
-//! Drawings of mechanisms and charts of their motion, in numbers: a mechanism
-//! becomes a flat display list in model coordinates that any painter can paint,
-//! a chart is drawn by plotters on any of its backends. No text is drawn here;
-//! only its places are given.
+//! Drawings of mechanisms and charts of their motion. A mechanism becomes a flat display list of numbers in model
+//! coordinates, which any painter can paint. A chart is drawn by plotters on any of its backends. Only SVG sheets
+//! contain text; otherwise only its positions are given.
 //!
 //! | file | subject |
 //! |---|---|

@@ -1,4 +1,4 @@
-//! The display list: records of numbers that a painter follows in order.
+//! The display list: records of numbers that a painter executes in order.
 //!
 //! | record | meaning |
 //! |---|---|
@@ -8,24 +8,24 @@
 //! | `3, role, look, x, y, r` | a circle |
 //! | `4, role, label, x, y, dx, dy` | a label whose middle is offset from the point by (dx, dy) text heights |
 //!
-//! Roles and looks are numbers in the order of their enumerations; the drawing
-//! has the names to which the numbers of labels refer ([`crate::Figure::names`]).
-//! Coordinates are the model's, y up. Numbers are `f32`: a screen shows no more.
+//! Roles and looks are numbers in the order of their enumerations. Labels are indices of the drawing's names
+//! ([`crate::Figure::names`]). Coordinates are those of the model, with y upwards. Numbers are `f32`, which is as
+//! precise as a screen.
 
 use assur::Point;
 
-/// Roles with their names, in the order of their numbers.
+/// Defines the roles, with their names, in the order of their numbers.
 macro_rules! roles {
     ($($role:ident = $name:literal,)+) => {
-        /// What is drawn; the painter has a colour for each, the same in drawing and
-        /// plots. (`Paper` is the background.)
+        /// Role of a shape. The painter has one colour for each role, the same in the drawing and in the plots.
+        /// (`Paper` is the background.)
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[expect(missing_docs, reason = "a role is its name")]
         pub enum Role {
             $($role,)+
         }
 
-        /// The names of the roles in the order of their numbers.
+        /// The names of the roles, in the order of their numbers.
         pub const ROLES: [&str; [$($name),+].len()] = [$($name),+];
     };
 }
@@ -55,13 +55,13 @@ roles! {
 }
 
 impl Role {
-    /// The name, as in [`ROLES`].
+    /// Returns the name, as in [`ROLES`].
     pub fn name(self) -> &'static str {
         ROLES[self as usize]
     }
 }
 
-/// Colours in turn of links that are not driven, or of Assur groups.
+/// Colours assigned in turn to links that are not driven, or to Assur groups.
 pub(crate) const IN_TURN: [Role; 6] = [
     Role::Coupler,
     Role::Rocker,
@@ -82,11 +82,11 @@ pub(crate) enum Look {
     Line,
     /// A dashed line.
     Dashed,
-    /// A hair line.
+    /// A hairline.
     Thin,
-    /// Filled with paper, with an outline.
+    /// Filled with the colour of the paper, with an outline.
     Hollow,
-    /// Filled half-strongly.
+    /// Filled at medium strength.
     Soft,
 }
 
@@ -95,7 +95,7 @@ pub(crate) enum Look {
 pub struct List(Vec<f32>);
 
 impl List {
-    /// The records, one after the other.
+    /// Returns the records, one after the other.
     pub fn numbers(&self) -> &[f32] {
         &self.0
     }
@@ -128,7 +128,7 @@ impl List {
             .extend([centre.x, centre.y, radius].map(|x| x as f32));
     }
 
-    /// Adds a label by its number.
+    /// Adds the label with this index.
     pub(crate) fn name(&mut self, role: Role, name: usize, at: Point, off: [f64; 2]) {
         self.0.extend([4.0, role as u8 as f32, name as f32]);
         self.0

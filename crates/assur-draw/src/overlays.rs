@@ -1,5 +1,5 @@
-//! Overlays of a drawing: paths, centres of mass, analogues of velocity and acceleration, the
-//! loop's vectors, the transmission angle.
+//! Overlays of a drawing: paths, centres of mass, analogues of velocity and acceleration, loop vectors, transmission
+//! angles.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -12,40 +12,38 @@ use assur::sorting::sort_by;
 /// Choice of overlays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Overlays {
-    /// The paths of traced points.
+    /// Whether to draw the paths of the points in [`crate::View::traced`].
     pub traces: bool,
-    /// The centre of mass of each link: as given, otherwise the middle of a bar or the centroid of
-    /// a plate.
+    /// Whether to draw the centre of mass of each link: as given, or else the middle of a bar or the centroid of a
+    /// plate.
     pub centres: bool,
-    /// First and second derivatives of the moving points with respect to the input.
+    /// Whether to draw the first two derivatives of moving points with respect to the input.
     pub vectors: bool,
-    /// The vectors of the loops: along links and frame, and the diagonal of each
-    /// RRR dyad.
+    /// Whether to draw loop vectors: along the links and the frame, and the diagonal of each RRR dyad.
     pub loop_vectors: bool,
-    /// The arc of the transmission angle μ at the inner hinge of each RRR dyad.
+    /// Whether to draw the arc of the transmission angle μ at the inner hinge of each RRR dyad.
     pub transmission: bool,
-    /// Links in the colours of their Assur groups.
+    /// Whether to draw links in the colours of their Assur groups.
     pub groups: bool,
-    /// The number of each link; the frame is 0.
+    /// Whether to draw the number of each link; the frame is 0.
     pub numbers: bool,
 }
 
-/// Scales of the vectors of a motion: lengths of the drawing per analogue of velocity and of
+/// Scales of the vectors of a motion: length in the drawing per unit of the analogue of velocity, and of that of
 /// acceleration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scales([f64; 2]);
 
 impl Scales {
-    /// Length of the longest usual vector relative to the drawing's size.
+    /// Length of the longest vector that counts for the scale, relative to the drawing's size.
     const LONGEST: f64 = 0.3;
-    /// Greatest length of vectors kept within the drawing, relative to its size.
+    /// Greatest length of a vector whose tip must be within the drawing, relative to the drawing's size.
     const ROOM: f64 = 0.5;
-    /// Least length of vectors that count, relative to the drawing's size.
+    /// Least length of the longest vector, relative to the drawing's size, that is assumed for the scale.
     const LEAST: f64 = 1e-9;
 
-    /// The scales at which nine tenths of the vectors of every point fit, from the points over a
-    /// motion. The longest tenth does not count, since vectors grow without bound next to dead
-    /// points.
+    /// Returns the scales for the paths of points over a motion. The longest tenth of each point's vectors does not
+    /// count, because vectors grow without bound near dead points.
     pub(crate) fn of(paths: &[Vec<JetPoint<3>>], size: f64) -> Self {
         Self([1, 2].map(|order| {
             let usual = |path: &Vec<JetPoint<3>>| {
@@ -59,7 +57,7 @@ impl Scales {
         }))
     }
 
-    /// The tips to be within the drawing.
+    /// Returns the tips that must be within the drawing.
     pub(crate) fn tips(self, points: &[JetPoint<3>], size: f64) -> Vec<Point> {
         let tips = points.iter().flat_map(|joint| {
             [1, 2].map(|order| (joint.place(), joint.derivative(order) * self.0[order - 1]))
@@ -69,7 +67,7 @@ impl Scales {
     }
 }
 
-/// The symbol of a centre of mass.
+/// Draws the symbol of a centre of mass.
 pub(crate) fn mass(list: &mut List, at: Point, unit: f64) {
     list.circle(Role::Ink, Look::Hollow, at, 1.3 * unit);
     let quarter = |from: f64| -> Vec<Point> {
@@ -82,8 +80,8 @@ pub(crate) fn mass(list: &mut List, at: Point, unit: f64) {
     list.polygons(Role::Ink, Look::Solid, &[quarter(0.0), quarter(PI)]);
 }
 
-/// Draws the first two derivatives of a point as arrows, with names at their tips; none next to a
-/// dead point, where they leave every sheet.
+/// Draws the first two derivatives of a point as arrows, with names at their tips. Very short arrows are left out, as
+/// are very long ones, which occur near dead points.
 pub(crate) fn vectors<const N: usize>(
     list: &mut List,
     point: &JetPoint<N>,
@@ -106,7 +104,7 @@ pub(crate) fn vectors<const N: usize>(
     }
 }
 
-/// Draws a loop vector from hinge to hinge, with its name; none between hinges that nearly touch.
+/// Draws a loop vector from hinge to hinge, with its name, unless the hinges nearly touch.
 pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, unit: f64) {
     let along = to - from;
     let length = along.norm();
@@ -114,14 +112,14 @@ pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, 
         return;
     }
     let along = along / length;
-    // Hinges are left free.
+    // The circles of the hinges stay free.
     let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
     parts::arrow(list, Role::Ink, start, tip, unit);
     let left = [-1.1 * along.y, 1.1 * along.x];
     list.name(Role::Ink, name, from + along * (0.26 * length), left);
 }
 
-/// Draws the acute angle at a dyad's inner hinge c between the lines to its outer ones, b and d.
+/// Draws the acute angle at a dyad's inner hinge c between the lines from c to the outer hinges b and d.
 pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, unit: f64) {
     let direction = |to: Point| (to.y - c.y).atan2(to.x - c.x);
     let wrapped = |angle: f64| angle - TAU * (angle / TAU).round();
@@ -142,10 +140,10 @@ pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, 
     arc(list, look, c, radius, [from, turn], (name, OFF[0]));
 }
 
-/// Lateral offset from an arc of a name with a value, and of a bare symbol, in heights of the text.
+/// Horizontal distance of a name from its arc, in text heights: with a value, and of a bare symbol.
 const OFF: [f64; 2] = [2.6, 1.1];
 
-/// Draws an arc from an angle over a turn, with a name beside its middle.
+/// Draws an arc that begins at an angle `from` and extends through `turn`, with a name beside its middle.
 fn arc(
     list: &mut List,
     (role, look): (Role, Look),
@@ -164,7 +162,7 @@ fn arc(
     list.name(role, name, at(middle), off);
 }
 
-/// Draws the distance of two points: a line with a stroke across each end, and its name beside its middle.
+/// Draws the distance between two points: a line with a stroke across each end, and its name beside its middle.
 pub(crate) fn distance(list: &mut List, [a, b]: [Point; 2], name: usize, unit: f64) {
     let way = b - a;
     let length = way.norm();
@@ -181,13 +179,13 @@ pub(crate) fn distance(list: &mut List, [a, b]: [Point; 2], name: usize, unit: f
     list.name(Role::Accent3, name, a + way * 0.5, off);
 }
 
-/// Draws the angle at the second of three points between the others: its legs, an arc, and the name with its value.
+/// Draws the angle at the second of three points: its legs, an arc, and its name with its value.
 pub(crate) fn corner(list: &mut List, points: [Point; 3], name: usize, unit: f64) {
     list.polyline(Role::Accent4, Look::Thin, &points);
     corner_arc(list, points, 11.0 * unit, (name, OFF[0]));
 }
 
-/// Draws the angle of two drawn sides with a symbol between them, however short they are.
+/// Draws the angle between two sides that are already drawn, with its symbol, even if the sides are short.
 pub(crate) fn side_angle(list: &mut List, points: [Point; 3], name: usize, unit: f64) {
     let [a, b, c] = points;
     let shorter = (a - b).norm().min((c - b).norm());
@@ -208,15 +206,15 @@ fn corner_arc(list: &mut List, [a, b, c]: [Point; 3], radius: f64, name: (usize,
     arc(list, look, b, radius, [from, turn], name);
 }
 
-/// Draws the angle of two links at a place, from their own angles: the direction of each, and an
-/// arrow along an arc from the first to the second, with the name at its middle.
+/// Draws the angle between two links about a given centre: a line in the direction of each link, and an arrow along an
+/// arc from the first direction to the second, with the name at its middle.
 pub(crate) fn between(list: &mut List, centre: Point, [a, b]: [f64; 2], name: usize, unit: f64) {
     let role = Role::Accent4;
     let radius = 11.0 * unit;
     let at = |angle: f64, radius: f64| centre + Vector::new(angle.cos(), angle.sin()) * radius;
     let legs = [at(a, 1.3 * radius), centre, at(b, 1.3 * radius)];
     list.polyline(role, Look::Thin, &legs);
-    // Whole turns are left out.
+    // Whole turns of the angle are not drawn.
     let turn = (b - a) % TAU;
     let look = (role, Look::Thin);
     arc(list, look, centre, radius, [a, turn], (name, OFF[0]));
@@ -232,8 +230,8 @@ mod tests {
     use super::*;
     use assur::Jet;
 
-    /// A distance is a line with a stroke across each end and its name beside the middle; nothing
-    /// is drawn between coincident points.
+    /// A distance is drawn as a line with a stroke across each end and its name beside the middle. Nothing is drawn
+    /// between coincident points.
     #[test]
     fn distances_are_drawn_across() {
         let mut list = List::default();
@@ -252,14 +250,14 @@ mod tests {
         assert_eq!(list.numbers(), expected.concat());
     }
 
-    /// The arc of an angle takes the shorter way round, whichever leg is first.
+    /// The arc of an angle takes the shorter way round, whichever leg is given first.
     #[test]
     fn corners_are_within_half_a_turn() {
         let [a, b, c] = [[0.0, -1.0], [0.0, 0.0], [-1.0, 1.0]].map(Point::from);
         for legs in [[a, b, c], [c, b, a]] {
             let mut list = List::default();
             corner(&mut list, legs, 7, 0.01);
-            // After the legs: the head of the arc, its 25 points, the name.
+            // After the record of the legs come the head of the arc's record, its 25 points, and the name.
             let arc = &list.numbers()[4 + 6 + 4..][..50];
             for at in arc.chunks(2) {
                 let (x, y) = (f64::from(at[0]), f64::from(at[1]));
@@ -269,7 +267,8 @@ mod tests {
         }
     }
 
-    /// The name of a vector is to its left, that of an angle of sides between them, nearer than the end of the shorter.
+    /// The name of a vector is on its left. The name of an angle between sides is between them, nearer to the vertex
+    /// than the end of the shorter side.
     #[test]
     fn names_of_vectors_and_of_their_angles() {
         let mut list = List::default();
@@ -290,8 +289,8 @@ mod tests {
         }
     }
 
-    /// The arrow of an angle of links goes from the first direction to the second in the sense of
-    /// the angle, also the long way round; whole turns are left out.
+    /// The arrow of an angle between links goes from the first direction to the second in the sense of the angle, even
+    /// if that is the longer way round. Whole turns are not drawn.
     #[test]
     fn angles_of_links_keep_their_sense() {
         for (angles, tip) in [
@@ -301,7 +300,7 @@ mod tests {
         ] {
             let mut list = List::default();
             between(&mut list, Point::origin(), angles, 7, 0.01);
-            // After the legs: the head of the arc and its 25 points.
+            // After the record of the legs come the head of the arc's record and its 25 points.
             let arc = &list.numbers()[4 + 6 + 4..][..50];
             let at = |k: usize| {
                 let [x, y] = [arc[2 * k], arc[2 * k + 1]].map(f64::from);
@@ -315,8 +314,8 @@ mod tests {
         }
     }
 
-    /// The longest usual vector has the intended length, and the scale is finite and positive, also
-    /// if nothing moves or a tenth grows without bound.
+    /// The longest vector that counts has the intended length. The scale is finite and positive, even if nothing moves
+    /// or a tenth of the vectors grows without bound.
     #[test]
     fn scales_are_finite_and_positive() {
         let moving = |speed: f64| JetPoint {

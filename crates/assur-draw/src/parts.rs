@@ -1,4 +1,4 @@
-//! Symbols of textbooks, in the coordinates of their bodies.
+//! Textbook symbols of links and pairs, in the coordinates of their bodies.
 
 use std::f64::consts::{PI, TAU};
 
@@ -7,15 +7,15 @@ use assur::{Point, Vector, nearest, perpendicular};
 use crate::list::{List, Look, Role};
 use assur::sorting::sort_by;
 
-/// Points on a half circle of a rounded end.
+/// Number of points on a half circle, as at a rounded end.
 const ARC: usize = 10;
 
-/// Half the width of a link's bar, in units.
+/// Half the width of a link's bar, in symbol units.
 pub(crate) const BAR: f64 = 1.15;
-/// Half length and half width of a block, in units.
+/// Half the length and half the width of a block, in symbol units.
 pub(crate) const BLOCK: [f64; 2] = [2.6, 1.7];
 
-/// A block that slides along a direction, with an arm to the point of its link where that is aside.
+/// Draws a block that slides along a direction, with an arm to its link's point if the point is not at its middle.
 pub(crate) fn block(
     list: &mut List,
     role: Role,
@@ -35,7 +35,7 @@ pub(crate) fn block(
     list.polygons(role, Look::Pale, &[corners]);
 }
 
-/// A bar with round ends between two places.
+/// Draws a bar with round ends between two points.
 pub(crate) fn bar(list: &mut List, role: Role, from: Point, to: Point, half_width: f64) {
     list.polygons(role, Look::Solid, &[capsule(from, to, half_width)]);
     // A lighter line along the middle distinguishes bars where they cross.
@@ -43,8 +43,7 @@ pub(crate) fn bar(list: &mut List, role: Role, from: Point, to: Point, half_widt
     list.polygons(Role::Paper, Look::Soft, &[capsule(from, to, inset)]);
 }
 
-/// A link with three hinges or more: a plate with round corners, given
-/// counter-clockwise.
+/// Draws a link with three hinges or more as a plate with round corners; `corners` are counter-clockwise.
 pub(crate) fn plate(list: &mut List, role: Role, corners: &[Point], half_width: f64) {
     let count = corners.len();
     let mut outline = Vec::new();
@@ -60,7 +59,7 @@ pub(crate) fn plate(list: &mut List, role: Role, corners: &[Point], half_width: 
     list.polygons(role, Look::Pale, &[outline]);
 }
 
-/// The corners of the convex hull, counter-clockwise; for collinear places the two ends.
+/// Returns the corners of the convex hull, counter-clockwise; for collinear points, the two ends.
 pub(crate) fn hull(mut places: Vec<Point>) -> Vec<Point> {
     sort_by(&mut places, |a, b| {
         a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
@@ -88,12 +87,12 @@ pub(crate) fn hull(mut places: Vec<Point>) -> Vec<Point> {
     if around.is_empty() { places } else { around }
 }
 
-/// A hinge: the small circle of the textbooks.
+/// Draws a hinge as the small circle of textbooks.
 pub(crate) fn hinge(list: &mut List, at: Point, radius: f64) {
     list.circle(Role::Ink, Look::Hollow, at, radius);
 }
 
-/// Draws an arrow: a line with a filled head, at most half as long as the arrow.
+/// Draws an arrow. Its filled head is at most half as long as the arrow.
 pub(crate) fn arrow(list: &mut List, role: Role, from: Point, to: Point, unit: f64) {
     let along = to - from;
     let length = along.norm();
@@ -103,10 +102,10 @@ pub(crate) fn arrow(list: &mut List, role: Role, from: Point, to: Point, unit: f
     head(list, role, neck, to);
 }
 
-/// Length of the head of an arrow, in units, if there is room.
+/// Length of the head of an arrow, in symbol units, if the arrow is long enough.
 pub(crate) const HEAD: f64 = 2.6;
 
-/// The head of an arrow, from its neck to its tip.
+/// Draws the head of an arrow, from its neck to its tip.
 pub(crate) fn head(list: &mut List, role: Role, neck: Point, tip: Point) {
     let along = tip - neck;
     let across = perpendicular(along) * 0.36;
@@ -117,13 +116,14 @@ pub(crate) fn head(list: &mut List, role: Role, neck: Point, tip: Point) {
     );
 }
 
-/// Width of hatching beside its line, in units.
+/// Width of the hatching beside a line, in symbol units.
 pub(crate) const HATCH: f64 = 1.1;
-/// Distance between the strokes of a hatching, in units; maximum number of strokes of a line.
+/// Distance between the strokes of a hatching, in symbol units.
 const STROKES: f64 = 1.5;
+/// Maximum number of strokes along a line.
 const MOST_STROKES: f64 = 400.0;
 
-/// A line of the frame, hatched on one side (a direction of length one).
+/// Draws a line of the frame, hatched on the side of the unit vector `side`.
 pub(crate) fn hatched(list: &mut List, [from, to]: [Point; 2], side: Vector, unit: f64) {
     list.polyline(Role::Secondary, Look::Line, &[from, to]);
     let length = (to - from).norm();
@@ -136,13 +136,13 @@ pub(crate) fn hatched(list: &mut List, [from, to]: [Point; 2], side: Vector, uni
     }
 }
 
-/// Draws a bar with a slot along it; `half`: half the widths of both.
+/// Draws a bar with a slot along it; `half` has half the width of the bar and half that of the slot.
 pub(crate) fn slot(list: &mut List, role: Role, [from, to]: [Point; 2], half: [f64; 2]) {
     let around = half.map(|half| capsule(from, to, half));
     list.polygons(role, Look::Solid, &around);
 }
 
-/// The corners of a rectangle, from its middle and half its sides.
+/// Returns the corners of a rectangle, from its middle and half its sides.
 pub(crate) fn rectangle(middle: Point, [along, across]: [Vector; 2]) -> Vec<Point> {
     vec![
         middle + along + across,
@@ -152,7 +152,7 @@ pub(crate) fn rectangle(middle: Point, [along, across]: [Vector; 2]) -> Vec<Poin
     ]
 }
 
-/// A fixed support: a triangle under the hinge on a hatched line.
+/// Draws a fixed support: a triangle under the hinge, on a hatched line.
 pub(crate) fn support(list: &mut List, at: Point, size: f64) {
     let point = |x: f64, y: f64| at + Vector::new(x * size, y * size);
     let triangle = vec![point(0.0, 0.0), point(-1.5, -2.6), point(1.5, -2.6)];
@@ -169,18 +169,18 @@ pub(crate) fn support(list: &mut List, at: Point, size: f64) {
     }
 }
 
-/// The corners of the rectangle that holds a support.
+/// Returns two opposite corners of the rectangle around a support.
 pub(crate) fn support_reach(at: Point, size: f64) -> [Point; 2] {
     [[-2.4, -3.3], [2.3, 0.0]].map(|[x, y]| at + Vector::new(x, y) * size)
 }
 
-/// A tracer: a point that a link carries and that joins nothing.
+/// Draws a traced point: a point on a link that joins nothing.
 pub(crate) fn tracer(list: &mut List, role: Role, at: Point, unit: f64) {
     list.circle(role, Look::Hollow, at, 1.1 * unit);
     list.circle(role, Look::Solid, at, 0.5 * unit);
 }
 
-/// Outlines of `count` stirrer blades, evenly around the shaft.
+/// Returns the outlines of `count` mixing blades, evenly spaced around the shaft.
 pub(crate) fn blades(count: usize, length: f64, half_width: f64) -> Vec<Vec<Point>> {
     let blade = |index: usize| {
         let (sin, cos) = (TAU * index as f64 / count as f64).sin_cos();
@@ -190,7 +190,7 @@ pub(crate) fn blades(count: usize, length: f64, half_width: f64) -> Vec<Vec<Poin
     (0..count).map(blade).collect()
 }
 
-/// Points around a circle, counter-clockwise from x.
+/// Returns points around a circle, counter-clockwise from the x axis.
 pub(crate) fn round(radius: f64, count: usize) -> Vec<Point> {
     (0..count)
         .map(|i| TAU * i as f64 / count as f64)
@@ -198,13 +198,13 @@ pub(crate) fn round(radius: f64, count: usize) -> Vec<Point> {
         .collect()
 }
 
-/// The distance of a place from the segment between two others.
+/// Returns the distance of a point from the segment between two others.
 pub(crate) fn distance(place: Point, from: Point, to: Point) -> f64 {
     (place - nearest(place, from, to)).norm()
 }
 
-/// The distance of a place from a convex plate, given counter-clockwise: zero on it. None if it has
-/// no corners.
+/// Returns the distance of a point from a convex plate with counter-clockwise corners: zero on the
+/// plate, none if there are no corners.
 pub(crate) fn distance_to_plate(place: Point, corners: &[Point]) -> Option<f64> {
     if let [only] = corners {
         return Some((place - only).norm());
@@ -217,7 +217,7 @@ pub(crate) fn distance_to_plate(place: Point, corners: &[Point]) -> Option<f64> 
     Some(if inside { 0.0 } else { nearest })
 }
 
-/// The centroid of a convex plate, or the middle of a bar.
+/// Returns the centroid of a convex plate, or the middle of a bar.
 pub(crate) fn centroid(corners: &[Point]) -> Option<Point> {
     let [first, rest @ ..] = corners else {
         return None;

@@ -10,34 +10,35 @@ use crate::list::{List, Look, Role};
 use crate::parts;
 pub use sheet::PolygonSheet;
 
-/// Length below which vectors are drawn as points, in units.
+/// Length below which vectors are drawn as points, in symbol units.
 const LEAST: f64 = 0.3;
-/// Length of a direction before the point on it is found, in units.
+/// Length by which a direction line extends on both sides, until its end point is found, in symbol units.
 const DIRECTION: f64 = 120.0;
-/// Distance of the scale below the polygon, in units, and greatest share of the width that it takes.
+/// Distance of the scale bar below the polygon, in symbol units.
 const BELOW: f64 = 9.0;
+/// Greatest length of the scale bar, as a share of the drawing's width.
 const BAR: f64 = 0.4;
-/// Lengths of the scale bar, up to powers of ten.
+/// Lengths of the scale bar, to be multiplied by a power of ten.
 const SCALES: [f64; 3] = [5.0, 2.0, 1.0];
 
-/// One step of the drawing: a vector equation, or points that follow.
+/// One step of the drawing: a vector equation, or points found without one.
 #[derive(Clone, Copy, Debug)]
 pub struct PolygonStep<'a> {
-    /// The stage to which it belongs.
+    /// Stage to which the step belongs.
     pub stage: &'a Stage,
-    /// Index of its equation; none if points follow.
+    /// Index of the vector equation in the stage; none for points found without one.
     pub route: Option<usize>,
 }
 
 impl PolygonStep<'_> {
-    /// Whether its points are known after it.
+    /// Whether the points of the stage are known after this step.
     pub fn finds(&self) -> bool {
         self.route
             .is_none_or(|route| route + 1 == self.stage.routes.len())
     }
 }
 
-/// The steps in which a polygon is drawn.
+/// Returns the steps in which a polygon is drawn.
 pub fn polygon_steps(polygon: &Polygon) -> Vec<PolygonStep<'_>> {
     let stages = polygon.stages.iter();
     let steps = stages.flat_map(|stage| {
@@ -54,18 +55,18 @@ pub fn polygon_steps(polygon: &Polygon) -> Vec<PolygonStep<'_>> {
 pub struct PolygonPicture {
     /// The display list.
     pub list: List,
-    /// The names to which its labels refer.
+    /// Names, to which labels refer by index.
     pub names: Vec<String>,
-    /// Its rectangle: left, bottom, right, top.
+    /// Rectangle of the picture: left, bottom, right, top.
     pub bounds: [f64; 4],
-    /// Length of the scale bar: a round number.
+    /// Length represented by the scale bar, a round number.
     pub bar: f64,
-    /// Factor by which the scale is smaller than usual in the motion: 1, unless the polygon would not fit.
+    /// Factor by which the scale is reduced relative to the motion's usual one; 1 if the polygon fits the sheet.
     pub smaller: f64,
 }
 
 impl PolygonPicture {
-    /// A polygon on the sheet of its motion after some of its steps, with the names of its points.
+    /// Draws the first `shown` steps of a polygon on the sheet of its motion, with the names of its points.
     pub fn new(
         mechanism: &Mechanism,
         polygon: &Polygon,
@@ -95,7 +96,7 @@ impl PolygonPicture {
         drawing.point(pole.to_owned(), Vector::zeros(), Vector::new(-1.0, -1.0));
         for step in steps[..shown].iter().filter(|step| step.finds()) {
             for (node, at) in &step.stage.nodes {
-                // Points at rest are at the pole and have its name.
+                // Points at rest coincide with the pole and have no name of their own.
                 if at.norm() > LEAST * unit {
                     drawing.point(name(*node), *at, *at);
                 }
@@ -113,7 +114,7 @@ impl PolygonPicture {
     }
 }
 
-/// The greatest of the scales, times a power of ten, that does not exceed a length.
+/// Returns the greatest round length, an entry of `SCALES` times a power of ten, that does not exceed this length.
 fn round(length: f64) -> f64 {
     let power = 10.0_f64.powf(length.log10().floor());
     let mut whole = SCALES.iter().map(|digit| digit * power);
@@ -128,7 +129,7 @@ struct Drawing {
 }
 
 impl Drawing {
-    /// The colour of a leg: absolute velocity or acceleration has its own, relative parts are black.
+    /// Returns the colour of absolute velocity or acceleration; relative vectors are black.
     fn role(&self) -> Role {
         match self.order {
             Order::Velocity => Role::Velocity,
@@ -168,7 +169,7 @@ impl Drawing {
         }
     }
 
-    /// Thin lines between the points of one link: its image.
+    /// Draws thin lines between the images of the points of one link, which form the image of the link.
     fn images(&mut self, mechanism: &Mechanism, steps: &[PolygonStep<'_>]) {
         let found = steps.iter().filter(|step| step.finds());
         let nodes: Vec<(Node, Vector)> = found.flat_map(|step| step.stage.nodes.clone()).collect();
@@ -189,7 +190,7 @@ impl Drawing {
         }
     }
 
-    /// A point with its name, offset from it in a direction.
+    /// Draws a point with its name, offset in the direction `away`.
     fn point(&mut self, name: String, at: Vector, away: Vector) {
         self.list
             .circle(Role::Ink, Look::Solid, at.into(), 0.7 * self.unit);
@@ -240,7 +241,8 @@ mod tests {
         }
     }
 
-    /// Pole, crank, two equations: the first leaves a direction, the second a point; each adds to the drawing.
+    /// The steps are: pole, crank, two equations. The first leaves a direction, the second gives a point; each adds to
+    /// the drawing.
     #[test]
     fn steps_of_a_four_bar() {
         let motion = four_bar();

@@ -3,8 +3,7 @@
 use assur::Point;
 use assur::mobility::{Point3, Vector3};
 
-/// A parallel projection: the directions in space that point right and up on the sheet, and towards
-/// the reader.
+/// A parallel projection: the directions in space that point right and up on the sheet, and towards the viewer.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projection {
     right: Vector3,
@@ -13,13 +12,13 @@ pub(crate) struct Projection {
 }
 
 impl Projection {
-    /// The projection of the plane x, y onto itself.
+    /// Returns the projection of the xy plane onto itself.
     pub(crate) fn plane() -> Self {
         Self::from([Vector3::x(), Vector3::y()])
     }
 
-    /// A view with z upwards: turned about z by `round` from the direction of y, and seen from
-    /// above by `above`, radians.
+    /// Returns a view with z upwards, along the direction of y turned about z through `round`, and
+    /// from the elevation `above`. Both angles are in radians.
     pub(crate) fn space([round, above]: [f64; 2]) -> Self {
         let ([sin, cos], [high, level]) = ([round.sin(), round.cos()], [above.sin(), above.cos()]);
         let away = Vector3::new(-sin, cos, 0.0);
@@ -32,22 +31,22 @@ impl Projection {
         Self { right, up, near }
     }
 
-    /// The projection of a place.
+    /// Returns the projection of a point.
     pub(crate) fn place(&self, at: Point3) -> Point {
         self.direction(at.coords).into()
     }
 
-    /// The projection of a displacement, shortened by its part towards the reader.
+    /// Returns the projection of a displacement, without its component towards the viewer.
     pub(crate) fn direction(&self, along: Vector3) -> assur::Vector {
         assur::Vector::new(along.dot(&self.right), along.dot(&self.up))
     }
 
-    /// The coordinate of a place towards the reader.
+    /// Returns the coordinate of a point towards the viewer.
     pub(crate) fn nearness(&self, at: Point3) -> f64 {
         at.coords.dot(&self.near)
     }
 
-    /// The place in space that projects onto a place on the sheet, as near to the reader as another.
+    /// Returns the point in space that projects onto `at` and is as near to the viewer as `like`.
     pub(crate) fn raised(&self, at: Point, like: Point3) -> Point3 {
         let along = self.right * at.x + self.up * at.y;
         Point3::from(along + self.near * self.nearness(like))

@@ -1,4 +1,4 @@
-//! The drawing of a scheme of links and pairs, in the plane or in space, whole or cut open.
+//! The drawing of a scheme of links and pairs, in the plane or in space, closed or cut open.
 
 mod labels;
 mod opening;
@@ -16,13 +16,13 @@ use opening::{Chain, Displacement};
 use places::{around, placed};
 use symbols::Pen;
 
-/// Half the width of a bar, in units.
+/// Half the width of a bar, in symbol units.
 const BAR: f64 = 0.75;
 
-/// Room for names around all places, in units.
+/// Margin for names around the scheme, in symbol units.
 const ROOM: f64 = 10.0;
 
-/// The colours of links, repeated if there are more links.
+/// Colours of the links, which are repeated if there are more links.
 const ROLES: [Role; 9] = [
     Role::Crank,
     Role::Coupler,
@@ -38,27 +38,26 @@ const ROLES: [Role; 9] = [
 /// View of a scheme.
 #[derive(Clone, Debug, Default)]
 pub struct SchemeView {
-    /// The cuts, in their order.
+    /// Cuts, in the order in which they open.
     pub cuts: Vec<Cut>,
-    /// Points of links beyond their pairs.
+    /// Further points of links, in addition to their pairs.
     pub ends: Vec<(usize, Point3)>,
-    /// Direction of view of a spatial scheme: turned about z, and from above, radians.
+    /// Direction from which a spatial scheme is viewed: angle about z and angle above the horizontal, radians.
     pub look: [f64; 2],
     /// Highlighted pairs, such as those of a contour that is still closed.
     pub marked: Vec<usize>,
-    /// Whether the freedoms of remaining pairs, and the constraints of cut ones, are written beside
-    /// them.
+    /// Whether the freedoms of remaining pairs and the constraints of cut pairs are written beside them.
     pub counted: bool,
 }
 
-/// A handle: a pair, or one link of a compound hinge.
+/// A handle, which is a pair or one link of a compound hinge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SchemeHandle {
-    /// The name of its cut: `D`, `Q:3`.
+    /// Name of the cut made at this handle, such as `D` or `Q:3`.
     pub name: String,
-    /// The pair.
+    /// Index of the pair.
     pub pair: usize,
-    /// The colour of the link that its cut takes off.
+    /// Colour of the link that the cut takes off the pair.
     pub role: Role,
 }
 
@@ -68,7 +67,7 @@ pub struct SchemeFigure {
     scheme: Scheme,
     view: SchemeView,
     projection: Projection,
-    /// The places of all pairs.
+    /// Positions of all pairs.
     places: Vec<Point3>,
     names: Vec<String>,
     size: f64,
@@ -76,15 +75,15 @@ pub struct SchemeFigure {
     bounds: [f64; 4],
 }
 
-/// The body of a link.
+/// A link as it is drawn.
 struct Body {
     link: usize,
-    /// The displaced places of its pairs and ends.
+    /// Positions of its pairs and further points, after displacement.
     nodes: Vec<Point3>,
 }
 
 impl SchemeFigure {
-    /// The drawing of a scheme.
+    /// Makes the drawing of a scheme.
     pub fn new(scheme: &Scheme, view: SchemeView) -> Self {
         let projection = if scheme.is_planar() {
             Projection::plane()
@@ -99,7 +98,7 @@ impl SchemeFigure {
             if !view.counted {
                 return pair.name.clone();
             }
-            // A compound hinge counts several times, and may be cut as many times.
+            // A compound hinge counts as several pairs and may be cut several times.
             let cut = view.cuts.iter().filter(|cut| cut.pair == index).count();
             let left = usize::from(scheme.freedoms(index)) * pair.count().saturating_sub(cut);
             let removed = usize::from(scheme.constraints(index)) * cut;
@@ -123,17 +122,17 @@ impl SchemeFigure {
         figure
     }
 
-    /// The rectangle that holds the drawing, closed and open: left, bottom, right, top.
+    /// Returns the rectangle that holds the drawing, closed and open: left, bottom, right, top.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }
 
-    /// The names to which the labels refer.
+    /// Returns the names to which labels refer by index.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// The colour of a link.
+    /// Returns the colour of a link.
     pub fn role(&self, link: usize) -> Role {
         match link {
             0 => Role::Secondary,
@@ -141,7 +140,7 @@ impl SchemeFigure {
         }
     }
 
-    /// The handles of the scheme.
+    /// Returns the handles of the scheme.
     pub fn handles(&self) -> Vec<SchemeHandle> {
         let pairs = self.scheme.pairs().iter().enumerate();
         let handles = pairs.flat_map(|(index, pair)| {
@@ -158,7 +157,7 @@ impl SchemeFigure {
         handles.collect()
     }
 
-    /// The positions of the handles with the last cut open by a share of its way.
+    /// Returns the positions of the handles when the last cut is open by a share of its full gap.
     pub fn held_at(&self, opened: f64) -> Vec<Point> {
         let moved = self.opened(opened);
         let held = self.scheme.pairs().iter().enumerate();
@@ -174,13 +173,13 @@ impl SchemeFigure {
         held.collect()
     }
 
-    /// The place of a pair that is dragged to a place on the sheet.
+    /// Returns the position in space of a pair that is dragged to a point on the sheet.
     pub fn dragged(&self, pair: usize, to: Point) -> Point3 {
         self.projection.raised(to, self.places[pair])
     }
 
-    /// The drawing with the last cut open by a share of its way: `n, x, y, θ` of the only body, the
-    /// sheet, then a display list.
+    /// Returns the drawing when the last cut is open by a share of its full gap: `n, x, y, θ` of
+    /// the only body, which is the sheet, then a display list.
     pub fn frame(&self, opened: f64) -> Vec<f32> {
         let moved = self.opened(opened);
         let mut list = List::default();
@@ -201,7 +200,7 @@ impl SchemeFigure {
         Chain::new(&self.scheme, &self.places, &self.view.cuts, self.size).opened(share)
     }
 
-    /// The link that keeps a pair's symbol: one that was not taken off.
+    /// Returns the link with which the symbol of a pair stays: one that was not taken off the pair.
     fn holder(&self, pair: usize) -> usize {
         let links = &self.scheme.pairs()[pair].links;
         let left = |&&link: &&usize| !self.view.cuts.contains(&Cut { pair, link });
@@ -209,7 +208,7 @@ impl SchemeFigure {
         holder.copied().unwrap_or(0)
     }
 
-    /// The direction from a pair towards the rest of a link, one unit long on the sheet.
+    /// Returns a vector of one symbol unit on the sheet, from a pair towards the rest of a link.
     fn inward(&self, pair: usize, link: usize, moved: &[Displacement]) -> assur::Vector {
         let here = self.projection.place(moved[link] * self.places[pair]);
         let rest = self.seen(&self.body(link, moved));
@@ -232,7 +231,7 @@ impl SchemeFigure {
         }
     }
 
-    /// The nodes of a body, projected onto the sheet.
+    /// Returns the nodes of a body, projected onto the sheet.
     fn seen(&self, body: &Body) -> Vec<Point> {
         let nodes = body.nodes.iter();
         nodes.map(|at| self.projection.place(*at)).collect()
@@ -261,7 +260,7 @@ impl SchemeFigure {
         self.label(list, &bodies, moved);
     }
 
-    /// The pairs at which the ground is drawn.
+    /// Returns the pairs with a support, which are those of the frame.
     fn grounded(&self) -> impl Iterator<Item = usize> + '_ {
         let pairs = self.scheme.pairs().iter().enumerate();
         pairs
@@ -278,7 +277,7 @@ impl SchemeFigure {
             [from, to] => parts::bar(list, role, from, to, half),
             ref corners => {
                 parts::plate(list, role, corners, half);
-                // Pairs inside the plate are joined to its middle.
+                // Pairs inside the plate are joined to the middle of the plate.
                 let middle = parts::centroid(corners);
                 for (node, middle) in nodes.iter().zip(middle.into_iter().cycle()) {
                     if !corners.contains(node) {
@@ -317,7 +316,7 @@ impl SchemeFigure {
         .draw(pair.kind);
     }
 
-    /// The rectangle around the scheme, with room for symbols.
+    /// Returns the rectangle around the scheme, with room for symbols.
     fn measured(&self) -> [f64; 4] {
         let shares = [0.0, 1.0];
         let seen = shares.iter().flat_map(|share| {

@@ -1,4 +1,4 @@
-//! The drawing of an unfinished linkage, as it stands: its parts need not fit together.
+//! The drawing of an unfinished linkage, whose links, slides and gears need not fit together.
 
 mod drawing;
 
@@ -8,25 +8,25 @@ use assur::{Point, Vector};
 use crate::list::{IN_TURN, List, Look, Role};
 use crate::parts::{self, BAR, BLOCK};
 
-/// Half the width of a ring's rim where it is pressed, relative to its radius.
+/// Half the width of a ring's rim that can be picked, relative to the ring's radius.
 const RIM: f64 = 0.05;
-/// The sheet of an empty drawing: left, bottom, right, top, in the unit of lengths.
+/// Rectangle of an empty drawing: left, bottom, right, top, in the unit of lengths.
 const SHEET: [f64; 4] = [-6.0, -4.0, 6.0, 4.0];
-/// Free room around the drawing, for new parts, relative to its size.
+/// Free margin around the drawing, for new links, relative to the drawing's size.
 const ROOM: f64 = 0.15;
-/// Minimum size for symbols, relative to the greatest coordinate, for coincident points.
+/// Size, relative to the greatest coordinate, up to which points count as coincident.
 const LEAST: f64 = 1e-3;
-/// Radius of a wheel that is not in mesh yet, in units.
+/// Radius of a wheel that is not yet in mesh, in symbol units.
 const WHEEL: f64 = 5.0;
 
-/// What is said of links in colour, and how large an empty sheet is.
+/// View of a sketch: links in special colours, and the size of an empty sheet.
 #[derive(Clone, Debug)]
 pub struct SketchView {
     /// Links that move by themselves or are joined to nothing.
     pub loose: Vec<String>,
     /// Links that cannot move.
     pub locked: Vec<String>,
-    /// The size of the sheet of an empty drawing, relative to that of one without a unit.
+    /// Size of the sheet of an empty drawing, relative to the default size.
     pub sheet: f64,
 }
 
@@ -40,7 +40,7 @@ impl Default for SketchView {
     }
 }
 
-/// A draft as a drawing. All of it is in the coordinates of the frame.
+/// The drawing of a draft, in the coordinates of the frame.
 #[derive(Clone, Debug)]
 pub struct Sketch {
     draft: LinkageSpec,
@@ -52,20 +52,20 @@ pub struct Sketch {
     list: List,
 }
 
-/// A wheel, in a mesh or in none.
+/// A wheel, in mesh or not.
 #[derive(Clone, Copy, Debug)]
 struct Wheel {
-    /// Index of its link.
+    /// Index of the link to which the wheel belongs.
     link: usize,
     at: Point,
     /// Radius of the pitch circle.
     radius: f64,
-    /// Whether its teeth are inside.
+    /// Whether the wheel is a ring, with teeth on the inside.
     ring: bool,
 }
 
 impl Sketch {
-    /// The drawing of a draft. Unknown names are ignored.
+    /// Draws a draft. Unknown names are ignored.
     pub fn new(draft: &LinkageSpec, view: &SketchView) -> Self {
         let bounds = bounds(draft, SHEET.map(|side| side * view.sheet));
         let mut sketch = Self {
@@ -86,34 +86,35 @@ impl Sketch {
         sketch
     }
 
-    /// The names of the labels, by their numbers.
+    /// Returns the names to which labels refer by index.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// The rectangle that holds it: left, bottom, right, top; for an empty sheet one to draw on.
+    /// Returns the rectangle that holds the drawing: left, bottom, right, top; without points, an empty sheet to draw
+    /// on.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }
 
-    /// The handles: names of points and tracers, the colours of their links, places.
+    /// Returns the handles: names of points and traced points, colours of their links, and positions.
     pub fn handles(&self) -> &[(String, Role, Point)] {
         &self.handles
     }
 
-    /// The colour of every link, in the draft's order.
+    /// Returns the colours of the links, in the order of the draft.
     pub fn roles(&self) -> &[Role] {
         &self.roles
     }
 
-    /// The frame's pose and the display list, as in [`crate::Figure::frame`].
+    /// Returns the pose of the frame and the display list, as [`crate::Figure::frame`] does.
     pub fn frame(&self) -> Vec<f32> {
         let mut numbers = vec![1.0, 0.0, 0.0, 0.0];
         numbers.extend(self.list.numbers());
         numbers
     }
 
-    /// The link drawn nearest to a place, and its distance. Bars, plates and blocks lie over wheels.
+    /// Finds the link drawn nearest to a point, and its distance. Bars, plates and blocks take precedence over wheels.
     pub fn link_at(&self, place: Point) -> Option<(&str, f64)> {
         let links = self.draft.links.iter().filter_map(|link| {
             let outline = parts::hull(self.corners(link));
@@ -136,7 +137,7 @@ impl Sketch {
             .reduce(|best, next| if next.1 < best.1 { next } else { best })
     }
 
-    /// The smallest wheel at a place.
+    /// Finds the smallest wheel at a point.
     pub fn wheel_at(&self, place: Point) -> Option<&str> {
         let wheels = self.wheels();
         let wheel = wheels
@@ -145,7 +146,7 @@ impl Sketch {
         Some(&self.draft.links[wheel.link].name)
     }
 
-    /// The distance of a place from a wheel: from the disc of a plain wheel, from the toothed rim of a ring.
+    /// Returns the distance of a point from the disc of a plain wheel, or from the toothed rim of a ring.
     fn off_wheel(&self, wheel: &Wheel, place: Point) -> f64 {
         let beyond = (place - wheel.at).norm() - wheel.radius;
         let off = if wheel.ring {
@@ -156,7 +157,7 @@ impl Sketch {
         off.max(0.0)
     }
 
-    /// Whether a link is only a wheel, without a bar or a block.
+    /// Whether a link consists of a wheel alone, without a bar or a block.
     fn is_wheel(&self, link: &LinkSpec) -> bool {
         let mut slides = self.draft.slides.iter();
         link.points.len() == 1 && !slides.any(|slide| slide.link == link.name)
@@ -169,7 +170,7 @@ impl Sketch {
             .map(|point| point.at)
     }
 
-    /// The corners of a link, without its centre of mass.
+    /// Returns the corners of a link, without its centre of mass.
     fn corners(&self, link: &LinkSpec) -> Vec<Point> {
         let centre = |name: &&String| link.centre_of_mass.as_ref() != Some(name);
         let own = link.points.iter().filter(centre);
@@ -183,7 +184,7 @@ impl Sketch {
             .map_or(Role::Secondary, |(_, role)| *role)
     }
 
-    /// Whether a point of the frame is visible: not if it only defines a line.
+    /// Whether a support is drawn at a point of the frame: not if the point only defines a line.
     fn is_support(&self, name: &String) -> bool {
         let lines = self.draft.slides.iter().filter(|slide| slide.on == FRAME);
         let of_line = lines.flat_map(|slide| &slide.line).any(|end| end == name);
@@ -196,7 +197,8 @@ impl Sketch {
     }
 }
 
-/// The colours of the links: the crank's if driven, that of its state if loose or locked, otherwise the next one.
+/// Returns the colours of the links: of its state if a link is locked or loose, of the crank if driven, else the next
+/// one.
 fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
     let driven = |name: &str| {
         draft
@@ -222,7 +224,7 @@ fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
     draft.links.iter().map(role).collect()
 }
 
-/// The rectangle around all points, with room; a sheet if there are too few.
+/// Returns the rectangle around all points, with a margin; if there are none, or all coincide, an empty sheet.
 fn bounds(draft: &LinkageSpec, sheet: [f64; 4]) -> [f64; 4] {
     let places = draft.points.iter().map(|point| point.at.coords);
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);

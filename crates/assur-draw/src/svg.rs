@@ -1,5 +1,4 @@
-//! Drawings and charts as SVG, on light paper: the display list and the plots of the page, painted
-//! as on the page.
+//! Drawings and charts as SVG on light paper: display lists and plots, painted as they are on the page.
 
 mod backend;
 mod painter;
@@ -13,7 +12,7 @@ use crate::list::{List, Role};
 use backend::Canvas;
 use painter::Painter;
 
-/// The colours of the roles on paper; the page has the same in its style sheet.
+/// Colours of the roles on light paper; the style sheet of the page has the same ones.
 pub const LIGHT: Palette = [
     RGBColor(0x1b, 0x1f, 0x24),
     RGBColor(0x5b, 0x64, 0x70),
@@ -38,21 +37,21 @@ pub const LIGHT: Palette = [
     RGBColor(0xb3, 0x26, 0x1e),
 ];
 
-/// Room around a drawing for its symbols and labels, pixels.
+/// Margin around a drawing for its symbols and labels, pixels.
 const MARGIN: f64 = 40.0;
 
 /// A drawing in one pose, from a [`crate::Figure`].
 #[derive(Clone, Copy)]
 pub struct Drawing<'a> {
-    /// Its rectangle: left, bottom, right, top.
+    /// Rectangle of the drawing: left, bottom, right, top.
     pub bounds: [f64; 4],
-    /// The display list of the rigid part.
+    /// Display list of whatever moves with the bodies.
     pub rigid: &'a List,
-    /// The frame: poses of the bodies, and the moving part.
+    /// Poses of the bodies, then the display list of everything else.
     pub frame: &'a [f32],
-    /// The names to which the labels refer.
+    /// Names, to which labels refer by index.
     pub names: &'a [String],
-    /// The value of a read-out by its name, radians, to be written with labels.
+    /// Returns the value of a read-out from its name, radians, to be written with labels.
     pub values: &'a dyn Fn(&str) -> Option<f64>,
 }
 
@@ -65,7 +64,7 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// An empty sheet of a width in pixels.
+    /// Makes an empty sheet with this width, pixels.
     pub fn new(width: f64) -> Self {
         Self {
             width,
@@ -74,7 +73,7 @@ impl Svg {
         }
     }
 
-    /// Adds a drawing of a height.
+    /// Adds a drawing with this height, pixels.
     pub fn drawing(&mut self, height: f64, drawing: &Drawing<'_>) {
         let [left, bottom, right, top] = drawing.bounds;
         let room = |pixels: f64| (pixels - 2.0 * MARGIN).max(1.0);
@@ -103,8 +102,8 @@ impl Svg {
         self.height += height;
     }
 
-    /// Adds a chart of a height: its three plots with the titles and the numbers
-    /// along the axes. `input` names the input.
+    /// Adds a chart with this height, pixels: its three plots, with titles and the numbers along
+    /// the axes. `input` is the name of the input.
     pub fn chart(&mut self, height: f64, chart: &Chart, input: &str) {
         let size = (self.width as u32, height as u32);
         let _ = writeln!(self.body, "<g transform=\"translate(0 {})\">", self.height);
@@ -154,7 +153,7 @@ impl Svg {
             for tick in &panel.x_ticks {
                 let unit = if chart.turns() { "°" } else { "" };
                 let text = format!("{}{unit}", short(tick.value));
-                // The last number stays on the sheet.
+                // The last number must not extend beyond the sheet.
                 let anchor = if tick.at + 14.0 > panel.width {
                     "end"
                 } else {
@@ -176,7 +175,7 @@ impl Svg {
         );
     }
 
-    /// The sheet as a file; `title` is for readers who cannot see it.
+    /// Returns the sheet as the text of a file; `title` is for readers who cannot see the sheet.
     pub fn finish(self, title: &str) -> String {
         let Self {
             width,
@@ -193,13 +192,13 @@ impl Svg {
     }
 }
 
-/// The colour of a role.
+/// Returns the colour of a role.
 fn css(role: usize) -> String {
     let RGBColor(r, g, b) = LIGHT.get(role).copied().unwrap_or(LIGHT[0]);
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// A number of an axis without rounding errors.
+/// Formats a number of an axis, without rounding errors.
 fn short(value: f64) -> String {
     let rounded = format!("{value:.6}");
     let rounded = rounded.trim_end_matches('0').trim_end_matches('.');
@@ -210,7 +209,7 @@ fn short(value: f64) -> String {
     }
 }
 
-/// Text with markup escaped.
+/// Escapes markup in a text.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
@@ -228,7 +227,7 @@ mod tests {
         let sheet = include_str!("../../../www/styles/page.css");
         for (role, name) in ROLES.iter().enumerate() {
             let line = format!("--role-{name}: {};", css(role));
-            // The first of them is that of the light theme.
+            // The first of several definitions is that of the light theme.
             let first = sheet.find(&format!("--role-{name}:"));
             assert!(
                 first.is_some_and(|at| sheet[at..].starts_with(&line)),
@@ -247,7 +246,7 @@ mod tests {
         }
     }
 
-    /// A label with a read-out has the value in degrees, if there is one.
+    /// A label with a read-out shows the value of the read-out in degrees, if there is one.
     #[test]
     fn labels_are_written_with_their_values() {
         let mut list = List::default();

@@ -1,5 +1,5 @@
 //! The drawing of a differential: sun 1, satellites 2, carrier 3 and ring 4, with teeth or magnet
-//! plates, and the working members 7 and 8.
+//! plates, and the working members 7 and 8, such as fans and brushes.
 
 mod arrows;
 mod bevel;
@@ -32,7 +32,7 @@ pub enum WorkingMember {
 }
 
 impl WorkingMember {
-    /// All of them, as in the source paper's table of uses.
+    /// All kinds, in the order of the table of uses in the source paper.
     pub const ALL: [Self; 7] = [
         Self::Fan,
         Self::Brush,
@@ -49,17 +49,17 @@ impl WorkingMember {
 pub struct TrainView {
     /// Teeth or magnets.
     pub coupling: Coupling,
-    /// Polarity of magnet plates.
+    /// Polarity of the magnet plates.
     pub poles: Poles,
-    /// The working members: 7 on each satellite's shaft, 8 on the carrier.
+    /// The working members: number 7 on each satellite's shaft, number 8 on the carrier.
     pub members: [Option<WorkingMember>; 2],
-    /// Whether the velocities of the first satellite are drawn, with its instantaneous centre. Not
-    /// drawn for bevel wheels.
+    /// Whether to draw the velocities of the first satellite and its instantaneous centre; they are
+    /// not drawn for bevel wheels.
     pub velocities: bool,
 }
 
 impl TrainView {
-    /// Number of plates per period of the field; for gears each tooth is a period.
+    /// Returns the number of plates per period of the field; for gears each tooth is a period.
     fn plates(&self) -> u32 {
         match (self.coupling, self.poles) {
             (Coupling::Magnetic, Poles::Alternating) => 2,
@@ -68,23 +68,23 @@ impl TrainView {
     }
 }
 
-/// A pose of a differential relative to its observer, whose own angle and speed are subtracted.
+/// A pose of a differential relative to an observer, whose own angle and speed are subtracted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrainPose {
-    /// The angles of the bodies in the order of [`Body::ALL`], radians, from where no mesh is
-    /// loaded and the first satellite is on the right. A bevel satellite is then on top, and its
-    /// angle is not used: it follows from the sun.
+    /// Angles of the bodies in the order of [`Body::ALL`], radians. At zero angles no mesh is
+    /// loaded and the first satellite is on the right. A bevel satellite is then on top; its angle
+    /// is not used, because it follows from the sun's.
     pub angles: [f64; 4],
-    /// Their speeds, rad/s.
+    /// Speeds of the bodies in the order of [`Body::ALL`], rad/s.
     pub speeds: [f64; 4],
-    /// The torques of the field on sun and ring relative to their greatest values, −1 to 1; none if
-    /// they are not shown.
+    /// Torques of the field on sun and ring, from −1 to 1 relative to their greatest values; none
+    /// if they are not shown.
     pub torques: Option<[f64; 2]>,
-    /// The angle of the frame, radians: 0 for an observer on the ground.
+    /// Angle of the frame, radians; 0 for an observer on the ground.
     pub ground: f64,
 }
 
-/// The drawing of a differential: along its main axis, for bevel wheels from the side.
+/// The drawing of a differential, seen along its main axis, or from the side for bevel wheels.
 #[derive(Clone, Debug)]
 pub struct TrainFigure {
     wheels: Wheels,
@@ -99,7 +99,7 @@ enum Wheels {
     Bevel(Box<Bevel>),
 }
 
-/// Index of a label's text.
+/// Label, whose number is the index of its text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Name {
     Sun,
@@ -118,11 +118,11 @@ enum Name {
 }
 
 impl Name {
-    /// The texts of labels, in the order of this enumeration.
+    /// Texts of the labels, in the order of this enumeration.
     const TEXTS: [&'static str; 10] = ["1", "2", "2′", "3", "4", "7", "8", "N", "S", "P"];
 }
 
-/// The colour of a body.
+/// Returns the colour of a body.
 const fn role(body: Body) -> Role {
     match body {
         Body::Sun => Role::Crank,
@@ -133,7 +133,7 @@ const fn role(body: Body) -> Role {
 }
 
 impl TrainFigure {
-    /// The drawing of a differential, whether its conditions are met or not.
+    /// Makes the drawing of a differential, whether its conditions are met or not.
     pub fn new(layout: &Layout, view: TrainView) -> Self {
         let (wheels, rigid) = match layout.train().kind() {
             Kind::Planar | Kind::Stepped => {
@@ -141,7 +141,7 @@ impl TrainFigure {
                 let rigid = planar.rigid();
                 (Wheels::Planar(Box::new(planar)), rigid)
             }
-            // From the side wheels look different in each pose.
+            // Seen from the side, wheels look different in each pose.
             Kind::Bevel => {
                 let bevel = Bevel::new(layout, view);
                 (Wheels::Bevel(Box::new(bevel)), List::default())
@@ -154,22 +154,22 @@ impl TrainFigure {
         }
     }
 
-    /// The colours of the bodies in the order of [`Body::ALL`].
+    /// Returns the colours of the bodies in the order of [`Body::ALL`].
     pub fn roles() -> [Role; 4] {
         Body::ALL.map(role)
     }
 
-    /// The names to which the labels refer.
+    /// Returns the names to which labels refer by index.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// The display list of everything that turns as a body.
+    /// Returns the display list of everything that turns as a body.
     pub fn rigid(&self) -> &List {
         &self.rigid
     }
 
-    /// The rectangle that holds the drawing at all times: left, bottom, right, top.
+    /// Returns the rectangle that holds the drawing at all times: left, bottom, right, top.
     pub fn bounds(&self) -> [f64; 4] {
         match &self.wheels {
             Wheels::Planar(planar) => planar.bounds(),
@@ -177,7 +177,7 @@ impl TrainFigure {
         }
     }
 
-    /// The drawing at a time: `n, x, y, θ, …` of the `n` bodies, then a display list.
+    /// Returns the drawing in a pose: `n, x, y, θ, …` of the `n` bodies, then a display list.
     pub fn frame(&self, pose: &TrainPose) -> Vec<f32> {
         let mut list = List::default();
         let poses = match &self.wheels {
@@ -191,7 +191,7 @@ impl TrainFigure {
             }
         };
         let mut frame = vec![poses.len() as f32];
-        // An angle of many turns has lost the digits that are visible.
+        // As an `f32`, an angle of many turns would lose its visible digits.
         let folded = poses
             .iter()
             .flat_map(|[x, y, angle]| [*x, *y, angle.rem_euclid(TAU)].map(|number| number as f32));

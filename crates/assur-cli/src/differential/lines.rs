@@ -1,10 +1,10 @@
-//! The report on a train, as lines for people.
+//! Report on an epicyclic train as text.
 
 use std::io::{self, Write};
 
 use serde_json::{Map, Value};
 
-/// Keys of single-line values, in the order of the report; other keys are for programs.
+/// Keys printed on one line each, in this order.
 const LINES: [&str; 14] = [
     "z1",
     "z2",
@@ -22,7 +22,7 @@ const LINES: [&str; 14] = [
     "gaps",
 ];
 
-/// Writes the lines.
+/// Writes the report.
 ///
 /// # Errors
 /// Output that cannot be written.
@@ -43,7 +43,7 @@ pub(super) fn write(out: &mut impl Write, told: &Map<String, Value>) -> io::Resu
     Ok(())
 }
 
-/// The six ratios as fractions, the largest marked, and their identities.
+/// Writes the six ratios with their fractions, marking the largest, and the identities between ratios.
 fn ratios(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
     let largest = entries(told, "largest");
     for (name, value) in entries(told, "ratios") {
@@ -59,7 +59,7 @@ fn ratios(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
     Ok(())
 }
 
-/// The conditions of gears in contact and of magnets, with their numbers.
+/// Writes the conditions for gears in contact and for magnets, with the two sides of each relation.
 fn conditions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
     for (coupling, conditions) in shown(told, "conditions") {
         for (name, told) in conditions.as_object().into_iter().flatten() {
@@ -76,7 +76,7 @@ fn conditions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()>
     Ok(())
 }
 
-/// Similar numbers that can be built, if these cannot.
+/// Writes similar numbers of teeth that can be built, if the given ones cannot.
 fn suggestions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
     for (coupling, found) in shown(told, "suggestions") {
         if told["can_be_built"][coupling] == true {
@@ -92,7 +92,7 @@ fn suggestions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()
     Ok(())
 }
 
-/// The entries of a field for the shown kinds of coupling.
+/// Returns the entries under a key, for the kinds of coupling to be shown.
 fn shown<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value)> {
     let couplings = entries(told, "couplings");
     let mut all = entries(told, key);
@@ -100,7 +100,7 @@ fn shown<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value
     all
 }
 
-/// The entries of a list, without names, or of a record; empty if there is none.
+/// Returns the entries of an object with their names, or of a list with empty names; none if the key is missing.
 fn entries<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value)> {
     match told.get(key) {
         Some(Value::Object(fields)) => fields
@@ -112,7 +112,7 @@ fn entries<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Val
     }
 }
 
-/// A value on one line.
+/// Formats a value on one line.
 fn in_line(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),

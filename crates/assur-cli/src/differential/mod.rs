@@ -1,4 +1,4 @@
-//! The differential: speeds, ratios and conditions from numbers of teeth or poles.
+//! The command `differential`: speeds, ratios and conditions of an epicyclic train from numbers of teeth or poles.
 
 mod lines;
 mod words;
@@ -24,13 +24,13 @@ pub(crate) struct Asked {
     /// Teeth or poles of the sun.
     #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z1: f64,
-    /// Teeth or poles of the ring; with --bevel of the second side wheel.
+    /// Teeth or poles of the ring (with --bevel: of the second side wheel)
     #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z4: f64,
     /// Teeth or poles of the satellite [default: (z4 - z1)/2, for gears in contact]
     #[arg(long, value_parser = number, value_name = "N", allow_hyphen_values = true)]
     z2: Option<f64>,
-    /// Teeth or poles of a stepped satellite's second wheel, in mesh with the ring.
+    /// Teeth or poles of a stepped satellite's second wheel, which meshes with the ring.
     #[arg(
         value_parser = number,
         long,
@@ -40,7 +40,7 @@ pub(crate) struct Asked {
         conflicts_with = "bevel"
     )]
     z2_step: Option<f64>,
-    /// Bevel wheels: the ring is a side wheel, as large as the sun or not.
+    /// Bevel wheels: sun and ring are the two side wheels, of equal or different size.
     #[arg(long, requires = "z2")]
     bevel: bool,
     /// Speed of the sun, in any unit; 0 holds it.
@@ -52,7 +52,7 @@ pub(crate) struct Asked {
     /// Speed of the ring.
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     w4: Option<f64>,
-    /// One shaft tied to another: 4/1=0.5 makes the ring half as fast as the sun.
+    /// Speed of a shaft as a multiple of another's: 4/1=0.5 makes the ring half as fast as the sun.
     #[arg(long = "tie", value_name = "I/J=K", value_parser = tie)]
     ties: Vec<Input>,
     /// Number of satellites, 1 to 6.
@@ -73,7 +73,7 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     module: f64,
-    /// Distance of the satellites' axes from the main one, for magnets [default: with equal gaps]
+    /// Distance of the satellites' axes from the main axis, for magnets [default: the one with equal gaps]
     #[arg(
         value_parser = number,
         long,
@@ -82,8 +82,8 @@ pub(crate) struct Asked {
         requires = "z2"
     )]
     axis_distance: Option<f64>,
-    /// Kind of coupling; conditions of the other kind are not shown [default: contact if the numbers of teeth
-    /// let gears mesh, with profile shift or without, magnets with --axis-distance, otherwise both]
+    /// Kind of coupling whose conditions are shown, contact or magnets [default: magnets with --axis-distance, else
+    /// contact if the gears can mesh, with or without profile shift, else both]
     #[arg(long, value_name = "KIND", value_parser = coupling)]
     coupling: Option<Coupling>,
     /// Prints JSON.
@@ -91,7 +91,7 @@ pub(crate) struct Asked {
     json: bool,
 }
 
-/// Reads a coupling.
+/// Parses a kind of coupling.
 fn coupling(text: &str) -> Result<Coupling, String> {
     match text {
         "contact" => Ok(Coupling::Contact),
@@ -100,7 +100,7 @@ fn coupling(text: &str) -> Result<Coupling, String> {
     }
 }
 
-/// Reads a tie.
+/// Parses the ratio of two shaft speeds.
 fn tie(text: &str) -> Result<Input, String> {
     let shaft = |number: &str| {
         Shaft::ALL
@@ -117,7 +117,7 @@ fn tie(text: &str) -> Result<Input, String> {
 }
 
 impl Asked {
-    /// The wheels; none if no satellite is given and none would be in contact.
+    /// Builds the train; none if no satellite is given and none could have gears in contact.
     fn train(&self) -> Result<Option<Train>, Vec<TrainError>> {
         let Self { z1, z4, .. } = *self;
         match (self.z2, self.z2_step) {
@@ -128,7 +128,7 @@ impl Asked {
         }
     }
 
-    /// The kinds of coupling whose conditions are shown to people.
+    /// Returns the kinds of coupling whose conditions the text report shows.
     fn couplings(&self, layout: &Layout) -> Vec<Coupling> {
         let both = [Coupling::Contact, Coupling::Magnetic];
         let coaxial = layout.conditions(Coupling::Contact);
@@ -154,11 +154,11 @@ impl Asked {
     }
 }
 
-/// Writes the report, as lines for people or as JSON.
+/// Writes the report, as text or as JSON.
 ///
 /// # Errors
-/// All invalid numbers at once; otherwise an impossible train, inputs that do not determine its
-/// motion, output that cannot be written.
+/// Invalid numbers, all listed together; otherwise an impossible train; inputs that do not determine its motion; output
+/// that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let told = told(asked).map_err(|sentences| Failure::Input(sentences.join("\n")))?;
     if asked.json {
@@ -169,7 +169,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     Ok(())
 }
 
-/// The report, or the reasons why there is none.
+/// Builds the report, or lists the reasons why there is none.
 fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
     let of_train = |errors: Vec<TrainError>| -> Vec<String> {
         errors.iter().map(words::train_error).collect()
@@ -200,7 +200,7 @@ fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
             told.append(&mut fields);
         }
     };
-    // Checked to be whole by now.
+    // Both numbers were checked above to be whole.
     let [z1, z4] = [asked.z1, asked.z4].map(|teeth| teeth as u32);
     tell(json!({"z1": z1, "z4": z4, "satellites": counts.satellites}));
     tell(of_speeds(&speeds, train.as_ref()));
@@ -226,7 +226,7 @@ fn told(asked: &Asked) -> Result<Map<String, Value>, Vec<String>> {
     Ok(told)
 }
 
-/// The speeds; ω₂ is null if the satellite is unknown.
+/// Returns the speeds; those of the satellite are null if no satellite is known.
 fn of_speeds(speeds: &Shafts, train: Option<&Train>) -> Value {
     let spin = train.map(|train| train.spin(speeds));
     json!({
@@ -305,7 +305,7 @@ fn of_layout(layout: &Layout, speeds: &Shafts) -> Value {
     })
 }
 
-/// The names of couplings; of both if none is chosen.
+/// Returns the names of these kinds of coupling, or of both kinds if the list is empty.
 fn couplings(all: &[Coupling]) -> Value {
     let name = |coupling: &Coupling| match coupling {
         Coupling::Contact => "contact",
@@ -317,7 +317,7 @@ fn couplings(all: &[Coupling]) -> Value {
     }
 }
 
-/// Notes on a train.
+/// Returns notes on gears that mesh only with profile shift.
 fn notes(layout: &Layout) -> Value {
     let conditions = layout.conditions(Coupling::Contact).into_iter();
     let shifted = conditions.filter(Condition::within_profile_shift);

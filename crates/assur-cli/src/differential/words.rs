@@ -1,4 +1,4 @@
-//! Sentences on impossible trains, and the names of conditions.
+//! Sentences on impossible trains, and names of conditions.
 
 use assur::Fault;
 use assur::gears::train::{InputError, Member, Relation, Shaft, TrainError};
@@ -6,7 +6,7 @@ use assur::gears::train::{InputError, Member, Relation, Shaft, TrainError};
 pub(super) const NO_CONTACT: &str = "z4 - z1 is odd or too small for gears in contact, z2 = (z4 - z1)/2: give z2, \
      without which the satellite's speed is unknown";
 
-/// Note that gears may still be built although the ring has this number of teeth too many.
+/// Says that profile shift may make up for this number of teeth too many on the ring, or too few if negative.
 pub(super) fn shifted(teeth: f64) -> String {
     let count = teeth.abs();
     let noun = if count == 1.0 { "tooth" } else { "teeth" };
@@ -17,7 +17,7 @@ pub(super) fn shifted(teeth: f64) -> String {
     )
 }
 
-/// The reason why numbers make no train, as a sentence.
+/// Explains in a sentence why there is no train with these numbers.
 pub(super) fn train_error(error: &TrainError) -> String {
     match *error {
         TrainError::Teeth { member, fault } => number(member_name(member), fault),
@@ -41,7 +41,7 @@ pub(super) fn train_error(error: &TrainError) -> String {
     }
 }
 
-/// The reason why inputs do not determine the motion, as a sentence.
+/// Explains in a sentence why the inputs do not determine the motion.
 pub(super) fn input_error(error: &InputError) -> String {
     let speed = |shaft: Shaft| format!("w{}", shaft.number());
     match *error {
@@ -84,7 +84,7 @@ fn member_name(member: Member) -> &'static str {
     }
 }
 
-/// The fault of a number, as a sentence.
+/// Describes an invalid number in a sentence.
 fn number(name: &str, fault: Fault) -> String {
     match fault {
         Fault::NotPositive { value } => format!("{name} must be greater than zero, not {value}"),

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use crate::Failure;
 use crate::source::{Moved, Name};
 
-/// Writes the structure, as lines for people or as JSON.
+/// Writes the structure, as text or as JSON.
 ///
 /// # Errors
 /// Output that cannot be written.
@@ -103,7 +103,7 @@ pub(crate) fn write<W: Write>(
     Ok(())
 }
 
-/// An input for people.
+/// Formats an input of the JSON report for the text report.
 fn at(input: &Value) -> String {
     match input["phi_deg"].as_f64() {
         Some(degrees) => rounded(degrees),
@@ -111,12 +111,12 @@ fn at(input: &Value) -> String {
     }
 }
 
-/// An angle for people, to a millionth of a degree.
+/// Formats an angle, rounded to a millionth of a degree.
 fn rounded(degrees: f64) -> String {
     format!("{}°", (degrees * 1e6).round() / 1e6 + 0.0)
 }
 
-/// An input for programs, with its key: degrees of a crank, otherwise the length of a driven slide.
+/// Returns the JSON key and the value of an input: degrees of a crank, or the displacement of a driven slide.
 fn placed(mechanism: &Mechanism, input: f64) -> (&'static str, f64) {
     if mechanism.turns() {
         ("phi_deg", input.to_degrees())
@@ -188,18 +188,18 @@ fn described(moved: &Moved, output: LinkId) -> Value {
     let mut described = json!({
         "links": mechanism.links().collect::<Vec<_>>(),
         "drivers": drivers(mechanism),
-        // A mechanism has as many drivers as degrees of freedom.
+        // The number of drivers equals the degree of freedom.
         "mobility": driving,
         "w_count": mobility.count,
         "w_rank": mobility.rank,
         "q": mobility.q(),
-        // The pairs with a redundant constraint, in the order of points, slides and gears.
+        // Names of the pairs with a redundant constraint: first points, then slides, then gears.
         "redundant": mobility.redundant,
         "class": roman(structure.class()),
         "formula": mechanism.formula(),
-        // Wheels that repeat what others do, such as further satellites.
+        // Wheels whose constraint repeats that of others, such as further satellites.
         "passive": passive.collect::<Vec<_>>(),
-        // Those known at the drawn input, numbered as by `assur assemblies`, and whether these are all.
+        // Number of the assemblies known at the drawn input, that input, and whether these are all.
         "assemblies": assemblies.poses.len(),
         "assemblies_at": at(motion.drawn_input()),
         "assemblies_whole": assemblies.whole,
@@ -207,10 +207,10 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "steps": steps.chain(doubled).collect::<Vec<_>>(),
         "turns_fully": cycle.is_full() && mechanism.turns(),
         "range": range.collect::<Vec<_>>(),
-        // Number of turns after which the motion repeats, if it does not turn back.
+        // Number of turns after which the motion repeats; null if the driver turns back.
         "turns": turns,
         "dead_points": ends(DeadPointKind::is_dead_point),
-        // Where the motion goes on but is not followed further.
+        // Inputs up to which the motion was followed, although it goes on.
         "followed_to": ends(unfollowed),
         "change_points": change_points.collect::<Vec<_>>(),
     });
@@ -220,7 +220,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
     described
 }
 
-/// The driven links, with their rates relative to the first.
+/// Returns the driven links, with their rates as multiples of the first driver's rate.
 fn drivers(mechanism: &Mechanism) -> Vec<Value> {
     let draft = mechanism.spec();
     let drivers = draft.drivers.iter();

@@ -1,4 +1,4 @@
-//! Swing, travel and time ratio of the outputs, classes of the four-bars, transmission of the dyads.
+//! Swing, travel and time ratio of outputs; Grashof classes of four-bars; transmission angles of dyads.
 
 use assur::Swing;
 use assur::mechanism::{FRAME, LinkOrFrame, Mechanism, Quantity};
@@ -9,7 +9,7 @@ use super::{at, placed, rounded};
 use crate::source::Moved;
 use crate::words::{class, short};
 
-/// The outputs, four-bars and transmissions of a mechanism, under names for programs.
+/// Returns outputs, four-bars and transmission angles of a mechanism as JSON.
 pub(super) fn described(moved: &Moved) -> Map<String, Value> {
     let motion = &moved.motion;
     let mechanism = motion.mechanism();
@@ -54,9 +54,10 @@ fn name(mechanism: &Mechanism, link: LinkOrFrame) -> &str {
     link.map_or(FRAME, |link| mechanism.link_name(link))
 }
 
-/// An output, angles in degrees, and whether it moves at all: its least and greatest value on each arc of the
-/// motion, null where it turns on and on; its travel there and back; its limit positions; its time ratio, if
-/// it goes there and back once a turn. A motion with too many turns to be searched has only their number.
+/// Describes an output, with angles in degrees, and returns whether it moves at all. The description has the least and
+/// greatest value on each arc of the motion (null where a link keeps rotating), the travel in both directions, limit
+/// positions, and the time ratio if the output moves there and back once per turn. If the motion has too many turns to
+/// be searched, it has only their number.
 fn output(motion: &Motion, quantity: Quantity) -> (Value, bool) {
     let mechanism = motion.mechanism();
     let profile = match OutputProfile::new(motion, quantity) {
@@ -95,7 +96,7 @@ fn output(motion: &Motion, quantity: Quantity) -> (Value, bool) {
     (told, moves)
 }
 
-/// The lines of the outputs for people: a key and a text. Lengths are rounded by the size of the mechanism.
+/// Returns the lines of the text report, each a key and a text. Lengths are rounded relative to the mechanism's size.
 pub(super) fn lines(described: &Value, size: f64) -> Vec<(&'static str, String)> {
     let list = |key: &str| described[key].as_array().into_iter().flatten();
     let outputs = list("outputs").map(|one| ("output", output_line(one, size)));
@@ -120,7 +121,7 @@ pub(super) fn lines(described: &Value, size: f64) -> Vec<(&'static str, String)>
     outputs.chain(four_bars).chain(transmissions).collect()
 }
 
-/// Swing and travel of an output on each arc, then its time ratio.
+/// Formats swing and travel of an output on each arc, then its time ratio.
 fn output_line(output: &Value, size: f64) -> String {
     let is_angle = output.get("swing_deg").is_some();
     let value = |value: &Value| {
@@ -170,7 +171,7 @@ fn degrees(value: &Value) -> String {
     value.as_f64().map_or_else(String::new, rounded)
 }
 
-/// A length to a millionth of the size.
+/// Formats a length, rounded to about a millionth of the size of the mechanism.
 fn length(value: &Value, size: f64) -> String {
     let unit = 10_f64.powi(size.log10().floor() as i32 - 6);
     value.as_f64().map_or_else(String::new, |value| {

@@ -5,7 +5,7 @@ use assur::motion::Column;
 
 use crate::Failure;
 
-/// Naming of the columns of a mechanism.
+/// Style of the column names for a mechanism.
 #[derive(Clone, Copy)]
 pub(super) struct Names<'a> {
     pub(super) mechanism: &'a Mechanism,
@@ -18,7 +18,7 @@ pub(super) struct Names<'a> {
 }
 
 impl Names<'_> {
-    /// The header of the column of inputs.
+    /// Returns the heading of the input column.
     pub(super) fn input(self) -> &'static str {
         match (self.mechanism.turns(), self.units) {
             (true, _) => "phi_deg",
@@ -27,7 +27,7 @@ impl Names<'_> {
         }
     }
 
-    /// The header of a column.
+    /// Returns the heading of a column.
     pub(super) fn header(self, column: Column) -> String {
         let name = self.name(column);
         if self.units {
@@ -45,7 +45,7 @@ impl Names<'_> {
         }
     }
 
-    /// The unit of a column; lengths are in an unspecified unit.
+    /// Returns the unit of a column; the unit of lengths, which is unknown, is called `length`.
     fn unit(self, column: Column) -> String {
         let angle = if self.degrees { "deg" } else { "rad" };
         let unit = |turns: bool| if turns { angle } else { "length" };
@@ -62,7 +62,7 @@ impl Names<'_> {
         }
     }
 
-    /// The factor from the engine's value of a column to the unit of the table.
+    /// Returns the factor that converts the engine's values of a column to the unit of the table.
     pub(super) fn scale(self, column: Column) -> f64 {
         let by_angle = !self.by_time && self.mechanism.turns();
         let of = i32::from(column.quantity.is_angle());
@@ -74,10 +74,10 @@ impl Names<'_> {
         }
     }
 
-    /// The columns with these names, separated by commas; a name may itself contain commas.
+    /// Finds columns by their names in a list separated by commas; a name may itself contain commas.
     ///
     /// # Errors
-    /// An unknown name, with the existing ones.
+    /// An unknown name; the message lists the existing names.
     pub(super) fn chosen(self, names: &str) -> Result<Vec<Column>, Failure> {
         let all: Vec<(String, Column)> = Column::all(self.mechanism)
             .into_iter()

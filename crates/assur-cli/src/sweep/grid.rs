@@ -8,20 +8,22 @@ use crate::words::short;
 
 /// Maximum number of rows.
 const MOST_ROWS: f64 = 1e7;
-/// Number of steps over a driven slide's range, by default.
+/// Default number of steps over the range of a driven slide.
 const STEPS: f64 = 360.0;
-/// Greatest input on the command line: a larger angle has too few digits left.
+/// Greatest angle accepted from the command line, degrees; a larger one has too few digits left for
+/// its position in a turn.
 const GREATEST_ANGLE: f64 = 1e9;
+/// Greatest length accepted from the command line.
 const GREATEST_LENGTH: f64 = 1e30;
-/// Greatest speed or acceleration.
+/// Greatest speed or acceleration accepted from the command line.
 const GREATEST_RATE: f64 = 1e9;
 
-/// The unit of inputs for readers: degrees of a crank, otherwise the unit of the lengths.
+/// Returns the unit of inputs in tables, expressed in the engine's unit: a degree in radians, or 1 for lengths.
 fn unit(turns: bool) -> f64 {
     if turns { 1_f64.to_radians() } else { 1.0 }
 }
 
-/// An input given by an option.
+/// Checks and converts an input given by an option.
 ///
 /// # Errors
 /// Not a number, or one too great.
@@ -34,11 +36,11 @@ pub(crate) fn asked_for(option: &str, value: f64, turns: bool) -> Result<At, Fai
     Ok(At::counted(within(option, value, greatest)?, unit(turns)))
 }
 
-/// The inputs of a table: those of `--at`; otherwise multiples of the step within the motion or the
-/// given stretch, with the ends of the motion where it turns back.
+/// Returns the inputs of the rows: those of `--at`, or else the multiples of the step over the
+/// motion or the requested interval. If the motion turns back, its ends are included.
 ///
 /// # Errors
-/// An invalid number; a step or a stretch with too many rows or none.
+/// An invalid number; a step or an interval with too many rows or none.
 pub(super) fn inputs(
     motion: &Motion,
     asked: &Asked,
@@ -68,7 +70,7 @@ pub(super) fn inputs(
             short(step)
         ));
     }
-    // By default the rows are at round angles; for a slide they begin at the start of its range.
+    // By default angles are multiples of the step, and the inputs of a slide are counted from the start of its range.
     let origin = match asked.from {
         Some(from) => from,
         None if turns => 0.0,
@@ -85,7 +87,7 @@ pub(super) fn inputs(
     Ok(Box::new(rows))
 }
 
-/// The first input given, if any.
+/// Returns the first input of `--at`, or else that of `--from`, if given.
 ///
 /// # Errors
 /// An invalid number.
@@ -99,7 +101,7 @@ pub(super) fn first(motion: &Motion, asked: &Asked) -> Result<Option<f64>, Failu
     Ok(first.map(|first| first.input))
 }
 
-/// The given stretch, otherwise the arcs of the motion.
+/// Returns the interval from `--from` to `--to`, or else the arcs of the motion.
 fn stretches(motion: &Motion, asked: &Asked) -> Result<Vec<[At; 2]>, Failure> {
     let turns = motion.mechanism().turns();
     let arcs = motion.arcs_in(unit(turns));
@@ -124,7 +126,7 @@ fn stretches(motion: &Motion, asked: &Asked) -> Result<Vec<[At; 2]>, Failure> {
     Ok(vec![[from, to]])
 }
 
-/// A speed or an acceleration given by an option.
+/// Checks a speed or an acceleration given by an option.
 ///
 /// # Errors
 /// Not a number, or one too great.

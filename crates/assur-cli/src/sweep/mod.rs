@@ -40,35 +40,35 @@ pub(crate) struct Asked {
         conflicts_with_all = ["step", "from", "to"]
     )]
     at: Vec<f64>,
-    /// These columns only, in this order, by their names in the header without units; also
-    /// C.transmission and C.pressure, the transmission and pressure angles of a dyad, by its inner joint
+    /// Only these columns, in this order, named as in the header without units. C.transmission and C.pressure, the
+    /// transmission and pressure angles of the dyad with the inner joint C, can also be named
     #[arg(long, value_name = "NAME,NAME", allow_hyphen_values = true)]
     columns: Option<String>,
-    /// Rates in time instead of derivatives, at this speed of the driver: rad/s, or lengths/s for a slide
+    /// Speed of the driver, rad/s, or length/s for a slide; gives derivatives with respect to time
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     omega: Option<f64>,
-    /// Acceleration of the driver, rad/s², or lengths/s² for a slide [default: 0]
+    /// Acceleration of the driver, rad/s², or length/s² for a slide [default: 0]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true, requires = "omega")]
     epsilon: Option<f64>,
-    /// Angles in degrees, also in derivatives, and derivatives with respect to degrees of a crank
+    /// Angles and their derivatives in degrees; derivatives with respect to degrees of a crank
     #[arg(long)]
     degrees: bool,
-    /// Names of columns end in their units, as in rocker.angle_rad, with --degrees rocker.angle_deg, or C.vx_length_per_s
+    /// Units at the end of column names, as in rocker.angle_rad (with --degrees rocker.angle_deg) or C.vx_length_per_s
     #[arg(long)]
     header_units: bool,
-    /// 0,5 for 0.5, and a semicolon between cells
+    /// Decimal comma (0,5 for 0.5), with semicolons between cells
     #[arg(long)]
     decimal_comma: bool,
-    /// The assembly with this number (see `assur assemblies`) at the first angle of --at or --from,
-    /// or else at the drawn input, from where it is followed [default: the drawn one]
+    /// Number of the assembly (see `assur assemblies`) at the first input of --at or --from, or else at the drawn
+    /// input; its motion is followed from there [default: the drawn assembly]
     #[arg(long, value_name = "N")]
     assembly: Option<usize>,
 }
 
-/// Writes the table.
+/// Writes the table of a motion.
 ///
 /// # Errors
-/// Not a mechanism; an invalid number, step or column; output that cannot be written.
+/// A document that is not a mechanism; an invalid number, step or column; output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let drawn = source::moved(&asked.name)?;
     let motion: Motion = match asked.assembly {

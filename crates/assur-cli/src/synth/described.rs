@@ -1,4 +1,4 @@
-//! Results under names for programs and as lines for people.
+//! Results of a synthesis, as JSON and as text.
 
 use std::io::{self, Write};
 
@@ -16,7 +16,7 @@ use crate::words::class;
 pub(super) struct Report {
     /// Kind of result.
     pub(super) kind: &'static str,
-    /// Sentences, for people alone.
+    /// Sentences that appear in the text only.
     pub(super) notes: Vec<String>,
     /// Linkages, the best first.
     pub(super) solutions: Vec<Value>,
@@ -44,7 +44,7 @@ impl Report {
         Value::Object(fields)
     }
 
-    /// Notes, ranges and a block for each linkage.
+    /// Writes notes, ranges, and a block of lines for each linkage.
     ///
     /// # Errors
     /// Output that cannot be written.
@@ -77,7 +77,7 @@ impl Report {
     }
 }
 
-/// Writes a line for each field, and for the fields of nested records.
+/// Writes a line for each field, and for each field of a nested object.
 fn lines(out: &mut impl Write, fields: &Value) -> io::Result<()> {
     for (key, value) in fields.as_object().into_iter().flatten() {
         match value {
@@ -96,7 +96,7 @@ fn lines(out: &mut impl Write, fields: &Value) -> io::Result<()> {
     Ok(())
 }
 
-/// A linkage with its verdict and its error against a wanted function; lengths in the unit of the frame's.
+/// Describes a linkage with its verdict, and with its error against a wanted function; lengths are in the frame's unit.
 pub(super) fn solution(task: &Task, solution: &Solution, wanted: Option<&Wanted>) -> Value {
     let length = task.frame().length;
     let [l3, l1, l2, _] = solution.proportions.lengths(length);
@@ -137,7 +137,7 @@ pub(super) fn solution(task: &Task, solution: &Solution, wanted: Option<&Wanted>
     described
 }
 
-/// Ranges of the lengths and of the coupler's angles, and where verdicts change.
+/// Adds the ranges of lengths and coupler angles of a family, and the lengths at which its verdicts change.
 pub(super) fn family(report: &mut Report, family: &Family) {
     let length = family.task().frame().length;
     let range = |range: Range| json!([range.from * length, range.to.map(|to| to * length)]);
@@ -161,7 +161,7 @@ pub(super) fn family(report: &mut Report, family: &Family) {
     report.set("family", described);
 }
 
-/// One position: for any lengths of output and input, the coupler is as long as the gap.
+/// Reports on a single position: output link and driver may have any lengths if the coupler spans the gap between them.
 pub(super) fn one(report: &mut Report, task: &Task) {
     report.kind = "any";
     report.notes.push(words::ONE.to_owned());
@@ -182,7 +182,7 @@ pub(super) fn one(report: &mut Report, task: &Task) {
         output: 1.0,
         input: 1.0,
     };
-    // The coupler that closes the loop with output and input as long as the frame.
+    // Length of the coupler that closes the loop if output link and driver are as long as the frame.
     let gap = Solution::new(task, equal).closures[0].residual + 1.0;
     let closed = Proportions {
         coupler: gap,
@@ -193,8 +193,8 @@ pub(super) fn one(report: &mut Report, task: &Task) {
     }
 }
 
-/// The conditions and theorems of the paper at each position, as printed and in fact, with the
-/// ranges of l₁; `couplers` are φ₁, radians. With lengths also their gap there.
+/// Evaluates the conditions and theorems of the paper at each position, as printed and in fact, with the ranges of l₁.
+/// `couplers` are the coupler angles φ₁, radians. If lengths are given, their gap at each position is added.
 pub(super) fn printed(task: &Task, couplers: &[f64], lengths: Option<Proportions>) -> Value {
     let frame = task.frame();
     let told = task

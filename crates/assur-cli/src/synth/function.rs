@@ -10,11 +10,11 @@ use crate::words::Words;
 /// Arguments of a wanted function.
 #[derive(Args)]
 pub(crate) struct OnFunction {
-    /// A function y = f(x) instead of positions: log10, exp, sin (x in degrees), x^P with a number P, or a file
-    /// with x and y in each line. x becomes the angle of the driver, y that of the output link, both linearly.
+    /// A function y = f(x) instead of positions: log10, exp, sin (x in degrees), x^P with a number P, or a file with x
+    /// and y in each line. x is mapped linearly to the angle of the driver, y to that of the output link.
     #[arg(long, value_name = "F", requires_all = ["input", "output"])]
     function: Option<String>,
-    /// Interval of x of the function [default for a file: from the first line to the last]
+    /// Interval of x [default for a file: from its first line to its last]
     #[arg(long, requires = "function", value_name = "X0,X1", value_parser = pair, allow_hyphen_values = true)]
     x: Option<[f64; 2]>,
     /// Angles of the driver at the ends of --x, degrees from the x-axis.
@@ -31,12 +31,12 @@ pub(crate) struct OnFunction {
         default_value_t = 3
     )]
     count: usize,
-    /// Positions on the function at even steps of x, including the ends.
+    /// Spaces the positions on the function at equal steps of x, including the ends.
     #[arg(long, requires = "function")]
     even: bool,
 }
 
-/// Options that correspond to fields of the document.
+/// Fields of the document, each with the option that sets it.
 const OPTIONS: [(&str, &str); 4] = [
     ("function.of", "--function"),
     ("function.x", "--x"),
@@ -44,12 +44,12 @@ const OPTIONS: [(&str, &str); 4] = [
     ("function.output_deg", "--output"),
 ];
 
-/// Reads two numbers.
+/// Parses two numbers.
 fn pair(text: &str) -> Result<[f64; 2], String> {
     numbers(text).ok_or_else(|| "two numbers are wanted, as 1,2".to_owned())
 }
 
-/// The two numbers of a text, with a comma, a semicolon or a space between.
+/// Parses two numbers separated by a comma, a semicolon or spaces.
 fn numbers(text: &str) -> Option<[f64; 2]> {
     let parts = text.split([',', ';', ' ', '\t']);
     let parts = parts.filter(|part| !part.is_empty()).map(str::parse);
@@ -58,10 +58,10 @@ fn numbers(text: &str) -> Option<[f64; 2]> {
 }
 
 impl OnFunction {
-    /// The positions on the function and the function, if one is given.
+    /// Returns the wanted function and the positions on it, if a function is given.
     ///
     /// # Errors
-    /// Not a function; a file that cannot be read.
+    /// An invalid function; a file that cannot be read.
     pub(super) fn wanted(&self) -> Result<Option<(Vec<Degrees>, Wanted)>, Failure> {
         let (Some(name), Some(input_deg), Some(output_deg)) =
             (&self.function, self.input, self.output)
@@ -106,7 +106,7 @@ impl OnFunction {
     }
 }
 
-/// The function of this name, or of the lines of this file.
+/// Returns the named function, or the table in the file of this name.
 fn formula(name: &str) -> Result<FormulaDocument, Failure> {
     match name {
         "log10" => return Ok(FormulaDocument::Log10),
@@ -124,7 +124,7 @@ fn formula(name: &str) -> Result<FormulaDocument, Failure> {
     let text =
         std::fs::read_to_string(name).map_err(|error| Failure::Io(format!("{name}: {error}")))?;
     let lines = text.lines().filter(|line| !line.trim().is_empty());
-    // Invalid lines are reported by number, as are lines whose x does not increase.
+    // An invalid line becomes NaN and, like a line whose x does not increase, is reported later by its number.
     let rows = lines.map(|line| numbers(line).unwrap_or([f64::NAN; 2]));
     Ok(FormulaDocument::Table(rows.collect()))
 }

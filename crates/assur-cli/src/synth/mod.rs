@@ -19,19 +19,19 @@ use crate::words::number;
 use described::Report;
 use function::OnFunction;
 
-/// Maximum number of members of a family, or minima of a search, that are shown.
+/// Maximum number of linkages shown, of a family or of the minima of a search.
 const SHOWN: usize = 5;
 
 /// Arguments of `assur synth`.
 #[derive(Args)]
 pub(crate) struct Asked {
-    /// Corresponding angles of the output link and the driver, degrees from the x-axis; a weight
-    /// may follow. The output link points from its hinge with the coupler to its fixed pivot.
+    /// Corresponding angles of output link and driver, degrees from the x-axis; a weight may follow. The direction of
+    /// the output link is from its hinge with the coupler to its fixed pivot.
     #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required_unless_present = "function", conflicts_with = "function", value_parser = degrees, allow_hyphen_values = true)]
     positions: Vec<Degrees>,
     #[command(flatten)]
     function: OnFunction,
-    /// Length of the frame; all lengths are in its unit.
+    /// Length of the frame; sets the unit of all lengths.
     #[arg(
         value_parser = number,
         long,
@@ -40,7 +40,7 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     frame: f64,
-    /// Direction of the frame, degrees from the x-axis, from the driver's fixed pivot to the output link's.
+    /// Direction of the frame, from the driver's fixed pivot to the output link's, degrees from the x-axis.
     #[arg(
         value_parser = number,
         long,
@@ -49,17 +49,17 @@ pub(crate) struct Asked {
         allow_hyphen_values = true
     )]
     frame_angle: f64,
-    /// Length of the output link, for two positions: selects that linkage of the family.
+    /// Length of the output link, which selects one linkage of the family of two positions.
     #[arg(long, value_parser = number, value_name = "LENGTH", allow_hyphen_values = true)]
     l2: Option<f64>,
-    /// Coupler angles, degrees from the x-axis, one for each position: the conditions and theorems
-    /// of the source paper there, as printed and in fact, and the ranges of the lengths.
+    /// Coupler angles, one per position, degrees from the x-axis. Shows the conditions and theorems of the source paper
+    /// at these angles, as printed and in fact, and the ranges of the lengths.
     #[arg(long, value_name = "PHI1,...", value_delimiter = ',', value_parser = number, allow_hyphen_values = true)]
     coupler: Vec<f64>,
-    /// Trial lengths of coupler, output link and driver instead of a solution: their gap in each position.
+    /// Trial lengths of coupler, output link and driver: shows their gap in each position instead of a solution.
     #[arg(long, value_name = "L1,L2,L3", value_parser = lengths, allow_hyphen_values = true)]
     lengths: Option<[f64; 3]>,
-    /// The starting angles of the output link and the driver are free (exact for five positions).
+    /// Leaves the starting angles of output link and driver free (exact for five positions)
     #[arg(long)]
     free: bool,
     /// Prints JSON.
@@ -75,7 +75,7 @@ pub(crate) struct Degrees {
     weight: f64,
 }
 
-/// Reads a position.
+/// Parses a position.
 fn degrees(text: &str) -> Result<Degrees, String> {
     let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
     let (output, input, weight) = match parts.as_deref() {
@@ -90,7 +90,7 @@ fn degrees(text: &str) -> Result<Degrees, String> {
     })
 }
 
-/// Reads three lengths.
+/// Parses three lengths.
 fn lengths(text: &str) -> Result<[f64; 3], String> {
     let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
     match parts.as_deref() {
@@ -106,7 +106,7 @@ fn lengths(text: &str) -> Result<[f64; 3], String> {
 }
 
 impl Asked {
-    /// The trial lengths relative to the frame's.
+    /// Returns the trial lengths divided by the length of the frame, if given.
     fn trial(&self) -> Option<Proportions> {
         let [coupler, output, input] = self.lengths?.map(|length| length / self.frame);
         Some(Proportions {
@@ -131,7 +131,7 @@ impl Degrees {
     }
 }
 
-/// Writes the linkages, as lines for people or as JSON.
+/// Writes the linkages, as text or as JSON.
 ///
 /// # Errors
 /// An invalid task, a task without a linkage, output that cannot be written.
@@ -172,7 +172,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     Ok(())
 }
 
-/// The report, or the sentence that says why there is none.
+/// Builds the report, or returns a sentence that says why there is none.
 fn report(task: &Task, asked: &Asked, wanted: Option<&Wanted>) -> Result<Report, String> {
     let count = task.positions().len();
     if asked.l2.is_some() && (count != 2 || asked.free) {

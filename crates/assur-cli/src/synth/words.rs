@@ -1,4 +1,4 @@
-//! Sentences on tasks without a linkage, and the names of verdicts.
+//! Sentences on tasks that have no linkage, and the names of verdicts.
 
 use assur::synthesis::four_bar::{
     Bound, Line, MemberError, Order, Passage, StartsError, Task, TaskError, ThreePositions,
@@ -20,7 +20,7 @@ pub(super) const ONE: &str = "one position: a linkage for every l2 and l3, with 
 pub(super) const PARALLEL: &str =
     "condition (13) fails: the output link and the driver are parallel";
 
-/// The fault of a task, as a sentence.
+/// Describes the fault of a task in a sentence.
 pub(super) fn task_error(error: &TaskError) -> String {
     let position = |k: usize| format!("position {}", k + 1);
     match *error {
@@ -43,7 +43,7 @@ pub(super) fn task_error(error: &TaskError) -> String {
     }
 }
 
-/// Positions on a function, in the form of the command line.
+/// Formats positions on a function as lines `position PHI2,PHI3`, with values as for the option `--position`.
 pub(super) fn positions(given: &[Degrees]) -> impl Iterator<Item = String> + '_ {
     let said = |one: &Degrees| {
         format!(
@@ -56,7 +56,7 @@ pub(super) fn positions(given: &[Degrees]) -> impl Iterator<Item = String> + '_ 
     given.iter().map(said)
 }
 
-/// The reason why two positions have no linkage.
+/// Explains why no linkage passes through two positions.
 pub(super) fn no_family(line: &Line) -> String {
     format!(
         "no four-bar takes up both positions: {} has no positive lengths; PHI2 is the direction from the output link's \
@@ -74,7 +74,7 @@ fn equation(line: &Line) -> String {
     )
 }
 
-/// The reason why three positions have none.
+/// Explains why no linkage passes through three positions.
 pub(super) fn three(found: &ThreePositions, task: &Task) -> String {
     let length = task.frame().length;
     match found {
@@ -94,7 +94,7 @@ pub(super) fn three(found: &ThreePositions, task: &Task) -> String {
     }
 }
 
-/// The reason why there is no member with this l₂.
+/// Explains why the family has no linkage with this l₂.
 pub(super) fn member(error: &MemberError, l2: f64, length: f64) -> String {
     match error {
         MemberError::OutOfRange(range) => {
@@ -116,7 +116,7 @@ pub(super) fn member(error: &MemberError, l2: f64, length: f64) -> String {
     }
 }
 
-/// The reason why free starts have no finite number of linkages.
+/// Explains why a task with free starting angles has no finite number of linkages.
 pub(super) fn starts(error: StartsError) -> String {
     match error {
         StartsError::Family { freedoms } => format!(
@@ -161,13 +161,13 @@ pub(super) fn bound(bound: Bound) -> &'static str {
     }
 }
 
-/// Whether a condition, or the premise of a theorem, holds as printed, and whether its conclusion is true.
+/// Returns whether a condition, or a theorem's premise, holds as printed, and whether its conclusion is true in fact.
 pub(super) fn asked(holds: bool, truth: bool) -> Value {
     let said = |holds: bool| if holds { "yes" } else { "no" };
     json!({"as_printed": said(holds), "in_fact": said(truth)})
 }
 
-/// A value for people.
+/// Formats a value for the text report.
 pub(super) fn value(value: &Value) -> String {
     match value {
         Value::Null => "-".to_owned(),
@@ -188,7 +188,7 @@ pub(super) fn value(value: &Value) -> String {
     }
 }
 
-/// A number with ten significant digits.
+/// Formats a number with ten significant digits.
 fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
     if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {

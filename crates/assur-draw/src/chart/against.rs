@@ -1,5 +1,4 @@
-//! A plot of one quantity, or a derivative, against another: the path of a point, its hodograph, a
-//! phase plane.
+//! A plot of one quantity or derivative against another: the path of a point, its hodograph, a phase portrait.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -15,11 +14,11 @@ const LINE: f64 = 16.0;
 /// Quantity of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// The name of the quantity; none for the input.
+    /// Name of the quantity; none for the input.
     pub name: Option<String>,
-    /// Its kind.
+    /// Kind of the quantity.
     pub kind: Kind,
-    /// The order of its derivative.
+    /// Order of the derivative, 0 for the quantity itself.
     pub order: usize,
 }
 
@@ -30,50 +29,50 @@ impl Axis {
     }
 }
 
-/// The plot of one quantity against another over a motion, sampled once for all drawings.
+/// Plot of one quantity against another over a motion, sampled once for all drawings.
 #[derive(Clone, Debug)]
 pub struct Against {
     pub(super) axes: [Axis; 2],
     role: Role,
     settings: Settings,
     pub(super) ranges: [Range; 2],
-    /// Unbroken runs of the motion.
+    /// Unbroken runs of points of the motion.
     pub(super) runs: Vec<Vec<Passed>>,
-    /// Unbroken runs of the compared motion.
+    /// Unbroken runs of points of the motion shown for comparison.
     pub(super) compared: Vec<Vec<Passed>>,
 }
 
 /// A point of the curve, with its input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passed {
-    /// The input.
+    /// Value of the input.
     pub input: f64,
     /// Abscissa and ordinate.
     pub at: [f64; 2],
 }
 
-/// Layout of a plot of one quantity against another, in pixels of the reader.
+/// Layout of a plot of one quantity against another, in screen pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// Left edge of the plot rectangle.
     pub left: f64,
-    /// Its upper edge.
+    /// Upper edge of the plot rectangle.
     pub top: f64,
-    /// Its width.
+    /// Width of the plot rectangle.
     pub width: f64,
-    /// Its height.
+    /// Height of the plot rectangle.
     pub height: f64,
-    /// Spans of the axes.
+    /// Least and greatest value on each axis.
     pub spans: [[f64; 2]; 2],
-    /// Ticks along each axis, values of angles in degrees.
+    /// Ticks of each axis; angles are in degrees.
     pub ticks: [Vec<Tick>; 2],
-    /// Visible runs of the curve, in pixels of the reader.
+    /// Visible parts of the curve, in screen pixels.
     pub curve: Vec<Vec<Passed>>,
 }
 
 impl Against {
-    /// The plot of samples that contain two quantities, abscissa and ordinate; `full`: nothing
-    /// grows without bound.
+    /// Makes the plot of samples that contain two quantities, abscissa and ordinate. If `full`, no
+    /// derivative grows without bound.
     pub fn new(
         axes: [Axis; 2],
         role: Role,
@@ -101,23 +100,23 @@ impl Against {
         }
     }
 
-    /// The quantities of the axes: abscissa and ordinate.
+    /// Returns the axes of abscissa and ordinate.
     pub fn axes(&self) -> &[Axis; 2] {
         &self.axes
     }
 
-    /// The role whose colour the curve has.
+    /// Returns the role whose colour the curve has.
     pub fn role(&self) -> Role {
         self.role
     }
 
-    /// The settings of the plot.
+    /// Returns the settings of the plot.
     pub fn settings(&self) -> Settings {
         self.settings
     }
 
-    /// Draws it on an area with [`FINE`] units per pixel, and returns its layout; lines are `scale`
-    /// times as thick as usual. None if it has no room.
+    /// Draws the plot on an area with [`FINE`] units per pixel, and returns its layout, or none if
+    /// the area is too small. Lines are `scale` times as thick as usual.
     ///
     /// # Errors
     /// Errors of the backend.
@@ -199,7 +198,8 @@ impl Against {
         Some(field)
     }
 
-    /// The spans of the axes: for two lengths, with equal scales on both.
+    /// Returns the ranges of the axes; for two lengths, or derivatives of lengths of one order,
+    /// their scales are made equal.
     fn fitted(&self, size: [f64; 2]) -> [Range; 2] {
         let [x, y] = &self.axes;
         let alike = x.order == y.order && [x, y].iter().all(|axis| axis.kind == Kind::Length);
@@ -220,7 +220,7 @@ impl Against {
 }
 
 impl Field {
-    /// A point of the curve in pixels of the reader.
+    /// Converts a point of the curve to screen pixels.
     fn placed(&self, Passed { input, at }: Passed) -> Passed {
         let [[x0, x1], [y0, y1]] = self.spans;
         Passed {
@@ -233,7 +233,7 @@ impl Field {
     }
 }
 
-/// The line across a field at a value of an axis.
+/// Returns the line across the plot at a value of an axis.
 fn across(axis: usize, value: f64, [[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> Vec<(f64, f64)> {
     if axis == 0 {
         vec![(value, y0), (value, y1)]
@@ -242,7 +242,7 @@ fn across(axis: usize, value: f64, [[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> Vec<(
     }
 }
 
-/// The parts of a run within the spans of the axes.
+/// Returns the parts of a run within the ranges of the axes.
 fn within(run: &[Passed], spans: [[f64; 2]; 2]) -> Vec<Vec<Passed>> {
     let mut seen: Vec<Vec<Passed>> = Vec::new();
     let mut part: Vec<Passed> = Vec::new();
@@ -251,7 +251,7 @@ fn within(run: &[Passed], spans: [[f64; 2]; 2]) -> Vec<Vec<Passed>> {
             seen.push(std::mem::take(&mut part));
             continue;
         };
-        // A curve that comes in from outside begins a new part.
+        // A curve that re-enters the plot begins a new part.
         if part.last() != Some(&from) {
             seen.push(std::mem::take(&mut part));
             part.push(from);
@@ -263,7 +263,7 @@ fn within(run: &[Passed], spans: [[f64; 2]; 2]) -> Vec<Vec<Passed>> {
     seen
 }
 
-/// The part of a segment within the spans (the parametric clipping of Liang and Barsky, 1984).
+/// Clips a segment to the ranges of the axes (parametric clipping of Liang and Barsky, 1984).
 fn clipped([a, b]: [Passed; 2], spans: [[f64; 2]; 2]) -> Option<[Passed; 2]> {
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
     for (k, [min, max]) in spans.into_iter().enumerate() {

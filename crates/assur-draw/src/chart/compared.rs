@@ -1,14 +1,15 @@
-//! Plots of two mechanisms in one: the curves of the second are thin and dashed.
+//! Comparison of two mechanisms in one plot: the curves of the second are thin and dashed.
 
 use super::{Against, Chart};
 
-/// Length of a dash and of the gap after it, pixels.
+/// Length of a dash, pixels.
 const DASH: f64 = 6.0;
+/// Length of the gap after a dash, pixels.
 const GAP: f64 = 4.0;
 
 impl Chart {
-    /// Adds the curves of another chart to these plots, for each quantity that both have, by name.
-    /// The axes then span both.
+    /// Adds the curves of another chart for each quantity, by name, that both charts have. The axes
+    /// then span both charts.
     pub fn compare(&mut self, other: &Self) {
         if self.turns != other.turns || self.kind != other.kind {
             return;
@@ -44,8 +45,8 @@ impl Against {
     }
 }
 
-/// A line in dashes of equal length on the screen: `to_pixels` per unit along x and y, lines
-/// `scale` times as thick as usual.
+/// Cuts a line into dashes of equal length on the screen, `scale` times as long as usual;
+/// `to_pixels` is the number of pixels per unit along x and y.
 pub(super) fn dashed(line: &[(f64, f64)], to_pixels: [f64; 2], scale: f64) -> Vec<Vec<(f64, f64)>> {
     let mut dashes: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut dash = Vec::new();
@@ -87,7 +88,7 @@ pub(super) fn dashed(line: &[(f64, f64)], to_pixels: [f64; 2], scale: f64) -> Ve
 mod tests {
     use super::*;
 
-    /// Dashes and gaps alternate, across corners, whatever the samples.
+    /// Dashes and gaps alternate, across corners, at any spacing of the samples.
     #[test]
     fn dashes_are_of_one_length() {
         let line: Vec<(f64, f64)> = (0..=70).map(|x| (f64::from(x) / 10.0, 0.0)).collect();

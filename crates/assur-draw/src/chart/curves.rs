@@ -6,37 +6,37 @@ use assur::sorting::{extremes, sort_by};
 
 use super::{Series, Settings};
 
-/// Samples of a turn of the crank, of an arc shorter than a turn, or of a slide's range.
+/// Number of samples of a turn of the crank, of an arc shorter than a turn, or of a slide's range.
 const TURN: usize = 720;
-/// Minimum number of samples of a turn: over many turns a plot cannot show more.
+/// Minimum number of samples per turn of a motion over many turns, which a plot cannot show in more detail.
 const COARSEST_TURN: usize = 60;
-/// Maximum number of sampled values of all quantities together.
+/// Maximum number of sampled values, of all quantities together.
 const MOST_VALUES: usize = 1 << 18;
-/// Approximate number of differences in a run beside the exact derivative, and number of runs up to
-/// which it holds; more runs share their total.
+/// Approximate number of difference quotients shown in a run, if there are few runs.
 const DIFFERENCES: usize = 72;
+/// Number of runs beyond which the total number of difference quotients no longer grows.
 const FEW_RUNS: usize = 4;
 
-/// Values that differ by less than this share of the range look the same: their dots overlap.
+/// Difference, as a share of the range, below which two values look the same: their dots overlap.
 const TOLD_APART: f64 = 0.02;
 
-/// The quantities of a chart at one crank angle.
+/// The quantities of a chart at one input.
 #[derive(Clone, Debug)]
 pub struct Sample {
-    /// Each with its first two derivatives.
+    /// Values of the quantities, each with its first two derivatives.
     pub jets: Vec<Jet<3>>,
-    /// Whether the derivatives are far from growing without bound.
+    /// Whether the pose is far from any dead point, where derivatives grow without bound.
     pub clear: bool,
 }
 
 /// A mark to be labelled on a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
-    /// Its kind.
+    /// Kind of the mark.
     pub kind: MarkKind,
-    /// Its crank angle.
+    /// Input at the mark.
     pub crank: f64,
-    /// Its value.
+    /// Value of the curve at the mark.
     pub value: f64,
 }
 
@@ -58,31 +58,31 @@ pub(crate) struct Range {
     pub(crate) max: f64,
 }
 
-/// The curves of one order, in the order of the series.
+/// Curves of the derivatives of one order, in the order of the series.
 #[derive(Clone, Debug)]
 pub(crate) struct Plot {
     pub(crate) range: Range,
     pub(crate) curves: Vec<Curve>,
 }
 
-/// A curve over the crank angle.
+/// A curve over the input.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Curve {
     /// Unbroken runs of points.
     runs: Vec<Vec<(f64, f64)>>,
-    /// Unbroken runs of the compared curve.
+    /// Unbroken runs of points of the curve shown for comparison.
     pub(super) compared: Vec<Vec<(f64, f64)>>,
-    /// Its zeros and extrema, marked by dots.
+    /// Zeros and extrema, marked by dots.
     marks: Vec<Mark>,
-    /// Difference quotients of the previous derivative.
+    /// Difference quotients of the first derivative, on the plot of the second.
     pub(crate) differences: Vec<(f64, f64)>,
 }
 
 /// A sample with its input.
 pub type At = (f64, Sample);
 
-/// The plots of the series and their derivatives, from unbroken runs of samples; `full`: nothing
-/// grows without bound.
+/// Makes the plots of the series and of their derivatives from unbroken runs of samples. If `full`,
+/// no derivative grows without bound.
 pub(crate) fn plots(
     runs: &[Vec<At>],
     full: bool,
@@ -125,16 +125,16 @@ pub(crate) fn plots(
     })
 }
 
-/// The samples of a run at which a derivative is plotted. At the very ends bounded and unbounded
-/// derivatives are both only rounding; the samples next to the ends still have digits and look the
-/// same.
+/// Returns the range of samples of a run at which a derivative is plotted. At the very ends every
+/// derivative, bounded or not, is mere rounding error; the samples next to the ends still have
+/// correct digits and look the same.
 pub(super) fn told(run: &[At], order: usize, full: bool) -> std::ops::Range<usize> {
     let ends = usize::from(order > 0 && !full && run.len() > 2);
     ends..run.len() - ends
 }
 
-/// The second derivative with respect to time, by central differences of the first one over the
-/// crank angle: only for comparison, nothing is computed from it.
+/// Estimates the second derivative with respect to time by central differences of the first derivative over the
+/// input. The estimate is shown for comparison only; nothing is computed from it.
 fn differences(
     run: &[At],
     count: usize,
@@ -150,7 +150,7 @@ fn differences(
     })
 }
 
-/// The density of samples for this number of quantities.
+/// Returns the density of samples for this number of quantities.
 pub(crate) fn sampling(quantities: usize) -> Sampling {
     Sampling {
         turn: TURN,
@@ -161,7 +161,7 @@ pub(crate) fn sampling(quantities: usize) -> Sampling {
     }
 }
 
-/// The samples at these inputs, as a run for each stretch without a gap.
+/// Returns the samples at these inputs, with a run for each stretch without a gap.
 pub(crate) fn sampled(
     pieces: Vec<Vec<f64>>,
     sample: &dyn Fn(f64) -> Option<Sample>,
@@ -182,7 +182,7 @@ pub(crate) fn sampled(
     runs
 }
 
-/// The zeros and extrema of a curve.
+/// Returns the zeros and extrema of a curve as marks.
 fn marks(features: &Features) -> Vec<Mark> {
     let zeros = features.zeros.iter().map(|crank| Mark {
         kind: MarkKind::Zero,
@@ -200,7 +200,7 @@ fn marks(features: &Features) -> Vec<Mark> {
     extrema.chain(zeros).collect()
 }
 
-/// The range of the values with a margin; room around a constant.
+/// Returns the range of the values with a margin, also around a constant value.
 pub(super) fn range(values: impl Iterator<Item = f64>) -> Range {
     let [min, max] = extremes(values);
     if min > max {
@@ -222,7 +222,7 @@ pub(super) fn range(values: impl Iterator<Item = f64>) -> Range {
 }
 
 impl Range {
-    /// The least range that includes both.
+    /// Returns the least range that includes both ranges.
     pub(super) fn with(self, other: Self) -> Self {
         Self {
             min: self.min.min(other.min),
@@ -232,9 +232,9 @@ impl Range {
 }
 
 impl Curve {
-    /// The distinguishable marks between `min` and `max`, in ascending crank angle. In a dwell they
-    /// follow each other at nearly the same value: there only the first and the last are kept, and
-    /// the greatest and the least of the curve.
+    /// Returns the marks with values between `min` and `max` that can be distinguished, in
+    /// ascending order of the input. Of successive marks at nearly the same value, as in a dwell,
+    /// only the first, the last, and the greatest and least of the curve are kept.
     pub(crate) fn marks(&self, min: f64, max: f64) -> Vec<Mark> {
         let inside = |mark: &&Mark| (min..=max).contains(&mark.value);
         let mut marks: Vec<Mark> = self.marks.iter().filter(inside).copied().collect();
@@ -258,23 +258,23 @@ impl Curve {
         kept
     }
 
-    /// The runs cut to the values between `min` and `max`.
+    /// Returns the runs, clipped to values between `min` and `max`.
     pub(crate) fn within(&self, min: f64, max: f64) -> Vec<Vec<(f64, f64)>> {
         cut(&self.runs, min, max)
     }
 
-    /// The runs of the compared curve, cut likewise.
+    /// Returns the runs of the curve shown for comparison, clipped to values between `min` and `max`.
     pub(crate) fn compared_within(&self, min: f64, max: f64) -> Vec<Vec<(f64, f64)>> {
         cut(&self.compared, min, max)
     }
 
-    /// Takes the runs of another curve as the compared ones.
+    /// Takes the runs of another curve for comparison.
     pub(super) fn compare(&mut self, other: &Self) {
         self.compared.clone_from(&other.runs);
     }
 }
 
-/// Runs cut to the values between `min` and `max`.
+/// Clips runs to values between `min` and `max`.
 fn cut(runs: &[Vec<(f64, f64)>], min: f64, max: f64) -> Vec<Vec<(f64, f64)>> {
     let inside = |y: f64| (min..=max).contains(&y);
     let mut cut = Vec::new();
@@ -285,7 +285,7 @@ fn cut(runs: &[Vec<(f64, f64)>], min: f64, max: f64) -> Vec<Vec<(f64, f64)>> {
             if part.is_empty() && inside(a.1) {
                 part.push(a);
             }
-            // The curve is cut where it crosses a bound.
+            // The curve is cut where it crosses `min` or `max`.
             let bounds = if a.1 < b.1 { [min, max] } else { [max, min] };
             let crossed = bounds.into_iter();
             let crossed = crossed.filter(|bound| (a.1 - bound) * (b.1 - bound) < 0.0);

@@ -1,18 +1,18 @@
-//! Panels in pixels, and the axis of a motion.
+//! Conversion of panels to pixels, and the axis of a motion.
 
 use super::*;
 
 impl Panel {
-    /// Pixels per unit along x and y.
+    /// Returns the number of pixels per unit along x and y.
     pub(super) fn to_pixels(&self) -> [f64; 2] {
         let span = |[from, to]: [f64; 2]| to - from;
         [self.width / span(self.x), self.height / span(self.y)]
     }
 
-    /// Minimum distance of the points of a curve, pixels.
+    /// Minimum distance between points along a curve, pixels.
     const APART: f64 = 4.0;
 
-    /// Points along the curves of a plot, for labels to avoid.
+    /// Returns points along the curves of a plot, for labels to avoid.
     pub(super) fn along(&self, plot: &Plot) -> Vec<f64> {
         let ([x0, x1], [y0, y1]) = (self.x, self.y);
         let mut points = Vec::new();
@@ -33,8 +33,8 @@ impl Panel {
     }
 }
 
-/// The span of the axis of a motion: the whole period of the input, or for a crank that oscillates over a small part of its
-/// turn only where it moves.
+/// Returns the range of the input axis: the whole period or, if a crank oscillates over a small part of the period,
+/// only the part in which it moves.
 pub(super) fn axis(cycle: &Cycle) -> [f64; 2] {
     let whole = cycle.axis();
     let (Some(_), false, [[from, _], .., [_, to]] | [[from, to]]) =

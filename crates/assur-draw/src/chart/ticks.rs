@@ -1,14 +1,13 @@
-//! Ticks of the axes: round numbers, as many as there is room for.
+//! Ticks of the axes: round numbers, spaced to fit their labels.
 
 use super::curves::Range;
 
-/// The value of a tick (degrees for an angle) and its position along the axis, pixels from the left
-/// or upper edge of the plot.
+/// A tick of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tick {
-    /// The number to be written.
+    /// Value at the tick, in degrees for an angle.
     pub value: f64,
-    /// Its position.
+    /// Position along the axis, pixels from the left or upper edge of the plot.
     pub at: f64,
 }
 
@@ -17,13 +16,16 @@ const ANGLES: [f64; 12] = [
     1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0,
 ];
 
-/// Minimum steps of crank angles, degrees: over a long span, and over a short one; over a very short span there is no minimum.
+/// Least step of crank angles over a long span, degrees.
 const FINEST: f64 = 30.0;
+/// Span of an axis below which it counts as short, degrees.
 const SHORT: f64 = 120.0;
+/// Least step of crank angles over a short span, degrees.
 const FINEST_OF_SHORT: f64 = 5.0;
+/// Span of an axis below which the step has no least value, degrees.
 const VERY_SHORT: f64 = 20.0;
 
-/// Ticks of the crank angle, radians, about 50 pixels apart, or `scale` times as many pixels.
+/// Returns ticks of the crank angle, given in radians, about 50 × `scale` pixels apart.
 pub(super) fn crank([start, end]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
     let (from, to) = (start.to_degrees(), end.to_degrees());
     let span = to - from;
@@ -43,7 +45,7 @@ pub(super) fn crank([start, end]: [f64; 2], width: f64, scale: f64) -> Vec<Tick>
         .collect()
 }
 
-/// Ticks of an input that is a length, about 50 pixels apart, or `scale` times as many pixels.
+/// Returns ticks of an input that is a length, about 50 × `scale` pixels apart.
 pub(super) fn way([from, to]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
     multiples(round_step((to - from) * 50.0 * scale / width), from, to)
         .map(|value| Tick {
@@ -53,8 +55,7 @@ pub(super) fn way([from, to]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// Ticks of values along an abscissa, about 50 pixels apart, or `scale` times as many pixels; of
-/// angles in degrees.
+/// Returns ticks of values along the abscissa, about 50 × `scale` pixels apart; those of an angle are in degrees.
 pub(super) fn abscissae(range: Range, angle: bool, width: f64, scale: f64) -> Vec<Tick> {
     let (step, [from, to]) = stepped(range, angle, 50.0 * scale / width);
     let at = |value: f64| (value - from) / (to - from) * width;
@@ -67,8 +68,8 @@ pub(super) fn abscissae(range: Range, angle: bool, width: f64, scale: f64) -> Ve
         .collect()
 }
 
-/// Ticks of values, about 28 pixels apart, or more if text `scale` times as large would be crowded;
-/// of angles in degrees.
+/// Returns ticks of values along the ordinate, about 28 pixels apart, or 18 × `scale` if that is more, to fit larger
+/// text; those of an angle are in degrees.
 pub(super) fn values(range: Range, angle: bool, height: f64, scale: f64) -> Vec<Tick> {
     let (step, [from, to]) = stepped(range, angle, (18.0 * scale).max(28.0) / height);
     multiples(step, from, to)
@@ -79,8 +80,8 @@ pub(super) fn values(range: Range, angle: bool, height: f64, scale: f64) -> Vec<
         .collect()
 }
 
-/// The step between ticks at least this share of the axis apart, and the span of the axis, angles
-/// in degrees.
+/// Returns the step between ticks that are at least the share `apart` of the axis apart, and the range of the axis;
+/// both are in degrees for an angle.
 fn stepped(range: Range, angle: bool, apart: f64) -> (f64, [f64; 2]) {
     let degrees = |value: f64| if angle { value.to_degrees() } else { value };
     let [from, to] = [range.min, range.max].map(degrees);
@@ -93,7 +94,7 @@ fn stepped(range: Range, angle: bool, apart: f64) -> (f64, [f64; 2]) {
     (step, [from, to])
 }
 
-/// The smallest step for angles not below `least`; beyond a turn in whole turns.
+/// Returns the smallest usual step of angles not below `least` and `finest`; steps beyond a turn are whole turns.
 fn angle_step(least: f64, finest: f64) -> f64 {
     if least < 1.0 && finest <= least {
         return round_step(least);
@@ -102,7 +103,7 @@ fn angle_step(least: f64, finest: f64) -> f64 {
     listed.unwrap_or_else(|| 360.0 * (least / 360.0).ceil())
 }
 
-/// The smallest step of 1, 2 or 5 times a power of ten not below `least`.
+/// Returns the smallest step not below `least` that is 1, 2 or 5 times a power of ten.
 fn round_step(least: f64) -> f64 {
     let power = 10.0_f64.powf(least.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0]
@@ -111,7 +112,7 @@ fn round_step(least: f64) -> f64 {
     step.unwrap_or(10.0) * power
 }
 
-/// The multiples of `step` in the range, up to rounding, at most a hundred.
+/// Returns the multiples of `step` in the range, with a tolerance for rounding; at most a hundred.
 fn multiples(step: f64, from: f64, to: f64) -> impl Iterator<Item = f64> {
     let slack = 1e-9 * step;
     let first = ((from - slack) / step).ceil();

@@ -1,8 +1,8 @@
-//! Rectangles: left, bottom, right, top.
+//! Rectangles, given by left, bottom, right and top.
 
 use assur::{Point, Vector};
 
-/// The smallest rectangle around places; without any, one about the origin.
+/// Returns the smallest rectangle around points; without points, a square about the origin.
 pub(super) fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {
@@ -15,12 +15,12 @@ pub(super) fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
     [low.x, low.y, high.x, high.y]
 }
 
-/// The diagonal.
+/// Returns the diagonal of a rectangle.
 pub(super) fn size([left, bottom, right, top]: [f64; 4]) -> f64 {
     (right - left).hypot(top - bottom)
 }
 
-/// A rectangle extended around places, by at most `most` on each side.
+/// Extends a rectangle to include points, by at most `most` on each side.
 pub(super) fn grown(base: [f64; 4], places: impl Iterator<Item = Point>, most: f64) -> [f64; 4] {
     let [left, bottom, right, top] = base;
     places.fold(base, |b, at| {

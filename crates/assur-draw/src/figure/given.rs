@@ -1,4 +1,4 @@
-//! Given positions of a linkage, below its links.
+//! Given positions of a linkage, drawn below its links.
 
 use assur::{Point, Vector};
 
@@ -6,7 +6,7 @@ use super::names::Names;
 use crate::annotations::GivenPosition;
 use crate::list::{List, Look, Role};
 
-/// Given positions with the labels of their numbers.
+/// Given positions, each with the index of its number among the names.
 #[derive(Clone, Debug)]
 pub(super) struct Given(Vec<(GivenPosition, usize)>);
 
@@ -17,15 +17,15 @@ impl Given {
         Self(numbered.collect())
     }
 
-    /// The points to be within the drawing.
+    /// Returns the points that must be within the drawing.
     pub(super) fn reach(&self) -> impl Iterator<Item = Point> + '_ {
         let lines = |one: &GivenPosition| [&one.directions[..], &one.links[..]].concat();
         let lines = self.0.iter().flat_map(move |(one, _)| lines(one));
         lines.flat_map(|(ends, _)| ends)
     }
 
-    /// Draws each position: its links as lines, its directions dashed with a ring as a handle, and
-    /// its number beyond that.
+    /// Draws each position: its links as lines, its directions as dashed lines with ring-shaped
+    /// handles, and its number beyond each handle.
     pub(super) fn draw(&self, list: &mut List, unit: f64) {
         for (position, number) in &self.0 {
             for (ends, role) in &position.links {

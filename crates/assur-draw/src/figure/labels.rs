@@ -1,9 +1,9 @@
-//! Labels beside points.
+//! Names of points and numbers of wheels.
 
 use super::*;
 
 impl Figure {
-    /// The names of the points, away from the links that meet there, and of wheels.
+    /// Adds the names of the points, on the side away from adjacent links, and the numbers of wheels.
     pub(super) fn label<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>) {
         let points = posed.mechanism.point_ids();
         for point in points.filter(|point| self.layout.is_drawn(*point)) {
@@ -36,7 +36,7 @@ impl Figure {
         }
     }
 
-    /// The offset of a point's name in a direction.
+    /// Returns the offset of a point's name in this direction.
     fn beyond(&self, point: PointId, direction: Vector) -> [f64; 2] {
         let wide = self.layout.is_wide(point);
         let off = direction.normalize() * if wide { 2.3 } else { 1.5 };

@@ -1,4 +1,4 @@
-//! Roles of points and links in the drawing: joints, supports, bars, plates.
+//! Functions of points and links in the drawing: joints, supports, bars, plates.
 
 use assur::mechanism::{FRAME, LinkId, LinkOrFrame, Mechanism, PointId, SlideSpec};
 use assur::{Point, Vector};
@@ -8,19 +8,19 @@ use super::{View, roles};
 use crate::list::Role;
 use crate::parts;
 
-/// Half angle of the sector beyond a link's end that must be clear of the link, for a name to be
-/// placed there.
+/// Half the angle of the sector beyond a link's end, radians. A name is placed there only if the
+/// link is not in this sector.
 const BEYOND: f64 = 0.9;
 
-/// Layout of a mechanism, known before it is drawn. Bodies are links that are not fixed to another,
-/// or the frame.
+/// Features of a mechanism that are the same in all its drawings. Its bodies are the frame and the
+/// links that are not fixed to another body.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     roles: Vec<Role>,
     drawn_roles: Vec<Role>,
     outlines: Vec<Vec<Point>>,
     bars: Vec<bool>,
-    /// Whether a link's centre of mass is given.
+    /// Whether the centre of mass of each link is given.
     weighed: Vec<bool>,
     points: Vec<Pinned>,
 }
@@ -28,23 +28,23 @@ pub(super) struct Layout {
 /// A point with its functions.
 #[derive(Clone, Debug)]
 struct Pinned {
-    /// The bodies to which it belongs.
+    /// Bodies to which the point belongs.
     bodies: Vec<LinkOrFrame>,
-    /// The first link that lists it.
+    /// First link that lists the point.
     link: LinkOrFrame,
-    /// Whether a link carries it and it joins nothing.
+    /// Whether a link carries the point and the point joins nothing.
     tracer: bool,
     centre: bool,
-    /// Whether a centre of mass is shown.
+    /// Whether the point, if a centre of mass, is shown.
     shown: bool,
     block: bool,
-    /// Whether it is on the line of a slot.
+    /// Whether the point is on the line of a slot.
     slot: bool,
-    /// The shaft of a wheel that is drawn plainly.
+    /// Whether the point is a plain shaft: its links are all wheels with a number and with no other point.
     shaft: bool,
-    /// A link that turns it about a fixed point, and that point.
+    /// A link that turns the point about a fixed point, and this fixed point.
     pivot: Option<(LinkId, PointId)>,
-    /// Whether it is the far end of that link.
+    /// Whether the point is the far end of the link that turns it.
     end: bool,
     neighbours: Vec<PointId>,
 }
@@ -77,8 +77,8 @@ impl Layout {
         layout
     }
 
-    /// The corners of a link: two of a bar, three and more of a plate; none of
-    /// one that lies on what it is fixed to.
+    /// Returns the corners of a link: two of a bar, three or more of a plate. A link without points
+    /// of its own, fixed to another, has none.
     fn outlined(&self, home: Posed<'_, 1>, link: LinkId) -> Vec<Point> {
         let mechanism = home.mechanism;
         let own = mechanism.points_of(link).iter();
@@ -95,12 +95,12 @@ impl Layout {
         parts::hull(places.collect())
     }
 
-    /// The colour of a link by itself, which identifies it in plots.
+    /// Returns the link's own colour, which identifies it in plots.
     pub(super) fn role(&self, link: LinkId) -> Role {
         self.roles[link.index()]
     }
 
-    /// The drawn colour of a link: its own, or that of its Assur group.
+    /// Returns the colour in which a link is drawn: its own, or that of its Assur group.
     pub(super) fn drawn_role(&self, link: LinkId) -> Role {
         self.drawn_roles[link.index()]
     }
@@ -109,8 +109,8 @@ impl Layout {
         &self.outlines[link.index()]
     }
 
-    /// The centres of mass of links for which none is given: the middle of a bar, the centroid of a
-    /// plate.
+    /// Returns the centres of mass assumed for links without a given one: the middle of a bar, the
+    /// centroid of a plate.
     pub(super) fn middles(&self, mechanism: &Mechanism) -> impl Iterator<Item = (LinkId, Point)> {
         let own = mechanism.link_ids().filter(|link| {
             let weighed = self.weighed[link.index()];
@@ -119,35 +119,35 @@ impl Layout {
         own.filter_map(|link| Some((link, parts::centroid(self.outline(link))?)))
     }
 
-    /// Whether a link joins two hinges or more.
+    /// Whether a link has two hinges or more.
     pub(super) fn is_bar(&self, link: LinkId) -> bool {
         self.bars[link.index()]
     }
 
-    /// The first link that lists a point.
+    /// Returns the first link that lists a point.
     pub(super) fn link_of(&self, point: PointId) -> LinkOrFrame {
         self.points[point.index()].link
     }
 
-    /// Whether it is a tracer: a point that a link carries and that joins nothing.
+    /// Whether a point is a traced point: a link carries it, and it joins nothing.
     pub(super) fn is_tracer(&self, point: PointId) -> bool {
         self.points[point.index()].tracer
     }
 
-    /// A link that turns a point about a fixed one, and that one.
+    /// Returns a link that turns a point about a fixed point, and this fixed point.
     pub(super) fn pivot(&self, point: PointId) -> Option<(LinkId, PointId)> {
         self.points[point.index()].pivot
     }
 
-    /// The fixed point about which a link turns, if a joint's name fits beyond the link's end.
+    /// Returns the fixed point about which a joint turns, if the name of the joint fits beyond the link's end.
     pub(super) fn end_of(&self, point: PointId) -> Option<PointId> {
         let pinned = &self.points[point.index()];
         let ends = pinned.end && self.is_joint(point);
         pinned.pivot.filter(|_| ends).map(|(_, pivot)| pivot)
     }
 
-    /// The link whose colour a point has: the one that turns it about a fixed point, otherwise the
-    /// first.
+    /// Returns the link whose colour a point has: the link that turns it about a fixed point, or
+    /// else the first link that lists it.
     pub(super) fn carrier(&self, point: PointId) -> LinkOrFrame {
         let turned = self.pivot(point).map(|(link, _)| link);
         turned.or(self.link_of(point))
@@ -157,7 +157,7 @@ impl Layout {
         &self.points[point.index()].neighbours
     }
 
-    /// Whether bodies are hinged there; a plain shaft is drawn with its wheel.
+    /// Whether bodies are hinged at a point. A plain shaft does not count, because it is drawn with its wheel.
     pub(super) fn is_joint(&self, point: PointId) -> bool {
         self.points[point.index()].bodies.len() > 1 && !self.is_shaft(point)
     }
@@ -166,13 +166,13 @@ impl Layout {
         self.points[point.index()].shaft
     }
 
-    /// Whether something is hinged on the frame there.
+    /// Whether a body is hinged to the frame at a point.
     pub(super) fn is_support(&self, point: PointId) -> bool {
         self.is_joint(point) && !self.moves(point)
     }
 
-    /// The size of the support of a fixed pivot, in units: smaller under the shaft of a wheel. None
-    /// for other points.
+    /// Returns the size of the support of a fixed pivot, in symbol units, which is smaller under
+    /// the shaft of a wheel. None for other points.
     pub(super) fn support(&self, point: PointId) -> Option<f64> {
         let fixed = !self.moves(point);
         let of_links = self.is_joint(point).then_some(1.5);
@@ -181,7 +181,7 @@ impl Layout {
             .filter(|_| fixed)
     }
 
-    /// Whether it is not a point of the frame.
+    /// Whether a point does not belong to the frame.
     pub(super) fn moves(&self, point: PointId) -> bool {
         !self.points[point.index()].bodies.contains(&None)
     }
@@ -190,14 +190,14 @@ impl Layout {
         self.points[point.index()].centre
     }
 
-    /// Whether a block or a slot is drawn around it.
+    /// Whether a block or a slot is drawn around a point.
     pub(super) fn is_wide(&self, point: PointId) -> bool {
         let pinned = &self.points[point.index()];
         pinned.block || pinned.slot
     }
 
-    /// Whether anything is visible there: not for points that only define a line of the frame, nor
-    /// for hidden centres of mass.
+    /// Whether anything is drawn at a point. Points that only define a line of the frame and hidden
+    /// centres of mass are invisible.
     pub(super) fn is_drawn(&self, point: PointId) -> bool {
         let hidden = self.is_centre(point) && !self.points[point.index()].shown;
         let seen = !hidden || self.is_joint(point);
@@ -205,7 +205,7 @@ impl Layout {
         seen && on_link && !self.is_shaft(point)
     }
 
-    /// A point at which two bodies are hinged.
+    /// Finds a point at which two bodies are hinged to each other.
     pub(super) fn hinge(
         &self,
         mechanism: &Mechanism,
@@ -236,7 +236,7 @@ fn pinned(home: Posed<'_, 1>, view: &View, point: PointId) -> Pinned {
         neighbours.extend(others.filter(|other| *other != point));
     }
     let first = links.first().copied();
-    // The centre of a link that is only a wheel is its only point.
+    // A link that is only a wheel has its centre as its only point.
     let tags = &view.annotations.tags;
     let plain = |link: &LinkId| {
         let name = mechanism.link_name(*link);
@@ -274,7 +274,7 @@ fn pinned(home: Posed<'_, 1>, view: &View, point: PointId) -> Pinned {
     }
 }
 
-/// The links that list a point, or the one that carries it.
+/// Returns the links that list a point, or the link that carries it.
 fn lists(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
     match mechanism.tracer(point) {
         Some(tracer) => mechanism.link(&tracer.link).into_iter().collect(),
@@ -286,13 +286,13 @@ fn lists(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
     }
 }
 
-/// Whether a link slides on anything.
+/// Whether a link slides along any other link or the frame.
 pub(super) fn slides(mechanism: &Mechanism, link: &str) -> bool {
     let mut slides = mechanism.spec().slides.iter();
     slides.any(|slide| slide.link == link)
 }
 
-/// Whether the frame lists a point, or carries it.
+/// Whether the frame lists a point or carries it.
 fn is_fixed(mechanism: &Mechanism, point: PointId) -> bool {
     match mechanism.tracer(point) {
         Some(tracer) => tracer.link == FRAME,
@@ -303,7 +303,7 @@ fn is_fixed(mechanism: &Mechanism, point: PointId) -> bool {
     }
 }
 
-/// The fixed point about which a link turns.
+/// Returns the fixed point about which a link turns.
 fn pivot_of(mechanism: &Mechanism, link: LinkId) -> Option<PointId> {
     let body = mechanism.root_of(link)?;
     let links = mechanism.link_ids();
@@ -312,7 +312,7 @@ fn pivot_of(mechanism: &Mechanism, link: LinkId) -> Option<PointId> {
     points.find(|point| is_fixed(mechanism, **point)).copied()
 }
 
-/// Whether nothing of a link is beyond a point of it, seen from another.
+/// Whether no part of a link lies beyond `point`, seen from `from`.
 fn is_end(home: Posed<'_, 1>, link: LinkId, from: PointId, point: PointId) -> bool {
     let (at, outward) = (home.place(point), home.place(point) - home.place(from));
     let mut others = home.mechanism.points_of(link).iter();
@@ -322,12 +322,12 @@ fn is_end(home: Posed<'_, 1>, link: LinkId, from: PointId, point: PointId) -> bo
     })
 }
 
-/// The link to which a link is ultimately fixed.
+/// Returns the link to which a link is ultimately fixed.
 pub(super) fn body_of(mechanism: &Mechanism, link: LinkOrFrame) -> LinkOrFrame {
     link.and_then(|link| mechanism.root_of(link))
 }
 
-/// The number of a link's coordinates, or the frame's, in a display list.
+/// Returns the number of a link's coordinate system in a display list; that of the frame is 0.
 pub(super) fn number(link: LinkOrFrame) -> usize {
     link.map_or(0, |link| link.index() + 1)
 }

@@ -1,4 +1,4 @@
-//! Lecturer's lines over a linkage: instant centres with Kennedy's lines, centrodes, circles of curvature.
+//! Lines for lectures: instant centres with Kennedy's lines, centrodes, circles of curvature.
 
 use assur::centres::{Centre, InstantCentre, Source};
 use assur::curvature::{Centrodes, Circles, Curvature, Evolute};
@@ -12,39 +12,40 @@ use super::posed::Posed;
 use super::{Figure, View, bounds};
 use crate::list::{List, Look, Role};
 
-/// Greatest distance from the drawing, relative to its size, at which lines are drawn.
+/// Greatest distance from the middle of the drawing at which lines are drawn, relative to the drawing's size.
 const REACH: f64 = 4.0;
-/// Length of lines beyond the centres that define them, in units.
+/// Length by which a line extends beyond the centres that define it, in symbol units.
 const BEYOND: f64 = 6.0;
-/// Maximum number of bodies for which all centres are named; with more, only those relative to the frame.
+/// Maximum number of bodies for which all centres are named. With more bodies, only centres relative to the frame are.
 const MOST_NAMED: usize = 12;
 
 /// Choice of lines.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lines {
-    /// Instant centres of all links, and the lines that define that of the link relative to the other one.
+    /// Whether to draw the instant centres of all links, and the lines that define the centre of `link` relative to
+    /// `against`.
     pub centres: bool,
-    /// The centrodes of the link.
+    /// Whether to draw the centrodes of `link`.
     pub centrodes: bool,
-    /// The inflection circle of the link; the circles of curvature of traced points, and the
-    /// evolutes of their paths.
+    /// Whether to draw the inflection circle of `link`, the circles of curvature of traced points, and the evolutes of
+    /// their paths.
     pub curvature: bool,
-    /// The link; by default the first one that is not joined to the frame.
+    /// The link concerned; by default the first one that is not joined to the frame.
     pub link: Option<LinkId>,
-    /// The reference link of its instant centre; by default the frame.
+    /// Reference link of the instant centre; by default the frame.
     pub against: LinkOrFrame,
 }
 
-/// The lines of a linkage, ready to be drawn in any pose.
+/// Lines of a linkage, ready to be drawn in any pose.
 #[derive(Clone, Debug)]
 pub(super) struct Drawn {
     lines: Lines,
-    /// The link whose centre, centrodes and circles are drawn.
+    /// Link whose centre, centrodes and inflection circle are drawn.
     link: Option<LinkId>,
-    /// The name of the centre of two bodies, by the numbers of both.
+    /// Names of the centres of two bodies; the index is that of the first body times `bodies`, plus that of the second.
     names: Vec<Option<usize>>,
     bodies: usize,
-    /// The symbols of the pole, the inflection pole and a centre of curvature.
+    /// Names of the pole, the inflection pole and a centre of curvature.
     symbols: [usize; 3],
     traced: Vec<PointId>,
     middle: Point,
@@ -105,7 +106,7 @@ impl Drawn {
         (place - self.middle).norm() < REACH * self.size
     }
 
-    /// Draws the curves that are rigid on the frame and on the link: evolutes and centrodes.
+    /// Draws the curves that do not change on the frame or on the link: evolutes and centrodes.
     pub(super) fn draw_rigid(&self, list: &mut List, motion: &Motion) {
         for point in &self.traced {
             list.body(layout::number(None));
@@ -131,7 +132,7 @@ impl Drawn {
         }
     }
 
-    /// The parts of a curve near the drawing.
+    /// Returns the parts of a curve near the drawing.
     fn near<'a, T>(
         &self,
         curve: &'a [T],
@@ -142,7 +143,8 @@ impl Drawn {
         parts.filter(move |part| part.len() > 1 && is_near(&part[0]))
     }
 
-    /// What changes from pose to pose; circles of one with three derivatives, at a dead point centres by places alone.
+    /// Draws what changes with the pose. Circles need a pose with three derivatives; without derivatives, as at a dead
+    /// point, centres follow from positions alone.
     pub(super) fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         if self.lines.centres {
             self.centres(list, posed, unit);
@@ -161,7 +163,7 @@ impl Drawn {
         }
     }
 
-    /// Marks a place with its name, if it is near the drawing.
+    /// Marks a point with its name, if it is near the drawing.
     fn mark(&self, list: &mut List, at: Point, name: usize, unit: f64) {
         if self.is_near(at) {
             list.circle(Role::Ink, Look::Solid, at, 0.7 * unit);
@@ -211,7 +213,8 @@ impl Drawn {
         }
     }
 
-    /// Draws a line through centres, of which all but one may be at infinity: a little past those near the drawing.
+    /// Draws the line through centres, not all at infinity. It ends a little beyond them, or far away if one is
+    /// at infinity.
     fn line(&self, list: &mut List, through: impl Iterator<Item = Centre>, unit: f64) {
         let mut places = Vec::new();
         let mut way = None;
@@ -266,7 +269,7 @@ impl Drawn {
                 list.polyline(Role::Accent1, Look::Thin, &[centre, bend.at]);
                 self.mark(list, centre, centre_name, unit);
             } else {
-                // An arc that looks straight: its tangent.
+                // An arc too flat to differ from a straight line is drawn as its tangent.
                 let along: Vector = bend.tangent * (REACH * self.size);
                 list.polyline(
                     Role::Accent1,
@@ -279,19 +282,19 @@ impl Drawn {
 }
 
 impl Figure {
-    /// The points whose circles of curvature are drawn.
+    /// Returns the points whose circles of curvature are drawn.
     pub fn curved(&self) -> &[PointId] {
         &self.lines.traced
     }
 
-    /// The link whose inflection circle is drawn.
+    /// Returns the link whose inflection circle is drawn.
     pub fn inflected(&self) -> Option<LinkId> {
         let Drawn { link, lines, .. } = self.lines;
         link.filter(|_| lines.curvature)
     }
 }
 
-/// All centres of a pose; where it has no derivatives those that places tell.
+/// Returns all instant centres of a pose; if it has no derivatives, those that follow from positions alone.
 fn all<const N: usize>(Posed { mechanism, pose }: Posed<'_, N>) -> Vec<InstantCentre> {
     if N >= 2 {
         mechanism.instant_centres(pose)
@@ -300,7 +303,7 @@ fn all<const N: usize>(Posed { mechanism, pose }: Posed<'_, N>) -> Vec<InstantCe
     }
 }
 
-/// The first link that no pair joins to the frame: a coupler. Without one, the last link.
+/// Finds the first link that is not joined to the frame, which is a coupler; if there is none, the last link.
 fn floating(mechanism: &Mechanism) -> Option<LinkId> {
     let joined: Vec<BodyId> = mechanism
         .joints()
@@ -317,14 +320,14 @@ fn floating(mechanism: &Mechanism) -> Option<LinkId> {
     coupler.or_else(|| own.next_back())
 }
 
-/// The name of the centre of two bodies, by their numbers.
+/// Returns the name of the centre of two bodies, formed from their numbers.
 fn centre_name(mechanism: &Mechanism, view: &View, bodies: [BodyId; 2]) -> String {
     let [a, b] = bodies.map(|body| body_number(mechanism, view, body));
     let comma = if a.len() + b.len() > 2 { "," } else { "" };
     low(&format!("P{a}{comma}{b}"))
 }
 
-/// The number of a body in the drawing.
+/// Returns the number of a body in the drawing.
 fn body_number(mechanism: &Mechanism, view: &View, body: BodyId) -> String {
     let name = mechanism.body_name(body);
     let mut noted = view.annotations.numbers.iter();
@@ -332,7 +335,7 @@ fn body_number(mechanism: &Mechanism, view: &View, body: BodyId) -> String {
     noted.map_or_else(|| body.index().to_string(), |(_, number)| number.clone())
 }
 
-/// A text with its digits as subscripts.
+/// Replaces the digits of a text by subscripts.
 fn low(text: &str) -> String {
     let digit = |c: char| {
         let low = c

@@ -1,8 +1,8 @@
-//! Names to which the numbers of labels refer.
+//! Texts of labels, to which display lists refer by index.
 
 use assur::mechanism::{Mechanism, PointId};
 
-/// Separator of a symbol and the read-out whose value is written with it: no name has control characters.
+/// Separator between a symbol and the read-out whose value is written with it; no name contains control characters.
 pub(crate) const VALUE: char = '\t';
 
 /// The names of the points, then symbols. A symbol with a value is followed by [`VALUE`] and the name of the read-out.
@@ -14,12 +14,12 @@ impl Names {
         Self(mechanism.points().map(str::to_owned).collect())
     }
 
-    /// The name of a point.
+    /// Returns the name of a point.
     pub(super) fn of(&self, point: PointId) -> &str {
         &self.0[point.index()]
     }
 
-    /// The number of a symbol, which is added.
+    /// Adds a symbol, unless it is already there, and returns its index.
     pub(super) fn add(&mut self, symbol: String) -> usize {
         let known = self.0.iter().position(|name| *name == symbol);
         known.unwrap_or_else(|| {
@@ -28,7 +28,7 @@ impl Names {
         })
     }
 
-    /// The number of a symbol with the value of a read-out, which is added.
+    /// Adds a symbol with the value of a read-out, and returns its index.
     pub(super) fn add_valued(&mut self, symbol: &str, readout: &str) -> usize {
         self.add(format!("{symbol}{VALUE}{readout}"))
     }

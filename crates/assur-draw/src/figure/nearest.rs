@@ -1,4 +1,4 @@
-//! The link at a place of the drawing.
+//! Links at or near a position in the drawing.
 
 use assur::Point;
 use assur::mechanism::{LinkId, Pose};
@@ -8,9 +8,9 @@ use super::{Figure, layout};
 use crate::parts::{self, BAR};
 
 impl Figure {
-    /// The link drawn nearest to a place in a pose, to carry a point placed there, and its
-    /// distance. Bars and plates lie over wheels; a part fixed to a link counts as that link. None
-    /// if no link moves.
+    /// Finds the link drawn nearest to a position in a pose, and its distance, to attach a new
+    /// point to it. Bars and plates take precedence over wheels. For a link fixed to another, the
+    /// other link is returned. None if no link moves.
     pub fn link_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<(LinkId, f64)> {
         let posed = self.posed(pose);
         let mechanism = posed.mechanism;
@@ -32,13 +32,13 @@ impl Figure {
             .reduce(|best, next| if next.1 < best.1 { next } else { best })
     }
 
-    /// The mechanism in a pose.
+    /// Combines the mechanism with a pose.
     pub(super) fn posed<'a, const N: usize>(&'a self, pose: &'a Pose<N>) -> Posed<'a, N> {
         let mechanism = self.motion.mechanism();
         Posed { mechanism, pose }
     }
 
-    /// The wheel that a place is on in a pose, a ring by its rim alone; of several the smallest.
+    /// Finds the smallest wheel at a position in a pose. A ring is found by its rim alone.
     pub fn wheel_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<LinkId> {
         self.gearing.wheel_at(self.posed(pose), place)
     }

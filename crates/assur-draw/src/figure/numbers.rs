@@ -1,4 +1,4 @@
-//! The numbers of the links; the frame is 0.
+//! Numbers of the links; the frame is 0.
 
 use assur::Point;
 use assur::mechanism::{LinkId, LinkOrFrame};
@@ -11,24 +11,26 @@ use super::posed::Posed;
 use crate::list::{List, Look, Role};
 use crate::parts;
 
-/// Radius of the circle around a number, in units.
+/// Radius of the circle around a number, in symbol units.
 const CIRCLE: f64 = 1.9;
-/// Position of the number on a bar, as a share of it; on the driver beyond the arc of its angle, at
-/// least this many units from its end.
+/// Position of the number on a bar, as a share of the length.
 const MIDDLE: f64 = 0.5;
+/// Position of the number on a driver, as a share of the length: beyond the arc of the input, if there is room.
 const BEYOND_ARC: f64 = 0.75;
+/// Least distance of the number from the end of a driver, in symbol units.
 const ROOM: f64 = 3.2;
-/// Offset of a number without a circle, in heights of text.
+/// Offset of a number without a circle, in text heights.
 const BESIDE: [f64; 2] = [1.5, -1.5];
-/// Offset of a number at a support, in units, and from there in heights of text.
+/// Position of a number relative to its support, in symbol units times the size of the support.
 const AT_SUPPORT: [f64; 2] = [2.3, -2.6];
+/// Offset of a number beside a support from its position, in text heights.
 const BESIDE_SUPPORT: [f64; 2] = [0.8, 0.0];
 
 /// A number of a link.
 #[derive(Clone, Debug)]
 pub(super) struct Number {
     link: LinkOrFrame,
-    /// Its place in the link's coordinates.
+    /// Position of the number in the link's coordinates.
     at: Place,
     name: usize,
 }
@@ -37,17 +39,17 @@ pub(super) struct Number {
 enum Place {
     /// On the link, in a circle.
     On(Point),
-    /// On the driver, in a circle between these places: beyond the arc of its angle, if the bar is
-    /// long enough.
+    /// On the driver, in a circle between these points. If the bar is long enough, the number is
+    /// beyond the arc of the angle.
     Driving([Point; 2]),
-    /// Beside a pin of a block or a wheel.
+    /// Beside the pin of a block or wheel.
     Beside(Point),
     /// Beside a support of this size.
     Support(Point, f64),
 }
 
-/// The numbers of links that are not parts of others, in the order of the document, or as
-/// annotated. Wheels with a number by the rim are left out.
+/// Returns the numbers of the bodies, as annotated or else in the order of the document. Wheels
+/// with a number beside the rim are left out.
 pub(super) fn numbers(
     home: Posed<'_, 1>,
     layout: &Layout,
@@ -86,8 +88,8 @@ pub(super) fn numbers(
     numbers
 }
 
-/// Where a link has its number: at the middle of a plate, and of the longest part of a bar that
-/// has no hinge.
+/// Returns the position of a link's number: the middle of a plate, or the middle of the longest
+/// part of a bar without a hinge.
 fn place(home: Posed<'_, 1>, layout: &Layout, link: LinkId) -> Option<Place> {
     let mechanism = home.mechanism;
     let outline = layout.outline(link);

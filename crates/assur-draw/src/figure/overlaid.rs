@@ -1,4 +1,4 @@
-//! Overlays of a linkage: its arrows and arcs, with their names.
+//! Overlays of a linkage: arrows and arcs, with their names.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +16,7 @@ use crate::list::{List, Look, Role};
 use crate::overlays::{self, Scales};
 use crate::parts;
 
-/// Sampling of the motion for the lengths of vectors.
+/// Sampling of the motion for the scales of vectors.
 const SAMPLING: Sampling = Sampling {
     turn: 180,
     coarsest: 30,
@@ -24,28 +24,29 @@ const SAMPLING: Sampling = Sampling {
     spacing: Spacing::Middles,
     shown: Shown::Spread,
 };
-/// Maximum number of points with vectors for which the tips are named.
+/// Maximum number of points with vectors up to which the tips of the vectors are named.
 const MOST_NAMED: usize = 3;
 
-/// The largest radius of the arc of the input, in units.
+/// Greatest radius of the arc of the input, in symbol units.
 const LARGEST: f64 = 10.0;
-/// Below the first angle, radians, the name of the input angle is turned up to the second away from its middle.
+/// Input angle, radians, below which its name is turned away from the middle of the arc.
 const SMALL: f64 = 0.8;
+/// Greatest angle through which the name of a small input angle is turned, radians.
 const BELOW: f64 = 0.6;
 
 /// The overlays of a linkage, ready to be drawn in any pose.
 #[derive(Clone, Debug)]
 pub(super) struct Overlaid {
     input: Option<InputArc>,
-    /// Two points and a name.
+    /// First and last point, and name.
     loop_vectors: Vec<([PointId; 2], usize)>,
-    /// Three points and a name.
+    /// Three points, of which the second is the vertex, and name.
     corners: Vec<([PointId; 3], usize)>,
-    /// An outer hinge, the inner one, the other outer one, and a name.
+    /// Outer hinge, inner hinge, other outer hinge, and name.
     transmission: Vec<([PointId; 3], usize)>,
-    /// A measure and its name.
+    /// Measured distance or angle, and name.
     measures: Vec<(Quantity, usize)>,
-    /// Points with the names of the tips.
+    /// Points with vectors, each with the names of the two tips.
     vectors: Vec<(PointId, Option<[usize; 2]>)>,
     scales: Option<Scales>,
 }
@@ -57,7 +58,7 @@ struct InputArc {
     base: LinkOrFrame,
     pivot: PointId,
     radius: f64,
-    /// The least angle of the range; angles below zero are drawn clockwise.
+    /// Least angle of the range. Angles below zero are drawn clockwise.
     least: f64,
     role: Role,
     name: usize,
@@ -134,8 +135,7 @@ impl Overlaid {
         overlaid
     }
 
-    /// Sets the scales of vectors for a drawing of this size; returns the tips to be within the
-    /// drawing.
+    /// Sets the scales of vectors for a drawing of this size, and returns the tips that must be within the drawing.
     pub(super) fn scale(&mut self, motion: &Motion, size: f64) -> Vec<Point> {
         if self.vectors.is_empty() {
             return Vec::new();
@@ -155,8 +155,7 @@ impl Overlaid {
         scales.tips(&paths.concat(), size)
     }
 
-    /// Draws the arc of the input, loops, transmission angles and, if the pose has them,
-    /// derivatives.
+    /// Draws the arc of the input, loop vectors, angles, measures and, if the pose has two derivatives, vectors.
     pub(super) fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         if let Some(arc) = &self.input {
             arc.draw(list, posed, unit);
@@ -228,7 +227,7 @@ impl InputArc {
         })
     }
 
-    /// An arrow from the base's direction to the link's, with the name at its middle.
+    /// Draws an arrow from the direction of the base to that of the link, with the name at its middle.
     fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         let from = self.base.map_or(0.0, |base| posed.angle(base));
         let turn = self.least + (posed.angle(self.link) - from - self.least).rem_euclid(TAU);
@@ -242,7 +241,7 @@ impl InputArc {
         list.polyline(Role::Secondary, Look::Thin, &base);
         list.polyline(self.role, Look::Thin, &points);
         parts::head(list, self.role, at(neck), at(1.0));
-        // The name of a small angle is beside its legs.
+        // The name of a small angle is placed beside its legs.
         let beside = BELOW * (1.0 - turn.abs() / SMALL).max(0.0);
         let middle = along(from + 0.5 * turn - beside.copysign(turn));
         let off = [3.1 * middle.x, 1.1 * middle.y];
@@ -250,14 +249,15 @@ impl InputArc {
     }
 }
 
-/// The vertex of the angle of two links: a point of both, otherwise the first point of the first one.
+/// Returns the vertex of the angle between two links: a point that both share, or else the first point of the first
+/// link.
 fn meeting(mechanism: &Mechanism, links: [LinkId; 2]) -> Option<PointId> {
     let [first, second] = links.map(|link| mechanism.points_of(link));
     let shared = first.iter().find(|point| second.contains(point));
     shared.or(first.first()).copied()
 }
 
-/// The annotated loop vectors.
+/// Returns the annotated loop vectors.
 fn noted_vectors(mechanism: &Mechanism, view: &View) -> Vec<[PointId; 2]> {
     let noted = view.annotations.loop_vectors.iter();
     noted
@@ -265,14 +265,14 @@ fn noted_vectors(mechanism: &Mechanism, view: &View) -> Vec<[PointId; 2]> {
         .collect()
 }
 
-/// The points of these names; none if the linkage lacks one of them.
+/// Returns the points with these names; none if the linkage lacks any of them.
 fn known<const N: usize>(mechanism: &Mechanism, names: &[String; N]) -> Option<[PointId; N]> {
     let points: Option<Vec<PointId>> = names.iter().map(|name| mechanism.point(name)).collect();
     points?.try_into().ok()
 }
 
-/// Pairs of points along every link from joint to joint, along the frame from support to support,
-/// and across each dyad between its outer hinges, without duplicates.
+/// Returns loop vectors: along every link from joint to joint, along the frame from support to support, and across each
+/// dyad between its outer hinges, without duplicates.
 fn loop_vectors(mechanism: &Mechanism, layout: &Layout, dyads: &[RrrDyad]) -> Vec<[PointId; 2]> {
     let joints = |link: LinkId| -> Vec<PointId> {
         let points = mechanism.points_of(link).iter().copied();

@@ -1,4 +1,4 @@
-//! Paths of points over a motion, each part drawn once.
+//! Paths of points over a motion.
 
 use std::f64::consts::TAU;
 
@@ -9,25 +9,26 @@ use assur::{Point, Vector};
 use super::layout::Layout;
 use crate::list::{List, Look, Role};
 
-/// Number of points on a path per turn of the link that carries the point. Between two of them a path deviates
-/// from its chord by less than a thirtieth of a pixel if its second derivative is at most a thousand.
+/// Number of points on a path per turn of the link that carries the tracing point. The path deviates from its chords by
+/// less than 1/30 of a pixel if its second derivative with respect to the link's angle is at most 1000 pixels.
 const TURN: usize = 432;
-/// Number of poses of a turn, or of a shorter arc, of an oscillating motion.
+/// Number of poses of an oscillating motion, per turn or per shorter arc.
 const SWING: usize = 360;
 /// Minimum number of points on an arc.
 const LEAST: f64 = 90.0;
-/// Maximum number of bodies placed over all poses, with the overhead of a pose in bodies. Over many turns
-/// paths cover each other: they are sampled more coarsely, and beyond that only the first turns are drawn.
+/// Maximum number of bodies placed, over all poses. Over many turns paths cover each other: they are then sampled more
+/// coarsely and, if that is not enough, only the first turns are drawn.
 const MOST_PLACED: usize = 150_000;
+/// Overhead of a pose, expressed as a number of bodies.
 const OF_A_POSE: usize = 8;
+/// Minimum number of poses per turn.
 const COARSEST_TURN: usize = 60;
-/// Angle from which a link counts as turning fully: at its ends the motion may lack a pose.
+/// Angle from which a link counts as turning fully; the motion may lack a pose at its ends.
 const ALL_ROUND: f64 = TAU * (1.0 - 3.0 / TURN as f64);
-/// Relative inset of drawn samples from the ends of an arc: where points coincide there, the angles
-/// of links are only rounding.
+/// Relative inset of the samples from the ends of an arc. If points coincide at an end, the angles of links there are
+/// mere rounding error.
 pub(super) const OFF: f64 = 1e-9;
-/// Newton steps towards the input at which a link turns back; each one doubles the number of exact
-/// digits.
+/// Number of Newton steps towards the input at which a link turns back; each step doubles the number of correct digits.
 const STEPS: usize = 4;
 
 /// Poses over an unbroken stretch of the motion, each with its input.
@@ -36,7 +37,7 @@ pub(super) type Run = Vec<(f64, Pose<1>)>;
 /// A part of a path.
 #[derive(Clone, Debug)]
 pub(super) enum Path {
-    /// A circle about a fixed point.
+    /// A circle with centre and radius.
     Circle(Point, f64),
     /// A polyline.
     Line(Vec<Point>),
@@ -50,7 +51,7 @@ impl Path {
         }
     }
 
-    /// Points that span the same bounds.
+    /// Returns points with the same bounds as the path.
     pub(super) fn reach(&self) -> Vec<Point> {
         match self {
             Self::Circle(centre, radius) => {
@@ -62,7 +63,7 @@ impl Path {
     }
 }
 
-/// Poses over the motion, a run for each arc, closer together near dead points.
+/// Returns the poses over the motion, one run for each arc, with closer samples near dead points.
 pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
     let cycle = motion.cycle();
     let sampling = Sampling {
@@ -85,7 +86,7 @@ pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
     runs.filter(|run: &Run| !run.is_empty()).collect()
 }
 
-/// The path of a point: if it turns about a fixed point, a circle or the arcs of its runs.
+/// Returns the path of a point. If the point turns about a fixed point, the path is a circle, or an arc for each run.
 pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: PointId) -> Vec<Path> {
     let mechanism = motion.mechanism();
     let Some((link, pivot)) = layout.pivot(point) else {
@@ -108,7 +109,7 @@ pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: PointI
             paths.push(Path::Circle(centre, arm.norm()));
             break;
         }
-        // Offset of the arm's angle from the link's.
+        // Difference between the angle of the arm and that of the link.
         let lead = arm.y.atan2(arm.x) - mechanism.angle(pose, link).value();
         let count = (TURN as f64 * (high - low) / TAU).ceil().max(LEAST);
         let place = |i: usize| {
@@ -120,7 +121,7 @@ pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: PointI
     paths
 }
 
-/// The range of a link's angle in a run.
+/// Returns the range of a link's angle in a run.
 fn turned(motion: &Motion, run: &Run, link: LinkId) -> [f64; 2] {
     let mechanism = motion.mechanism();
     let angle = |pose: &Pose<1>| mechanism.angle(pose, link).value();
@@ -142,7 +143,7 @@ fn turned(motion: &Motion, run: &Run, link: LinkId) -> [f64; 2] {
     [extreme(-1.0), extreme(1.0)]
 }
 
-/// The angle at which a link turns back near an input, by Newton's method.
+/// Finds the angle at which a link turns back near an input, by Newton's method.
 fn turning(motion: &Motion, link: LinkId, near: f64, (from, to): (f64, f64)) -> Option<f64> {
     let angle = motion.telling(|pose: &Pose<3>| motion.mechanism().angle(pose, link));
     let mut input = near;

@@ -11,16 +11,16 @@ use super::{Figure, paths};
 use crate::chart::{Against, Axis, Chart, Kind, Sample, Series, Settings, sampled, sampling};
 use crate::list::Role;
 
-/// Next to dead points derivatives grow without bound: the ranges of axes are taken where the
-/// transmission angle of the dyad that comes into line exceeds this.
+/// Transmission angle above which values count for the ranges of axes. Near dead points, where the links of a dyad come
+/// into line, derivatives grow without bound.
 const CLEAR: f64 = 15.0 * PI / 180.0;
-/// For a dead point without such a dyad, ranges leave out this share of an arc at its end.
+/// Share of an arc, at a dead point without such a dyad, that is left out of the ranges of axes.
 const CLEAR_SHARE: f64 = 0.04;
 
-/// The colours of the same axis of further points.
+/// Colours of the curves of further points along an axis whose own colour is already used.
 const FURTHER: [Role; 3] = [Role::Accent2, Role::Accent1, Role::Crank];
 
-/// The kind of a quantity.
+/// Returns the kind of a quantity.
 fn kind_of(quantity: &Quantity) -> Kind {
     if quantity.is_angle() {
         Kind::Angle
@@ -29,7 +29,7 @@ fn kind_of(quantity: &Quantity) -> Kind {
     }
 }
 
-/// The axis of a column, or of the input without one.
+/// Returns the axis of a column or, if none is given, of the input.
 fn axis(mechanism: &Mechanism, column: Option<Column>) -> Axis {
     let Some(Column { quantity, order }) = column else {
         let kind = if mechanism.turns() {
@@ -50,19 +50,19 @@ fn axis(mechanism: &Mechanism, column: Option<Column>) -> Axis {
     }
 }
 
-/// Measure of the distance from a dead point, where derivatives grow without bound.
+/// Measure of the distance from a dead point, near which derivatives grow without bound.
 enum Clear {
     /// The transmission angle of this dyad.
     Dyad(RrrDyad),
-    /// The distance from this input, at least `least`.
+    /// The distance from this input, which must exceed `least`.
     Way { input: f64, least: f64 },
 }
 
 impl Figure {
-    /// The chart of quantities of one kind over the motion, with the input rate of `settings`.
+    /// Makes the chart of quantities of one kind over the motion, with the input rate of `settings`.
     pub fn chart(&self, quantities: &[Quantity], settings: Settings) -> Chart {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
-        // Features are not searched over too many turns.
+        // Features are not searched for over too many turns.
         let mut found = (motion.features(quantities, settings.input).ok()).map(Vec::into_iter);
         let series = quantities.iter().zip(self.plotted_roles(quantities));
         let series = series.map(|(quantity, role)| Series {
@@ -83,7 +83,7 @@ impl Figure {
         Chart::new(motion.cycle(), kind, series.collect(), &runs, settings)
     }
 
-    /// The plot of a column over the motion against another one, or against the input without one.
+    /// Makes the plot of a column over the motion against another column or, if `x` is none, against the input.
     pub fn against(&self, x: Option<Column>, y: Column, settings: Settings) -> Against {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
         let ends = self.ends();
@@ -102,7 +102,7 @@ impl Figure {
         Against::new(axes, role, &runs, motion.cycle().is_full(), settings)
     }
 
-    /// Quantities of the pose at an input, if it has derivatives.
+    /// Returns the values of quantities at an input, if its pose has derivatives.
     fn sample(
         &self,
         input: f64,
@@ -117,7 +117,8 @@ impl Figure {
         })
     }
 
-    /// The roles of the curves: links have their own colours, each axis its own, axes of further points other ones.
+    /// Returns the roles of the curves. Each link and each axis has its own colour; further points on an axis have
+    /// other colours.
     pub fn plotted_roles(&self, quantities: &[Quantity]) -> Vec<Role> {
         let mut roles: Vec<Role> = Vec::new();
         for quantity in quantities {
@@ -134,7 +135,7 @@ impl Figure {
         roles
     }
 
-    /// The role of a quantity's curve by itself.
+    /// Returns the role of a quantity's curve, if no other curve is plotted.
     fn own_role(&self, quantity: Quantity) -> Role {
         match quantity {
             Quantity::Angle(link) => self.role(link),
@@ -146,7 +147,7 @@ impl Figure {
         }
     }
 
-    /// The dead points.
+    /// Returns a measure of the distance from each dead point.
     fn ends(&self) -> Vec<Clear> {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
         let ends = motion.dead_points().iter();
@@ -176,7 +177,7 @@ impl Figure {
         }
     }
 
-    /// The arc of the motion that contains an input.
+    /// Returns the arc of the motion that contains an input.
     fn arc(&self, input: f64) -> [f64; 2] {
         let arcs = self.motion.cycle().arcs();
         let mut holding = arcs
@@ -185,7 +186,7 @@ impl Figure {
         *holding.next().unwrap_or(&arcs[0])
     }
 
-    /// An input, kept off the very ends of an arc.
+    /// Returns the input, moved away from the very ends of its arc.
     fn off_the_ends(&self, input: f64) -> f64 {
         if self.motion.cycle().is_full() {
             return input;

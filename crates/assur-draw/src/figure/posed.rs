@@ -13,17 +13,18 @@ pub(super) struct Posed<'a, const N: usize> {
 }
 
 impl<const N: usize> Posed<'_, N> {
-    /// The place of a point.
+    /// Returns the position of a point.
     pub(super) fn place(self, point: PointId) -> Point {
         self.mechanism.place(self.pose, point).place()
     }
 
-    /// The angle of a link.
+    /// Returns the angle of a link.
     pub(super) fn angle(self, link: LinkId) -> f64 {
         self.mechanism.angle(self.pose, link).value()
     }
 
-    /// The origin and the angle of a link's own coordinates: its first point and its angle.
+    /// Returns the origin of a link's own coordinates, which is its first point, and their angle,
+    /// which is the link's.
     pub(super) fn body(self, link: LinkOrFrame) -> (Point, f64) {
         let first = link.and_then(|link| Some((link, *self.mechanism.points_of(link).first()?)));
         first.map_or((Point::origin(), 0.0), |(link, point)| {
@@ -31,7 +32,7 @@ impl<const N: usize> Posed<'_, N> {
         })
     }
 
-    /// The place of a point in the coordinates of a link.
+    /// Returns the position of a point in the coordinates of a link.
     pub(super) fn local(self, link: LinkOrFrame, point: PointId) -> Point {
         let (origin, angle) = self.body(link);
         Point::origin() + turned(self.place(point) - origin, -angle)

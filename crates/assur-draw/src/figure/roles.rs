@@ -6,8 +6,8 @@ use assur::structure::{Step, Structure};
 use crate::annotations::Annotations;
 use crate::list::{IN_TURN, Role};
 
-/// The annotated colour of each link; otherwise a driven link has that of a crank, the others take
-/// theirs in turn, and links fixed to another have its colour.
+/// Returns the colour of each link: as annotated, or else the crank's colour for a driven link, the
+/// colour of the body for a link fixed to it, and the next colour in turn for any other link.
 pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role> {
     let draft = mechanism.spec();
     let driven = |name: &String| {
@@ -39,7 +39,7 @@ pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role>
     links.map(role).collect()
 }
 
-/// The colours of the terms of the structural formula; a doubled link has the colour of its body.
+/// Returns the colours of the terms of the structural formula; a doubled link has the colour of its body.
 pub(super) fn of_terms(mechanism: &Mechanism) -> impl Iterator<Item = Role> {
     let of_links = of_groups(mechanism);
     let doubled = mechanism.doubled().iter();
@@ -47,7 +47,7 @@ pub(super) fn of_terms(mechanism: &Mechanism) -> impl Iterator<Item = Role> {
     of_steps(mechanism.structure()).chain(doubled)
 }
 
-/// The colours of drivers and Assur groups, in the order of the structure.
+/// Returns the colours of drivers and Assur groups, in the order of the structure.
 fn of_steps(structure: &Structure) -> impl Iterator<Item = Role> {
     let mut turn = IN_TURN.into_iter().cycle();
     structure.steps.iter().map(move |step| match step {
@@ -56,7 +56,7 @@ fn of_steps(structure: &Structure) -> impl Iterator<Item = Role> {
     })
 }
 
-/// For each link the colour of its driver or Assur group; none for links fixed to the frame.
+/// Returns the colour of each link's driver or Assur group; links fixed to the frame have the secondary colour.
 pub(super) fn of_groups(mechanism: &Mechanism) -> Vec<Role> {
     let structure = mechanism.structure();
     let roles: Vec<Role> = of_steps(structure).collect();

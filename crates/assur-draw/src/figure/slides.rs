@@ -1,4 +1,4 @@
-//! Blocks and their guides; the ground on which legs stand.
+//! Blocks and their guides; the ground line.
 
 use assur::mechanism::{DriverSpec, LinkId, LinkOrFrame, Mechanism, PointId, Pose, SlideSpec};
 use assur::sorting::extremes;
@@ -11,19 +11,20 @@ use super::posed::Posed;
 use crate::list::{List, Look, Role};
 use crate::parts::{self, BLOCK};
 
-/// So far a way goes on beyond the middle of a block at either end of its stroke, in units.
+/// Length by which a guide extends beyond the middle of the block at either end of its stroke, in symbol units.
 const BEYOND: f64 = 5.0;
-/// Half the width of the bar around a slot, in units.
+/// Half the width of the bar around a slot, in symbol units.
 const AROUND_SLOT: f64 = 2.4;
-/// Half the length of the arrow of a driven block, and its distance from the block's middle, in units.
+/// Half the length of the arrow of a driven block, in symbol units.
 const ARROW: f64 = 4.0;
+/// Distance of the arrow of a driven block from the middle of the block, in symbol units.
 const BESIDE: f64 = 3.4;
-/// Distance from the walls of a channel up to which it is cleared, in units.
+/// Distance from the walls of a channel up to which its inside is cleared, in symbol units.
 const WALL: f64 = 0.15;
-/// Number of poses of a motion per pose examined for the side of a guide.
+/// Interval, in poses, at which poses are examined for the side of a guide.
 const LOOKED_AT: usize = 16;
-/// Mean offset of a mechanism from a line, relative to the distance of its points, from which it
-/// counts as being on one side.
+/// Mean offset of a mechanism from a line, relative to the distance of its points, above which the mechanism counts as
+/// lying on one side.
 const ONE_SIDED: f64 = 0.3;
 
 /// A prismatic pair as it is drawn.
@@ -32,16 +33,17 @@ pub(super) struct Guide {
     on: LinkOrFrame,
     on_role: Role,
     way: Way,
-    /// The ends of the way of the block's middle, in the coordinates of the link with the line.
+    /// Ends of the path of the block's middle, in the coordinates of the link with the line.
     ends: [Point; 2],
     link: LinkId,
     role: Role,
-    /// The point, the block's middle and the line's direction, in the coordinates of the sliding
-    /// link.
+    /// Sliding point; like `middle` and `direction`, in the coordinates of the sliding link.
     point: Point,
+    /// Middle of the block.
     middle: Point,
+    /// Direction of the line.
     direction: Vector,
-    /// Whether it is shown as the driver.
+    /// Whether the block has the arrow of a driver.
     driven: bool,
 }
 
@@ -50,15 +52,15 @@ pub(super) struct Guide {
 enum Way {
     /// A line of the frame, hatched on this side.
     Line(Vector),
-    /// Two lines of the frame around the block: where two guides cross.
+    /// Two lines of the frame, one on either side of the block, for guides that cross.
     Channel,
     /// A rod through the block.
     Rod,
-    /// A slot in a link that itself slides: that of a yoke.
+    /// A slot in a link that itself slides, such as that of a Scotch yoke.
     Slot,
 }
 
-/// The prismatic pairs of a mechanism, with the ways that are used over the motion.
+/// Returns the prismatic pairs of a mechanism, with the paths of their blocks over the motion.
 pub(super) fn guides(layout: &Layout, home: Posed<'_, 1>, runs: &[Run], view: &View) -> Vec<Guide> {
     let mechanism = home.mechanism;
     let driver = match mechanism.spec().drivers.first() {
@@ -87,10 +89,10 @@ pub(super) fn guides(layout: &Layout, home: Posed<'_, 1>, runs: &[Run], view: &V
             let side = outer(layout, mechanism, runs, [start, end]);
             (Way::Line(side), [low, high])
         } else if layout::slides(mechanism, &slide.on) {
-            // At least as long as the line on its link.
+            // A slot is at least as long as the line on its link.
             (Way::Slot, [low.min(0.0), high.max(length)])
         } else {
-            // On a link the rod begins at the outline of the link.
+            // A rod begins at the outline of its link.
             (Way::Rod, [low.min(length), high.max(0.0)])
         };
         let (_, on_angle) = home.body(on);
@@ -122,7 +124,8 @@ pub(super) fn guides(layout: &Layout, home: Posed<'_, 1>, runs: &[Run], view: &V
     guides
 }
 
-/// The side of a line of the frame away from the mechanism; below it if the mechanism is on both sides.
+/// Returns the side of a line of the frame that faces away from the mechanism; if the mechanism is on both sides, the
+/// lower one.
 fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Point; 2]) -> Vector {
     let along = (end - start).normalize();
     let across = Vector::new(along.y, -along.x);
@@ -144,7 +147,8 @@ fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Po
     if below > ONE_SIDED * far { -down } else { down }
 }
 
-/// The ground line below a drawing: its ends, and the lower edge of its hatching.
+/// Returns the ends of the ground line and a point at the lower edge of its hatching; none if it is far from the
+/// drawing.
 pub(super) fn ground(
     [left, bottom, right, top]: [f64; 4],
     size: f64,
@@ -160,13 +164,13 @@ pub(super) fn ground(
 }
 
 impl Guide {
-    /// The ends of a guide on the frame.
+    /// Returns the ends of a guide on the frame.
     pub(super) fn on_frame(&self) -> impl Iterator<Item = Point> {
         let ends = self.on.is_none().then_some(self.ends);
         ends.into_iter().flatten()
     }
 
-    /// The corners of the parts drawn on the frame.
+    /// Returns the outer corners of the hatching on the frame.
     pub(super) fn reach(&self, u: f64) -> impl Iterator<Item = Point> {
         let [from, to] = self.drawn(u);
         let sides = match self.way {
@@ -181,7 +185,7 @@ impl Guide {
             .flat_map(move |side| [from + side * u, to + side * u])
     }
 
-    /// Whether both are on the frame and the ways of their blocks cross.
+    /// Whether both guides are on the frame and the paths of their blocks cross.
     fn crosses(&self, other: &Self) -> bool {
         let apart = |one: &Self, [a, b]: [Point; 2]| {
             let side = |at: Point| one.along().perp(&(at - one.ends[0]));
@@ -191,13 +195,13 @@ impl Guide {
         on_frame && apart(self, other.ends) && apart(other, self.ends)
     }
 
-    /// Whether it is a slot in a link.
+    /// Whether the guide is a slot in this link.
     pub(super) fn is_slot_of(&self, link: LinkId) -> bool {
         self.way == Way::Slot && self.on == Some(link)
     }
 
-    /// Draws the guide, except for slots: lines of the frame hatched on their outer sides, a rod on
-    /// a link.
+    /// Draws the guide: a line of the frame with hatching on its outer side, or a rod on a link. A slot is not drawn
+    /// here.
     pub(super) fn draw_line(&self, list: &mut List, u: f64) {
         let ends = self.drawn(u);
         list.body(layout::number(self.on));
@@ -213,7 +217,7 @@ impl Guide {
         }
     }
 
-    /// Clears a channel of the walls of those it crosses.
+    /// Erases, inside a channel, the walls of the channels that cross it.
     pub(super) fn empty(&self, list: &mut List, u: f64) {
         if self.way == Way::Channel {
             let [from, to] = self.drawn(u);
@@ -259,7 +263,7 @@ impl Guide {
         }
     }
 
-    /// The ends of the drawn guide, which supports the block over its whole stroke.
+    /// Returns the ends of the drawn guide, which supports the block over its whole stroke.
     fn drawn(&self, u: f64) -> [Point; 2] {
         let beyond = self.along() * (BEYOND * u);
         [self.ends[0] - beyond, self.ends[1] + beyond]

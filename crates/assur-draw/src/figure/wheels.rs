@@ -1,5 +1,5 @@
-//! Wheels of gear couplings: sizes from the distance of their hinges, teeth in
-//! mesh. A wheel is drawn on its link; an idler is a body of its own.
+//! Wheels of gear couplings. Their sizes follow from the distances between their hinges, and their
+//! teeth mesh. A wheel is drawn as part of its link, an idler as a body of its own.
 
 use assur::gears::{GearPair, Mesh, Wheel};
 use assur::mechanism::{GearSpec, LinkId, LinkOrFrame, PointId};
@@ -13,7 +13,7 @@ use crate::gear::Teeth;
 use crate::list::{List, Look, Role};
 use crate::parts;
 
-/// Width of a ring's rim beyond its pitch circle, in modules.
+/// Width of a ring's rim outside its pitch circle, in modules.
 const RING: f64 = 2.75;
 /// Relative difference below which two modules count as equal.
 const SAME: f64 = 1e-3;
@@ -31,42 +31,45 @@ pub(super) struct Gearing {
 struct Drawn {
     link: LinkId,
     role: Role,
-    /// Its centre on the link, the point about which it turns, and the direction of a tooth.
+    /// Centre, in the coordinates of the link.
     centre: Point,
+    /// Point about which the wheel turns.
     hinge: PointId,
+    /// Direction of a tooth in the coordinates of the link, radians.
     lead: f64,
     teeth: u32,
     ring: bool,
     module: f64,
     mates: Vec<(u32, bool)>,
-    /// Number of stirrer blades on it.
+    /// Number of mixing blades on the wheel.
     blades: usize,
-    /// Whether nothing else of its link is drawn about its centre.
+    /// Whether the wheel is on a plain shaft, which is drawn with the wheel.
     shaft: bool,
 }
 
-/// A wheel between two others that does not belong to a link.
+/// A wheel between two others that is not part of a link.
 #[derive(Clone, Debug)]
 struct Idler {
     carrier: LinkOrFrame,
-    /// Its centre on the carrier.
+    /// Centre, in the coordinates of the carrier.
     centre: Point,
     wheel: Wheel,
-    /// The link of the driving wheel, and the direction of its tooth.
+    /// Link of the driving wheel.
     driver: LinkId,
+    /// Direction of a tooth of the driving wheel on its link, radians.
     lead: f64,
     module: f64,
     mates: Vec<(u32, bool)>,
 }
 
 impl Drawn {
-    /// The outer radius.
+    /// Returns the outer radius.
     fn rim(&self) -> f64 {
         let beyond = if self.ring { RING } else { 1.0 };
         (0.5 * f64::from(self.teeth) + beyond) * self.module
     }
 
-    /// Whether it is this wheel of this link, with this module. (A link may have several.)
+    /// Whether this is the given wheel of the link, with this module. (A link may have several wheels.)
     fn is(&self, link: LinkId, wheel: &Wheel, module: f64) -> bool {
         let like = self.link == link && self.teeth == wheel.teeth && self.ring == wheel.ring;
         like && (self.module / module - 1.0).abs() < SAME
@@ -84,7 +87,7 @@ impl Gearing {
         for gear in &draft.gears {
             gearing.add(layout, home, gear);
         }
-        // A link may have several wheels: blades are on one of them.
+        // A link may have several wheels; the blades are on the first of them.
         for (name, count) in &view.annotations.blades {
             let link = mechanism.link(name);
             let mut wheels = gearing.wheels.iter_mut();
@@ -95,7 +98,7 @@ impl Gearing {
         gearing
     }
 
-    /// Adds what is not there yet of a coupling; none where it cannot be drawn.
+    /// Adds the idler of a coupling and those of its wheels that are not there yet; none if they cannot be drawn.
     fn add(&mut self, layout: &Layout, home: Posed<'_, 1>, gear: &GearSpec) -> Option<()> {
         let mechanism = home.mechanism;
         let link = |name: &String| mechanism.link(name);
@@ -109,14 +112,14 @@ impl Gearing {
         let [from, to] = hinges.map(|point| home.local(carrier, point));
         let between = to - from;
         let line = between.y.atan2(between.x);
-        // The module at which the wheels meet, by proportion from module 1.
+        // Module at which the wheels touch, in proportion to their distance for module 1.
         let unit = GearPair::new(gear.teeth, gear.mesh, 1.0, line).ok()?;
         let module = between.norm() / unit.driven_wheel().centre.norm();
         let pair = GearPair::new(gear.teeth, gear.mesh, module, line).ok()?;
         let train = pair.train();
         let [driver, driven] = [train.first()?, train.last()?];
 
-        // Angles seen from the carrier.
+        // Angles relative to the carrier.
         let (_, turn) = home.body(carrier);
         let seen = |link: LinkId| home.angle(link) - turn;
         let lead = |link: LinkId, wheel: &Wheel| {
@@ -178,7 +181,7 @@ impl Gearing {
         self.wheels.iter().any(|drawn| drawn.link == link)
     }
 
-    /// Corners of the squares around the wheels and idlers in a pose.
+    /// Returns corners of the squares around the wheels and idlers in a pose.
     pub(super) fn reach<const N: usize>(&self, posed: Posed<'_, N>) -> impl Iterator<Item = Point> {
         let wheels = self.wheels.iter();
         let wheels = wheels.map(move |drawn| (posed.place(drawn.hinge), drawn.rim()));
@@ -193,7 +196,7 @@ impl Gearing {
         })
     }
 
-    /// The distance of a place from each wheel, and the wheel's link.
+    /// Returns the distance of a point from each wheel, with the link of the wheel.
     pub(super) fn distances<const N: usize>(
         &self,
         posed: Posed<'_, N>,
@@ -212,7 +215,7 @@ impl Gearing {
         })
     }
 
-    /// The smallest wheel at a place: on the disc of a plain wheel, on the toothed rim of a ring.
+    /// Finds the smallest wheel at a point: anywhere on the disc of a plain wheel, on the toothed rim of a ring.
     pub(super) fn wheel_at<const N: usize>(
         &self,
         posed: Posed<'_, N>,
@@ -225,7 +228,7 @@ impl Gearing {
         Some(smallest.link)
     }
 
-    /// The place of a wheel's number.
+    /// Returns the position of a wheel's number.
     pub(super) fn tagged<const N: usize>(
         &self,
         posed: Posed<'_, N>,
@@ -240,7 +243,7 @@ impl Gearing {
         Some(at + Vector::new(cos, sin) * radius)
     }
 
-    /// The poses of the idlers.
+    /// Returns the poses of the idlers.
     pub(super) fn idlers<const N: usize>(
         &self,
         posed: Posed<'_, N>,
@@ -253,13 +256,13 @@ impl Gearing {
         })
     }
 
-    /// The centres of idlers on the frame.
+    /// Returns the centres of idlers on the frame.
     pub(super) fn fixed_idlers(&self) -> impl Iterator<Item = Point> {
         let fixed = self.idlers.iter().filter(|idler| idler.carrier.is_none());
         fixed.map(|idler| idler.centre)
     }
 
-    /// Draws all wheels, rings behind the wheels inside them.
+    /// Draws all wheels, with rings behind the wheels inside them.
     pub(super) fn draw(&self, list: &mut List, u: f64) {
         let rings = self.wheels.iter().filter(|drawn| drawn.ring);
         for drawn in rings.chain(self.wheels.iter().filter(|drawn| !drawn.ring)) {

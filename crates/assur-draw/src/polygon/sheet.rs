@@ -1,11 +1,11 @@
-//! The sheet for the polygons of a motion: one scale and one place of the pole for the whole
-//! motion, so that the polygon moves about the pole.
+//! The sheet for the polygons of a motion. Scale and position of the pole are the same over the whole motion, so that
+//! the polygon moves about a fixed pole.
 
 use assur::motion::{InputRate, Motion, Sampling, Shown, Spacing};
 use assur::polygons::{Order, Polygon};
 use assur::sorting::sort_by;
 
-/// Poses to be sampled: none at an end, which may be a dead point.
+/// Sampling of the poses, without the ends of arcs, which may be dead points.
 const POSES: Sampling = Sampling {
     turn: 120,
     coarsest: 30,
@@ -13,17 +13,20 @@ const POSES: Sampling = Sampling {
     spacing: Spacing::Middles,
     shown: Shown::Spread,
 };
-/// Greatest size of a polygon at the scale of the motion, relative to the median one: without dead
-/// points this includes nearly all of them, next to a dead point vectors grow without bound.
+/// Greatest size of a polygon, relative to the median, that counts for the sheet of a motion without dead points.
+/// Nearly all polygons count.
 const MOST: f64 = 10.0;
+/// Greatest size of a polygon, relative to the median, that counts for the sheet of a motion with dead points, near
+/// which vectors grow without bound.
 const MOST_OF_DEAD: f64 = 3.0;
-/// Least distance of the pole from the sheet's edges, as a share of its side.
+/// Least distance of the pole from the sheet's edges, as a share of the side of the sheet.
 const EDGE: f64 = 0.1;
-/// Ratio up to which a polygon may exceed the sheet and keep its scale: some do so between two
-/// sampled poses.
+/// Size of a polygon, relative to the sheet, up to which its scale is not reduced. Between sampled poses some polygons
+/// slightly exceed the sheet.
 const BEYOND: f64 = 1.05;
-/// Sizes of sheets, and factors of smaller scales, up to powers of ten.
+/// Sizes of sheets, to be multiplied by a power of ten.
 const SIZES: [f64; 6] = [1.0, 1.5, 2.0, 3.0, 5.0, 7.0];
+/// Factors by which a scale is reduced, to be multiplied by a power of ten.
 const SMALLER: [f64; 3] = [1.0, 2.0, 5.0];
 
 /// A rectangle about the pole: left, bottom, right, top.
@@ -34,7 +37,7 @@ type Rectangle = [f64; 4];
 pub struct PolygonSheet(Rectangle);
 
 impl PolygonSheet {
-    /// The sheet of a motion with this input rate.
+    /// Makes the sheet of a motion with this input rate.
     pub fn over(motion: &Motion, order: Order, input: InputRate) -> Self {
         let mechanism = motion.mechanism();
         let mut pose = mechanism.blank::<3>();
@@ -49,7 +52,7 @@ impl PolygonSheet {
         Self::of(found, if dead { MOST_OF_DEAD } else { MOST })
     }
 
-    /// The sheet around those rectangles of polygons that are at most `most` times as large as the median one.
+    /// Makes the sheet from the rectangles around polygons, without those over `most` times as large as the median.
     fn of(mut found: Vec<Rectangle>, most: f64) -> Self {
         sort_by(&mut found, |a, b| reach(*a).total_cmp(&reach(*b)));
         let median = found.get(found.len() / 2).map_or(0.0, |a| reach(*a));
@@ -68,7 +71,8 @@ impl PolygonSheet {
         Self([x - half, y - half, x + half, y + half])
     }
 
-    /// The sheet for a polygon, and the factor by which its scale is smaller than usual: 1, unless it would not fit.
+    /// Returns the sheet for a polygon, and the factor by which its scale is reduced: 1, unless the polygon would not
+    /// fit.
     pub(super) fn holding(&self, polygon: &Polygon) -> (Rectangle, f64) {
         let sides = around(polygon).into_iter().zip(self.0);
         let over = sides.map(|(side, of)| side / of).fold(0.0, f64::max);
@@ -81,7 +85,7 @@ impl PolygonSheet {
     }
 }
 
-/// The rectangle around a polygon and its pole.
+/// Returns the rectangle around a polygon and its pole.
 fn around(polygon: &Polygon) -> Rectangle {
     let stages = polygon.stages.iter();
     let places = stages.flat_map(|stage| {
@@ -92,7 +96,7 @@ fn around(polygon: &Polygon) -> Rectangle {
     places.fold([0.0; 4], |all, at| joined(all, [at.x, at.y, at.x, at.y]))
 }
 
-/// The rectangle around two others.
+/// Returns the rectangle around two others.
 fn joined(a: Rectangle, b: Rectangle) -> Rectangle {
     [
         a[0].min(b[0]),
@@ -102,12 +106,12 @@ fn joined(a: Rectangle, b: Rectangle) -> Rectangle {
     ]
 }
 
-/// The greatest distance of a rectangle's sides from the pole.
+/// Returns the greatest distance of a rectangle's sides from the pole.
 fn reach(rectangle: Rectangle) -> f64 {
     rectangle.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
 
-/// The least of these digits, in ascending order, times a power of ten, that is not less than a length.
+/// Returns the least number not below `length` that is one of `digits`, in ascending order, times a power of ten.
 fn no_less(length: f64, digits: &[f64]) -> f64 {
     let power = 10.0_f64.powf(length.log10().floor());
     let mut whole = digits.iter().map(|digit| digit * power);
@@ -119,9 +123,9 @@ mod tests {
     use super::*;
     use assur::mechanism::{LinkageSpec, Mechanism};
 
-    /// A four-bar with these lengths of crank, coupler and rocker, on a frame of 4.
+    /// Makes a four-bar with these lengths of crank, coupler and rocker, and a frame of length 4.
     fn four_bar([crank, c, d]: [f64; 3]) -> Motion {
-        // Drawn with crank and frame at right angles.
+        // The crank is drawn at right angles to the frame.
         let diagonal = crank.hypot(4.0);
         let along = (c * c + diagonal * diagonal - d * d) / (2.0 * diagonal);
         let across = (c * c - along * along).sqrt();
@@ -151,7 +155,8 @@ mod tests {
         poses.map(polygon).collect()
     }
 
-    /// A crank that turns fully: one scale, at which the longest vector takes much of the sheet; the pole is on the sheet.
+    /// If the crank turns fully, there is one scale; the longest vector takes much of the sheet, which contains the
+    /// pole.
     #[test]
     fn a_turning_crank_has_one_scale() {
         let motion = four_bar([1.0, 3.0, 3.0]);
@@ -170,8 +175,8 @@ mod tests {
         }
     }
 
-    /// A crank with dead points: most of the motion has one scale, at which the median polygon takes much of the
-    /// sheet; next to the ends it is smaller by round steps about the same pole, so that every polygon fits.
+    /// If the crank has dead points, most of the motion has one scale, at which the median polygon takes much of the
+    /// sheet. Near the ends the scale is reduced in round steps about the same pole, so that every polygon fits.
     #[test]
     fn a_dead_point_has_smaller_scales() {
         let motion = four_bar([3.0, 2.0, 3.5]);

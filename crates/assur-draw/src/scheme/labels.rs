@@ -7,11 +7,11 @@ use crate::list::{List, Role};
 use crate::parts;
 use crate::scheme::opening::Displacement;
 
-/// Minimum distance of a number from pairs, in units.
+/// Minimum distance of a number from pairs, in symbol units.
 const CLEAR: f64 = 6.0;
 
 impl SchemeFigure {
-    /// The names of pairs, away from the links that meet there, and the numbers of links.
+    /// Adds the names of pairs, on the side away from their links, and the numbers of links.
     pub(super) fn label(&self, list: &mut List, bodies: &[Body], moved: &[Displacement]) {
         let pairs = self.scheme.pairs();
         for (index, pair) in pairs.iter().enumerate() {
@@ -29,7 +29,7 @@ impl SchemeFigure {
                 Some(away) => away,
                 None => assur::Vector::new(-0.7, 0.7),
             };
-            // In space symbols are larger than the circle of a hinge.
+            // Symbols in space are larger than the circle of a hinge.
             let reach = if self.scheme.is_planar() { 2.3 } else { 2.6 };
             list.name(
                 Role::Ink,
@@ -44,7 +44,8 @@ impl SchemeFigure {
         }
     }
 
-    /// The place of a link's number: beside the middle of a bar, or of its first part if a pair is in the way.
+    /// Returns the position of a link's number: beside the middle of a bar or, if a pair is too near, beside another
+    /// point of it.
     fn numbered(&self, body: &Body) -> (Point, [f64; 2]) {
         let nodes = self.seen(body);
         let hull = parts::hull(nodes.clone());

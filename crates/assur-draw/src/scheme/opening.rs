@@ -1,23 +1,23 @@
-//! Opening of a chain at cut pairs: the remaining pairs move a little, as their freedoms allow, so
-//! that the halves of each cut separate.
+//! Opening of a chain at cut pairs. The remaining pairs move a little, as their freedoms allow,
+//! until the halves of each cut separate.
 
 use std::collections::VecDeque;
 
 use assur::mobility::{Cut, Pair, PairKind, Point3, Scheme, Vector3};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
-/// Gap between the halves of a cut pair, relative to the size of the drawing, and the greatest turn
-/// of a pair for it.
+/// Gap between the halves of a cut pair, relative to the size of the drawing.
 const GAP: f64 = 0.09;
+/// Greatest turn of a pair to open a gap, radians.
 const MOST: f64 = 0.45;
 
-/// Displacement of a slide: that of a turn at this distance, relative to the size.
+/// Displacement of a slide that has the weight of a turn of one radian, relative to the size of the drawing.
 const LEVER: f64 = 0.3;
 
 /// A displacement in space.
 pub(super) type Displacement = Isometry3<f64>;
 
-/// The chain after cuts: for each pair the links that it still joins.
+/// A chain with cuts; `left` lists, for each pair, the links that the pair still joins.
 pub(super) struct Chain<'a> {
     scheme: &'a Scheme,
     places: &'a [Point3],
@@ -26,7 +26,7 @@ pub(super) struct Chain<'a> {
     size: f64,
 }
 
-/// The last step of the path from the ground to a link: the pair, and the link before it.
+/// Last step of the path from the ground to a link: the pair, and the link before it.
 type Reached = Option<(usize, usize)>;
 
 impl<'a> Chain<'a> {
@@ -51,8 +51,8 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Displacements of all links: the cuts open in turn, all but the last completely, the last by
-    /// a share of its way.
+    /// Returns the displacements of all links when all cuts but the last are fully open, and the
+    /// last is open by the share `last`.
     pub(super) fn opened(&self, last: f64) -> Vec<Displacement> {
         let pairs = self.scheme.pairs();
         let (reached, order) = self.reach();
@@ -77,13 +77,13 @@ impl<'a> Chain<'a> {
         links
     }
 
-    /// Moves the pairs between the halves of a cut pair.
+    /// Opens a cut: moves the pairs on the paths from the ground to the two halves of the cut pair.
     fn part(&self, cut: Cut, share: f64, reached: &[Reached], moved: &mut [Displacement]) {
         let Some(&kept) = self.left[cut.pair].first() else {
             return;
         };
         let [off, on] = [cut.link, kept].map(|link| way_to(link, reached));
-        // Pairs common to both paths move both halves alike.
+        // A pair that both paths share moves both halves alike, and so is left out.
         let both = |pair: &usize| !(off.contains(pair) && on.contains(pair));
         let at = self.places[cut.pair];
         let around: Vec<Point3> = off
@@ -128,7 +128,7 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Whether the chain falls apart without a pair.
+    /// Whether the chain falls apart without this pair.
     fn parts(&self, pair: usize) -> bool {
         let [one, other] = self.left[pair][..] else {
             return false;
@@ -148,7 +148,7 @@ impl<'a> Chain<'a> {
         !seen[other]
     }
 
-    /// The paths from the ground, and the links in the order in which they are reached.
+    /// Returns the last steps of the paths from the ground, and the links in the order in which they are reached.
     fn reach(&self) -> (Vec<Reached>, Vec<usize>) {
         let mut reached = vec![None; self.scheme.links().len()];
         let mut order = vec![0];
@@ -171,7 +171,7 @@ impl<'a> Chain<'a> {
     }
 }
 
-/// The pairs between a link and the ground.
+/// Returns the pairs on the path between a link and the ground.
 fn way_to(mut link: usize, reached: &[Reached]) -> Vec<usize> {
     let mut way = Vec::new();
     while let Some((pair, from)) = reached[link] {
@@ -181,14 +181,15 @@ fn way_to(mut link: usize, reached: &[Reached]) -> Vec<usize> {
     way
 }
 
-/// A small motion allowed by a pair: a turn about an axis of length 1, or a translation.
+/// A small motion allowed by a pair: a turn about an axis given by a unit vector, or a translation.
 enum Small {
     Turn(Vector3),
     Slide(Vector3),
 }
 
 impl Small {
-    /// Of the clearly visible motions of a pair, the one that moves a place most in a direction.
+    /// Selects, from the clearly visible motions of a pair, the one that moves the point `at` most
+    /// in the direction `away`.
     fn of(pair: &Pair, here: Point3, at: Point3, away: Vector3, size: f64) -> Self {
         let axis = pair.axis.unwrap_or_else(Vector3::z);
         let best = || {
@@ -217,7 +218,8 @@ impl Small {
         }
     }
 
-    /// Displacement of a place in a direction: per radian, or along the translation.
+    /// Returns the displacement of the point `at` in the direction `away`, per radian of a turn or
+    /// for the whole translation.
     fn along(&self, here: Point3, at: Point3, away: Vector3) -> f64 {
         match self {
             Self::Turn(axis) => axis.cross(&(at - here)).dot(&away),
@@ -236,7 +238,7 @@ impl Small {
     }
 }
 
-/// A turn about an axis through a place.
+/// Returns the displacement due to a turn about an axis through the point `here`.
 fn turned_about(turn: UnitQuaternion<f64>, here: Point3) -> Displacement {
     Displacement::from_parts(Translation3::from(here - turn * here), turn)
 }

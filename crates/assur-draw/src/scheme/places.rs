@@ -1,15 +1,15 @@
-//! Positions of pairs in the drawing, given or not, and the room they take.
+//! Positions of pairs in the drawing, given or assumed, and the rectangle around them.
 
 use assur::Point;
 use assur::mobility::{Pair, Point3, Scheme, Vector3};
 
 use crate::parts;
 
-/// Distance of a pair without a given position from its links, relative to the size.
+/// Distance of a pair without a given position from the mean of its neighbours, relative to the drawing's size.
 const ASIDE: f64 = 0.15;
 
-/// The places of pairs. One without a given place is beside the other pairs of its links; if none
-/// is given, all are on a circle, in turn.
+/// Returns the positions of pairs. A pair without a given position is placed beside the other pairs
+/// of its links; if no position is given, all pairs are placed in turn on a circle.
 pub(super) fn placed(scheme: &Scheme) -> Vec<Point3> {
     let pairs = scheme.pairs();
     let known = || pairs.iter().filter_map(|pair| pair.place);
@@ -39,7 +39,7 @@ pub(super) fn placed(scheme: &Scheme) -> Vec<Point3> {
     placed.collect()
 }
 
-/// The rectangle around places, and its longer side (1 if all coincide).
+/// Returns the rectangle around points, and its longer side; if all points coincide, the unit square and 1.
 pub(super) fn around(places: impl Iterator<Item = Point>) -> ([f64; 4], f64) {
     let none = [
         f64::INFINITY,

@@ -1,4 +1,4 @@
-//! The standard symbols of pairs (ISO 3952, GOST 2.770), in the directions of their axes.
+//! Standard symbols of pairs (ISO 3952, GOST 2.770), oriented along the axes of the pairs.
 
 use assur::mobility::{Pair, PairKind, Point3, Vector3};
 use assur::{Point, perpendicular};
@@ -8,10 +8,10 @@ use crate::list::{List, Look, Role};
 use crate::parts;
 use crate::projection::Projection;
 
-/// Sine of the angle to the line of sight below which an axis is drawn as a point.
+/// Sine of the angle to the line of sight below which an axis is drawn as seen end on.
 const END_ON: f64 = 0.35;
 
-/// A pen in space, which draws at the place of a pair, along its directions.
+/// A pen in space, which draws at the position of a pair, along the directions of the pair.
 pub(super) struct Pen<'a> {
     pub(super) list: &'a mut List,
     pub(super) projection: &'a Projection,
@@ -19,12 +19,12 @@ pub(super) struct Pen<'a> {
     pub(super) unit: f64,
     pub(super) role: Role,
     at: Point3,
-    /// The axis, and two directions at right angles to it.
+    /// Direction of the axis, and two directions at right angles to it.
     frame: [Vector3; 3],
 }
 
 impl<'a> Pen<'a> {
-    /// A pen at a pair whose first link was displaced.
+    /// Makes a pen at a pair that was displaced by `moved`.
     pub(super) fn new(
         list: &'a mut List,
         projection: &'a Projection,
@@ -35,7 +35,7 @@ impl<'a> Pen<'a> {
         moved: &Displacement,
     ) -> Self {
         let axis = pair.axis.unwrap_or_else(Vector3::z);
-        // Flat on the sheet if the second direction is not given.
+        // If the second direction is not given, it is parallel to the xy plane.
         let across = pair.second.unwrap_or_else(|| {
             let level = Vector3::z().cross(&axis);
             level.try_normalize(1e-6).unwrap_or_else(Vector3::x)
@@ -51,14 +51,14 @@ impl<'a> Pen<'a> {
         }
     }
 
-    /// A place by its coordinates in units along the axis and the two directions.
+    /// Projects a point given in symbol units along the axis and the two other directions.
     fn point(&self, along: f64, across: f64, third: f64) -> Point {
         let [a, b, c] = self.frame;
         let off = (a * along + b * across + c * third) * self.unit;
         self.projection.place(self.at + off)
     }
 
-    /// A place on the sheet, in units along the visible axis and at right angles to it.
+    /// Returns a point on the sheet, given in symbol units along the visible axis and at right angles to it.
     fn flat(&self, along: f64, across: f64) -> Point {
         let axis = self.projection.direction(self.frame[0]);
         let along_it = axis.try_normalize(1e-9).unwrap_or_else(assur::Vector::x);
@@ -88,7 +88,7 @@ impl<'a> Pen<'a> {
             .circle(self.role, look, centre, radius * self.unit);
     }
 
-    /// A plane at right angles to the axis.
+    /// Draws a plane at right angles to the axis.
     fn plate(&mut self, along: f64) {
         let corners = [[-2.6, -2.0], [2.6, -2.0], [2.6, 2.0], [-2.6, 2.0]];
         let corners = corners.map(|[x, y]| self.point(along, x, y));
@@ -96,7 +96,7 @@ impl<'a> Pen<'a> {
             .polygons(self.role, Look::Pale, &[corners.to_vec()]);
     }
 
-    /// An open half shell around a ball.
+    /// Draws an open half shell around a ball.
     fn cup(&mut self) {
         let centre = self.projection.place(self.at);
         let arc = (0..=20).map(|k| {
@@ -107,7 +107,7 @@ impl<'a> Pen<'a> {
         self.list.polyline(self.role, Look::Line, &arc);
     }
 
-    /// The symbol of a pair.
+    /// Draws the symbol of a pair.
     pub(super) fn draw(&mut self, kind: PairKind) {
         match kind {
             PairKind::Revolute if self.end_on() => self.circle(Look::Hollow, 0.0, 1.2),
@@ -195,7 +195,7 @@ impl<'a> Pen<'a> {
         }
     }
 
-    /// The end of a link at a pair that was taken off it.
+    /// Draws the end of a link at a pair from which the link was taken off.
     pub(super) fn stump(&mut self) {
         self.circle(Look::Hollow, 0.0, 0.8);
     }

@@ -1,4 +1,4 @@
-//! Drawing of frame, links, blocks, wheels and points of a sketch.
+//! Drawing of the frame, links, blocks, wheels and points of a sketch.
 
 use super::*;
 use assur::perpendicular;
@@ -26,7 +26,7 @@ impl Sketch {
         }
     }
 
-    /// The ends of a slide's line, if they do not coincide.
+    /// Returns the ends of a slide's line, if they do not coincide.
     fn line(&self, slide: &SlideSpec) -> Option<[Point; 2]> {
         let [from, to] = [self.place(&slide.line[0])?, self.place(&slide.line[1])?];
         ((to - from).norm() > 0.0).then_some([from, to])
@@ -39,7 +39,7 @@ impl Sketch {
         }
     }
 
-    /// The wheels, one for each mesh, the smallest first. One in no mesh has a default radius.
+    /// Returns the wheels, once for each mesh, the smallest first. A wheel in no mesh has a default radius.
     pub(super) fn wheels(&self) -> Vec<Wheel> {
         let of = |name: &str| {
             let links = self.draft.links.iter();
@@ -111,7 +111,7 @@ impl Sketch {
                 .collect();
             let frame = self.draft.frame.contains(&point.name);
             if links.is_empty() && frame && !self.is_support(&point.name) {
-                // The end of a guide can be dragged.
+                // The end of a guide has a handle, by which it can be dragged.
                 self.handles
                     .push((point.name.clone(), Role::Secondary, point.at));
                 self.list
@@ -157,7 +157,7 @@ impl Sketch {
         }
     }
 
-    /// The drawn position of a place in a link's own coordinates.
+    /// Returns the position in the drawing of a point given in a link's own coordinates.
     fn traced(&self, link: &str, at: Vector) -> Option<Point> {
         let mut links = self.draft.links.iter();
         let points = &links.find(|one| one.name == link)?.points;

@@ -8,7 +8,7 @@ use plotters_backend::{BackendColor, BackendCoord, BackendStyle, DrawingErrorKin
 
 use crate::chart::FINE;
 
-/// The text of the plots, with the width and height in pixels.
+/// SVG text of the plots, with the width and height in pixels.
 pub(super) struct Canvas<'a> {
     pub(super) body: &'a mut String,
     pub(super) size: (u32, u32),

@@ -1,4 +1,4 @@
-//! The display list painted as SVG.
+//! Painting of display lists as SVG.
 
 use std::fmt::Write as _;
 
@@ -6,8 +6,8 @@ use super::{Drawing, css, escaped};
 use crate::figure::names::VALUE;
 use crate::list::Role;
 
-/// For each look, as in the page's painter: opacity of the fill (negative: filled with paper),
-/// width of the line in pixels and its opacity, dashes.
+/// Styles of the looks, as in the page's painter: opacity of the fill (negative: filled with the
+/// colour of the paper), width of the line in pixels, opacity of the line, dashes.
 const LOOKS: [(f64, f64, f64, &str); 7] = [
     (1.0, 0.0, 1.0, ""),
     (0.16, 1.5, 1.0, ""),
@@ -21,15 +21,16 @@ const LOOKS: [(f64, f64, f64, &str); 7] = [
 /// Height of the labels, pixels.
 const TEXT: f64 = 15.0;
 
-/// Paints display lists; places are converted to pixels here, so that nothing depends on how a
-/// viewer scales lines.
+/// Painter of display lists. Positions are converted to pixels here, so that the width of lines
+/// does not depend on how a viewer scales them.
 pub(super) struct Painter<'a> {
     pub(super) shapes: &'a mut String,
     pub(super) labels: String,
     pub(super) drawing: &'a Drawing<'a>,
     pub(super) poses: &'a [f32],
-    /// Position of the model's origin, and pixels per unit.
+    /// Position of the model's origin, pixels.
     pub(super) middle: [f64; 2],
+    /// Number of pixels per unit of the model.
     pub(super) scale: f64,
     pub(super) body: usize,
 }
@@ -41,7 +42,7 @@ impl Painter<'_> {
         }
     }
 
-    /// Paints the first record and returns its length; none at the end.
+    /// Paints the first record and returns the length of the record; none at the end.
     fn record(&mut self, numbers: &[f32]) -> Option<usize> {
         let at = |index: usize| numbers.get(index).copied();
         let whole = |index: usize| at(index).map(|number| number as usize);
@@ -99,7 +100,7 @@ impl Painter<'_> {
         }
     }
 
-    /// The text of a label; with a read-out also its value, degrees.
+    /// Returns the text of a label, with the value of its read-out, if it has one, in degrees.
     fn written(&self, label: &str) -> String {
         let Some((symbol, what)) = label.split_once(VALUE) else {
             return label.to_owned();
@@ -143,7 +144,7 @@ impl Painter<'_> {
         path
     }
 
-    /// A place of the current body in pixels, y down.
+    /// Converts a position on the current body to pixels, with y downwards.
     fn place(&self, x: f32, y: f32) -> [f64; 2] {
         let pose = self.poses.get(3 * self.body..3 * self.body + 3);
         let [left, up, angle] = pose.map_or([0.0; 3], |pose| [0, 1, 2].map(|i| f64::from(pose[i])));
