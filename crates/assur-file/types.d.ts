@@ -236,7 +236,7 @@ length?: number | null,
  */
 shape?: Array<[number, number]> | null, 
 /**
- * The link to which it is rigidly fixed.
+ * The link to which it is rigidly fixed, or `frame`.
  */
 fixed_to?: string | null, 
 /**
@@ -623,7 +623,7 @@ cut: Array<string>,
  */
 look_deg: [number, number], 
 /**
- * Number of the task, if the scheme is one; the answer is then hidden.
+ * Number of the practice task, if the scheme is one; the answer is then hidden.
  */
 task?: number | null, };
 export type ShaftDocument = "sun" | "carrier" | "ring";
@@ -812,11 +812,11 @@ groups: boolean,
  */
 numbers: boolean, 
 /**
- * Whether all assemblies are shown: a picture of each, and their map.
+ * Whether all assemblies are shown: a picture of each, and a map of them.
  */
 all_assemblies: boolean, 
 /**
- * Whether the assemblies that do not move are shown, too, dashed.
+ * Whether the other assemblies are shown, dashed, beside the one that moves.
  */
 others: boolean, 
 /**
@@ -824,7 +824,8 @@ others: boolean,
  */
 polygons: boolean, 
 /**
- * Whether the instant centres of all links are shown, with lines that locate the centre of `about` and `relative_to`.
+ * Whether the instant centres of all links are shown, and the lines that intersect in the centre of `about`
+ * relative to `relative_to`.
  */
 instant_centres: boolean, 
 /**

@@ -1,4 +1,4 @@
-//! Reasons why a drawing does not move, and edits that would let it.
+//! Reasons why a drawing does not move, and edits that would let it move.
 
 use assur::mechanism::{Defect, Mechanism};
 use assur_file::{LinkageDocument, Problem};
@@ -10,8 +10,8 @@ use crate::{Edit, checked, edited};
 const MOST: usize = 6;
 /// Maximum number of edits tried after each edit of the drawing. Each trial builds a mechanism.
 const MOST_SOUGHT: usize = 48;
-/// Maximum number of candidate edits after which a second edit is tried, too. More candidates would take
-/// longer than a frame of the animation.
+/// Maximum number of candidates if pairs of edits are tried. Pairs of more candidates would take longer than
+/// a frame of the animation.
 const MOST_TRIED: usize = 16;
 
 /// Advice on a drawing that does not move.

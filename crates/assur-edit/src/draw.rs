@@ -224,7 +224,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Replaces the given dimensions of links by those of the drawing.
+    /// Replaces the given dimensions of the links `which` by those of the drawing.
     pub(crate) fn redraw(&mut self, which: impl Fn(&LinkDocument) -> bool) {
         let links = self.document.links.iter_mut();
         for link in links.filter(|link| which(link)) {

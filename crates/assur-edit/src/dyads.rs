@@ -11,7 +11,7 @@ use crate::edit::{End, Inner, Line, Outer};
 const OFF: f64 = 0.6;
 /// Length of a new line, relative to the distance from its start to the point that slides on it.
 const BEYOND: f64 = 1.4;
-/// Distance of a new plate's corner from its centre, relative to the distance of the bar's other end.
+/// Distance of a new plate's corners from its centre, relative to the distances of the bars' other ends.
 const PLATE: f64 = 0.4;
 /// Angle through which the corners are rotated, radians, so that no bar points at the plate's centre.
 const TURNED: f64 = 0.5;
@@ -144,8 +144,8 @@ impl Guide {
         }
     }
 
-    /// The line for a slide with this point instead of the guide's own. A line of the frame is shifted
-    /// parallel to itself.
+    /// The guide's line for a slide of the point `point`. A line of the frame is shifted to pass through
+    /// this point.
     fn along_from(&self, drawing: &Drawing, point: &str) -> Result<Line, LinkageProblem> {
         Ok(match &self.along {
             Line::Toward(_) => {

@@ -96,7 +96,7 @@ pub enum End {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Line {
-    /// That line through two points of a link which is nearest to the sliding point.
+    /// A line through two points of a link: the one nearest to the sliding point.
     Link(String),
     /// A line of the frame from the block towards a place.
     Toward([f64; 2]),
@@ -109,7 +109,7 @@ pub enum Line {
 pub enum Outer {
     /// A hinge.
     Hinge(End),
-    /// A slide along that line of a link which is nearest to a place.
+    /// A slide along a line through two points of a link: the line nearest to a place.
     Slide(String, [f64; 2]),
     /// A slide along a horizontal line of the frame through a place.
     Level([f64; 2]),

@@ -386,7 +386,7 @@ fn flat(places: &[Vector], free: &[bool]) -> DVector<f64> {
     DVector::from_vec(free.flat_map(|(place, _)| [place.x, place.y]).collect())
 }
 
-/// Adds a share of the displacements `by` to the free points.
+/// Adds the displacements `by`, multiplied by `share`, to the free points.
 fn apply(at: &mut [Vector], free: &[bool], by: &DVector<f64>, share: f64) {
     let moved = at.iter_mut().zip(free).filter(|(_, free)| **free);
     for (k, (place, _)) in moved.enumerate() {

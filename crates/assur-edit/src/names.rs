@@ -35,8 +35,8 @@ pub(crate) fn is_link(document: &LinkageDocument, name: &str) -> bool {
     name == FRAME || document.links.iter().any(|link| link.name == name)
 }
 
-/// A free name for a link: `wish`, or else a name composed of those of its points, as in textbooks. A
-/// number is added if the name is taken.
+/// A free name for a link: `wish`, or else the names of its points together, as in textbooks. A number
+/// is added if the name is taken.
 pub(crate) fn new_link(
     document: &LinkageDocument,
     points: &[String],
@@ -82,14 +82,14 @@ fn numbered(first: usize, free: impl Fn(&str) -> bool, name: impl Fn(usize) -> S
     }
 }
 
-/// The links whose names are composed of those of their points. They are renamed after an edit.
+/// The links named after their points, such as AB. They are renamed after an edit.
 pub(crate) fn called_by_points(document: &LinkageDocument) -> Vec<String> {
     let links = document.links.iter();
     let called = links.filter(|link| link.points.len() > 1 && link.name == of_points(&link.points));
     called.map(|link| link.name.clone()).collect()
 }
 
-/// Renames the links in `before`, whose names were composed of those of their points, after an edit.
+/// Renames the links in `before`, which were named after their points, if an edit changed these.
 pub(crate) fn call_by_points(document: &mut LinkageDocument, before: &[String]) {
     for old in before {
         let link = document.links.iter().find(|link| link.name == *old);

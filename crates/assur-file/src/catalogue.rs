@@ -189,8 +189,8 @@ pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
     })
 }
 
-/// Places of all mechanisms of the catalogue in the gallery. All of them are built for this, which
-/// takes too long before a page shows anything.
+/// Places of all mechanisms of the catalogue in the gallery. All of them are built: this takes too long
+/// to be done before a page shows anything.
 ///
 /// # Errors
 /// The problems of a document; a test ensures that there are none.

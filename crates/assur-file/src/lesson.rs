@@ -149,7 +149,7 @@ pub struct ChoiceDocument {
     pub answer: usize,
 }
 
-/// A value to which the reader is to bring a quantity of the page.
+/// A target value, to which the reader has to bring a quantity of the page.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
@@ -166,7 +166,7 @@ impl LessonDocument {
     /// Checks all texts and numbers, and that every question can be answered.
     ///
     /// # Errors
-    /// The problems of the lesson itself; if there are none, the number of its first faulty step, then the step's problems.
+    /// The problems of the lesson itself or, if there are none, the number of its first faulty step and its problems.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Problems::default();
         problems.characters("lesson.title", &self.title, TITLE);

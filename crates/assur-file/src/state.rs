@@ -17,8 +17,8 @@ pub const FORMAT: f64 = 2.0;
 /// contained the step of the document's only lesson.
 const FIRST_FORMAT: f64 = 1.0;
 
-/// A state of the page, of the right form. Unknown keys were ignored. Values are checked by
-/// [`State::check`].
+/// A state of the page, read without regard to unknown keys. Its form is right; its values are checked
+/// by [`State::check`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct State {
     /// Version of the saved form, 2.
@@ -115,7 +115,7 @@ impl State {
     /// The linkage in motion, with its plotted quantities.
     ///
     /// # Errors
-    /// Every problem of the whole state at once.
+    /// All problems of the state.
     pub fn moved(&self) -> Result<Moved, Vec<Problem>> {
         match (self.check(), self.document.moved(&self.view.plot)) {
             (Ok(()), Ok(moved)) => Ok(moved),
@@ -129,8 +129,8 @@ impl State {
     /// The linkage that the document describes, whatever the document's kind.
     ///
     /// # Errors
-    /// Those of [`State::check`]; the problems because of which there is no linkage. Problems of the
-    /// linkage itself are listed by [`LinkageDocument::mechanism`].
+    /// Those of [`State::check`]; the reasons why there is no linkage. Problems of the linkage itself are
+    /// listed by [`LinkageDocument::mechanism`].
     pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         self.check()?;
         self.document.linkage()

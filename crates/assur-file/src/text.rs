@@ -46,7 +46,7 @@ pub fn keys_once(text: &str) -> Result<(), Problem> {
     }
 }
 
-/// Reads a part of a text and keeps its path. After an error, the path is that of the fault.
+/// Reader of a part of a text, with the path of the part. After an error, the path is that of the fault.
 struct Part<'a> {
     path: &'a mut String,
 }

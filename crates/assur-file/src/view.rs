@@ -60,16 +60,17 @@ pub struct View {
     /// Whether the numbers of the links are shown.
     #[serde(default)]
     pub numbers: bool,
-    /// Whether all assemblies are shown: a picture of each, and their map.
+    /// Whether all assemblies are shown: a picture of each, and a map of them.
     #[serde(default)]
     pub all_assemblies: bool,
-    /// Whether the assemblies that do not move are shown, too, dashed.
+    /// Whether the other assemblies are shown, dashed, beside the one that moves.
     #[serde(default)]
     pub others: bool,
     /// Whether the polygons of velocities and accelerations are shown.
     #[serde(default)]
     pub polygons: bool,
-    /// Whether the instant centres of all links are shown, with lines that locate the centre of `about` and `relative_to`.
+    /// Whether the instant centres of all links are shown, and the lines that intersect in the centre of `about`
+    /// relative to `relative_to`.
     #[serde(default)]
     pub instant_centres: bool,
     /// Whether the centrodes of `about` are shown.

@@ -1,4 +1,4 @@
-//! Outlines of the working members, seen along their shafts. Their constants are for radius 1.
+//! Outlines of the working members, seen along their shafts. The constants are for an outer radius of 1.
 
 use std::f64::consts::{PI, TAU};
 

@@ -255,8 +255,8 @@ impl Planar {
         list.circle(wheel.role, Look::Solid, polar(back - 1.6 * size, at), size);
     }
 
-    /// Draws the letter of the pole on the plate after the marked one. If poles alternate, the plate after
-    /// that has its letter, too.
+    /// Draws the letters of the poles: on the plate after the marked one and, if poles alternate, on the
+    /// plate after that.
     fn letters(&self, list: &mut List, wheel: &Wheel) {
         let Rim::Plates(poles) = wheel.rim else {
             return;

@@ -120,7 +120,7 @@ pub struct LinkDocument {
     /// The coordinates of its points on the link, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shape: Option<Vec<[f64; 2]>>,
-    /// The link to which it is rigidly fixed.
+    /// The link to which it is rigidly fixed, or `frame`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fixed_to: Option<String>,
     /// Its centre of mass, one of its points.

@@ -36,7 +36,7 @@ pub trait Kind {
     /// The linkage that the document describes.
     ///
     /// # Errors
-    /// The problems because of which there is no linkage.
+    /// The reasons why there is no linkage.
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>>;
 
     /// Unit of lengths.
@@ -52,7 +52,7 @@ pub trait Kind {
     /// The numbers of the document that a lesson may vary.
     ///
     /// # Errors
-    /// The problems because of which the numbers are not known.
+    /// The reasons why the numbers are not known.
     fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {
         Ok(Vec::new())
     }

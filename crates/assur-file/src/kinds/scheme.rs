@@ -1,4 +1,4 @@
-//! Saved form of a scheme: links and pairs whose mobility is computed and which do not move.
+//! Saved form of a scheme: links and pairs that do not move, but whose mobility is computed.
 
 use assur::mechanism::Defect;
 use assur::mobility::{Cut, PairKind, PairSpec, Point3, Scheme, SchemeSpec, Vector3};
@@ -47,7 +47,7 @@ pub struct SchemeDocument {
     /// Viewing direction of a spatial scheme, degrees: rotation about the z-axis from the y-axis, and elevation.
     #[serde(default = "from_the_front")]
     pub look_deg: [f64; 2],
-    /// Number of the task, if the scheme is one; the answer is then hidden.
+    /// Number of the practice task, if the scheme is one; the answer is then hidden.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub task: Option<u32>,
 }

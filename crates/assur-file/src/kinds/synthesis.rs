@@ -81,7 +81,7 @@ pub enum SynthesisProblem {
     TooFewPositions { least: usize, count: usize },
     /// Too many positions.
     TooManyPositions { most: usize, count: usize },
-    /// Two positions, by their numbers, are the same.
+    /// Two positions, given by their numbers, are the same.
     EqualPositions { one: usize, other: usize },
     /// Positions that any lengths satisfy.
     AnyLengths,
@@ -111,7 +111,7 @@ impl SynthesisProblem {
     }
 }
 
-/// Distance of the outermost members that are shown from the ends of a family, relative to the whole family.
+/// Distance from the ends of a family to its outermost members that are shown, relative to the whole family.
 const ENDS: f64 = 1e-3;
 
 /// The synthesis that a document describes.

@@ -20,7 +20,7 @@ pub enum LessonProblem {
     LessonStep { step: usize },
     /// A question that does not have exactly one of a number, a choice and a state to be reached.
     LessonQuestion,
-    /// A number as an answer that does not have exactly one of a quantity and a value.
+    /// A numerical answer that does not have exactly one of a quantity and a value.
     LessonAnswer,
     /// A number to be varied that does not exist in the document of the step.
     LessonVaries { name: String },

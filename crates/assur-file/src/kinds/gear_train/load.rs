@@ -1,4 +1,4 @@
-//! Loads of a train, and the properties of magnets and bodies, on which oscillation and slip depend.
+//! Loads, magnets and bodies of a train, which determine how it oscillates and slips.
 
 use std::f64::consts::TAU;
 
@@ -223,7 +223,7 @@ impl GearTrainDocument {
         })
     }
 
-    /// The load as a torque over time. Its sign is opposite to `speed`, the speed of its shaft without slip.
+    /// The load as a torque over time. A positive load opposes `speed`, the speed of its shaft without slip.
     fn pull(&self, speed: f64) -> Result<Profile, Vec<Problem>> {
         if self.load.is_empty() {
             return Ok(Profile::zero());

@@ -42,7 +42,7 @@ pub enum GearTrainProblem {
     TiedToItself { shaft: ShaftDocument },
     /// The speeds of two shafts are given as multiples of each other.
     TiedTogether { shaft: ShaftDocument },
-    /// The speed of a shaft is given as such a multiple of another's that no second drive determines the motion.
+    /// A ratio of the speeds of two shafts with which the motion is undetermined, whatever the other drive.
     SingularTie {
         shaft: ShaftDocument,
         to: ShaftDocument,
@@ -63,7 +63,7 @@ pub enum GearTrainProblem {
     ByTime,
 }
 
-/// Converts an error of the wheels.
+/// Converts an error of the wheels to a problem.
 pub(super) fn of_train(error: TrainError) -> Problem {
     let problem = match error {
         TrainError::Teeth { member, fault } => {
@@ -106,7 +106,7 @@ fn of_wheel(member: Member) -> &'static str {
 }
 
 impl GearTrainDocument {
-    /// Converts an error of a drive.
+    /// Converts an error of a drive to a problem.
     pub(super) fn input_problem(&self, error: InputError) -> Problem {
         let problem = match error {
             InputError::Number { shaft, fault } => {
@@ -144,7 +144,7 @@ impl GearTrainDocument {
         problem.into()
     }
 
-    /// Converts a defect of the model under load.
+    /// Converts a defect of the model under load to a problem.
     pub(super) fn load_problem(&self, defect: Defect) -> Problem {
         match defect {
             Defect::Value {
@@ -169,8 +169,8 @@ impl GearTrainDocument {
     }
 }
 
-/// Converts a defect of the model under load without its document. The problem names the list of drives, not
-/// the drive at fault.
+/// Converts a defect of the model under load to a problem if the document is not known. The problem names the
+/// list of drives, not the drive at fault.
 pub(super) fn of_load(defect: Defect) -> Problem {
     let problem = match defect {
         Defect::Value { quantity, fault } => return Problem::of_fault(field(quantity), fault),
@@ -194,7 +194,7 @@ pub(super) fn of_load(defect: Defect) -> Problem {
     problem.into()
 }
 
-/// Converts a fault of a knot of the load.
+/// Converts a fault of a knot of the load to a problem.
 pub(super) fn of_load_knot(fault: ProfileFault) -> Problem {
     match fault {
         // Does not occur: a profile is made only if there are knots.

@@ -17,7 +17,7 @@ const LONGEST_NAME: usize = 40;
 /// Maximum number of characters of a title or source.
 const LONGEST_TEXT: usize = 400;
 
-/// All problems of single fields, with the paths of the fields. If lists are too long, only those problems.
+/// All problems of single fields, with the paths of the fields. If lists are too long, only this is reported.
 pub(super) fn problems(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let found = counts(document);
     if found.is_empty() {

@@ -30,7 +30,7 @@ pub enum LinkageProblem {
     BadBand { path: String, value: f64 },
     /// A length or shape of a link that is fixed to another link and so has its dimensions from the drawing.
     FixedAsDrawn { path: String },
-    /// A driver that is neither a crank nor a slide with its range, or both.
+    /// A driver that is neither a crank nor a slide with its range, or that is both.
     BadDriver { path: String },
     /// A plot of a quantity that does not exist.
     NothingToPlot { path: String },

@@ -153,7 +153,7 @@ fn problems(errors: Vec<FunctionError>) -> Vec<Problem> {
             row: row + 1,
         },
     };
-    // In an empty interval of x the values are always equal, which is not a problem of its own.
+    // In an empty interval of x the values are necessarily equal. This is not reported as well.
     let empty = errors.contains(&FunctionError::Interval);
     let told = |error: &FunctionError| !empty || *error != FunctionError::Values;
     errors
