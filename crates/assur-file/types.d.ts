@@ -44,7 +44,7 @@ shaft: ShaftDocument,
  */
 rpm: number, 
 /**
- * Duration of a uniform acceleration from rest to this speed, seconds; 0 for an instantaneous start.
+ * Duration of a uniform acceleration from rest to the speed `rpm`, seconds; 0 for an instantaneous start.
  */
 start_s: number, 
 /**

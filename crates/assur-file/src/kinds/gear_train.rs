@@ -165,7 +165,7 @@ pub struct DriveDocument {
     /// Speed of the driven shaft, revolutions per minute; 0 if the shaft is held. Not used if `to` is given.
     #[serde(default)]
     pub rpm: f64,
-    /// Duration of a uniform acceleration from rest to this speed, seconds; 0 for an instantaneous start.
+    /// Duration of a uniform acceleration from rest to the speed `rpm`, seconds; 0 for an instantaneous start.
     #[serde(default)]
     pub start_s: f64,
     /// The other shaft, if the speed of the driven shaft is a multiple of another's.
