@@ -10,7 +10,7 @@ export type Mend = { "drive": string } | { "release": string } | { "remove": str
  */
 point: string, 
 /**
- * Length of its move.
+ * Distance that this point moves.
  */
 by: number, } };
 export type Outer = { "hinge": End } | { "slide": [string, [number, number]] } | { "level": [number, number] };

@@ -1,7 +1,7 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
 export type Against = { 
 /**
- * The abscissa; `input` is the input.
+ * The abscissa; `input` stands for the input.
  */
 x: string, 
 /**
@@ -11,7 +11,7 @@ y: string, };
 export type Axes = "analogues" | "physical";
 export type BodiesDocument = { 
 /**
- * Moments of inertia with what is on the shafts, kg·m².
+ * Moments of inertia, including those of all parts on the shafts, kg·m².
  */
 inertia: [number, number, number, number], 
 /**
@@ -40,49 +40,49 @@ export type DriveDocument = {
  */
 shaft: ShaftDocument, 
 /**
- * Its speed, revolutions per minute; 0: it is held. For a tied shaft, its speed without the tie.
+ * Speed of the driven shaft, revolutions per minute; 0 if the shaft is held. Not used if `to` is given.
  */
 rpm: number, 
 /**
- * Time of a uniform rise of the speed from rest, seconds; 0: full speed at once.
+ * Duration of a uniform acceleration from rest to the speed `rpm`, seconds; 0 for an instantaneous start.
  */
 start_s: number, 
 /**
- * The shaft to which it is tied.
+ * The other shaft, if the speed of the driven shaft is a multiple of another's.
  */
 to?: ShaftDocument | null, 
 /**
- * Ratio of its speed to that of the shaft to which it is tied.
+ * Ratio of the driven shaft's speed to that of the shaft `to`.
  */
 factor: number, };
 export type DriverDocument = { 
 /**
- * The driven link.
+ * The driven link, if it is a crank.
  */
 crank?: string | null, 
 /**
- * The link relative to which it turns; without it the frame.
+ * The link relative to which the crank rotates; if absent, the frame.
  */
 base?: string | null, 
 /**
- * Index of the driven slide, from 0.
+ * Index of the driven slide in the list of slides, from 0.
  */
 slide?: number | null, 
 /**
- * Its least and greatest coordinate along the line.
+ * Least and greatest coordinate of the driven slide along its line.
  */
 range?: [number, number] | null, 
 /**
- * Rate of a further driver's coordinate relative to that of the first; 1 by default.
+ * Rate of this driver's coordinate relative to that of the first driver; 1 by default.
  */
 rate?: number | null, };
 export type EndDocument = { 
 /**
- * The link.
+ * Name of the link.
  */
 link: string, 
 /**
- * Its place.
+ * Position of the point.
  */
 at: PlaceDocument, };
 export type FormDocument = "planar" | "stepped" | "bevel";
@@ -97,24 +97,24 @@ of: FormulaDocument,
  */
 x: [number, number], 
 /**
- * φ₃ at these x, degrees.
+ * φ₃ at the two ends of the interval of x, degrees.
  */
 input_deg: [number, number], 
 /**
- * φ₂ at the y of these x, degrees.
+ * φ₂ at the values of y at these two ends, degrees.
  */
 output_deg: [number, number], };
 export type GearDocument = { 
 /**
- * The two links.
+ * The two wheels.
  */
 links: [string, string], 
 /**
- * The link both are hinged on, or `frame`.
+ * The link to which both wheels are hinged, or `frame`.
  */
 carrier: string, 
 /**
- * Their numbers of teeth.
+ * The numbers of teeth of the wheels.
  */
 teeth: [number, number], 
 /**
@@ -123,15 +123,15 @@ teeth: [number, number],
 mesh: MeshDocument, };
 export type GearTrainDocument = { 
 /**
- * Its title.
+ * Title of the train.
  */
 title?: string | null, 
 /**
- * Its source.
+ * Source of the train.
  */
 source?: string | null, 
 /**
- * The mechanism of the catalogue that it was made from.
+ * Name of the catalogue mechanism from which the train was made.
  */
 origin?: string | null, 
 /**
@@ -139,19 +139,19 @@ origin?: string | null,
  */
 form: FormDocument, 
 /**
- * Plates or teeth of the sun.
+ * Number of plates or teeth of the sun.
  */
 z1: number, 
 /**
- * Plates or teeth of a satellite; if stepped, of its wheel in mesh with the sun.
+ * Number of plates or teeth of a satellite; if it is stepped, of its wheel in mesh with the sun.
  */
 z2: number, 
 /**
- * Plates or teeth of a stepped satellite's wheel in mesh with the ring.
+ * Number of plates or teeth of a stepped satellite's wheel in mesh with the ring.
  */
 z2_step?: number | null, 
 /**
- * Plates or teeth of the ring.
+ * Number of plates or teeth of the ring.
  */
 z4: number, 
 /**
@@ -183,7 +183,7 @@ members: MembersDocument,
  */
 observer: ObserverDocument, 
 /**
- * Whether it runs under load; otherwise nothing slips.
+ * Whether the train runs under load; otherwise the wheels do not slip.
  */
 loaded: boolean, 
 /**
@@ -191,7 +191,7 @@ loaded: boolean,
  */
 span_s: number, 
 /**
- * Knots of a load on the shaft that is not driven: times (s) and torques (N·m) against its rotation without slip.
+ * Load on the shaft that is not driven. Each knot is a time, s, and a torque against rotation without slip, N·m.
  */
 load: Array<[number, number]>, 
 /**
@@ -224,19 +224,19 @@ export type LinkDocument = {
  */
 name: string, 
 /**
- * Its points; its angle runs from the first to the second.
+ * Its points. The link's angle is the direction from the first to the second.
  */
 points: Array<string>, 
 /**
- * The distance of its two points, if not as drawn.
+ * The distance between its two points, if not as drawn.
  */
 length?: number | null, 
 /**
- * The places of its points on the link, if not as drawn.
+ * The coordinates of its points on the link, if not as drawn.
  */
 shape?: Array<[number, number]> | null, 
 /**
- * The link that it turns as one with.
+ * The link to which it is rigidly fixed, or `frame`.
  */
 fixed_to?: string | null, 
 /**
@@ -249,23 +249,23 @@ centre_of_mass?: string | null,
 mass_kg?: number | null, };
 export type LinkageDocument = { 
 /**
- * Its title.
+ * Title of the linkage.
  */
 title?: string | null, 
 /**
- * Source of its dimensions.
+ * Source of the dimensions.
  */
 source?: string | null, 
 /**
- * The mechanism of the catalogue that it was made from, by name.
+ * Name of the catalogue mechanism from which the linkage was made.
  */
 origin?: string | null, 
 /**
- * Unit of its lengths; without it only their proportions count.
+ * Unit of lengths; if absent, only proportions count.
  */
 unit?: LengthUnit | null, 
 /**
- * Every point with its place in the drawing.
+ * All points, with their positions in the drawing.
  */
 points: Array<PointDocument>, 
 /**
@@ -289,7 +289,7 @@ gears?: Array<GearDocument>,
  */
 drivers: Array<DriverDocument>, 
 /**
- * Points that links carry besides their joints.
+ * Traced points: points of links that are not joints.
  */
 tracers?: Array<TracerDocument>, 
 /**
@@ -301,12 +301,12 @@ plots?: Array<string>,
  */
 traces?: Array<string>, 
 /**
- * Dimensions kept while points are moved by hand: the distance of two points, the angle at the
- * second of three. They do not affect the motion of the linkage.
+ * Dimensions kept while points are moved by hand, each by its points: two for their distance, three
+ * for the angle at the second. They do not affect the motion of the linkage.
  */
 locks?: Array<Array<string>>, 
 /**
- * Height of the ground on which it stands, if the ground is drawn.
+ * Height of the ground on which the linkage stands, if the ground is drawn.
  */
 ground?: number | null, 
 /**
@@ -315,70 +315,70 @@ ground?: number | null,
  */
 band?: number | null, 
 /**
- * Number of the assembly that moves, from 1; without it the drawn one. Only links and older
- * files contain it: an assembly is saved as its drawing.
+ * Number of the assembly that moves, from 1; if absent, the drawn one. Only old URLs and files
+ * contain this field: an assembly is now saved as its drawing.
  */
 assembly?: number | null, };
 export type MagnetsDocument = { 
 /**
- * Which poles the plates show.
+ * Polarity of the plates.
  */
 poles: PolesDocument, 
 /**
- * The greatest torque of one satellite on sun and ring, N·m.
+ * Greatest torques that one satellite exerts on sun and ring, N·m.
  */
 peak: [number, number], 
 /**
- * Damping by eddy currents of one satellite on sun and ring, N·m·s.
+ * Eddy-current damping between one satellite and the sun, and between it and the ring, N·m·s.
  */
 damping: [number, number], };
 export type MemberDocument = { 
 /**
- * Kind of the member.
+ * Type of the member.
  */
 kind: MemberKind, 
 /**
- * Torque of one member at the speed that its shaft has without slip, N·m.
+ * Torque of one member at the speed that its shaft would have without slip, N·m.
  */
 torque: number, };
 export type MemberKind = "fan" | "brush" | "stirrer" | "scraper" | "blade" | "propeller" | "road_wheel";
 export type MembersDocument = { 
 /**
- * 7: on the shaft of each satellite.
+ * Member 7, on the shaft of each satellite.
  */
 satellite?: MemberDocument | null, 
 /**
- * 8: on the carrier.
+ * Member 8, on the carrier.
  */
 carrier?: MemberDocument | null, };
 export type MeshDocument = "external" | "internal" | "as_printed";
 export type MixerDocument = { 
 /**
- * Unit of its lengths; without it metres.
+ * Unit of lengths; if absent, metres.
  */
 unit?: LengthUnit | null, 
 /**
- * Crank AB.
+ * Length of the crank AB.
  */
 l1: number, 
 /**
- * Coupler BC.
+ * Length of the coupler BC.
  */
 l2: number, 
 /**
- * Rocker DC.
+ * Length of the rocker DC.
  */
 l3: number, 
 /**
- * Frame AD.
+ * Length of the frame AD.
  */
 l4: number, 
 /**
- * Teeth of the wheel on the rocker's shaft.
+ * Number of teeth of wheel 4, on the rocker's shaft.
  */
 z4: number, 
 /**
- * The peripheral wheels it drives: wheel 5, 6, …
+ * The peripheral wheels that wheel 4 drives: wheels 5, 6, …
  */
 wheels: Array<WheelDocument>, 
 /**
@@ -394,20 +394,20 @@ module: number,
  */
 assembly: 1 | 2, 
 /**
- * The points traced: P₁, P₂, …
+ * Traced points: P₁, P₂, …
  */
 tracers: Array<MixerTracerDocument>, };
 export type MixerTracerDocument = { 
 /**
- * The link that carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
+ * The link to which it is fixed: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
  */
 link: string, 
 /**
- * Coordinate along the link from its first joint.
+ * Coordinate along the link, from the link's first joint.
  */
 x: number, 
 /**
- * Coordinate perpendicular to it, to the left.
+ * Coordinate perpendicular to the link, to the left.
  */
 y: number, };
 export type NumberDocument = { 
@@ -416,7 +416,7 @@ export type NumberDocument = {
  */
 quantity?: string | null, 
 /**
- * The input at which it is evaluated, in the reader's unit; none: that of the step.
+ * The input at which the quantity is evaluated, in the reader's unit; if absent, the input of the step.
  */
 at?: number | null, 
 /**
@@ -432,7 +432,7 @@ unit?: string,
  */
 within: number, 
 /**
- * Whether the page shows the value of the quantity during the question; by default it does not.
+ * Whether the page shows the value of the quantity while the question is open; false by default.
  */
 shown?: boolean, };
 export type NumberField = { 
@@ -449,15 +449,15 @@ value: number,
  */
 whole: boolean, 
 /**
- * Whether the engine sets it from the current pose and changes other fields, too; otherwise
- * only this field is written.
+ * Whether the engine sets the number, starting from the current pose, and changes other fields, too;
+ * otherwise only this field is written.
  */
 followed: boolean, };
 export type ObserverDocument = "ground" | "sun" | "carrier" | "ring";
 export type Only = "all" | "value" | "first" | "second";
 export type OpenLesson = { 
 /**
- * Its name: that of its folder.
+ * Name of the lesson, which is also that of its folder.
  */
 id: string, 
 /**
@@ -470,7 +470,7 @@ export type PairDocument = {
  */
 name: string, 
 /**
- * Its form.
+ * Type of the pair.
  */
 kind: KindDocument, 
 /**
@@ -478,11 +478,11 @@ kind: KindDocument,
  */
 links: Array<string>, 
 /**
- * Its place.
+ * Position of the pair.
  */
 at?: PlaceDocument | null, 
 /**
- * The direction of its axis or normal, of any length.
+ * A vector of any length in the direction of the axis or normal.
  */
 axis?: [number, number, number] | null, 
 /**
@@ -494,16 +494,16 @@ second?: [number, number, number] | null,
  */
 pitch?: number | null, 
 /**
- * Number of freedoms of a pair of unspecified form.
+ * Number of freedoms of a pair of unspecified type.
  */
 freedoms?: number | null, };
 export type PictureDocument = { 
 /**
- * The image, as a `data:` address.
+ * The image, as a `data:` URL.
  */
 image: string, 
 /**
- * Position of its upper left corner.
+ * Position of the picture's upper left corner.
  */
 at: [number, number], 
 /**
@@ -531,19 +531,19 @@ at: [number, number], };
 export type PolesDocument = "alike" | "alternating";
 export type PositionDocument = { 
 /**
- * φ₂, from the joint with the coupler to the fixed pivot.
+ * Output angle φ₂: direction from the joint with the coupler to the fixed pivot.
  */
 output_deg: number, 
 /**
- * φ₃, from the fixed pivot to the joint with the coupler.
+ * Input angle φ₃: direction from the fixed pivot to the joint with the coupler.
  */
 input_deg: number, 
 /**
- * Weight of the position where not all can be met.
+ * Weight of the position if not all positions can be met.
  */
 weight: number, 
 /**
- * φ₁ at which the conditions of the paper are evaluated; without it that of the shown linkage.
+ * Coupler angle φ₁ at which the conditions of the paper are evaluated; if absent, that of the shown linkage.
  */
 coupler_deg?: number | null, };
 export type Preset = { 
@@ -561,24 +561,24 @@ text: string,
  */
 hint?: string, 
 /**
- * The answer is a number.
+ * The answer, if it is a number.
  */
 number?: NumberDocument | null, 
 /**
- * The answer is one of several options.
+ * The options and the answer, if the answer is one of several options.
  */
 choice?: ChoiceDocument | null, 
 /**
- * The answer is a state to which the mechanism is brought.
+ * The answer, if it is a state to which the reader brings the mechanism.
  */
 reach?: ReachDocument | null, };
 export type ReachDocument = { 
 /**
- * Name of the quantity, as for a number.
+ * Name of the quantity, as in a [`NumberDocument`].
  */
 quantity: string, 
 /**
- * The value.
+ * The value to be reached.
  */
 value: number, 
 /**
@@ -587,15 +587,15 @@ value: number,
 within: number, };
 export type SchemeDocument = { 
 /**
- * Its title.
+ * Title of the scheme.
  */
 title?: string | null, 
 /**
- * Its source.
+ * Source of the scheme.
  */
 source?: string | null, 
 /**
- * The mechanism of the catalogue that it was made from.
+ * Name of the catalogue mechanism from which the scheme was made.
  */
 origin?: string | null, 
 /**
@@ -603,11 +603,11 @@ origin?: string | null,
  */
 planar: boolean, 
 /**
- * The link that does not move.
+ * Name of the fixed link.
  */
 ground: string, 
 /**
- * The pairs; links are named by them.
+ * The pairs, which also name the links.
  */
 pairs: Array<PairDocument>, 
 /**
@@ -615,15 +615,15 @@ pairs: Array<PairDocument>,
  */
 ends?: Array<EndDocument>, 
 /**
- * Cut pairs: `D`; of a compound hinge with the link that is taken off it, `Q:3`.
+ * Names of cut pairs, such as `D`. For a compound hinge, the link detached from it follows: `Q:3`.
  */
 cut: Array<string>, 
 /**
- * Direction from which a spatial scheme is viewed: to the left of the y-axis, and above the plane x, y.
+ * Viewing direction of a spatial scheme, degrees: rotation about the z-axis from the y-axis, and elevation.
  */
 look_deg: [number, number], 
 /**
- * Number of the task, if it is one; the answer is then hidden.
+ * Number of the practice task, if the scheme is one; the answer is then hidden.
  */
 task?: number | null, };
 export type ShaftDocument = "sun" | "carrier" | "ring";
@@ -637,16 +637,16 @@ id: string,
  */
 group: Group, 
 /**
- * Highest class of its Assur groups, in Roman numerals; none if it is not a linkage.
+ * Highest class of the Assur groups, in Roman numerals; none if the mechanism is not a linkage.
  */
 class: string | null, };
 export type ShownDocument = { 
 /**
- * The view; only fields that differ from the default are saved.
+ * The view. Only fields that differ from their defaults are saved.
  */
 view: Partial<View>, 
 /**
- * Numbers that vary from reader to reader.
+ * Numbers of the document that vary from reader to reader.
  */
 vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type SlideDocument = { 
@@ -655,15 +655,15 @@ export type SlideDocument = {
  */
 link: string, 
 /**
- * Its point that stays at its drawn distance from the line.
+ * The point of this link that keeps its drawn distance from the line.
  */
 point: string, 
 /**
- * The link with the line, or `frame`.
+ * The link that carries the line, or `frame`.
  */
 on: string, 
 /**
- * Two points of that link, on the line.
+ * Two points of that link through which the line passes.
  */
 line: [string, string], };
 export type SpeedUnit = "rad_per_s" | "per_min";
@@ -673,7 +673,7 @@ export type StepDocument = {
  */
 title: string, 
 /**
- * Paragraphs, one per line; `*emphasis*`, and `_` starts a subscript in a symbol.
+ * Paragraphs, one per line. Asterisks mark `*emphasis*`, and `_` starts a subscript in a symbol.
  */
 text: string, 
 /**
@@ -681,7 +681,7 @@ text: string,
  */
 formula?: string, 
 /**
- * The shown document; none: that of the step before.
+ * The shown document; if absent, that of the step before.
  */
 shows?: ShownDocument | null, 
 /**
@@ -690,15 +690,15 @@ shows?: ShownDocument | null,
 question?: QuestionDocument | null, };
 export type SynthesisDocument = { 
 /**
- * Unit of the lengths; without it only their proportions count.
+ * Unit of lengths; if absent, only proportions count.
  */
 unit?: LengthUnit | null, 
 /**
- * l₀.
+ * Length of the frame, l₀.
  */
 frame: number, 
 /**
- * φ₀.
+ * Direction of the frame, φ₀.
  */
 phi0_deg: number, 
 /**
@@ -706,17 +706,17 @@ phi0_deg: number,
  */
 positions: Array<PositionDocument>, 
 /**
- * Whether φ₂ and φ₃ are counted from starts that may be chosen.
+ * Whether φ₂ and φ₃ are measured from starting angles that may be chosen.
  */
 free: boolean, 
 /**
- * Chosen member of a family: l₂, and l₃ for one whose members all have the same l₂. Beyond the
- * ends of the family, the nearest end.
+ * Lengths l₂, l₃ of the chosen member of a family: the member with this l₂ or, if all have the same
+ * l₂, with this l₃. Beyond the ends of the family, the nearest end is chosen.
  */
 member?: [number, number] | null, 
 /**
- * Number of the solution, from 1, in ascending ΣJ; without it, the one with the least output
- * error among those not at a bound of the search.
+ * Number of the solution, from 1, in ascending order of the closure error ΣJ. If absent, the solution
+ * with the least output error among those not at a bound of the search.
  */
 solution?: number | null, 
 /**
@@ -724,26 +724,26 @@ solution?: number | null,
  */
 trial?: [number, number, number] | null, 
 /**
- * The function with which the shown linkage is compared, wherever the positions come from.
+ * The function with which the shown linkage is compared. The positions need not come from it.
  */
 function?: FunctionDocument | null, };
 export type TracerDocument = { 
 /**
- * Its name, different from that of any point.
+ * Its name, different from those of all points.
  */
 name: string, 
 /**
- * The link that carries it.
+ * The link to which it is fixed.
  */
 link: string, 
 /**
- * Its place on the link: x from the link's first point towards its second, y
+ * Its coordinates on the link: x from the link's first point towards the second, y
  * to the left.
  */
 at: [number, number], };
 export type VariedDocument = { 
 /**
- * Path of its field, such as `links[0].length`, of a number that a lesson may vary.
+ * Path of the field of a number that a lesson may vary, such as `links[0].length`.
  */
 field: string, 
 /**
@@ -755,20 +755,20 @@ from: number,
  */
 to: number, 
 /**
- * Difference of successive values.
+ * Difference between successive values.
  */
 step: number, };
 export type View = { 
 /**
- * Input, if it is an angle: the crank angle, degrees.
+ * The input if it is an angle: the crank angle, degrees.
  */
 phi_deg: number, 
 /**
- * Input, if it is a length: the displacement of the driven slide, in the unit of the lengths.
+ * The input if it is a length: the displacement of the driven slide, in the unit of lengths.
  */
 s: number, 
 /**
- * Input, if it is time, seconds.
+ * The input if it is time, seconds.
  */
 t: number, 
 /**
@@ -776,84 +776,85 @@ t: number,
  */
 playing: boolean, 
 /**
- * 1 or −1: sense in which the crank turns.
+ * Sense of rotation of the crank, 1 or −1.
  */
 direction: 1 | -1, 
 /**
- * Multiple of one turn in six seconds.
+ * Playback speed, as a multiple of one turn in six seconds.
  */
 speed: number, 
 /**
- * Paths of the joints shown.
+ * Whether the paths of the joints are shown.
  */
 traces: boolean, 
 /**
- * Centres of mass shown. Older states lack this field and the next.
+ * Whether centres of mass are shown.
  */
 centres: boolean, 
 /**
- * Velocity and acceleration analogues of the joints shown.
+ * Whether velocity and acceleration analogues of the joints are shown.
  */
 vectors: boolean, 
 /**
- * Vectors of the loop shown.
+ * Whether the vectors of the loop are shown.
  */
 loop_vectors: boolean, 
 /**
- * Arc of the transmission angle shown.
+ * Whether the arc of the transmission angle is shown.
  */
 transmission: boolean, 
 /**
- * Links in the colours of their Assur groups.
+ * Whether links have the colours of their Assur groups.
  */
 groups: boolean, 
 /**
- * Numbers of the links shown.
+ * Whether the numbers of the links are shown.
  */
 numbers: boolean, 
 /**
- * All assemblies shown: a picture of each, and their map.
+ * Whether all assemblies are shown: a picture of each, and a map of them.
  */
 all_assemblies: boolean, 
 /**
- * The other assemblies shown beside the one that moves, dashed.
+ * Whether the other assemblies are shown, dashed, beside the one that moves.
  */
 others: boolean, 
 /**
- * Polygons of velocities and accelerations shown.
+ * Whether the polygons of velocities and accelerations are shown.
  */
 polygons: boolean, 
 /**
- * Instant centres of all links shown, with the lines that give that of `about` against `relative_to`.
+ * Whether the instant centres of all links are shown, and the lines that intersect in the centre of `about`
+ * relative to `relative_to`.
  */
 instant_centres: boolean, 
 /**
- * Centrodes of `about` shown.
+ * Whether the centrodes of `about` are shown.
  */
 centrodes: boolean, 
 /**
- * The inflection circle of `about` and the circles of curvature of traced points, with the evolutes of their paths, shown.
+ * Whether the inflection circle of `about` is shown, and the circles of curvature and evolutes of traced paths.
  */
 curvature: boolean, 
 /**
- * The link of these instant centres, centrodes and circles; empty: the first coupler.
+ * The link whose instant centre, centrodes and inflection circle are shown; if empty, the first coupler.
  */
 about: string, 
 /**
- * The reference link of the instant centre of `about`; empty: the frame.
+ * The reference link of the instant centre of `about`; if empty, the frame.
  */
 relative_to: string, 
 /**
- * Measures between points or links, by name (`A-C.distance`, `A-B-C.corner`,
- * `crank-rocker.between`): drawn, read out and listed.
+ * Measures between points or links that are drawn and listed, by name: `A-C.distance`,
+ * `A-B-C.corner`, `crank-rocker.between`.
  */
 measures: Array<string>, 
 /**
- * Plotted quantities: `angles`, or the name of a point (`C2`).
+ * Plotted quantities: `angles`, or the name of a point, such as `C2`.
  */
 plot: string, 
 /**
- * Quantities plotted against each other instead, if any.
+ * Two quantities plotted against each other instead of against the input, if any.
  */
 against?: Against | null, 
 /**
@@ -861,11 +862,11 @@ against?: Against | null,
  */
 only: Only, 
 /**
- * Variable by which derivatives are taken.
+ * Variable with respect to which derivatives are taken.
  */
 axes: Axes, 
 /**
- * ω₁ of the crank, rad/s.
+ * Angular velocity ω₁ of the crank, rad/s.
  */
 omega: number, 
 /**
@@ -873,19 +874,19 @@ omega: number,
  */
 omega_unit: SpeedUnit, 
 /**
- * ε₁ of the crank, rad/s².
+ * Angular acceleration ε₁ of the crank, rad/s².
  */
 epsilon: number, 
 /**
- * Playback at ω₁ instead of `speed`.
+ * Whether playback is at ω₁ instead of `speed`.
  */
 true_time: boolean, 
 /**
- * The tools for drawing shown.
+ * Whether the tools for drawing are shown.
  */
 drawing: boolean, 
 /**
- * Difference quotients of φ′ shown over φ″.
+ * Whether difference quotients of φ′ are plotted over φ″.
  */
 differenced: boolean, 
 /**
@@ -893,7 +894,7 @@ differenced: boolean,
  */
 lesson?: OpenLesson | null, 
 /**
- * Large text, thick lines, high contrast.
+ * Whether the page has large text, thick lines and high contrast, as for a projector.
  */
 projector: boolean, 
 /**
@@ -902,10 +903,10 @@ projector: boolean,
 lang: string, };
 export type WheelDocument = { 
 /**
- * Its teeth.
+ * Its number of teeth.
  */
 z: number, 
 /**
- * Direction from the shaft of wheel 4 to its own, degrees.
+ * Direction from the shaft of wheel 4 to that of this wheel, degrees.
  */
 centre_line_deg: number, };

@@ -1,4 +1,4 @@
-//! Reasons why a drawing does not move, and edits that would let it.
+//! Reasons why a drawing does not move, and edits that would let it move.
 
 use assur::mechanism::{Defect, Mechanism};
 use assur_file::{LinkageDocument, Problem};
@@ -8,23 +8,24 @@ use crate::{Edit, checked, edited};
 
 /// Maximum number of advised edits.
 const MOST: usize = 6;
-/// Maximum number of edits tried: each builds a mechanism, after every edit of the drawing.
+/// Maximum number of edits tried after each edit of the drawing. Each trial builds a mechanism.
 const MOST_SOUGHT: usize = 48;
-/// Maximum number of edits for which pairs are tried: more would take longer than a frame of the animation.
+/// Maximum number of candidates if pairs of edits are tried. Pairs of more candidates would take longer than
+/// a frame of the animation.
 const MOST_TRIED: usize = 16;
 
 /// Advice on a drawing that does not move.
 #[derive(Clone, Debug)]
 pub struct Advice {
-    /// Every reason.
+    /// All reasons why the drawing does not move.
     pub problems: Vec<Problem>,
-    /// W by the count of links and pairs; none if a named part does not exist.
+    /// Mobility W by the count of links and pairs; none if the drawing names a part that does not exist.
     pub mobility: Option<isize>,
-    /// Links that move by themselves, or that nothing joins to the frame.
+    /// Links whose motion the drivers do not determine, or that nothing joins to the frame.
     pub loose: Vec<String>,
     /// Links that cannot move.
     pub locked: Vec<String>,
-    /// Edits after each of which it moves, in the order in which they were tried.
+    /// Edits, in the order tried. Any one of them lets the drawing move, or brings it within one edit of moving.
     pub mends: Vec<Mend>,
 }
 
@@ -39,19 +40,19 @@ pub enum Mend {
     Release(String),
     /// Removes a link.
     Remove(String),
-    /// Makes a point one of the frame.
+    /// Fixes a point to the frame.
     Fix(String),
-    /// Makes the drawing exact: its redundant constraints nearly hold.
+    /// Moves points slightly, so that redundant constraints hold exactly.
     Exact {
         /// The point that moves farthest.
         point: String,
-        /// Length of its move.
+        /// Distance that this point moves.
         by: f64,
     },
 }
 
 impl Mend {
-    /// The corresponding edit.
+    /// The edit that carries out this advice.
     pub fn edit(&self) -> Edit {
         match self {
             Self::Drive(link) | Self::Release(link) => Edit::Drive { link: link.clone() },
@@ -100,8 +101,8 @@ impl Advice {
     }
 }
 
-/// The edits after which it moves, among those that a person would try; if there are none, those
-/// after which one more edit lets it move.
+/// The edits after which the drawing moves, among those that a person would try; if there are none,
+/// those after which one more edit lets the drawing move.
 fn mends(document: &LinkageDocument) -> Vec<Mend> {
     if let Some(exact) = document.spec().made_exact() {
         let (point, by) = (exact.point, exact.by);
@@ -132,7 +133,7 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
         Mend::Drive(_) | Mend::Fix(_) => !rigid,
         _ => false,
     });
-    // Points of the frame first: a driven link needs one as its pivot.
+    // Edits that fix a point come first: a driven link needs a fixed point as its pivot.
     let (fixes, drives): (Vec<&Mend>, Vec<&Mend>) =
         adding.partition(|mend| matches!(mend, Mend::Fix(_)));
     fixes
@@ -173,7 +174,7 @@ fn tried(document: &LinkageDocument) -> Vec<Mend> {
         .iter()
         .map(|point| &point.name)
         .filter(|point| !document.frame.contains(point));
-    // A person would fix the free end of a link.
+    // Free ends of links come first: a person would rather fix these than hinges.
     let (ends, hinges): (Vec<&String>, Vec<&String>) = free.partition(|point| links(point) == 1);
     let fixes = ends
         .into_iter()

@@ -11,7 +11,7 @@ use crate::{dyads, names};
 
 /// Distance, relative to the size of the drawing, up to which two places coincide.
 const CLOSEST: f64 = 1e-9;
-/// Minimum size of a drawing, for placing parts beside others.
+/// Smallest size assumed for a drawing. New parts are placed at distances relative to it.
 const LEAST: f64 = 1e-6;
 
 /// A drawing during an edit.
@@ -22,7 +22,7 @@ pub(crate) struct Drawing {
     pub(crate) point: Option<String>,
     /// The link that was added last.
     pub(crate) link: Option<String>,
-    /// Whether locks kept something from reaching its target.
+    /// Whether locks kept a moved point from reaching its target.
     pub(crate) is_held: bool,
 }
 
@@ -102,7 +102,7 @@ impl Drawing {
         }
     }
 
-    /// Moves the points so that redundant constraints hold, if the drawing is close enough to that.
+    /// Moves the points so that redundant constraints hold exactly, if they nearly hold in the drawing.
     fn make_exact(&mut self) {
         if let Some(exact) = self.document.spec().made_exact() {
             for (point, exact) in self.document.points.iter_mut().zip(exact.spec.points) {
@@ -111,7 +111,7 @@ impl Drawing {
         }
     }
 
-    /// A link by its name.
+    /// The link with this name.
     pub(crate) fn linked(&self, name: &str) -> Result<&LinkDocument, LinkageProblem> {
         let mut links = self.document.links.iter();
         links
@@ -119,7 +119,7 @@ impl Drawing {
             .ok_or_else(|| unknown(name))
     }
 
-    /// Changes the link of a name, if there is one.
+    /// Changes the link with this name, if it exists.
     pub(crate) fn change(&mut self, name: &str, change: impl FnOnce(&mut LinkDocument)) {
         let mut links = self.document.links.iter_mut();
         if let Some(link) = links.find(|link| link.name == name) {
@@ -135,7 +135,7 @@ impl Drawing {
         Ok(Point::from(point.at))
     }
 
-    /// The diagonal of the drawing.
+    /// The diagonal of the rectangle around the drawn points.
     pub(crate) fn size(&self) -> f64 {
         let places = || self.document.points.iter().map(|point| point.at);
         let extent = |axis: usize| {
@@ -150,7 +150,7 @@ impl Drawing {
         }
     }
 
-    /// Adds a point.
+    /// Adds a point and returns its name.
     pub(crate) fn put(&mut self, at: [f64; 2]) -> String {
         let name = names::new_point(&self.document);
         self.document.points.push(PointDocument {
@@ -161,7 +161,7 @@ impl Drawing {
         name
     }
 
-    /// The point at an end, added if necessary.
+    /// The name of the point at an end of a new part. The point is added if necessary.
     pub(crate) fn end(&mut self, end: &End) -> Result<String, LinkageProblem> {
         match end {
             End::Point(name) => {
@@ -209,7 +209,7 @@ impl Drawing {
         }
     }
 
-    /// Adds a point to a link, where it is drawn.
+    /// Adds an existing point to a link, at the place where the point is drawn.
     fn list(&mut self, link: &str, point: &str) -> Done {
         let own = &self.linked(link)?.points;
         if own.iter().any(|one| one == point) {
@@ -224,7 +224,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Gives links the dimensions of the drawing.
+    /// Replaces the given dimensions of the links `which` by those of the drawing.
     pub(crate) fn redraw(&mut self, which: impl Fn(&LinkDocument) -> bool) {
         let links = self.document.links.iter_mut();
         for link in links.filter(|link| which(link)) {
@@ -233,7 +233,7 @@ impl Drawing {
         }
     }
 
-    /// Adds a block that is hinged at a point and slides.
+    /// Adds a block that is hinged at a point and slides along a line.
     pub(crate) fn block(&mut self, point: &str, along: &Line) -> Result<String, LinkageProblem> {
         if let Line::Link(link) = along
             && self.linked(link)?.points.iter().any(|one| one == point)
@@ -247,7 +247,7 @@ impl Drawing {
         Ok(block)
     }
 
-    /// Lets a link slide by one of its points.
+    /// Adds a prismatic pair: a link slides along a line with one of its points.
     pub(crate) fn slide(&mut self, link: &str, point: &str, along: &Line) -> Done {
         let (on, line) = self.line(point, along)?;
         if on == link {
@@ -263,7 +263,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// A line on which a point slides: the link that has it, and two of its points.
+    /// The line along which a point slides: the link that carries the line, and two points of that link.
     fn line(&mut self, point: &str, along: &Line) -> Result<(String, [String; 2]), LinkageProblem> {
         match along {
             Line::Toward(to) => {
@@ -282,7 +282,7 @@ impl Drawing {
         }
     }
 
-    /// The two points of a link whose line is nearest to a place.
+    /// The two points of a link between which the segment is nearest to a place.
     pub(crate) fn side(&self, link: &str, to: Point) -> Result<[String; 2], LinkageProblem> {
         let points = &self.linked(link)?.points;
         let mut best: Option<(f64, [String; 2])> = None;
@@ -326,7 +326,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// A place in a link's own coordinates: from its first point, x towards its second.
+    /// Coordinates of a place on a link: the origin is the link's first point, and x points towards its second.
     pub(crate) fn on_link(&self, link: &str, at: Point) -> Result<[f64; 2], LinkageProblem> {
         let points = &self.linked(link)?.points;
         let mut places = points.iter().map(|point| self.at(point));
@@ -343,7 +343,7 @@ impl Drawing {
     }
 }
 
-/// The problem of an unknown name.
+/// The problem that no part has this name.
 pub(crate) fn unknown(name: &str) -> LinkageProblem {
     let name = name.to_owned();
     Defect::UnknownName { name }.into()

@@ -1,4 +1,4 @@
-//! Drivers, meshes, and fixing points to the frame or links to links.
+//! Drivers, meshes, points fixed to the frame, and links fixed to each other.
 
 use assur::mechanism::{Defect, FRAME};
 use assur_file::{
@@ -31,7 +31,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// The link, or the frame, on which both of two links are hinged.
+    /// The link, or the frame, to which both of two links are hinged.
     fn carrier(&self, links: &[String; 2]) -> Result<String, LinkageProblem> {
         let [first, second] = links;
         let own = [&self.linked(first)?.points, &self.linked(second)?.points];
@@ -47,7 +47,8 @@ impl Drawing {
         carrier.ok_or(Defect::NotHinged { links }.into())
     }
 
-    /// Drives a link, or stops driving it. With enough drivers already, it replaces the last one.
+    /// Drives a link, or stops driving it if it is driven. If there are enough drivers already, the new
+    /// driver replaces the last one.
     pub(crate) fn drive(&mut self, link: &str) -> Done {
         let LinkageDocument { slides, .. } = &self.document;
         let by_slide = slides.iter().position(|slide| slide.link == link);
@@ -103,7 +104,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// The range of a driven slide: half the line to either side of its drawn position.
+    /// The range of a driven slide: half the length of its line to either side of the drawn position.
     fn range(&self, slide: usize) -> Result<[f64; 2], LinkageProblem> {
         let SlideDocument { point, line, .. } = &self.document.slides[slide];
         let [from, to] = [self.at(&line[0])?, self.at(&line[1])?];
@@ -118,7 +119,7 @@ impl Drawing {
         Ok([way - half, way + half])
     }
 
-    /// Makes a point one of the frame, or releases it.
+    /// Fixes a point to the frame, or releases it if it is fixed.
     pub(crate) fn fix(&mut self, point: &str) -> Done {
         self.at(point)?;
         let frame = &mut self.document.frame;
@@ -131,7 +132,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Fixes a link to another one or to the frame, or releases it.
+    /// Fixes the first link to the second, or to the frame; releases it if it is already fixed there.
     pub(crate) fn weld(&mut self, [first, second]: &[String; 2]) -> Done {
         if second != FRAME {
             self.linked(second)?;

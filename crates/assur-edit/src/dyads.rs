@@ -6,18 +6,20 @@ use assur_file::LinkageProblem;
 use crate::draw::Drawing;
 use crate::edit::{End, Inner, Line, Outer};
 
-/// Distance of the inner joint of a new dyad from the line of its ends, relative to their distance.
+/// Distance of the inner joint of a new dyad from the line through its ends, relative to the distance
+/// between the ends.
 const OFF: f64 = 0.6;
-/// Factor by which a new line extends beyond the point on it.
+/// Length of a new line, relative to the distance from its start to the point that slides on it.
 const BEYOND: f64 = 1.4;
-/// Distance of the corners of a new plate from its middle, as a share of that of its ends, and
-/// angle by which they are turned, so that no bar points at the middle.
+/// Distance of a new plate's corners from its centre, relative to the distances of the bars' other ends.
 const PLATE: f64 = 0.4;
+/// Angle through which the corners are rotated, radians, so that no bar points at the plate's centre.
 const TURNED: f64 = 0.5;
 
 type Done = Result<(), LinkageProblem>;
 
-/// Adds two links and three pairs: RRR, RRP, RPR, PRP or RPP by its outer pairs and its inner one.
+/// Adds a dyad, two links with three pairs. Its outer pairs and its inner pair determine the type: RRR,
+/// RRP, RPR, PRP or RPP.
 pub(crate) fn dyad(drawing: &mut Drawing, outer: &[Outer; 2], inner: Inner) -> Done {
     match (outer, inner) {
         ([Outer::Hinge(from), Outer::Hinge(to)], Inner::Hinge) => {
@@ -78,7 +80,7 @@ pub(crate) fn dyad(drawing: &mut Drawing, outer: &[Outer; 2], inner: Inner) -> D
     Ok(())
 }
 
-/// Adds a plate with three corners, each on a bar.
+/// Adds a triad: a plate with three corners, each joined by a bar to one of the ends.
 pub(crate) fn triad(drawing: &mut Drawing, ends: &[End; 3]) -> Done {
     let mut points = Vec::new();
     for end in ends {
@@ -105,7 +107,7 @@ pub(crate) fn triad(drawing: &mut Drawing, ends: &[End; 3]) -> Done {
     Ok(())
 }
 
-/// A line for a new slide.
+/// A line along which a new slide moves: the place of the slide on it, and the direction.
 struct Guide {
     along: Line,
     at: Point,
@@ -142,7 +144,8 @@ impl Guide {
         }
     }
 
-    /// The same line for a slide by another point than the one given.
+    /// The guide's line for a slide of the point `point`. A line of the frame is shifted to pass through
+    /// this point.
     fn along_from(&self, drawing: &Drawing, point: &str) -> Result<Line, LinkageProblem> {
         Ok(match &self.along {
             Line::Toward(_) => {
@@ -154,7 +157,7 @@ impl Guide {
     }
 }
 
-/// A place beside two others, above their line.
+/// A point above the middle of the segment between two points.
 fn beside(a: Point, b: Point) -> Point {
     let along = b - a;
     let across = perpendicular(along);
@@ -162,7 +165,7 @@ fn beside(a: Point, b: Point) -> Point {
     a + along / 2.0 + up * OFF
 }
 
-/// The crossing of two guides, or the given place on the second if they are parallel.
+/// The intersection of two guides, or the place of the second slide if the guides are parallel.
 fn crossing([first, second]: &[Guide; 2]) -> Point {
     let turned = first.direction.perp(&second.direction);
     if turned.abs() < 1e-3 {

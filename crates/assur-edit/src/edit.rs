@@ -12,68 +12,69 @@ use serde::{Deserialize, Serialize};
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum Edit {
-    /// A point by itself; with `fixed` one of the frame.
+    /// Adds a point; if `fixed`, a point of the frame.
     Point { at: [f64; 2], fixed: bool },
-    /// A link between two places.
+    /// Adds a link between two points.
     Bar { ends: [End; 2] },
-    /// One more point of a link, which makes a plate of a bar.
+    /// Adds a point to a link; a bar becomes a plate.
     Corner { link: String, end: End },
-    /// A block that is hinged at a point and slides along a line.
+    /// Adds a block that is hinged at a point and slides along a line.
     Block { end: End, along: Line },
-    /// A link that slides as a whole along a line, with no hinge between.
+    /// Lets a link slide along a line without rotating relative to it.
     Slide { link: String, along: Line },
-    /// Two links and three pairs between what is there: an Assur group of Class II, its outer pairs in turn.
+    /// Adds a dyad, the Assur group of Class II. The `outer` pairs join its two links to the existing linkage.
     Dyad { outer: [Outer; 2], inner: Inner },
-    /// A plate on three bars with these ends: the Assur group of Class III with hinges alone.
+    /// Adds a plate with three bars to these ends: the Assur group of Class III with hinges only.
     Triad { ends: [End; 3] },
-    /// A wheel that turns about a point.
+    /// Adds a wheel that rotates about a point.
     Wheel { end: End },
-    /// Two wheels come into mesh, with these numbers of teeth; if `internal` the larger one is a ring.
+    /// Puts two wheels in mesh, with these numbers of teeth; if `internal`, the larger wheel is a ring.
     Mesh {
         links: [String; 2],
         teeth: [f64; 2],
         internal: bool,
     },
-    /// A link is driven, or no more if it was.
+    /// Drives a link, or stops driving it if it is driven.
     Drive { link: String },
-    /// A point becomes one of the frame, or is let go.
+    /// Fixes a point to the frame, or releases it if it is fixed.
     Fix { point: String },
-    /// Points go where redundant constraints hold that nearly did: those of a drawing by hand.
+    /// Moves the points of a hand-made drawing slightly, so that redundant constraints hold exactly.
     MakeExact {},
-    /// Two links turn as one from now on, or no more if they did: the first is fixed to the second, which may be the frame.
+    /// Fixes the first link to the second, which may be the frame; releases it if it is already fixed there.
     Weld { links: [String; 2] },
-    /// The first of two points goes: both become one hinge, where the second is.
+    /// Joins two points in one hinge where the second is drawn. The first point is removed.
     Join { points: [String; 2] },
-    /// Every link gets a point of its own where they were hinged.
+    /// Separates the links hinged at a point: each then has a point of its own.
     Part { point: String },
-    /// A point, drawn here, that a link carries and whose path is drawn.
+    /// Adds a traced point to a link, at this place in the drawing.
     Trace { link: String, at: [f64; 2] },
-    /// A link's centre of mass is where a point is put; without one it has none.
+    /// Puts the centre of mass of a link at a place; without a place, removes it.
     Mass { link: String, at: Option<[f64; 2]> },
-    /// Points move by as much.
+    /// Moves points by a displacement.
     Move { points: Vec<String>, by: [f64; 2] },
-    /// A point, or a tracer, stands at a place.
+    /// Moves a point or a traced point to a place.
     Place { point: String, at: [f64; 2] },
-    /// A link of two points has a length from now on: its second point moves along it.
+    /// Sets the distance between the first two points of a link: the second moves along the link.
     Stretch { link: String, length: f64 },
-    /// A link stands at an angle, from its first point to its second: its other points turn about its first one.
+    /// Sets the angle of a link, from its first point to its second: the link rotates about its first point.
     Turn { link: String, angle_deg: f64 },
-    /// Another name of a point or a tracer, or else of a link.
+    /// Renames a point or traced point with this name or, if there is none, a link.
     Rename { name: String, to: String },
-    /// Points, tracers and links go, and with them what cannot be without them.
+    /// Removes points, traced points and links, with all parts that depend on them.
     Remove {
         points: Vec<String>,
         links: Vec<String>,
     },
-    /// Another drawing is put beside what is there, moved by as much, under names that are free.
+    /// Adds another drawing, moved by a displacement, to this one. Its parts get names that are free.
     Paste {
         #[cfg_attr(test, ts(type = "LinkageDocument"))]
         drawing: Box<LinkageDocument>,
         by: [f64; 2],
     },
-    /// Points are reflected in the vertical through their middle.
+    /// Reflects points in the vertical line midway between the leftmost and the rightmost of them.
     Mirror { points: Vec<String> },
-    /// While points are moved the distance of two stays as it is, or the angle at the second of three, or no more if it did.
+    /// Locks the distance between two points, or the angle at the second of three; unlocks it if it is locked.
+    /// Locks hold while points are moved.
     Lock { points: Vec<String> },
 }
 
@@ -95,7 +96,7 @@ pub enum End {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Line {
-    /// The line of a link.
+    /// A line through two points of a link: the one nearest to the sliding point.
     Link(String),
     /// A line of the frame from the block towards a place.
     Toward([f64; 2]),
@@ -108,7 +109,7 @@ pub enum Line {
 pub enum Outer {
     /// A hinge.
     Hinge(End),
-    /// A slide along a line of a link, near a place.
+    /// A slide along a line through two points of a link: the line nearest to a place.
     Slide(String, [f64; 2]),
     /// A slide along a horizontal line of the frame through a place.
     Level([f64; 2]),

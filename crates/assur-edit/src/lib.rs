@@ -1,8 +1,8 @@
-//! Editing of drawings. An [`Edit`] turns one linkage into another, whether either moves yet or not:
-//! [`edited`]. [`Advice`] gives the reasons why a drawing does not move, with the edits that mend them.
+//! Editing of drawings. [`edited`] applies an [`Edit`] to a linkage, which need not move before or after.
+//! [`Advice`] lists the reasons why a drawing does not move, and the edits that would let it move.
 //!
-//! Links keep their given dimensions; a link whose drawing is changed takes its dimensions from the
-//! drawing from then on.
+//! A link keeps its given dimensions until its drawing is changed. From then on it takes its dimensions
+//! from the drawing.
 //!
 //! | file | subject |
 //! |---|---|
@@ -10,7 +10,7 @@
 //! | `draw.rs`, `drive.rs`, `dyads.rs` | additions; drivers, meshes, fixed points and links; dyads |
 //! | `reshape.rs`, `remove.rs`, `selection.rs`, `names.rs` | moving, turning, mirroring; removal; copying and pasting; free names |
 //! | `locks.rs` | lengths and angles kept while points are moved |
-//! | `advice.rs` | reasons why a drawing does not move, and the edits that would let it |
+//! | `advice.rs` | reasons why a drawing does not move, and the edits that would let it move |
 
 mod advice;
 mod draw;
@@ -34,23 +34,23 @@ use assur_file::{LinkageDocument, Problem};
 
 use draw::Drawing;
 
-/// A drawing after an edit, with the added parts.
+/// A drawing after an edit, with the names of the parts added last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edited {
     /// The drawing.
     pub document: LinkageDocument,
-    /// The point added last, or the one that took the place of another.
+    /// The point used or added last; after points were joined, the point that remains.
     pub point: Option<String>,
     /// The link added last.
     pub link: Option<String>,
-    /// Whether locks kept something from reaching its target: it is as near as possible.
+    /// Whether locks kept a moved point from its target. The point is then as near to it as possible.
     pub is_held: bool,
 }
 
-/// A drawing after one edit.
+/// Applies an edit to a drawing.
 ///
 /// # Errors
-/// The reason why the edit is impossible; a result that would not be accepted.
+/// The reason why the edit is impossible, or the problems of a result that is not accepted.
 pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Problem>> {
     let mut drawing = Drawing::new(document);
     let called = names::called_by_points(document);
@@ -84,7 +84,7 @@ pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Pro
     })
 }
 
-/// Checks a document that can be drawn, but need not move.
+/// Checks that a document can be drawn. It need not move.
 ///
 /// # Errors
 /// The problems of single fields; a point too far away to be drawn.

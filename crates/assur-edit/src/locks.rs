@@ -1,5 +1,5 @@
-//! Lengths and angles kept while points are moved: points joined to moving ones follow them, and
-//! where they cannot, the moving points stop as near to the pointer as possible.
+//! Lengths and angles that are locked while points are moved. Points locked to moving points follow
+//! them. If they cannot, the moving points stop as near to their targets as possible.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
@@ -14,19 +14,21 @@ use crate::draw::{Drawing, unknown};
 const HOLDS: f64 = 1e-13;
 /// Distance at which a point has reached its target, relative to the size.
 const REACHED: f64 = 1e-9;
-/// Greatest displacement in one step, relative to the size, so that the drawing does not turn over.
+/// Greatest displacement in one step, relative to the size. A longer step might lead to another assembly.
 const STEP: f64 = 0.05;
-/// Least length of the sides of a locked angle, relative to the size: for shorter ones the angle is lost in rounding.
+/// Least length of the sides of a locked angle, relative to the size. The angle between shorter sides would be
+/// lost in rounding.
 const SHORTEST: f64 = 1e-3;
-/// Slope, relative to the size, below which distances differ only by rounding; slopes are compared then.
+/// Gradient of half the squared distance from the targets, relative to the size. Below it, two distances differ
+/// only by rounding, and gradients are compared instead.
 const FINE: f64 = 1e-5;
-/// Regularisation, relative to 1, of equations of dependent locks: it affects nothing else.
+/// Regularisation of the equations of dependent locks. It is too small to affect those of other locks.
 const TWICE: f64 = 1e-12;
-/// Greatest correction of a step, as a part of it.
+/// Greatest correction of a step, relative to the length of the step.
 const ASIDE: f64 = 0.3;
-/// Step below which it is not halved further, as a part of the longest one.
+/// Length down to which a step is halved, relative to the longest step.
 const LEAST_STEP: f64 = 1e-3;
-/// Correction, relative to the size, below which rounding may prevent a further decrease.
+/// Correction, relative to the size, below which rounding may keep corrections from decreasing further.
 const ROUNDS: f64 = 1e-11;
 const MOST_STEPS: usize = 600;
 const MOST_TURNS: usize = 30;
@@ -36,7 +38,7 @@ const MOST_HALVES: usize = 30;
 #[derive(Clone, Copy, Debug)]
 enum Lock {
     Length([usize; 2], f64),
-    /// Angle at the second point, from the first to the third, radians; with the least length of its sides.
+    /// Angle at the second point, from the first to the third, radians; and the least length of its sides.
     Angle([usize; 3], f64, f64),
 }
 
@@ -47,7 +49,7 @@ struct Held {
 }
 
 impl Drawing {
-    /// Locks the distance of two points, or the angle at the second of three, or unlocks it.
+    /// Locks the distance between two points, or the angle at the second of three; unlocks it if it is locked.
     pub(crate) fn lock(&mut self, points: &[String]) -> Result<(), LinkageProblem> {
         for (k, point) in points.iter().enumerate() {
             self.at(point)?;
@@ -73,7 +75,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Removes locks between two points that became one, and duplicates.
+    /// Removes locks that name `point` twice, since two points were joined in it, and duplicate locks.
     pub(crate) fn join_locks(&mut self, point: &str) {
         let mut kept: Vec<Vec<String>> = Vec::new();
         for lock in std::mem::take(&mut self.document.locks) {
@@ -85,8 +87,8 @@ impl Drawing {
         self.document.locks = kept;
     }
 
-    /// The positions of points when some of them have targets, and whether the targets are reached. Points of
-    /// the frame stay, unless they have targets themselves; `released` is a lock to be ignored.
+    /// The new positions of points if some of them are moved to targets, and whether the targets are reached.
+    /// Points of the frame stay, unless they have targets themselves. The lock `released` is ignored.
     pub(crate) fn held(
         &self,
         wanted: &BTreeMap<String, Vector>,
@@ -140,7 +142,7 @@ impl Drawing {
         let free: Vec<bool> = names.iter().map(|name| !is_fixed(name)).collect();
         let (places, reached) = held.moved(&before, &free, &targets);
         let named = names.into_iter().zip(places).zip(before);
-        // Points that do not move keep every digit, and points with a target are exactly there if it is reached.
+        // Points that do not move keep every digit. Points that reach their targets get the exact coordinates of these.
         let named = named.filter_map(|((name, to), from)| {
             let there = wanted.get(name).filter(|_| reached);
             let moved = (to != from).then_some(to + middle.coords);
@@ -150,13 +152,13 @@ impl Drawing {
     }
 }
 
-/// Whether two locks are the same: of the same points, with an angle at the same one.
+/// Whether two locks are the same: they name the same points, in the same or in reverse order.
 fn same(one: &[String], other: &[String]) -> bool {
     let turned = one.iter().rev();
     one == other || (one.len() == other.len() && turned.eq(other.iter()))
 }
 
-/// The points connected by locks to the moved ones, up to those of the frame.
+/// The moved points and all points that locks connect to them. Connections end at points of the frame.
 fn hanging(moved: BTreeSet<String>, locks: &[&Vec<String>], frame: &[String]) -> BTreeSet<String> {
     let mut all = moved.clone();
     loop {
@@ -173,16 +175,16 @@ fn hanging(moved: BTreeSet<String>, locks: &[&Vec<String>], frame: &[String]) ->
     }
 }
 
-/// The angle at the second point from the first to the third.
+/// The angle at the second of three points, from the first to the third.
 fn angle([a, b, c]: [usize; 3], at: &[Vector]) -> f64 {
     let [from, to] = [at[a] - at[b], at[c] - at[b]];
     from.perp(&to).atan2(from.dot(&to))
 }
 
 impl Held {
-    /// The positions of the points when some of them move to their targets, and whether they get
-    /// there. First the other `free` points follow them; when they no longer can, all free points
-    /// move downhill in the distance from the targets, as far as the locks allow.
+    /// The positions of the points after some of them have moved towards targets, and whether the targets
+    /// are reached. First the other `free` points follow the moved ones. When they no longer can, all free
+    /// points move so that the distances from the targets decrease, as far as the locks allow.
     fn moved(
         &self,
         before: &[Vector],
@@ -269,7 +271,8 @@ impl Held {
         (at, reached)
     }
 
-    /// The displacements of all points when some are given: those in `after` follow along the locks, to first order.
+    /// The displacements of all points if some are given. The points in `after` follow, so that the locks hold to
+    /// first order.
     fn after(
         &self,
         at: &[Vector],
@@ -285,9 +288,9 @@ impl Held {
         Some(ways)
     }
 
-    /// The points at which the locks hold after displacements, by Newton's method with the shortest
-    /// displacement of the free ones. None if it does not converge steadily and close to these
-    /// displacements: otherwise it might find another assembly.
+    /// The positions after the displacements `ways`, corrected by Newton's method so that the locks hold, with
+    /// the shortest corrections of the free points. None if the method does not converge steadily or needs a
+    /// large correction: it might then find another assembly.
     fn gone(&self, at: &[Vector], ways: &[Vector], free: &[bool]) -> Option<Vec<Vector>> {
         let longest = ways.iter().map(Vector::amax).fold(0.0, f64::max);
         let mut at: Vec<Vector> = at.iter().zip(ways).map(|(at, way)| at + way).collect();
@@ -309,7 +312,7 @@ impl Held {
         None
     }
 
-    /// The part of a wish that the locks leave free.
+    /// The component of the wanted displacements that the locks allow.
     fn along(&self, at: &[Vector], free: &[bool], wish: &[Vector]) -> Option<Vec<Vector>> {
         let (_, slopes) = self.linear(at, free)?;
         let wish = flat(wish, free);
@@ -320,8 +323,8 @@ impl Held {
         Some(ways)
     }
 
-    /// The residual of each lock, and its derivatives with respect to the free places. None if
-    /// points coincide.
+    /// The residual of each lock, and its derivatives with respect to the coordinates of the free points.
+    /// None if points coincide, or an angle is off by more than a quarter turn.
     fn linear(&self, at: &[Vector], free: &[bool]) -> Option<(DVector<f64>, DMatrix<f64>)> {
         let mut columns = vec![None; free.len()];
         let mut count = 0;
@@ -352,11 +355,11 @@ impl Held {
                     let [from, to] = [apart(from, *least)?, apart(to, *least)?];
                     let turned = angle([*a, *b, *c], at) - wanted;
                     let turned = turned - TAU * (turned / TAU).round();
-                    // Beyond a quarter turn the angle is closer to the opposite side.
+                    // Beyond a quarter turn, a side is nearer to its opposite direction than to the wanted one.
                     if turned.abs() > 0.5 * PI {
                         return None;
                     }
-                    // As a length: the displacement of the shorter side's end.
+                    // The residual is a length: the displacement of the shorter side's end.
                     let arm = from.norm().min(to.norm());
                     off[row] = arm * turned;
                     let across = |way: Vector| perpendicular(way) * (arm / way.norm_squared());
@@ -377,13 +380,13 @@ fn factors(rows: &DMatrix<f64>, sides: &DVector<f64>) -> Option<DVector<f64>> {
     Some(square.cholesky()?.solve(sides))
 }
 
-/// The free places as one vector.
+/// The coordinates of the free points as one vector.
 fn flat(places: &[Vector], free: &[bool]) -> DVector<f64> {
     let free = places.iter().zip(free).filter(|(_, free)| **free);
     DVector::from_vec(free.flat_map(|(place, _)| [place.x, place.y]).collect())
 }
 
-/// Adds a vector of displacements to the free places.
+/// Adds the displacements `by`, multiplied by `share`, to the free points.
 fn apply(at: &mut [Vector], free: &[bool], by: &DVector<f64>, share: f64) {
     let moved = at.iter_mut().zip(free).filter(|(_, free)| **free);
     for (k, (place, _)) in moved.enumerate() {

@@ -3,7 +3,7 @@
 use assur::mechanism::{Defect, FRAME};
 use assur_file::{LinkageDocument, LinkageProblem};
 
-/// The longest name composed of names of points.
+/// Maximum number of characters of a link's name that is composed of the names of its points.
 const LONGEST: usize = 24;
 
 /// A free name for a point: A to Z, then A1 to Z1 and so on.
@@ -35,7 +35,8 @@ pub(crate) fn is_link(document: &LinkageDocument, name: &str) -> bool {
     name == FRAME || document.links.iter().any(|link| link.name == name)
 }
 
-/// A free name for a link: composed of its points, as in textbooks, or the wish if one is given.
+/// A free name for a link: `wish`, or else the names of its points together, as in textbooks. A number
+/// is added if the name is taken.
 pub(crate) fn new_link(
     document: &LinkageDocument,
     points: &[String],
@@ -69,7 +70,7 @@ fn of_points(points: &[String]) -> String {
     }
 }
 
-/// The first free one of numbered names.
+/// The first name of a numbered sequence that is free.
 fn numbered(first: usize, free: impl Fn(&str) -> bool, name: impl Fn(usize) -> String) -> String {
     let mut number = first;
     loop {
@@ -81,14 +82,14 @@ fn numbered(first: usize, free: impl Fn(&str) -> bool, name: impl Fn(usize) -> S
     }
 }
 
-/// The links named by their points, to be renamed after an edit.
+/// The links named after their points, such as AB. They are renamed after an edit.
 pub(crate) fn called_by_points(document: &LinkageDocument) -> Vec<String> {
     let links = document.links.iter();
     let called = links.filter(|link| link.points.len() > 1 && link.name == of_points(&link.points));
     called.map(|link| link.name.clone()).collect()
 }
 
-/// Renames links that were named by their points before an edit.
+/// Renames the links in `before`, which were named after their points, if an edit changed these.
 pub(crate) fn call_by_points(document: &mut LinkageDocument, before: &[String]) {
     for old in before {
         let link = document.links.iter().find(|link| link.name == *old);

@@ -1,4 +1,4 @@
-//! Removal of parts and of those that depend on them; joining and separating hinges.
+//! Removal of parts, with the parts that depend on them; joining and separating hinges.
 
 use std::collections::BTreeSet;
 
@@ -11,8 +11,8 @@ use crate::names;
 type Done = Result<(), LinkageProblem>;
 
 impl Drawing {
-    /// Removes points and links. A link of two points is removed with either of them, a block with
-    /// its hinge, points with their last link.
+    /// Removes points and links. A link of two points is removed with either point, a block with its
+    /// hinge, and a point with its last link.
     pub(crate) fn remove(&mut self, points: &[String], links: &[String]) -> Done {
         let mut unknown_names = points
             .iter()
@@ -91,7 +91,8 @@ impl Drawing {
         Ok(())
     }
 
-    /// Removes slides, with their drivers; `bared` gets the points of their lines on the frame.
+    /// Removes slides and their drivers. Adds the points of the removed lines to `bared`, if the lines
+    /// are on the frame.
     fn drop_slides(&mut self, gone: impl Fn(&SlideDocument) -> bool, bared: &mut BTreeSet<String>) {
         let document = &mut self.document;
         let kept: Vec<bool> = document.slides.iter().map(|slide| !gone(slide)).collect();
@@ -111,7 +112,7 @@ impl Drawing {
         document.slides.retain(|_| kept.next().unwrap_or(true));
     }
 
-    /// Whether a point belongs to nothing, except perhaps the frame.
+    /// Whether no link and no slide uses a point.
     pub(crate) fn is_bare(&self, point: &str) -> bool {
         let document = &self.document;
         let has = |points: &[String]| points.iter().any(|one| one == point);
@@ -141,7 +142,7 @@ impl Drawing {
         self.document.locks.retain(whole);
     }
 
-    /// Joins two points in one hinge, at the second one.
+    /// Joins two points in one hinge, where the second is drawn.
     pub(crate) fn join(&mut self, points: &[String; 2]) -> Done {
         let [from, to] = points;
         self.at(from)?;
@@ -182,7 +183,8 @@ impl Drawing {
         Ok(())
     }
 
-    /// Separates the links hinged at a point: every link but the first gets a point of its own.
+    /// Separates the links hinged at a point. The frame or, if the point is not on the frame, the first
+    /// link keeps it; every other link gets a point of its own.
     pub(crate) fn part(&mut self, point: &str) -> Done {
         let at = self.at(point)?;
         let on_frame = self.document.frame.iter().any(|one| one == point);

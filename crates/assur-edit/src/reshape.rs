@@ -27,7 +27,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Moves a point, or a tracer, exactly to a place.
+    /// Moves a traced point, or a point as far as locks allow, to a place.
     pub(crate) fn place(&mut self, point: &str, to: [f64; 2]) -> Done {
         let tracers = &self.document.tracers;
         if let Some(index) = tracers.iter().position(|tracer| tracer.name == point) {
@@ -40,7 +40,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// The targets of a point and of the guides that move with it.
+    /// The targets of a point, and of the ends of guides that move with it.
     fn carried(
         &self,
         point: &str,
@@ -56,8 +56,8 @@ impl Drawing {
         Ok(moved)
     }
 
-    /// Moves points to their targets, as far as locks allow, and connected points with them. A link that is not
-    /// only translated takes its dimensions from the drawing. `released` is a lock to be ignored meanwhile.
+    /// Moves points to their targets, as far as locks allow, and points locked to them. A link whose points
+    /// do not all move alike takes its dimensions from the drawing. The lock `released` is ignored.
     fn go(&mut self, wanted: &BTreeMap<String, Vector>, released: Option<&[String]>) {
         let (places, reached) = self.held(wanted, released);
         self.is_held |= !reached;
@@ -80,7 +80,7 @@ impl Drawing {
         }
     }
 
-    /// Moves the second point of a link along it to give the link a length.
+    /// Gives a link a length by moving its second point along the link.
     pub(crate) fn stretch(&mut self, link: &str, length: f64) -> Done {
         let [first, second] = self.ends(link)?;
         let [from, to] = [self.at(&first)?, self.at(&second)?];
@@ -94,14 +94,14 @@ impl Drawing {
                 value: length,
             });
         }
-        // The typed length becomes the locked one.
+        // A lock of this length does not resist the change: it holds the new length from then on.
         let mut moved = self.carried(&second, (from + along * length).into())?;
         moved.insert(first.clone(), from.coords);
         self.go(&moved, Some(&[first, second]));
         Ok(())
     }
 
-    /// Turns the points of a link about its first one to give the link an angle.
+    /// Gives a link an angle by rotating its points about the first one.
     pub(crate) fn turn(&mut self, link: &str, angle_deg: f64) -> Done {
         let [first, second] = self.ends(link)?;
         let [from, to] = [self.at(&first)?, self.at(&second)?];
@@ -117,12 +117,12 @@ impl Drawing {
         let mut moved = BTreeMap::new();
         for point in self.linked(link)?.points.clone() {
             if point == first {
-                // The link turns about this point, which does not follow points locked to it.
+                // The centre of rotation has a target, too, and so does not follow points locked to it.
                 moved.insert(point, from.coords);
                 continue;
             }
             let off = self.at(&point)? - from;
-            // The second point is placed from the angle directly, without rounding of a second rotation.
+            // The second point is placed directly at the angle, without the rounding of a rotation.
             let to = if point == second {
                 turned(wanted, Vector::new(along.norm(), 0.0))
             } else {
@@ -145,7 +145,7 @@ impl Drawing {
         }
     }
 
-    /// Reflects points in the vertical through their middle.
+    /// Reflects points in the vertical line midway between the leftmost and the rightmost of them.
     pub(crate) fn mirror(&mut self, points: &[String]) -> Done {
         let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
         for point in points {
@@ -180,7 +180,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Points, with the lines of the frame along which blocks hinged at them slide.
+    /// The given points, and the ends of those lines of the frame along which these points slide.
     fn with_guides(&self, points: &[String]) -> BTreeSet<String> {
         let mut all: BTreeSet<String> = points.iter().cloned().collect();
         let slides = &self.document.slides;

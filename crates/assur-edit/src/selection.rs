@@ -6,8 +6,8 @@ use assur_file::LinkageDocument;
 use crate::draw::Drawing;
 use crate::names;
 
-/// The part of a drawing with these links, their points and connections, and these points, for
-/// [`crate::Edit::Paste`].
+/// Copies a part of a drawing for [`crate::Edit::Paste`]: these points, and these links with their
+/// points and the connections between them.
 pub fn selected(
     document: &LinkageDocument,
     points: &[String],
@@ -87,14 +87,14 @@ pub fn selected(
 }
 
 impl Drawing {
-    /// Adds another drawing beside the existing one, with free names.
+    /// Adds another drawing, displaced, to the existing one. Its parts get names that are free.
     pub(crate) fn paste(&mut self, drawing: &LinkageDocument, [x, y]: [f64; 2]) {
         let mut other = drawing.clone();
         for point in &mut other.points {
             point.at[0] += x;
             point.at[1] += y;
         }
-        // In two rounds, since a free name may be taken in the other drawing.
+        // Parts are renamed twice, first to temporary names: a free name may be taken in the other drawing.
         let called = names::called_by_points(&other);
         let points: Vec<String> = (other.points.iter().map(|point| &point.name))
             .chain(other.tracers.iter().map(|tracer| &tracer.name))
@@ -135,7 +135,7 @@ impl Drawing {
     }
 }
 
-/// A temporary name: with a control character, which names cannot contain.
+/// A temporary name. It has a control character, which names of parts cannot contain.
 fn aside(k: usize) -> String {
     format!("\u{1}{k}")
 }

@@ -12,7 +12,7 @@ use crate::{
     Document, GearTrainDocument, LinkageDocument, MixerDocument, Problem, SchemeDocument, State,
 };
 
-/// Names of the cases of the mixer's figure; the engine provides their dimensions.
+/// The mixers of the source paper's figure, by name. The engine provides their dimensions.
 const MIXERS: [(&str, Case); 3] = [
     ("mixer-a", Case::A),
     ("mixer-b", Case::B),
@@ -28,14 +28,14 @@ pub enum GalleryCategory {
     FourBars,
     /// Linkages of more than four links.
     SixBars,
-    /// Linkages made for the path of a point: walkers, straight-line mechanisms. The catalogue
-    /// assigns them, since the structure does not show it.
+    /// Linkages made for the path of a point, such as walkers and straight-line mechanisms. The
+    /// catalogue sets this category, since it does not follow from the structure.
     Guides,
     /// Mechanisms with wheels.
     Geared,
     /// Linkages with an Assur group of Class III or higher.
     Higher,
-    /// Schemes of links and pairs, which serve to compute mobility and do not move.
+    /// Schemes of links and pairs. They serve to compute mobility and do not move.
     Schemes,
 }
 
@@ -58,7 +58,7 @@ pub struct Shelf {
     pub id: &'static str,
     /// Category of the gallery.
     pub group: GalleryCategory,
-    /// Highest class of its Assur groups, in Roman numerals; none if it is not a linkage.
+    /// Highest class of the Assur groups, in Roman numerals; none if the mechanism is not a linkage.
     pub class: Option<String>,
 }
 
@@ -66,11 +66,11 @@ pub struct Shelf {
 struct File {
     name: &'static str,
     text: &'static str,
-    /// Category, if it does not follow from the structure.
+    /// Category, if the structure does not determine it.
     group: Option<GalleryCategory>,
 }
 
-/// Files by name, each with a category if it does not follow from the structure.
+/// Makes a list of files from their names, each with a category if the structure does not determine it.
 macro_rules! catalogued {
     ($($name:literal $($group:ident)?,)+) => {
         &[$(File {
@@ -131,7 +131,7 @@ const FILES: &[File] = catalogued! {
     "class5",
 };
 
-/// Documents other than linkages, by name.
+/// Makes a list of documents other than linkages from their names.
 macro_rules! others {
     ($($name:literal,)+) => {
         &[$(($name, include_str!(concat!("../catalogue/", $name, ".json"))),)+]
@@ -147,7 +147,7 @@ const SCHEMES: &[(&str, &str)] = others! {
     "mobility-4",
 };
 
-/// Differentials, which are driven by time.
+/// Differentials, whose input is time.
 const TRAINS: &[(&str, &str)] = others! {
     "train-magnets",
     "train-gears",
@@ -171,7 +171,7 @@ pub fn schemes() -> impl Iterator<Item = &'static str> {
     SCHEMES.iter().map(|(name, _)| *name)
 }
 
-/// The names of the differentials of the catalogue, which are no linkages.
+/// The names of the differentials of the catalogue, which are not linkages.
 pub fn trains() -> impl Iterator<Item = &'static str> {
     TRAINS.iter().map(|(name, _)| *name)
 }
@@ -189,8 +189,8 @@ pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
     })
 }
 
-/// Places of all mechanisms of the catalogue in the gallery. Each mechanism is built for this: too
-/// slow to do before a page shows anything.
+/// Places of all mechanisms of the catalogue in the gallery. All of them are built: this takes too long
+/// to be done before a page shows anything.
 ///
 /// # Errors
 /// The problems of a document; a test ensures that there are none.
@@ -222,7 +222,7 @@ pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
 /// The linkage with this name in the catalogue; none if there is no such name.
 ///
 /// # Errors
-/// A document that is not a linkage; problems of the document, which a test excludes.
+/// A document that is not a linkage; problems of the document (a test ensures that there are none).
 pub fn from_catalogue(name: &str) -> Option<Result<LinkageDocument, Vec<Problem>>> {
     Some(document(name)?.and_then(|document| document.linkage()))
 }
@@ -286,7 +286,7 @@ fn file(name: &str) -> Option<&'static File> {
     FILES.iter().find(|file| file.name == name)
 }
 
-/// The title in a file of the gallery.
+/// The title of a linkage of the gallery, from its file.
 pub(crate) fn title(name: &str) -> Option<String> {
     #[derive(Deserialize)]
     struct Titled {
@@ -296,7 +296,7 @@ pub(crate) fn title(name: &str) -> Option<String> {
     Some(title)
 }
 
-/// The linkage of a file: a state of the page, or the document of a linkage alone.
+/// Reads a linkage from a file, which contains a state of the page or only a document.
 ///
 /// # Errors
 /// Parts of the wrong form, with their paths; problems of a view or a mixer; a document that does not move.
@@ -304,13 +304,13 @@ pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
     document_of(text)?.linkage()
 }
 
-/// The document in a file: a state of the page, or the bare document of a linkage, a scheme or a
-/// differential. Only a scheme has `pairs`, only a differential `drives`.
+/// Reads the document from a file, which contains a state of the page or only the document of a linkage,
+/// a scheme or a differential. Only a scheme has `pairs`, and only a differential has `drives`.
 ///
 /// # Errors
 /// Parts of the wrong form, with their paths; problems of a view.
 pub fn document_of(text: &str) -> Result<Document, Vec<Problem>> {
-    /// Keys by which the kind of a file is recognised; a state has one of the first four.
+    /// Keys that distinguish the kinds of files. A state has at least one of the first four.
     #[derive(Deserialize)]
     struct Keys {
         format: Option<IgnoredAny>,

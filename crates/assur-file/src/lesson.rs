@@ -18,17 +18,21 @@ pub use problem::LessonProblem;
 use problem::NUMBER;
 pub use varied::VariedDocument;
 
-/// Maximum numbers of steps in a lesson and of options in a choice.
+/// Maximum number of steps in a lesson.
 const STEPS: usize = 40;
+/// Maximum number of options in a choice.
 const OPTIONS: usize = 8;
 
-/// Maximum number of characters of a title or name, of an option or another short text, of a text, of formulas.
+/// Maximum number of characters of a title or name.
 const TITLE: usize = 200;
+/// Maximum number of characters of a question, a hint or an option.
 const LINE: usize = 500;
+/// Maximum number of characters of the text of a step.
 const TEXT: usize = 5000;
+/// Maximum number of characters of the formulas of a step.
 const FORMULA: usize = 1000;
 
-/// A lesson; saved with the state of the page. Unknown keys are refused.
+/// A lesson. It is saved with the state of the page. Unknown keys are refused.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
@@ -50,13 +54,13 @@ pub struct LessonDocument {
 pub struct StepDocument {
     /// Its title.
     pub title: String,
-    /// Paragraphs, one per line; `*emphasis*`, and `_` starts a subscript in a symbol.
+    /// Paragraphs, one per line. Asterisks mark `*emphasis*`, and `_` starts a subscript in a symbol.
     pub text: String,
     /// Formulas, one per line.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub formula: String,
-    /// The shown document; none: that of the step before.
+    /// The shown document; if absent, that of the step before.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shows: Option<ShownDocument>,
     /// The question, if there is one.
@@ -71,17 +75,17 @@ pub struct ShownDocument {
     /// The document; serialised as `kind` and `document`.
     #[serde(flatten)]
     pub document: Document,
-    /// The view; only fields that differ from the default are saved.
+    /// The view. Only fields that differ from their defaults are saved.
     #[serde(serialize_with = "unusual")]
     #[cfg_attr(test, ts(type = "Partial<View>"))]
     pub view: View,
-    /// Numbers that vary from reader to reader.
+    /// Numbers of the document that vary from reader to reader.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub vary: Vec<VariedDocument>,
 }
 
-/// A question: exactly one of a number, a choice and a state to be reached.
+/// A question. Its answer is exactly one of a number, a choice and a state to be reached.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
@@ -92,13 +96,13 @@ pub struct QuestionDocument {
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub hint: String,
-    /// The answer is a number.
+    /// The answer, if it is a number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub number: Option<NumberDocument>,
-    /// The answer is one of several options.
+    /// The options and the answer, if the answer is one of several options.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub choice: Option<ChoiceDocument>,
-    /// The answer is a state to which the mechanism is brought.
+    /// The answer, if it is a state to which the reader brings the mechanism.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reach: Option<ReachDocument>,
 }
@@ -111,7 +115,7 @@ pub struct NumberDocument {
     /// Name of the quantity, such as `rocker.angle` or `C.x′`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quantity: Option<String>,
-    /// The input at which it is evaluated, in the reader's unit; none: that of the step.
+    /// The input at which the quantity is evaluated, in the reader's unit; if absent, the input of the step.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<f64>,
     /// The answer itself, if it is not a quantity.
@@ -123,7 +127,7 @@ pub struct NumberDocument {
     pub unit: String,
     /// Tolerance of the answer.
     pub within: f64,
-    /// Whether the page shows the value of the quantity during the question; by default it does not.
+    /// Whether the page shows the value of the quantity while the question is open; false by default.
     #[serde(default, skip_serializing_if = "is_false")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub shown: bool,
@@ -134,7 +138,7 @@ fn is_false(value: &bool) -> bool {
     !value
 }
 
-/// Options, one of which is right.
+/// A list of options, one of which is right.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
@@ -145,24 +149,24 @@ pub struct ChoiceDocument {
     pub answer: usize,
 }
 
-/// A value to which the reader is to bring a quantity of the page.
+/// A target value, to which the reader has to bring a quantity of the page.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct ReachDocument {
-    /// Name of the quantity, as for a number.
+    /// Name of the quantity, as in a [`NumberDocument`].
     pub quantity: String,
-    /// The value.
+    /// The value to be reached.
     pub value: f64,
     /// Tolerance of the value.
     pub within: f64,
 }
 
 impl LessonDocument {
-    /// Checks every text and number, and that every question can be answered.
+    /// Checks all texts and numbers, and that every question can be answered.
     ///
     /// # Errors
-    /// The problems of the lesson itself, otherwise those of its first faulty step, after the number of the step.
+    /// The problems of the lesson itself or, if there are none, the number of its first faulty step and its problems.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Problems::default();
         problems.characters("lesson.title", &self.title, TITLE);
@@ -198,14 +202,14 @@ impl LessonDocument {
     }
 }
 
-/// Problems of a step, after the number of the step.
+/// Puts the number of a step before the problems of the step.
 pub fn in_step(step: usize, problems: Vec<Problem>) -> Vec<Problem> {
     let place = LessonProblem::LessonStep { step };
     [vec![place.into()], problems].concat()
 }
 
 impl StepDocument {
-    /// Checks a step; `shown`: whether it, or a step before it, shows something.
+    /// Checks a step. `shown` is true if this step or an earlier one shows a document.
     fn check(&self, shown: bool, problems: &mut Problems) {
         problems.characters("lesson.step_title", &self.title, TITLE);
         problems.characters("lesson.text", &self.text, TEXT);
@@ -265,7 +269,7 @@ fn unusual<S: Serializer>(view: &View, serializer: S) -> Result<S::Ok, S::Error>
     own.serialize(serializer)
 }
 
-/// A view as its fields.
+/// The fields of a view, with their values.
 fn fields(view: &View) -> Map<String, Value> {
     match serde_json::to_value(view) {
         Ok(Value::Object(fields)) => fields,
@@ -283,7 +287,7 @@ impl<'de> Deserialize<'de> for ShownDocument {
     }
 }
 
-/// The fields of a shown document.
+/// The saved fields of a shown document.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Head {
@@ -302,7 +306,7 @@ fn read_shown(value: &Value) -> Result<ShownDocument, Problem> {
     } = part(value)?;
     let mut whole = fields(&View::default());
     whole.extend(view);
-    // A step sets neither the language nor a lesson.
+    // A step sets neither the language, nor the open lesson, nor the projector view, nor the drawing tools.
     for name in ["lang", "lesson", "projector", "drawing"] {
         whole.remove(name);
     }

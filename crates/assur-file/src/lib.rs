@@ -1,14 +1,13 @@
-//! The saved form: serde counterparts of the engine's types, so that files and addresses never
-//! freeze the engine. All checking of input from outside happens here and in the constructors of
-//! `assur`, once.
+//! The saved form: serde counterparts of the engine's types. The engine can change without invalidating
+//! files and URLs. Input from outside is checked once, either here or in the constructors of `assur`.
 //!
 //! | file | subject |
 //! |---|---|
 //! | `state.rs`, `view.rs`, `kinds/` | the state: its version, the view, a document for each kind (the registry is `kinds/mod.rs`) |
 //! | `lesson.rs`, `picture.rs`, `unit.rs` | a lecturer's lesson with its bounds, the picture behind a drawing, the unit of lengths |
 //! | `catalogue.rs`, folder `catalogue` | mechanisms by name, in categories |
-//! | `problem.rs`, `kinds/*/problem.rs` | everything that can be wrong, as codes with parameters |
-//! | `types.rs` | the shapes for TypeScript (`types.d.ts`) |
+//! | `problem.rs`, `kinds/*/problem.rs` | all problems of input, as codes with parameters |
+//! | `types.rs` | the types for TypeScript (`types.d.ts`) |
 
 mod catalogue;
 mod kinds;

@@ -1,12 +1,12 @@
 //! A picture behind a drawing: its image, position and opacity. It is saved in files and in the
-//! storage of the browser, never in an address.
+//! storage of the browser, never in a URL.
 
 use serde::{Deserialize, Serialize};
 
 use crate::problem::Problems;
 use crate::{Field, Problem};
 
-/// Beginnings of the `data:` addresses of accepted images.
+/// Prefixes of the `data:` URLs of accepted images.
 const TYPES: [&str; 5] = [
     "data:image/png;base64,",
     "data:image/jpeg;base64,",
@@ -15,11 +15,12 @@ const TYPES: [&str; 5] = [
     "data:image/svg+xml;base64,",
 ];
 
-/// Maximum number of characters of an image.
+/// Maximum number of characters of an image's URL.
 const LONGEST: usize = 2_000_000;
 
-/// The greatest number of its place and size; the least opacity.
+/// Greatest magnitude of a picture's coordinates and width.
 const NUMBER: f64 = 1e9;
+/// Least opacity.
 const PALEST: f64 = 0.05;
 
 /// A picture behind a drawing. Unknown keys are refused.
@@ -27,9 +28,9 @@ const PALEST: f64 = 0.05;
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct PictureDocument {
-    /// The image, as a `data:` address.
+    /// The image, as a `data:` URL.
     pub image: String,
-    /// Position of its upper left corner.
+    /// Position of the picture's upper left corner.
     pub at: [f64; 2],
     /// Its width, in the unit of lengths.
     pub width: f64,
@@ -57,7 +58,7 @@ pub enum PictureProblem {
     PictureType { field: Field },
     /// The image has too many characters.
     PictureLong { field: Field, max: usize },
-    /// Part of the image is missing, or it has invalid characters.
+    /// Part of the image is missing, or the image has invalid characters.
     PictureDamaged { field: Field },
 }
 

@@ -1,5 +1,5 @@
-//! Problems of input from a person, a file or an address, as codes with parameters. The words are
-//! in `lang/`.
+//! Problems of input from a person, a file or a URL, as codes with parameters. Their texts are in
+//! `lang/`.
 
 use std::borrow::Cow;
 
@@ -10,10 +10,10 @@ use serde::Serialize;
 
 use crate::{GearTrainProblem, LessonProblem, LinkageProblem, PictureProblem, SynthesisProblem};
 
-/// The saved name of a field, with the place in its list: `l1`, `wheels[2].z`.
+/// The path of a field in the saved form, such as `l1` or `wheels[2].z`.
 pub type Field = Cow<'static, str>;
 
-/// A problem; serialised as `{"code": "…", parameters}`. Angles in radians.
+/// A problem; serialised as `{"code": "…", parameters}`. Angles are in radians.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 #[expect(
@@ -36,17 +36,17 @@ pub enum Problem {
     NotWhole { field: Field, value: f64 },
     /// A field has none of its allowed values.
     UnknownChoice { field: Field },
-    /// A driver at rest shows nothing in real time.
+    /// The speed of the driver is 0, so that nothing moves in real time.
     AtRest { field: Field },
-    /// A link is at least as long as the others together.
+    /// A link of a four-bar is at least as long as the others together.
     TooLong { field: Field, by: f64 },
-    /// Internal mesh of equal wheels.
+    /// Wheels in internal mesh have equal numbers of teeth.
     ConcentricWheels { field: Field },
-    /// Internal mesh of one wheel with smaller and with larger ones.
+    /// A wheel is in internal mesh with both smaller and larger wheels.
     MixedWheels { field: Field },
     /// Coupler and rocker together do not reach at this crank angle.
     Apart { phi: f64, by: f64 },
-    /// One of coupler and rocker is too long at this crank angle.
+    /// Either the coupler or the rocker is too long at this crank angle.
     Inside { phi: f64, by: f64, field: Field },
     /// The pose at this crank angle is undetermined.
     Undetermined { phi: f64 },
@@ -54,17 +54,17 @@ pub enum Problem {
     DeadPoint { phi: f64 },
     /// The text or object does not have the form of a state.
     BadState { path: String, detail: String },
-    /// An unknown version of the saved form.
+    /// The version of the saved form is unknown.
     UnknownFormat { format: f64 },
-    /// A duplicate key of an object.
+    /// An object has a duplicate key.
     KeyTwice { path: String },
-    /// The problems that follow are of the compared mechanism.
+    /// The problems that follow belong to the compared mechanism.
     InCompared,
     /// The text is not JSON.
     NotJson { detail: String },
     /// A scheme has no motion.
     NoMotion,
-    /// What is wrong with a linkage.
+    /// A problem of a linkage.
     #[serde(untagged)]
     Linkage(LinkageProblem),
     /// A problem of a synthesis.
@@ -73,10 +73,10 @@ pub enum Problem {
     /// A problem of a scheme of links and pairs.
     #[serde(untagged)]
     Scheme(SchemeDefect),
-    /// What is wrong with the cuts of a scheme.
+    /// A problem of the cuts of a scheme.
     #[serde(untagged)]
     Cut(CutError),
-    /// What is wrong with a lesson.
+    /// A problem of a lesson.
     #[serde(untagged)]
     Lesson(LessonProblem),
     /// A problem of a picture behind a drawing.
@@ -87,7 +87,7 @@ pub enum Problem {
     GearTrain(GearTrainProblem),
 }
 
-/// Makes a problem of those of its parts.
+/// Implements the conversion from the problems of single subjects to [`Problem`].
 macro_rules! of_parts {
     ($($variant:ident($part:ty),)+) => {
         $(impl From<$part> for Problem {
@@ -117,7 +117,7 @@ impl Problems {
         self.0.push(problem.into());
     }
 
-    /// Adds what is wrong with a number of this range.
+    /// Adds a problem if a number is not finite or is outside a range.
     pub(crate) fn range(&mut self, field: impl Into<Field>, value: f64, [min, max]: [f64; 2]) {
         let field = field.into();
         if !value.is_finite() {
@@ -132,7 +132,7 @@ impl Problems {
         }
     }
 
-    /// Adds what is wrong with a title or source of at most so many characters.
+    /// Adds a problem if a title or source has control characters or more than `max` characters.
     pub(crate) fn text(&mut self, path: &str, text: Option<&String>, max: usize) {
         if text.is_some_and(|text| !is_plain(text, max)) {
             let path = path.to_owned();
@@ -149,13 +149,13 @@ impl Problems {
     }
 }
 
-/// True if a text has at most so many characters and no control character.
+/// True if a text has at most `longest` characters and no control characters.
 pub(crate) fn is_plain(text: &str, longest: usize) -> bool {
     text.chars().count() <= longest && !text.contains(char::is_control)
 }
 
 impl Problem {
-    /// The fault of a field.
+    /// The problem for a fault of a field.
     pub(crate) fn of_fault(field: impl Into<Field>, fault: Fault) -> Self {
         let field = field.into();
         match fault {
@@ -175,7 +175,7 @@ impl Problem {
         }
     }
 
-    /// Defects as problems.
+    /// Converts defects to problems.
     pub fn all(defects: Vec<impl Into<Self>>) -> Vec<Self> {
         defects.into_iter().map(Into::into).collect()
     }
@@ -211,7 +211,7 @@ impl From<Unsolved> for Problem {
     }
 }
 
-/// The saved name of a dimension.
+/// The path of the field of a dimension.
 fn field(dimension: Dimension) -> Field {
     let name = match dimension {
         Dimension::Crank => "l1",
@@ -231,7 +231,7 @@ fn field(dimension: Dimension) -> Field {
     name.into()
 }
 
-/// The saved name of a link's length.
+/// The name of the field with a link's length.
 fn link_field(link: Link) -> &'static str {
     match link {
         Link::Crank => "l1",

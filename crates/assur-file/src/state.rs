@@ -1,4 +1,4 @@
-//! The whole state of the page: the contents of an address, a file and an undo step.
+//! The whole state of the page, as contained in a URL, a file or an undo step.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -13,12 +13,12 @@ use crate::{LinkageDocument, PictureDocument, Problem};
 /// The version of the saved form that is written.
 pub const FORMAT: f64 = 2.0;
 
-/// The previous version, which is still read: `kind` was called `lesson`, and the view held the
-/// step of the document's only lesson.
+/// The previous version, which can still be read. In it, `kind` was called `lesson`, and the view
+/// contained the step of the document's only lesson.
 const FIRST_FORMAT: f64 = 1.0;
 
-/// A state of the page that has the right form; unknown keys are ignored. Its values are checked by
-/// [`State::check`].
+/// A state of the page, read without regard to unknown keys. Its form is right; its values are checked
+/// by [`State::check`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct State {
     /// Version of the saved form, 2.
@@ -26,12 +26,12 @@ pub struct State {
     /// The shown document; serialised as `kind` and `document`.
     #[serde(flatten)]
     pub document: Document,
-    /// Its view.
+    /// View of the document.
     pub view: View,
-    /// The lesson that a lecturer has written about it, if any.
+    /// The lesson that a lecturer has written about the document, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lesson: Option<LessonDocument>,
-    /// The mechanism with which it is compared: shown beside it and never changed.
+    /// The mechanism with which the document is compared, if any. It is shown beside the document and never changed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compared: Option<Document>,
     /// The picture behind the drawing, if any.
@@ -56,7 +56,7 @@ struct FirstKind {
     lesson: String,
 }
 
-/// The open step in the first version: 0 while the lesson is closed.
+/// The step of the lesson in the first version; 0 if the lesson was closed.
 #[derive(Default, Deserialize)]
 struct FirstView {
     #[serde(default)]
@@ -67,7 +67,7 @@ impl State {
     /// Reads a state.
     ///
     /// # Errors
-    /// [`Problem::BadState`] with the path of the part of the wrong form; another version.
+    /// [`Problem::BadState`] with the path of the part that has the wrong form; an unknown version.
     pub fn read(value: &Value) -> Result<Self, Problem> {
         let Head { format } = part(value)?;
         if format == FORMAT {
@@ -115,7 +115,7 @@ impl State {
     /// The linkage in motion, with its plotted quantities.
     ///
     /// # Errors
-    /// Every problem of the whole state at once.
+    /// All problems of the state.
     pub fn moved(&self) -> Result<Moved, Vec<Problem>> {
         match (self.check(), self.document.moved(&self.view.plot)) {
             (Ok(()), Ok(moved)) => Ok(moved),
@@ -126,20 +126,20 @@ impl State {
         }
     }
 
-    /// The linkage that is described, whatever its kind.
+    /// The linkage that the document describes, whatever the document's kind.
     ///
     /// # Errors
-    /// Every problem of the view, and of a document that is not a linkage yet. Problems of the
-    /// linkage are listed by [`LinkageDocument::mechanism`].
+    /// Those of [`State::check`]; the reasons why there is no linkage. Problems of the linkage itself are
+    /// listed by [`LinkageDocument::mechanism`].
     pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         self.check()?;
         self.document.linkage()
     }
 
-    /// Checks format, view, lesson and picture. The document is checked by making its mechanism.
+    /// Checks format, view, lesson and picture. The document is checked when its mechanism is made.
     ///
     /// # Errors
-    /// Every problem at once, each naming its field.
+    /// All problems, each naming its field.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Problems::default();
         let format = self.format;

@@ -1,5 +1,5 @@
-//! Reading of JSON. Duplicate keys are refused: one of the two would be ignored, like a
-//! misspelt one.
+//! Reading of JSON. Duplicate keys are refused, since the value of one of them would be ignored
+//! without notice.
 
 use std::fmt;
 
@@ -10,10 +10,10 @@ use serde_json::{Map, Value};
 
 use crate::Problem;
 
-/// Mark that editors put before a text to show its encoding.
+/// The character that some editors put before a text to show its encoding.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// Any JSON, with or without a byte-order mark.
+/// Reads any JSON, with or without a byte-order mark.
 ///
 /// # Errors
 /// [`Problem::NotJson`]; [`Problem::KeyTwice`] with the path of the key.
@@ -34,7 +34,7 @@ pub(crate) fn json(text: &str) -> Result<Value, Problem> {
     })
 }
 
-/// Checks that a JSON text to be read elsewhere has no duplicate keys; text that is not JSON
+/// Checks that a JSON text, which is read elsewhere, has no duplicate keys. A text that is not JSON
 /// passes.
 ///
 /// # Errors
@@ -46,7 +46,7 @@ pub fn keys_once(text: &str) -> Result<(), Problem> {
     }
 }
 
-/// A part of a text, with its path; after an error the path is that of the fault.
+/// Reader of a part of a text, with the path of the part. After an error, the path is that of the fault.
 struct Part<'a> {
     path: &'a mut String,
 }
@@ -123,7 +123,7 @@ impl<'de> Visitor<'de> for Part<'_> {
     }
 }
 
-/// Reads a value of a type, or names the part of it that has another form.
+/// Converts JSON to a value of a type. An error names the part that has the wrong form.
 pub(crate) fn part<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
     serde_path_to_error::deserialize(value).map_err(|error| Problem::BadState {
         path: error.path().to_string(),
@@ -131,13 +131,13 @@ pub(crate) fn part<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
     })
 }
 
-/// Reads a value of a type from a field, if there is one.
+/// Converts a field of a JSON object to a value of a type, if the field exists.
 pub(crate) fn within<T: DeserializeOwned>(value: &Value, name: &str) -> Result<Option<T>, Problem> {
     let read = value.get(name).map(part).transpose();
     read.map_err(|problem| under(name, problem))
 }
 
-/// A problem of form, with its path below a field.
+/// Puts the name of a field before the path of a problem within that field.
 pub(crate) fn under(name: &str, problem: Problem) -> Problem {
     match problem {
         Problem::BadState { path, detail } => Problem::BadState {

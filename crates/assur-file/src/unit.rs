@@ -1,9 +1,8 @@
-//! The unit that the lengths of a document are in.
+//! Unit of the lengths of a document.
 
 use serde::{Deserialize, Serialize};
 
-/// A unit of length, shown to readers beside numbers. Changing it does not change the mechanism:
-/// the numbers stay the same.
+/// A unit of length, shown to readers beside numbers. A change of unit does not change the numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -16,6 +15,6 @@ pub enum LengthUnit {
     Mm,
     /// Inches.
     In,
-    /// Only the proportions count.
+    /// No unit: only proportions count.
     None,
 }

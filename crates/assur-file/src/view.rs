@@ -6,143 +6,145 @@ use serde::{Deserialize, Serialize};
 use crate::Problem;
 use crate::problem::Problems;
 
-/// Greatest input: the crank angle, in degrees, that still has all its decimals; the displacement
-/// of a driven slide, in the unit of the lengths; the time, seconds.
+/// Greatest magnitude of the input: a crank angle in degrees, a displacement in the unit of lengths,
+/// or a time in seconds. Greater angles would lose decimals.
 const INPUT_LIMIT: f64 = 1e6;
 
-/// The greatest speed; a faster motion is no longer visible.
+/// Greatest playback speed. A faster motion is no longer visible.
 const SPEED_LIMIT: f64 = 1000.0;
 
-/// The greatest ω₁ in rad/s and ε₁ in rad/s², in either sense.
+/// Greatest magnitude of ω₁, rad/s.
 const OMEGA_LIMIT: f64 = 1e4;
+/// Greatest magnitude of ε₁, rad/s².
 const EPSILON_LIMIT: f64 = 1e6;
 
-/// The longest name of a lesson.
+/// Maximum number of characters of the name of a lesson.
 const NAME_LIMIT: usize = 64;
 
-/// The view of a mechanism; nothing here changes the mechanism.
+/// The view of a mechanism. Its fields do not change the mechanism.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub struct View {
-    /// Input, if it is an angle: the crank angle, degrees.
+    /// The input if it is an angle: the crank angle, degrees.
     pub phi_deg: f64,
-    /// Input, if it is a length: the displacement of the driven slide, in the unit of the lengths.
+    /// The input if it is a length: the displacement of the driven slide, in the unit of lengths.
     #[serde(default)]
     pub s: f64,
-    /// Input, if it is time, seconds.
+    /// The input if it is time, seconds.
     #[serde(default)]
     pub t: f64,
     /// Whether the mechanism is moving.
     pub playing: bool,
-    /// 1 or −1: sense in which the crank turns.
+    /// Sense of rotation of the crank, 1 or −1.
     #[cfg_attr(test, ts(type = "1 | -1"))]
     pub direction: f64,
-    /// Multiple of one turn in six seconds.
+    /// Playback speed, as a multiple of one turn in six seconds.
     pub speed: f64,
-    /// Paths of the joints shown.
+    /// Whether the paths of the joints are shown.
     pub traces: bool,
-    /// Centres of mass shown. Older states lack this field and the next.
+    /// Whether centres of mass are shown.
     #[serde(default)]
     pub centres: bool,
-    /// Velocity and acceleration analogues of the joints shown.
+    /// Whether velocity and acceleration analogues of the joints are shown.
     #[serde(default)]
     pub vectors: bool,
-    /// Vectors of the loop shown.
+    /// Whether the vectors of the loop are shown.
     #[serde(default)]
     pub loop_vectors: bool,
-    /// Arc of the transmission angle shown.
+    /// Whether the arc of the transmission angle is shown.
     #[serde(default)]
     pub transmission: bool,
-    /// Links in the colours of their Assur groups.
+    /// Whether links have the colours of their Assur groups.
     #[serde(default)]
     pub groups: bool,
-    /// Numbers of the links shown.
+    /// Whether the numbers of the links are shown.
     #[serde(default)]
     pub numbers: bool,
-    /// All assemblies shown: a picture of each, and their map.
+    /// Whether all assemblies are shown: a picture of each, and a map of them.
     #[serde(default)]
     pub all_assemblies: bool,
-    /// The other assemblies shown beside the one that moves, dashed.
+    /// Whether the other assemblies are shown, dashed, beside the one that moves.
     #[serde(default)]
     pub others: bool,
-    /// Polygons of velocities and accelerations shown.
+    /// Whether the polygons of velocities and accelerations are shown.
     #[serde(default)]
     pub polygons: bool,
-    /// Instant centres of all links shown, with the lines that give that of `about` against `relative_to`.
+    /// Whether the instant centres of all links are shown, and the lines that intersect in the centre of `about`
+    /// relative to `relative_to`.
     #[serde(default)]
     pub instant_centres: bool,
-    /// Centrodes of `about` shown.
+    /// Whether the centrodes of `about` are shown.
     #[serde(default)]
     pub centrodes: bool,
-    /// The inflection circle of `about` and the circles of curvature of traced points, with the evolutes of their paths, shown.
+    /// Whether the inflection circle of `about` is shown, and the circles of curvature and evolutes of traced paths.
     #[serde(default)]
     pub curvature: bool,
-    /// The link of these instant centres, centrodes and circles; empty: the first coupler.
+    /// The link whose instant centre, centrodes and inflection circle are shown; if empty, the first coupler.
     #[serde(default)]
     pub about: String,
-    /// The reference link of the instant centre of `about`; empty: the frame.
+    /// The reference link of the instant centre of `about`; if empty, the frame.
     #[serde(default)]
     pub relative_to: String,
-    /// Measures between points or links, by name (`A-C.distance`, `A-B-C.corner`,
-    /// `crank-rocker.between`): drawn, read out and listed.
+    /// Measures between points or links that are drawn and listed, by name: `A-C.distance`,
+    /// `A-B-C.corner`, `crank-rocker.between`.
     #[serde(default)]
     pub measures: Vec<String>,
-    /// Plotted quantities: `angles`, or the name of a point (`C2`).
+    /// Plotted quantities: `angles`, or the name of a point, such as `C2`.
     #[serde(default = "angles")]
     pub plot: String,
-    /// Quantities plotted against each other instead, if any.
+    /// Two quantities plotted against each other instead of against the input, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub against: Option<Against>,
     /// The plot that is shown alone, if any.
     #[serde(default)]
     pub only: Only,
-    /// Variable by which derivatives are taken.
+    /// Variable with respect to which derivatives are taken.
     #[serde(default)]
     pub axes: Axes,
-    /// ω₁ of the crank, rad/s.
+    /// Angular velocity ω₁ of the crank, rad/s.
     #[serde(default = "one")]
     pub omega: f64,
     /// The unit in which ω₁ is written.
     #[serde(default)]
     pub omega_unit: SpeedUnit,
-    /// ε₁ of the crank, rad/s².
+    /// Angular acceleration ε₁ of the crank, rad/s².
     #[serde(default)]
     pub epsilon: f64,
-    /// Playback at ω₁ instead of `speed`.
+    /// Whether playback is at ω₁ instead of `speed`.
     #[serde(default)]
     pub true_time: bool,
-    /// The tools for drawing shown.
+    /// Whether the tools for drawing are shown.
     #[serde(default)]
     pub drawing: bool,
-    /// Difference quotients of φ′ shown over φ″.
+    /// Whether difference quotients of φ′ are plotted over φ″.
     #[serde(default)]
     pub differenced: bool,
     /// The open lesson, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lesson: Option<OpenLesson>,
-    /// Large text, thick lines, high contrast.
+    /// Whether the page has large text, thick lines and high contrast, as for a projector.
     #[serde(default)]
     pub projector: bool,
     /// Language of the page.
     pub lang: String,
 }
 
-/// A lesson, open at one of its steps.
+/// An open lesson, with the step that is shown.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct OpenLesson {
-    /// Its name: that of its folder.
+    /// Name of the lesson, which is also that of its folder.
     pub id: String,
     /// The step, counted from 1.
     pub step: u8,
 }
 
-/// A quantity, or a derivative of one, plotted against another one, by their names in tables
-/// (`C.x`, `rocker.dangle`).
+/// Two quantities or derivatives plotted against each other, by their column headings in tables, such
+/// as `C.x` or `rocker.dangle`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct Against {
-    /// The abscissa; `input` is the input.
+    /// The abscissa; `input` stands for the input.
     pub x: String,
     /// The ordinate.
     pub y: String,
@@ -165,7 +167,7 @@ pub enum Only {
 }
 
 impl Only {
-    /// The order of the derivatives that are shown alone; none if all are.
+    /// The order of the derivatives that are shown alone; none if all plots are shown.
     pub fn order(self) -> Option<usize> {
         match self {
             Self::All => None,
@@ -176,7 +178,7 @@ impl Only {
     }
 }
 
-/// Variable by which derivatives are taken.
+/// Variable with respect to which derivatives are taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -193,10 +195,10 @@ pub enum Axes {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum SpeedUnit {
-    /// Radians in a second.
+    /// Radians per second.
     #[default]
     RadPerS,
-    /// Turns in a minute.
+    /// Revolutions per minute.
     PerMin,
 }
 
@@ -209,7 +211,7 @@ fn one() -> f64 {
 }
 
 impl Default for View {
-    /// The view of a file that does not contain one. (No language: the reader's.)
+    /// The view for a file that contains none. The empty language stands for the reader's own.
     fn default() -> Self {
         Self {
             phi_deg: 0.0,
@@ -263,10 +265,10 @@ impl View {
         }
     }
 
-    /// Checks every number and choice.
+    /// Checks all numbers and choices.
     ///
     /// # Errors
-    /// Every problem at once, each naming its field.
+    /// All problems, each naming its field.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Problems::default();
         for (field, value, limit) in [
@@ -302,7 +304,7 @@ impl View {
 }
 
 impl OpenLesson {
-    /// Whether the name is valid for a folder and the step is counted from 1.
+    /// Whether the name is valid for a folder, and the step is at least 1.
     fn is_sound(&self) -> bool {
         let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         let length = self.id.len();

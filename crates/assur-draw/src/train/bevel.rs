@@ -1,4 +1,4 @@
-//! The drawing of a bevel differential from the side, a little from the sun's end and from above.
+//! The drawing of a bevel differential, seen from the side, slightly from the sun's end and from above.
 
 mod shafts;
 mod wheels;
@@ -16,59 +16,61 @@ use super::{TrainPose, TrainView, WorkingMember, members};
 use crate::list::List;
 use crate::projection::Projection;
 
-/// Direction of view: turned towards the sun's end, and from above, radians.
+/// Direction of view, radians: rotation towards the sun's end, and elevation.
 const LOOK: [f64; 2] = [0.4, 0.2];
-/// The width of the wheels relative to their cones.
+/// Face width of the wheels relative to their cone distance.
 const FACE: f64 = 0.32;
-/// Outward displacement of magnets along their axes for a gap, in modules.
+/// Outward displacement of the satellites along their axes, which leaves a gap between magnets, in modules.
 const GAP: f64 = 0.9;
-/// Width of an outer wheel's rim beyond its teeth or plates, in modules.
+/// Width of the rim around the teeth or plates of a central wheel that encloses the satellites, in modules.
 const RIM: f64 = 2.0;
-/// Clearance of the carrier around the wheels, and the lengths of shafts, relative to the size.
+/// Clearance between the carrier and the wheels, relative to the size of the train.
 const CLEAR: f64 = 0.1;
+/// Length of the free ends of shafts, relative to the size of the train.
 const SHAFT: f64 = 0.5;
-/// The radius of a working member on a pin relative to that of its satellite.
+/// Radius of a working member 7, on a satellite's pin, relative to the satellite's radius.
 const SEVENTH: f64 = 0.8;
-/// Distance of the working member on the carrier's shaft from the wheels, and its radius.
+/// Working member 8, on the carrier's shaft: its distance from the carrier's cage, and its radius,
+/// relative to the size of the train.
 const EIGHTH: [f64; 2] = [0.85, 0.7];
-/// Distance of the ground below the main axis.
+/// Distance of the ground below the main axis, relative to the size of the train.
 const FOOT: f64 = 0.55;
-/// The radii of shafts, of the carrier's hollow one and of bushes, relative to the size.
+/// Radii of a shaft, of the carrier's hollow shaft and of a bearing bush, relative to the size of the train.
 const RADII: [f64; 3] = [0.035, 0.06, 0.1];
 
-/// A bevel differential. The main axis is x, from the ring to the sun; the first satellite is above
-/// it, along z, at the carrier's angle 0.
+/// A bevel differential. The x-axis is the main axis and points from the ring to the sun. At the
+/// carrier's angle 0 the first satellite is above the main axis, in the direction of z.
 #[derive(Clone, Debug)]
 pub(super) struct Bevel {
     layout: Layout,
     view: TrainView,
     projection: Projection,
-    /// Positions of the wide ends of sun and ring along the main axis, and their radii.
+    /// For sun and ring: distance of the wide end from the apex, along the wheel's axis, and its radius.
     central: [[f64; 2]; 2],
-    /// Position of a satellite's wide end along its axis, and its radius.
+    /// Distance of a satellite's wide end from the apex, along the satellite's axis, and its radius.
     satellite: [f64; 2],
-    /// The inclination of a satellite's axis: cosine and sine.
+    /// Cosine and sine of the angle between a satellite's axis and the main axis.
     inclination: [f64; 2],
-    /// Outward displacement of the satellites.
+    /// Outward displacement of the satellites along their axes.
     gap: f64,
     /// Length of the pins.
     pin: f64,
-    /// Radius of the carrier's cage, and its position on the ring's side.
+    /// Radius of the carrier's cage, and position of its end on the ring's side along the main axis.
     cage: [f64; 2],
-    /// The ends of the shafts of ring and sun.
+    /// Positions of the outer ends of the shafts of ring and sun along the main axis.
     shafts: [f64; 2],
-    /// The end of the carrier's hollow shaft.
+    /// Position of the outer end of the carrier's hollow shaft along the main axis.
     hollow: f64,
-    /// The outlines of the working members.
+    /// Outlines of the working members 7 and 8; none for a member that is absent.
     members: [Option<Vec<Vec<Point>>>; 2],
     size: f64,
     unit: f64,
 }
 
-/// Directions that rotate about the main axis: radial, and tangential.
+/// Radial and tangential direction at an angle about the main axis.
 fn turning(angle: f64) -> [Vector3; 2] {
     let (sin, cos) = angle.sin_cos();
-    // The reader looks along y.
+    // The reader looks in the direction of y.
     [Vector3::new(0.0, -sin, cos), Vector3::new(0.0, -cos, -sin)]
 }
 
@@ -84,7 +86,7 @@ impl Bevel {
         let radius = |member| 0.5 * layout.diameter(member);
         let [sun, satellite, ring] = [Member::Sun, Member::Satellite, Member::Ring].map(radius);
         let (sine, cosine) = train.inclination().sin_cos();
-        // The middle of the satellite's pitch circle, from the common apex.
+        // Distance of the centre of the satellite's pitch circle from the common apex of the pitch cones.
         let along = layout.axis_distance(view.coupling) / sine;
         let central = [
             [along * cosine + satellite * sine, sun],
@@ -102,7 +104,7 @@ impl Bevel {
             central[1][0],
             central[0][0] + moved,
             central[1][0] + moved,
-            // At the end of the pin, with a working member.
+            // Edges of a working member at the end of the pin.
             pin * cosine + satellite * sine,
             pin * cosine - satellite * sine,
         ];
@@ -139,11 +141,11 @@ impl Bevel {
         }
     }
 
-    /// The rectangle that holds the drawing at all times.
+    /// The rectangle that holds the drawing in every pose: left, bottom, right, top.
     pub(super) fn bounds(&self) -> [f64; 4] {
         let (radius, sine) = (self.satellite[1], self.inclination[1]);
         let rim = RIM * self.layout.module();
-        // Corners of wheels, of a working member on its pin, and of the cage.
+        // Distances of the outermost parts from the main axis: a working member on its pin, the wheels, the cage.
         let outer = [
             self.pin * sine + radius,
             self.central[0][1] + rim,
@@ -152,7 +154,7 @@ impl Bevel {
         ];
         let around = outer.into_iter().fold(0.0, f64::max);
         let ([left, right], foot) = (self.shafts, (FOOT + 0.06) * self.size);
-        // Distances from the main axis, and positions along it.
+        // Positions along the main axis, each with the distance that the drawing reaches from it.
         let places = [
             (self.cage[1], around),
             (right - SHAFT * self.size, around),
@@ -182,7 +184,7 @@ impl Bevel {
         })
     }
 
-    /// Sun or ring; its angles are measured about the main axis from above.
+    /// The cone of sun or ring. Angles about its axis are measured from the upward direction.
     fn central_wheel(&self, member: Member) -> Frustum {
         let sun = member == Member::Sun;
         let sign = if sun { 1.0 } else { -1.0 };
@@ -197,8 +199,8 @@ impl Bevel {
         }
     }
 
-    /// A satellite at an angle about the main axis; its own angles are measured about its axis,
-    /// outward, from the mesh with the sun.
+    /// The cone of the satellite at the angle `at` about the main axis. Angles about the cone's outward
+    /// axis are measured from the mesh with the sun.
     fn satellite(&self, at: f64) -> Frustum {
         let ([cosine, sine], [outward, ahead]) = (self.inclination, turning(at));
         let [along, radius] = self.satellite;
@@ -214,7 +216,7 @@ impl Bevel {
         }
     }
 
-    /// Periods of the field per turn of sun, satellite and ring; for gears their teeth.
+    /// Periods of the magnetic field around sun, satellite and ring; for gears, their numbers of teeth.
     fn periods(&self) -> [f64; 3] {
         [Member::Sun, Member::Satellite, Member::Ring].map(|member| {
             let plates = self.layout.train().teeth(member);
@@ -222,8 +224,8 @@ impl Bevel {
         })
     }
 
-    /// The angles of the first plates at which meshing wheels are half a period of the field apart:
-    /// of sun and ring, and of a satellite by its angle about the main axis.
+    /// The angles of the first plates of sun and ring, and that of a satellite's first plate as a function
+    /// of the satellite's angle about the main axis. Wheels in mesh are then half a period of the field apart.
     fn mounted(&self, pose: &TrainPose) -> ([f64; 2], impl Fn(f64) -> f64) {
         let [sun, _, _, ring] = pose.angles;
         let [p1, p2, p4] = self.periods();

@@ -1,4 +1,4 @@
-//! The working members as seen along their shafts, with radius 1.
+//! Outlines of the working members, seen along their shafts. The constants are for an outer radius of 1.
 
 use std::f64::consts::{PI, TAU};
 
@@ -10,8 +10,8 @@ use super::wheel::polar;
 /// The radius of the hub.
 const HUB: f64 = 0.16;
 
-/// The outlines of a member with a radius about the origin, turned by an angle: either separate or
-/// nested.
+/// The outlines of a member of a given radius about the origin, rotated through an angle. Of two
+/// outlines, either both are separate or one is inside the other.
 pub(super) fn outlines(member: WorkingMember, radius: f64, turned: f64) -> Vec<Vec<Point>> {
     let mut loops = match member {
         WorkingMember::Fan => around(5, &curved(&FAN)),
@@ -29,7 +29,7 @@ pub(super) fn outlines(member: WorkingMember, radius: f64, turned: f64) -> Vec<V
     loops
 }
 
-/// Corners along x.
+/// Corners of an outline that extends along the x-axis.
 type Corners<const N: usize> = [[f64; 2]; N];
 
 /// A broad, forward-leaning blade.
@@ -62,7 +62,7 @@ const SCRAPER: Corners<7> = [
     [0.62, 0.05],
     [0.15, 0.05],
 ];
-/// A knife with one curved edge, its point trailing.
+/// A knife with one curved edge and a trailing point.
 const BLADE: Corners<5> = [
     [0.12, -0.12],
     [0.6, -0.24],
@@ -70,7 +70,7 @@ const BLADE: Corners<5> = [
     [0.6, 0.06],
     [0.12, 0.12],
 ];
-/// Narrow at the hub, widest near the tip.
+/// A propeller blade, narrow at the hub and widest near the tip.
 const PROPELLER: Corners<8> = [
     [0.15, -0.05],
     [0.4, -0.12],
@@ -82,7 +82,7 @@ const PROPELLER: Corners<8> = [
     [0.15, 0.05],
 ];
 
-/// Copies of the same corners around the centre, and a separate hub.
+/// `count` copies of an outline, evenly spaced around the centre, and a hub that does not touch them.
 fn around(count: usize, corners: &[[f64; 2]]) -> Vec<Vec<Point>> {
     let turned = |k: usize| {
         let (sin, cos) = (TAU * k as f64 / count as f64).sin_cos();
@@ -92,7 +92,7 @@ fn around(count: usize, corners: &[[f64; 2]]) -> Vec<Vec<Point>> {
     (0..count).map(turned).chain([circle(0.8 * HUB)]).collect()
 }
 
-/// A closed line with its corners rounded: two steps of Chaikin's corner cutting.
+/// Rounds the corners of a polygon by two steps of Chaikin's corner cutting.
 fn curved(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let cut = |corners: &[[f64; 2]]| -> Vec<[f64; 2]> {
         let next = corners.iter().cycle().skip(1);

@@ -1,4 +1,4 @@
-//! A planar differential along its main axis: the bodies and their poses.
+//! The drawing of a planar differential, seen along its main axis: the bodies and their poses.
 
 mod field;
 
@@ -13,22 +13,22 @@ use super::{Name, TrainPose, TrainView, members, role, velocities};
 use crate::list::{List, Look, Role};
 use crate::parts;
 
-/// The bodies of the drawing; satellites come last.
+/// Indices of the bodies in the drawing; those of the satellites come last.
 const FRAME: usize = 0;
 const SUN: usize = 1;
 const CARRIER: usize = 2;
 const RING: usize = 3;
 const SATELLITES: usize = 4;
 
-/// The least visible pitch, relative to the drawing.
+/// Smallest pitch at which teeth or plates are drawn, relative to the diameter of the train.
 pub(super) const FINE: f64 = 0.005;
-/// The least pitch with room for a letter.
+/// Smallest pitch with room for a letter, relative to the width of the drawing.
 const LETTERS: f64 = 0.035;
-/// The least radius of a wheel with room for more than its number, in units.
+/// Smallest radius of a wheel with room for more than its number, in units of the drawing.
 const ROOM: f64 = 11.0;
-/// Units from the main axis to the edge of the drawing.
+/// Distance from the main axis to the edge of the drawing, in units; it defines the unit.
 const HALF: f64 = 50.0;
-/// The hatched frame around the wheels, in units: its inner edge, and its width.
+/// Distances of the inner and the outer edge of the hatched ground from the wheels, in units.
 const GROUND: [f64; 2] = [1.6, 4.4];
 
 /// A planar differential.
@@ -44,7 +44,7 @@ pub(super) struct Planar {
     mounting: Mounting,
     /// Distance of the satellites from the main axis.
     distance: f64,
-    /// The directions of the satellites relative to the carrier.
+    /// Angles of the satellites about the main axis, relative to the carrier, radians.
     directions: Vec<f64>,
     unit: f64,
     reach: f64,
@@ -115,12 +115,13 @@ impl Planar {
         }
     }
 
-    /// The rectangle that holds the drawing at all times.
+    /// The rectangle that holds the drawing in every pose: left, bottom, right, top.
     pub(super) fn bounds(&self) -> [f64; 4] {
         [-self.reach, -self.reach, self.reach, self.reach]
     }
 
-    /// The pose of each body: x, y and the angle about which its plates are mounted.
+    /// The pose of each body: x and y of its centre, and its angle, which includes the mounting angle of
+    /// its plates or teeth.
     pub(super) fn poses(&self, pose: &TrainPose) -> Vec<[f64; 3]> {
         let [sun, satellite, carrier, ring] = pose.angles;
         let centred = [pose.ground, sun, carrier, ring + self.mounting.ring];
@@ -133,7 +134,7 @@ impl Planar {
         centred.chain(satellites).collect()
     }
 
-    /// Everything that turns rigidly with a body.
+    /// The part of the drawing that moves with the bodies, in the coordinates of each body.
     pub(super) fn rigid(&self) -> List {
         let mut list = List::default();
         self.draw_ground(&mut list);
@@ -146,7 +147,7 @@ impl Planar {
         list
     }
 
-    /// The ground that holds the main bearing, below all wheels.
+    /// Draws the hatched ground below the wheels.
     fn draw_ground(&self, list: &mut List) {
         let [inner, outer] = GROUND.map(|off| (HALF - GROUND[1] + off) * self.unit);
         let at = |k: usize| -0.25 * TAU + 0.03 * (k as f64 - 12.0);
@@ -159,7 +160,7 @@ impl Planar {
         }
     }
 
-    /// The working member on the carrier, behind the wheels.
+    /// Draws working member 8 on the carrier, behind the wheels.
     fn draw_eighth(&self, list: &mut List) {
         let Some(member) = self.view.members[1] else {
             return;
@@ -177,7 +178,7 @@ impl Planar {
         );
     }
 
-    /// The wheels, from back to front: of a stepped satellite the smaller one is in front.
+    /// Draws the wheels from back to front. The smaller wheel of a stepped satellite is in front of the larger.
     fn draw_wheels(&self, list: &mut List) {
         let small = self.step.as_ref();
         let behind = small.filter(|step| step.teeth > self.satellite.teeth);
@@ -224,7 +225,7 @@ impl Planar {
         self.letters(list, &self.ring);
     }
 
-    /// The working members on the satellites' shafts.
+    /// Draws the working members 7 on the satellites' shafts.
     fn draw_sevenths(&self, list: &mut List) {
         let Some(member) = self.view.members[0] else {
             return;
@@ -241,7 +242,7 @@ impl Planar {
         }
     }
 
-    /// A mark that makes a wheel's rotation visible.
+    /// Draws a mark that makes a wheel's rotation visible.
     fn mark(&self, list: &mut List, wheel: &Wheel) {
         let (at, back, size) = (wheel.marked(), wheel.back(), 0.8 * self.unit);
         if wheel.ring {
@@ -254,8 +255,8 @@ impl Planar {
         list.circle(wheel.role, Look::Solid, polar(back - 1.6 * size, at), size);
     }
 
-    /// The letters of the poles at the plate next to the marked one, and at its neighbour if that
-    /// differs.
+    /// Draws the letters of the poles: on the plate after the marked one and, if poles alternate, on the
+    /// plate after that.
     fn letters(&self, list: &mut List, wheel: &Wheel) {
         let Rim::Plates(poles) = wheel.rim else {
             return;
@@ -284,7 +285,7 @@ impl Planar {
         }
     }
 
-    /// Arms from the main axis to the satellites, and the field in their gaps.
+    /// Draws arms from the main axis to the satellites, and arrows of the magnetic field in the gaps.
     fn draw_carrier(&self, list: &mut List) {
         let half = (0.9 * self.unit).min(0.2 * self.satellite.back());
         list.body(CARRIER);
@@ -304,7 +305,7 @@ impl Planar {
         }
     }
 
-    /// The moving part: the forces on the satellites and the velocities of the first.
+    /// Draws what changes during the motion: the forces on the satellites, and the velocities of the first satellite.
     pub(super) fn draw_moving(&self, list: &mut List, pose: &TrainPose) {
         list.body(CARRIER);
         if let Some(torques) = pose.torques {

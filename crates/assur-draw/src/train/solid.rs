@@ -9,54 +9,55 @@ use super::wheel::SHARE;
 use crate::list::{List, Look, Role};
 use crate::projection::Projection;
 
-/// Points of a circle.
+/// Number of segments of a drawn circle.
 const CIRCLE: usize = 40;
 
-/// A frustum about an axis through the origin.
+/// A frustum of a cone about an axis through the origin.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frustum {
     pub(super) axis: Vector3,
-    /// Two directions perpendicular to the axis, between which its angles are measured.
+    /// Directions at the angles 0 and 90° about the axis, perpendicular to it.
     pub(super) across: [Vector3; 2],
-    /// Positions along the axis and radii of its wide and its narrow end.
+    /// For the wide and the narrow end: position along the axis, and radius.
     pub(super) ends: [[f64; 2]; 2],
-    /// Width of the rim beyond the wide end if it encloses other wheels: then the wide end comes
-    /// first along the axis.
+    /// Width of the rim around the wide end. It is drawn only if the wheel encloses others: the wide end
+    /// then comes before the narrow end along the axis.
     pub(super) rim: f64,
 }
 
 impl Frustum {
-    /// A direction perpendicular to the axis.
+    /// The direction at an angle about the axis, perpendicular to it.
     pub(super) fn direction(&self, angle: f64) -> Vector3 {
         let (sin, cos) = angle.sin_cos();
         self.across[0] * cos + self.across[1] * sin
     }
 
-    /// A place on an end's circle.
+    /// The point at an angle on the circle of an end.
     pub(super) fn place(&self, end: usize, angle: f64) -> Point3 {
         let [along, radius] = self.ends[end];
         Point3::from(self.axis * along + self.direction(angle) * radius)
     }
 
-    /// The middle between its ends.
+    /// The point on the axis midway between the ends.
     pub(super) fn middle(&self) -> Point3 {
         let [[first, _], [second, _]] = self.ends;
         Point3::from(self.axis * (0.5 * (first + second)))
     }
 
-    /// Whether it is a cup that encloses other wheels.
+    /// Whether the frustum is a cup that encloses other wheels.
     fn is_around(&self) -> bool {
         self.ends[0][0] < self.ends[1][0]
     }
 
-    /// The part of its surface normal towards the reader at an angle: hidden if not positive.
+    /// Component, towards the reader, of the surface normal at an angle. If it is not positive, the
+    /// surface is hidden there.
     fn turned(&self, projection: &Projection, angle: f64) -> f64 {
         let [[far, wide], [near, narrow]] = self.ends;
         let normal = self.direction(angle) * (far - near) - self.axis * (wide - narrow);
         projection.nearness(Point3::from(normal))
     }
 
-    /// The end that faces the reader.
+    /// Index of the end that faces the reader.
     pub(super) fn seen_end(&self, projection: &Projection) -> usize {
         usize::from(projection.nearness(Point3::from(self.axis)) < 0.0)
     }
@@ -75,11 +76,11 @@ impl Frustum {
         self.arc(projection, end, 0.0, TAU)
     }
 
-    /// The outline: the visible end where the surface is hidden, and the other end where it is
-    /// visible.
+    /// The outline. It follows the circle of the visible end where the conical surface is hidden, and
+    /// the circle of the other end where the surface is visible.
     fn outline(&self, projection: &Projection) -> Vec<Point> {
         let seen = self.seen_end(projection);
-        // The normal's part towards the reader varies as a cosine about its maximum.
+        // The normal's component towards the reader is a constant plus a cosine of the angle.
         let [ahead, aside] = [0.0, 0.25 * TAU].map(|angle| self.turned(projection, angle));
         let behind = self.turned(projection, 0.5 * TAU);
         let mean = 0.5 * (ahead + behind);
@@ -97,7 +98,8 @@ impl Frustum {
         [front, back].concat()
     }
 
-    /// Draws its outline and the visible end; it hides what is behind.
+    /// Draws the outline, which hides everything behind it, and the visible end. Of a cup, it draws the
+    /// rim and both ends, which hide nothing.
     pub(super) fn draw(&self, list: &mut List, projection: &Projection, role: Role) {
         if self.is_around() {
             let [along, radius] = self.ends[0];
@@ -114,8 +116,8 @@ impl Frustum {
         list.polygons(role, Look::Pale, &[self.circle(projection, seen)]);
     }
 
-    /// The visible ones of `count` teeth or plates, the first at an angle, separately for even and
-    /// odd indices.
+    /// The visible ones of `count` teeth or plates, in two lists: those with even and those with odd
+    /// indices. The one with index 0 is at the angle `zero`.
     pub(super) fn plates(
         &self,
         projection: &Projection,
@@ -133,15 +135,15 @@ impl Frustum {
         loops
     }
 
-    /// The corners of a plate centred on an angle.
+    /// The corners of a plate of angular width 2·`half`, centred on the angle `at`.
     fn plate(&self, projection: &Projection, at: f64, half: f64) -> Vec<Point> {
         let corners = [(0, -half), (0, half), (1, half), (1, -half)];
         let corners = corners.map(|(end, off)| projection.place(self.place(end, at + off)));
         corners.to_vec()
     }
 
-    /// Draws a mark at an angle: a radius on the visible end, and a line along the surface if
-    /// visible.
+    /// Draws a mark at an angle: a radius on the visible end, and a line along the conical surface
+    /// where that is visible.
     pub(super) fn mark(&self, list: &mut List, projection: &Projection, role: Role, angle: f64) {
         let end = self.seen_end(projection);
         let rim = projection.place(self.place(end, angle));

@@ -1,5 +1,5 @@
-//! The velocity triangle of a satellite: velocities along a line through the main axis end on a
-//! straight line, which crosses the first one at the instantaneous centre.
+//! The velocity triangle of a satellite, on the line from the main axis through the satellite. The tips
+//! of the velocities are on a straight line, which meets this line at the instantaneous centre.
 
 use assur::Point;
 use assur::gears::train::Velocities;
@@ -9,14 +9,14 @@ use super::Name;
 use super::arrows::arrow;
 use crate::list::{List, Look, Role};
 
-/// The length of the longest arrow, in units.
+/// Greatest length of an arrow, in units of the drawing.
 const LONGEST: f64 = 20.0;
 
-/// Draws the triangle on the line from the main axis through the satellite, the x-axis. Points
-/// farther than `reach` are left out. The longest arrow has a fixed length: lengths show only
-/// ratios of velocities.
+/// Draws the triangle on the x-axis, which is the line from the main axis through the satellite. Points
+/// farther than `reach` from the main axis are left out. Arrows are scaled to the available room: their
+/// lengths show only ratios of velocities.
 pub(super) fn draw(list: &mut List, velocities: &Velocities, reach: f64, unit: f64) {
-    // Allows for the width of arrowheads.
+    // A margin for the width of arrowheads.
     let reach = reach - 2.0 * unit;
     let within = |radius: &f64| radius.abs() < reach;
     let places = [velocities.sun, velocities.centre, velocities.ring];

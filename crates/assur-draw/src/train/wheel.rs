@@ -9,38 +9,38 @@ use crate::gear::Teeth;
 use crate::list::{List, Look, Role};
 use crate::parts;
 
-/// The colours of north and south poles that face outward.
+/// The colours of north and south poles.
 pub(super) const POLES: [Role; 2] = [Role::Accent5, Role::X];
 
-/// Width of a ring's rim beyond its teeth or plates, in modules, and its minimum relative to the radius.
+/// Width of a ring's rim behind its teeth or plates, in modules; its minimum, relative to the radius.
 const RIM: (f64, f64) = (2.75, 0.045);
-/// The height of a plate in modules, and its maximum relative to the wheel's radius.
+/// Height of a plate, in modules; its maximum, relative to the wheel's radius.
 const PLATE: (f64, f64) = (1.1, 0.4);
 /// The share of the pitch that a plate takes up.
 pub(super) const SHARE: f64 = 0.66;
-/// Angle between two points of an arc, radians.
+/// Greatest angle between neighbouring points of a drawn arc, radians.
 const STEP: f64 = 0.09;
-/// Points of a full circle.
+/// Number of points on a drawn circle.
 const CIRCLE: usize = 180;
 
 /// Rim of a wheel, which couples it to others.
 #[derive(Clone, Debug)]
 pub(super) enum Rim {
-    /// Teeth, in mesh with these (teeth, ring).
+    /// Teeth, with the wheels in mesh: the number of teeth of each, and whether it is a ring.
     Teeth(Vec<(u32, bool)>),
     /// Magnet plates.
     Plates(Poles),
-    /// Either, too fine to be visible.
+    /// Teeth or plates too fine to be visible.
     Fine,
 }
 
-/// A wheel at the origin, a tooth or plate centred on the direction of x.
+/// A wheel about the origin. Its first tooth or plate is centred on the x-axis.
 #[derive(Clone, Debug)]
 pub(super) struct Wheel {
     pub(super) role: Role,
     pub(super) teeth: u32,
     pub(super) module: f64,
-    /// Whether its teeth or plates are inside.
+    /// Whether the teeth or plates are on the inside.
     pub(super) ring: bool,
     pub(super) rim: Rim,
 }
@@ -72,13 +72,13 @@ impl Wheel {
         }
     }
 
-    /// The direction of the marked plate or tooth: the one nearest to a right angle.
+    /// The angle of the marked plate or tooth, which is the one nearest to 90°.
     pub(super) fn marked(&self) -> f64 {
         let pitch = TAU / f64::from(self.teeth);
         (0.25 * TAU / pitch).round() * pitch
     }
 
-    /// Draws it about the centre of a body.
+    /// Draws the wheel about the origin of the current body.
     pub(super) fn draw(&self, list: &mut List) {
         match &self.rim {
             Rim::Teeth(mates) => {
@@ -97,14 +97,14 @@ impl Wheel {
         }
     }
 
-    /// Draws its disc up to a line around it; for a ring from there to its rim.
+    /// Draws the disc inside an outline; for a ring, the area from the outline out to the edge of the rim.
     fn draw_disc(&self, list: &mut List, line: Vec<Point>) {
         let rim = self.ring.then(|| parts::round(self.reach(), CIRCLE));
         let loops: Vec<_> = [Some(line), rim].into_iter().flatten().collect();
         list.polygons(self.role, Look::Pale, &loops);
     }
 
-    /// Draws plates, magnetised from face to back. The first shows its north pole.
+    /// Draws plates, magnetised from face to back. The face of the first plate is its north pole.
     fn draw_plates(&self, list: &mut List, poles: Poles) {
         let (face, back) = (self.radius(), self.back());
         let middle = 0.5 * (face + back);
@@ -123,7 +123,7 @@ impl Wheel {
         }
     }
 
-    /// A piece of a plate between two radii.
+    /// The piece between two radii of the plate at the angle `at`.
     fn sector(&self, at: f64, radii: [f64; 2]) -> Vec<Point> {
         let half = 0.5 * SHARE * TAU / f64::from(self.teeth);
         let steps = (2.0 * half / STEP).ceil();
@@ -137,7 +137,7 @@ impl Wheel {
     }
 }
 
-/// The place at a distance from the origin in a direction.
+/// The point with these polar coordinates.
 pub(super) fn polar(radius: f64, angle: f64) -> Point {
     let (sin, cos) = angle.sin_cos();
     Point::new(radius * cos, radius * sin)

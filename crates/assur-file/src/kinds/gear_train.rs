@@ -1,4 +1,4 @@
-//! Saved form of a differential train driven by time: wheels with magnets or teeth, two drives, loads.
+//! Saved form of a differential train, whose input is time: wheels with magnets or teeth, two drives, loads.
 
 mod shafts;
 
@@ -21,10 +21,10 @@ use super::numbers::{self, NumberField};
 use crate::problem::Problems;
 use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 
-/// The longest text, in characters.
+/// Maximum number of characters of a title or source.
 const LONGEST_TEXT: usize = 400;
 
-/// Shortest and longest plotted time span, seconds.
+/// Shortest and longest time span that may be plotted, seconds.
 const SPANS: [f64; 2] = [0.5, 60.0];
 
 /// Longest run under load, seconds.
@@ -38,26 +38,26 @@ const MOST_KNOTS: usize = 100;
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct GearTrainDocument {
-    /// Its title.
+    /// Title of the train.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
-    /// Its source.
+    /// Source of the train.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
-    /// The mechanism of the catalogue that it was made from.
+    /// Name of the catalogue mechanism from which the train was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub origin: Option<String>,
     /// Arrangement of the wheels.
     #[serde(default)]
     pub form: FormDocument,
-    /// Plates or teeth of the sun.
+    /// Number of plates or teeth of the sun.
     pub z1: f64,
-    /// Plates or teeth of a satellite; if stepped, of its wheel in mesh with the sun.
+    /// Number of plates or teeth of a satellite; if it is stepped, of its wheel in mesh with the sun.
     pub z2: f64,
-    /// Plates or teeth of a stepped satellite's wheel in mesh with the ring.
+    /// Number of plates or teeth of a stepped satellite's wheel in mesh with the ring.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub z2_step: Option<f64>,
-    /// Plates or teeth of the ring.
+    /// Number of plates or teeth of the ring.
     pub z4: f64,
     /// Number of satellites.
     #[serde(default = "three")]
@@ -79,13 +79,13 @@ pub struct GearTrainDocument {
     /// The observer in whose frame of reference the train is shown.
     #[serde(default)]
     pub observer: ObserverDocument,
-    /// Whether it runs under load; otherwise nothing slips.
+    /// Whether the train runs under load; otherwise the wheels do not slip.
     #[serde(default)]
     pub loaded: bool,
     /// Plotted time span, and duration of a run under load.
     #[serde(default = "span")]
     pub span_s: f64,
-    /// Knots of a load on the shaft that is not driven: times (s) and torques (N·m) against its rotation without slip.
+    /// Load on the shaft that is not driven. Each knot is a time, s, and a torque against rotation without slip, N·m.
     #[serde(default)]
     pub load: Vec<[f64; 2]>,
     /// The magnets of the two meshes.
@@ -155,23 +155,23 @@ pub enum ObserverDocument {
     Ring,
 }
 
-/// Drive of a shaft: a speed, or a tie to another shaft.
+/// Drive of a shaft: a given speed, or a multiple of the speed of another shaft.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct DriveDocument {
     /// The driven shaft.
     pub shaft: ShaftDocument,
-    /// Its speed, revolutions per minute; 0: it is held. For a tied shaft, its speed without the tie.
+    /// Speed of the driven shaft, revolutions per minute; 0 if the shaft is held. Not used if `to` is given.
     #[serde(default)]
     pub rpm: f64,
-    /// Time of a uniform rise of the speed from rest, seconds; 0: full speed at once.
+    /// Duration of a uniform acceleration from rest to the speed `rpm`, seconds; 0 for an instantaneous start.
     #[serde(default)]
     pub start_s: f64,
-    /// The shaft to which it is tied.
+    /// The other shaft, if the speed of the driven shaft is a multiple of another's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub to: Option<ShaftDocument>,
-    /// Ratio of its speed to that of the shaft to which it is tied.
+    /// Ratio of the driven shaft's speed to that of the shaft `to`.
     #[serde(default = "one")]
     pub factor: f64,
 }
@@ -194,7 +194,7 @@ pub struct GearTrain {
 }
 
 impl GearTrainDocument {
-    /// The train that is described, in its motion.
+    /// The train that the document describes, with its motion.
     ///
     /// # Errors
     /// Every problem of the document.
@@ -290,7 +290,7 @@ impl GearTrainDocument {
         let longest = if self.loaded { LONGEST_RUN } else { SPANS[1] };
         problems.range("span_s", self.span_s, [SPANS[0], longest]);
         for (k, drive) in self.drives.iter().enumerate() {
-            // A field that is not in use must be within limits, too; the engine checks the one in use.
+            // Fields that are not in use must be within limits, too. The engine checks the fields in use.
             let most = [-Turning::FASTEST, Turning::FASTEST];
             match drive.to {
                 Some(_) => {
@@ -310,10 +310,10 @@ impl GearTrainDocument {
 }
 
 impl GearTrain {
-    /// A run under load from a start without slip.
+    /// A run under load that starts without slip.
     ///
     /// # Errors
-    /// Problems of the start.
+    /// Problems of the initial state.
     pub fn run(&self, differential: &dynamics::Differential) -> Result<Run, Vec<Problem>> {
         let [sun, _, _, ring] = self.turning.at(0.0).speeds;
         let start = Start::synchronous(differential, sun, ring);

@@ -16,25 +16,25 @@ use super::{Document, Kind};
 use crate::{Field, LengthUnit, Problem, catalogue};
 pub use problem::{LinkageProblem, dimension_field, in_field, of_field, rate_field};
 
-/// A linkage: its parts refer to each other by name, lengths are in one unit. Unknown keys are
-/// refused: a misspelt one would drop a part.
+/// A linkage. Its parts refer to each other by name, and all lengths are in one unit. Unknown keys are
+/// refused, since a misspelt key would drop a part.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct LinkageDocument {
-    /// Its title.
+    /// Title of the linkage.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
-    /// Source of its dimensions.
+    /// Source of the dimensions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
-    /// The mechanism of the catalogue that it was made from, by name.
+    /// Name of the catalogue mechanism from which the linkage was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub origin: Option<String>,
-    /// Unit of its lengths; without it only their proportions count.
+    /// Unit of lengths; if absent, only proportions count.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<LengthUnit>,
-    /// Every point with its place in the drawing.
+    /// All points, with their positions in the drawing.
     pub points: Vec<PointDocument>,
     /// The points of the frame.
     pub frame: Vec<String>,
@@ -50,7 +50,7 @@ pub struct LinkageDocument {
     pub gears: Vec<GearDocument>,
     /// Driven pairs.
     pub drivers: Vec<DriverDocument>,
-    /// Points that links carry besides their joints.
+    /// Traced points: points of links that are not joints.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub tracers: Vec<TracerDocument>,
@@ -62,20 +62,20 @@ pub struct LinkageDocument {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub traces: Vec<String>,
-    /// Dimensions kept while points are moved by hand: the distance of two points, the angle at the
-    /// second of three. They do not affect the motion of the linkage.
+    /// Dimensions kept while points are moved by hand, each by its points: two for their distance, three
+    /// for the angle at the second. They do not affect the motion of the linkage.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub locks: Vec<Vec<String>>,
-    /// Height of the ground on which it stands, if the ground is drawn.
+    /// Height of the ground on which the linkage stands, if the ground is drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ground: Option<f64>,
     /// Full width of the dwell band of the first plotted quantity: degrees for an angle, otherwise
     /// in the unit of the lengths.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub band: Option<f64>,
-    /// Number of the assembly that moves, from 1; without it the drawn one. Only links and older
-    /// files contain it: an assembly is saved as its drawing.
+    /// Number of the assembly that moves, from 1; if absent, the drawn one. Only old URLs and files
+    /// contain this field: an assembly is now saved as its drawing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub assembly: Option<usize>,
 }
@@ -91,16 +91,16 @@ pub struct PointDocument {
     pub at: [f64; 2],
 }
 
-/// A point that a link carries and that joins nothing.
+/// A traced point: a point of a link that joins nothing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct TracerDocument {
-    /// Its name, different from that of any point.
+    /// Its name, different from those of all points.
     pub name: String,
-    /// The link that carries it.
+    /// The link to which it is fixed.
     pub link: String,
-    /// Its place on the link: x from the link's first point towards its second, y
+    /// Its coordinates on the link: x from the link's first point towards the second, y
     /// to the left.
     pub at: [f64; 2],
 }
@@ -112,15 +112,15 @@ pub struct TracerDocument {
 pub struct LinkDocument {
     /// Its name.
     pub name: String,
-    /// Its points; its angle runs from the first to the second.
+    /// Its points. The link's angle is the direction from the first to the second.
     pub points: Vec<String>,
-    /// The distance of its two points, if not as drawn.
+    /// The distance between its two points, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<f64>,
-    /// The places of its points on the link, if not as drawn.
+    /// The coordinates of its points on the link, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shape: Option<Vec<[f64; 2]>>,
-    /// The link that it turns as one with.
+    /// The link to which it is rigidly fixed, or `frame`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fixed_to: Option<String>,
     /// Its centre of mass, one of its points.
@@ -138,11 +138,11 @@ pub struct LinkDocument {
 pub struct SlideDocument {
     /// The link that slides.
     pub link: String,
-    /// Its point that stays at its drawn distance from the line.
+    /// The point of this link that keeps its drawn distance from the line.
     pub point: String,
-    /// The link with the line, or `frame`.
+    /// The link that carries the line, or `frame`.
     pub on: String,
-    /// Two points of that link, on the line.
+    /// Two points of that link through which the line passes.
     pub line: [String; 2],
 }
 
@@ -151,11 +151,11 @@ pub struct SlideDocument {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct GearDocument {
-    /// The two links.
+    /// The two wheels.
     pub links: [String; 2],
-    /// The link both are hinged on, or `frame`.
+    /// The link to which both wheels are hinged, or `frame`.
     pub carrier: String,
-    /// Their numbers of teeth.
+    /// The numbers of teeth of the wheels.
     pub teeth: [f64; 2],
     /// Type of mesh.
     pub mesh: MeshDocument,
@@ -166,33 +166,33 @@ pub struct GearDocument {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum MeshDocument {
-    /// External teeth on both.
+    /// External teeth on both wheels.
     External,
     /// Internal teeth on the larger wheel.
     Internal,
-    /// The sense of rotation is kept although both have external teeth, as with an idler.
+    /// Both wheels rotate in the same sense although both have external teeth, as with an idler.
     AsPrinted,
 }
 
-/// A driven pair: a crank with its base, or a slide with its range. (One type for both, so that an
-/// error's path ends at the field at fault.)
+/// A driven pair: a crank with its base, or a slide with its range. (Both have the same type. The path
+/// of an error thus ends at the field at fault.)
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct DriverDocument {
-    /// The driven link.
+    /// The driven link, if it is a crank.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub crank: Option<String>,
-    /// The link relative to which it turns; without it the frame.
+    /// The link relative to which the crank rotates; if absent, the frame.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub base: Option<String>,
-    /// Index of the driven slide, from 0.
+    /// Index of the driven slide in the list of slides, from 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slide: Option<usize>,
-    /// Its least and greatest coordinate along the line.
+    /// Least and greatest coordinate of the driven slide along its line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub range: Option<[f64; 2]>,
-    /// Rate of a further driver's coordinate relative to that of the first; 1 by default.
+    /// Rate of this driver's coordinate relative to that of the first driver; 1 by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rate: Option<f64>,
 }

@@ -10,26 +10,26 @@ use super::Kind;
 use super::numbers::{self, NumberField};
 use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 
-/// The mixer: lengths, numbers of teeth, arrangement of the wheels, traced points. Numbers are not
-/// checked here, but by [`MixerDocument::mixer`].
+/// The mixer: lengths, numbers of teeth, arrangement of the wheels, traced points. Numbers are
+/// checked only by [`MixerDocument::mixer`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(try_from = "AnyDocument")]
 pub struct MixerDocument {
-    /// Unit of its lengths; without it metres.
+    /// Unit of lengths; if absent, metres.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<LengthUnit>,
-    /// Crank AB.
+    /// Length of the crank AB.
     pub l1: f64,
-    /// Coupler BC.
+    /// Length of the coupler BC.
     pub l2: f64,
-    /// Rocker DC.
+    /// Length of the rocker DC.
     pub l3: f64,
-    /// Frame AD.
+    /// Length of the frame AD.
     pub l4: f64,
-    /// Teeth of the wheel on the rocker's shaft.
+    /// Number of teeth of wheel 4, on the rocker's shaft.
     pub z4: f64,
-    /// The peripheral wheels it drives: wheel 5, 6, …
+    /// The peripheral wheels that wheel 4 drives: wheels 5, 6, …
     pub wheels: Vec<WheelDocument>,
     /// Type of mesh: `external`, `internal` or `as_printed`.
     #[cfg_attr(test, ts(as = "crate::MeshDocument"))]
@@ -39,7 +39,7 @@ pub struct MixerDocument {
     /// Number of the assembly, 1 or 2.
     #[cfg_attr(test, ts(type = "1 | 2"))]
     pub assembly: f64,
-    /// The points traced: P₁, P₂, …
+    /// Traced points: P₁, P₂, …
     pub tracers: Vec<MixerTracerDocument>,
 }
 
@@ -47,9 +47,9 @@ pub struct MixerDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct WheelDocument {
-    /// Its teeth.
+    /// Its number of teeth.
     pub z: f64,
-    /// Direction from the shaft of wheel 4 to its own, degrees.
+    /// Direction from the shaft of wheel 4 to that of this wheel, degrees.
     pub centre_line_deg: f64,
 }
 
@@ -57,15 +57,15 @@ pub struct WheelDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct MixerTracerDocument {
-    /// The link that carries it: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
+    /// The link to which it is fixed: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
     pub link: String,
-    /// Coordinate along the link from its first joint.
+    /// Coordinate along the link, from the link's first joint.
     pub x: f64,
-    /// Coordinate perpendicular to it, to the left.
+    /// Coordinate perpendicular to the link, to the left.
     pub y: f64,
 }
 
-/// A document of any version: the oldest ones have one wheel and no points.
+/// A document of any version. The oldest ones have a single peripheral wheel and no traced points.
 #[derive(Deserialize)]
 struct AnyDocument {
     unit: Option<LengthUnit>,
@@ -133,14 +133,14 @@ fn name_of<T: PartialEq>(names: &[(T, &'static str)], value: &T) -> &'static str
     found.map_or("", |(_, name)| name)
 }
 
-/// The value of a saved name.
+/// The value of a saved name in a table of names.
 fn value_of<T: Copy>(names: &[(T, &str)], name: &str) -> Option<T> {
     let found = names.iter().find(|(_, one)| *one == name);
     found.map(|(value, _)| *value)
 }
 
 impl MixerTracerDocument {
-    /// The carrier with this saved name of a link.
+    /// The link that carries a traced point, by its saved name.
     pub fn carrier(link: &str) -> Option<Carrier> {
         value_of(&CARRIERS, link)
     }
@@ -187,10 +187,10 @@ impl Kind for MixerDocument {
 }
 
 impl LinkageDocument {
-    /// The linkage of a mixer, with plots of the rocker and the peripheral wheels.
+    /// The linkage of a mixer, with plots of the angles of the rocker and the peripheral wheels.
     ///
     /// # Errors
-    /// Why it cannot be drawn.
+    /// The reason why the mixer cannot be drawn.
     pub fn of_mixer(mixer: &Mixer) -> Result<Self, Problem> {
         let mut document = Self::new(&mixer.spec()?);
         let driven = document.links.iter().map(|link| &link.name);
@@ -232,10 +232,10 @@ impl MixerDocument {
         }
     }
 
-    /// The mixer that is described.
+    /// The mixer that the document describes.
     ///
     /// # Errors
-    /// Every problem at once, each naming its field.
+    /// All problems, each naming its field.
     pub fn mixer(&self) -> Result<Mixer, Vec<Problem>> {
         let mut problems = Vec::new();
         let mut unknown = |field: crate::Field| problems.push(Problem::UnknownChoice { field });

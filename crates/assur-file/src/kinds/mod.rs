@@ -1,5 +1,5 @@
-//! The kinds of document, a module for each. A kind is added by its module and its line in
-//! the registry below.
+//! The kinds of document, with a module for each. A new kind needs a module, and a line in the
+//! list of kinds below.
 
 pub(crate) mod draft;
 pub(crate) mod gear_train;
@@ -28,18 +28,18 @@ use synthesis::SynthesisDocument;
 
 /// Properties of a document of any kind.
 pub trait Kind {
-    /// The mechanism of the catalogue that it came from, by name.
+    /// Name of the catalogue mechanism from which the document was made.
     fn origin(&self) -> Option<&str> {
         None
     }
 
-    /// The linkage that it describes.
+    /// The linkage that the document describes.
     ///
     /// # Errors
-    /// Every problem that prevents this.
+    /// The reasons why there is no linkage.
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>>;
 
-    /// Unit of its lengths.
+    /// Unit of lengths.
     fn unit(&self) -> LengthUnit {
         LengthUnit::None
     }
@@ -49,18 +49,18 @@ pub trait Kind {
         false
     }
 
-    /// Its numbers that a lesson may vary.
+    /// The numbers of the document that a lesson may vary.
     ///
     /// # Errors
-    /// Every problem that prevents this.
+    /// The reasons why the numbers are not known.
     fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {
         Ok(Vec::new())
     }
 
-    /// The motion of what it describes; a mixer's over every arc of its crank.
+    /// The motion of the document's linkage; for a mixer, over every arc of the crank on which its loop closes.
     ///
     /// # Errors
-    /// Every problem that prevents its motion.
+    /// The problems that prevent the motion.
     fn motion(&self) -> Result<Motion, Vec<Problem>> {
         self.linkage()?.motion()
     }
@@ -73,15 +73,15 @@ pub struct Moved {
     pub document: LinkageDocument,
     /// Its motion.
     pub motion: Motion,
-    /// Plotted quantities, of one kind.
+    /// Plotted quantities, either all angles or all coordinates.
     pub plotted: Vec<Quantity>,
 }
 
 impl Moved {
-    /// A linkage in its motion, with the quantities that a choice of the page names.
+    /// A linkage in motion, with the quantities plotted for a choice on the page.
     ///
     /// # Errors
-    /// Problems that prevent its motion; a choice that names nothing.
+    /// Problems that prevent the motion; an unknown choice.
     pub fn new(document: LinkageDocument, plot: &str) -> Result<Self, Vec<Problem>> {
         let motion = document.motion()?;
         Self::over(document, motion, plot)
@@ -100,7 +100,7 @@ impl Moved {
     }
 }
 
-/// Defines the document of a state by the list of kinds.
+/// Defines [`Document`] from the list of kinds.
 macro_rules! kinds {
     ($($(#[$about:meta])+ $name:literal => $kind:ident($document:ty),)+) => {
         /// The document of a state; serialised as `kind` and `document`.
@@ -128,7 +128,7 @@ macro_rules! kinds {
             }
         }
 
-        /// A document is asked what its kind can be asked.
+        /// Gives a document the methods of its kind.
         impl Deref for Document {
             type Target = dyn Kind;
 
@@ -144,11 +144,11 @@ macro_rules! kinds {
 kinds! {
     /// A linkage that does not move yet.
     "draft" => Draft(DraftDocument),
-    /// A differential driven by time.
+    /// A differential, whose input is time.
     "gear-train" => GearTrain(GearTrainDocument),
     /// Any linkage.
     "linkage" => Linkage(LinkageDocument),
-    /// Crank-rocker and gears.
+    /// A mixer: a crank-rocker with gears.
     "mixer" => Mixer(MixerDocument),
     /// Links and pairs without motion.
     "scheme" => Scheme(SchemeDocument),
@@ -157,10 +157,10 @@ kinds! {
 }
 
 impl Document {
-    /// Its motion, with the quantities that a choice of the page names.
+    /// The motion of the document, with the quantities plotted for a choice on the page.
     ///
     /// # Errors
-    /// Every problem that prevents its motion; a choice that names nothing.
+    /// The problems that prevent the motion; an unknown choice.
     pub fn moved(&self, plot: &str) -> Result<Moved, Vec<Problem>> {
         Moved::over(self.linkage()?, self.motion()?, plot)
     }

@@ -1,4 +1,4 @@
-//! The numbers of a document that a lesson may vary, which are shown beside the drawing, by the paths of their fields.
+//! The numbers of a document that a lesson may vary, with the paths of their fields. They are shown beside the drawing.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -16,15 +16,15 @@ pub struct NumberField {
     pub value: f64,
     /// Whether it is a whole number, such as a number of teeth.
     pub whole: bool,
-    /// Whether the engine sets it from the current pose and changes other fields, too; otherwise
-    /// only this field is written.
+    /// Whether the engine sets the number, starting from the current pose, and changes other fields, too;
+    /// otherwise only this field is written.
     pub followed: bool,
 }
 
-/// Path of a field, with `[]` for any index in a list, and the sort of its number.
+/// Path of a field, with `[]` for any index in a list, and the type of the field's number.
 pub(super) type Pattern = (&'static str, Sort);
 
-/// Sort of a number that is set without the engine.
+/// Type of a number that is set without the engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sort {
     Measure,
@@ -80,7 +80,7 @@ pub(super) const SYNTHESIS: [Pattern; 6] = [
     ("positions[].weight", Sort::Measure),
 ];
 
-/// The numbers in these fields of a document, in their order.
+/// The numbers in those fields of a document that match the patterns, in the order of the patterns.
 pub(super) fn written(document: &impl Serialize, patterns: &[Pattern]) -> Vec<NumberField> {
     let Ok(document) = serde_json::to_value(document) else {
         return Vec::new();
@@ -98,7 +98,7 @@ pub(super) fn written(document: &impl Serialize, patterns: &[Pattern]) -> Vec<Nu
     found.collect()
 }
 
-/// Collects the numbers of a part of a document at the rest of a pattern, with their paths.
+/// Collects the numbers in a part of a document that match the rest of a pattern, with their paths.
 fn collect(part: &Value, path: String, rest: &str, found: &mut Vec<(String, f64)>) {
     if rest.is_empty() {
         found.extend(part.as_f64().map(|value| (path, value)));

@@ -1,4 +1,4 @@
-//! Saved form of links and pairs without motion, whose mobility is computed.
+//! Saved form of a scheme: links and pairs that do not move, but whose mobility is computed.
 
 use assur::mechanism::Defect;
 use assur::mobility::{Cut, PairKind, PairSpec, Point3, Scheme, SchemeSpec, Vector3};
@@ -11,42 +11,43 @@ use crate::{LinkageDocument, LinkageProblem, Problem};
 /// Maximum number of pairs: more could not be distinguished in a drawing.
 const MOST_PAIRS: usize = 300;
 
-/// The longest name of a pair or a link, and the longest text, in characters.
+/// Maximum number of characters of the name of a pair or link.
 const LONGEST_NAME: usize = 20;
+/// Maximum number of characters of a title or source.
 const LONGEST_TEXT: usize = 400;
 
-/// A scheme of links and pairs, and which of the pairs are cut.
+/// A scheme of links and pairs, and the list of cut pairs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct SchemeDocument {
-    /// Its title.
+    /// Title of the scheme.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
-    /// Its source.
+    /// Source of the scheme.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
-    /// The mechanism of the catalogue that it was made from.
+    /// Name of the catalogue mechanism from which the scheme was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub origin: Option<String>,
     /// Whether all motion is in one plane.
     #[serde(default)]
     pub planar: bool,
-    /// The link that does not move.
+    /// Name of the fixed link.
     pub ground: String,
-    /// The pairs; links are named by them.
+    /// The pairs, which also name the links.
     pub pairs: Vec<PairDocument>,
     /// Points of links beyond their pairs, such as the end of an arm.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(as = "Option<Vec<EndDocument>>", optional))]
     pub ends: Vec<EndDocument>,
-    /// Cut pairs: `D`; of a compound hinge with the link that is taken off it, `Q:3`.
+    /// Names of cut pairs, such as `D`. For a compound hinge, the link detached from it follows: `Q:3`.
     #[serde(default)]
     pub cut: Vec<String>,
-    /// Direction from which a spatial scheme is viewed: to the left of the y-axis, and above the plane x, y.
+    /// Viewing direction of a spatial scheme, degrees: rotation about the z-axis from the y-axis, and elevation.
     #[serde(default = "from_the_front")]
     pub look_deg: [f64; 2],
-    /// Number of the task, if it is one; the answer is then hidden.
+    /// Number of the practice task, if the scheme is one; the answer is then hidden.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub task: Option<u32>,
 }
@@ -62,14 +63,14 @@ fn from_the_front() -> [f64; 2] {
 pub struct PairDocument {
     /// Its name.
     pub name: String,
-    /// Its form.
+    /// Type of the pair.
     pub kind: KindDocument,
     /// The links that it joins.
     pub links: Vec<String>,
-    /// Its place.
+    /// Position of the pair.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<PlaceDocument>,
-    /// The direction of its axis or normal, of any length.
+    /// A vector of any length in the direction of the axis or normal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub axis: Option<[f64; 3]>,
     /// The second axis of a universal pair, or the line along which two surfaces touch.
@@ -78,12 +79,12 @@ pub struct PairDocument {
     /// Advance of a screw per turn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pitch: Option<f64>,
-    /// Number of freedoms of a pair of unspecified form.
+    /// Number of freedoms of a pair of unspecified type.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub freedoms: Option<u8>,
 }
 
-/// The forms of pairs.
+/// Types of pairs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -99,11 +100,11 @@ pub enum KindDocument {
     SphereInCylinder,
     CylinderOnPlane,
     SphereOnPlane,
-    /// A pair of unspecified form, with a number of `freedoms`.
+    /// A pair of unspecified type, with a number of `freedoms`.
     Class,
 }
 
-/// A place, in the plane if the scheme is planar.
+/// A position: two coordinates in a planar scheme, otherwise three.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(untagged, expecting = "neither [x, y] nor [x, y, z]")]
@@ -118,9 +119,9 @@ pub enum PlaceDocument {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct EndDocument {
-    /// The link.
+    /// Name of the link.
     pub link: String,
-    /// Its place.
+    /// Position of the point.
     pub at: PlaceDocument,
 }
 
@@ -150,7 +151,7 @@ impl PlaceDocument {
         }
     }
 
-    /// A place in a planar or spatial scheme.
+    /// The saved form of a position in a planar or spatial scheme.
     pub fn of(point: Point3, planar: bool) -> Self {
         if planar {
             Self::Plane([point.x, point.y])
@@ -207,7 +208,7 @@ impl PairDocument {
 }
 
 impl SchemeDocument {
-    /// The document of a draft, without cuts.
+    /// The document of a specification, without cuts.
     pub fn new(draft: &SchemeSpec) -> Self {
         let pairs = draft.pairs.iter();
         Self {
@@ -226,7 +227,7 @@ impl SchemeDocument {
         }
     }
 
-    /// The scheme.
+    /// The scheme that the document describes.
     ///
     /// # Errors
     /// Every problem of the document.
@@ -256,7 +257,7 @@ impl SchemeDocument {
         cuts.map_err(|error| vec![error.into()])
     }
 
-    /// The names of the links and the places of the ends.
+    /// The ends, each with the name of its link and its position.
     pub fn ends(&self) -> impl Iterator<Item = (&str, Point3)> {
         let ends = self.ends.iter();
         ends.map(|end| (end.link.as_str(), end.at.point()))
@@ -273,7 +274,7 @@ impl SchemeDocument {
         problems.text("source", self.source.as_ref(), LONGEST_TEXT);
         for (index, pair) in self.pairs.iter().enumerate() {
             let mut names = pair.links.iter().chain([&pair.name]);
-            // A colon parts a hinge from the link that is taken off it.
+            // In `cut`, a colon separates the name of a hinge from that of the detached link.
             if !names.all(|name| is_plain(name, LONGEST_NAME) && !name.contains([':', ','])) {
                 let (path, max) = (format!("pairs[{index}]"), LONGEST_NAME);
                 problems.add(LinkageProblem::BadName { path, max });

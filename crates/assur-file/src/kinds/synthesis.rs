@@ -13,37 +13,37 @@ use super::numbers::{self, NumberField};
 use crate::{Field, LengthUnit, LinkageDocument, Problem};
 use function::FunctionDocument;
 
-/// The synthesis of a four-bar, and the choice among its solutions. Angles in degrees from the
-/// x-axis, lengths in one unit.
+/// The synthesis of a four-bar, and the choice among its solutions. Angles are in degrees from the
+/// x-axis, and all lengths are in one unit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct SynthesisDocument {
-    /// Unit of the lengths; without it only their proportions count.
+    /// Unit of lengths; if absent, only proportions count.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<LengthUnit>,
-    /// l₀.
+    /// Length of the frame, l₀.
     pub frame: f64,
-    /// φ₀.
+    /// Direction of the frame, φ₀.
     #[serde(default)]
     pub phi0_deg: f64,
     /// The positions, in their order.
     pub positions: Vec<PositionDocument>,
-    /// Whether φ₂ and φ₃ are counted from starts that may be chosen.
+    /// Whether φ₂ and φ₃ are measured from starting angles that may be chosen.
     #[serde(default)]
     pub free: bool,
-    /// Chosen member of a family: l₂, and l₃ for one whose members all have the same l₂. Beyond the
-    /// ends of the family, the nearest end.
+    /// Lengths l₂, l₃ of the chosen member of a family: the member with this l₂ or, if all have the same
+    /// l₂, with this l₃. Beyond the ends of the family, the nearest end is chosen.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub member: Option<[f64; 2]>,
-    /// Number of the solution, from 1, in ascending ΣJ; without it, the one with the least output
-    /// error among those not at a bound of the search.
+    /// Number of the solution, from 1, in ascending order of the closure error ΣJ. If absent, the solution
+    /// with the least output error among those not at a bound of the search.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solution: Option<usize>,
     /// Lengths l₁, l₂, l₃ that are shown instead of a solution.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub trial: Option<[f64; 3]>,
-    /// The function with which the shown linkage is compared, wherever the positions come from.
+    /// The function with which the shown linkage is compared. The positions need not come from it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub function: Option<FunctionDocument>,
 }
@@ -53,14 +53,14 @@ pub struct SynthesisDocument {
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct PositionDocument {
-    /// φ₂, from the joint with the coupler to the fixed pivot.
+    /// Output angle φ₂: direction from the joint with the coupler to the fixed pivot.
     pub output_deg: f64,
-    /// φ₃, from the fixed pivot to the joint with the coupler.
+    /// Input angle φ₃: direction from the fixed pivot to the joint with the coupler.
     pub input_deg: f64,
-    /// Weight of the position where not all can be met.
+    /// Weight of the position if not all positions can be met.
     #[serde(default = "one")]
     pub weight: f64,
-    /// φ₁ at which the conditions of the paper are evaluated; without it that of the shown linkage.
+    /// Coupler angle φ₁ at which the conditions of the paper are evaluated; if absent, that of the shown linkage.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coupler_deg: Option<f64>,
 }
@@ -77,15 +77,16 @@ fn one() -> f64 {
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum SynthesisProblem {
-    /// Too few positions to determine lengths.
+    /// Too few positions to determine the lengths.
     TooFewPositions { least: usize, count: usize },
     /// Too many positions.
     TooManyPositions { most: usize, count: usize },
-    /// Two positions, by their numbers, are the same.
+    /// Two positions, given by their numbers, are the same.
     EqualPositions { one: usize, other: usize },
     /// Positions that any lengths satisfy.
     AnyLengths,
-    /// No positive lengths satisfy both positions: output/z₂ + input/z₃ = right has none.
+    /// No positive lengths satisfy both positions: output/z₂ + input/z₃ = right has no positive solution. z₂ and z₃ are
+    /// the lengths of output and input relative to the frame.
     NoFamily { output: f64, input: f64, right: f64 },
     /// Positions that require at least one negative length.
     NegativeLengths { l2: f64, l3: f64 },
@@ -97,9 +98,9 @@ pub enum SynthesisProblem {
     EqualValues { field: Field },
     /// A wanted function has no finite value at this x.
     NoValue { field: Field, x: f64 },
-    /// A table has fewer than two rows.
+    /// The table of a wanted function has fewer than two rows.
     TooFewRows { field: Field },
-    /// This row of a table is not a pair of numbers, or its x does not exceed that of the row before.
+    /// A row of a table is not a pair of numbers, or its x does not exceed the x of the row before.
     BadRow { field: Field, row: usize },
 }
 
@@ -110,7 +111,7 @@ impl SynthesisProblem {
     }
 }
 
-/// How far off the ends of what is searched a family is shown, relative to all of it.
+/// Distance from the ends of a family to its outermost members that are shown, relative to the whole family.
 const ENDS: f64 = 1e-3;
 
 /// The synthesis that a document describes.
@@ -127,7 +128,7 @@ pub struct Synthesis {
 }
 
 impl SynthesisDocument {
-    /// The task that is described.
+    /// The task that the document describes.
     ///
     /// # Errors
     /// Every problem of the document.
@@ -208,7 +209,7 @@ impl SynthesisDocument {
         }
     }
 
-    /// The task with its solutions and the one that is shown.
+    /// The task with its solutions, and the solution that is shown.
     ///
     /// # Errors
     /// Every problem that leaves nothing to show.
@@ -261,7 +262,7 @@ impl SynthesisDocument {
         }
         let solutions = options.solutions();
         let number = match self.solution {
-            // Other positions may have fewer solutions: the last one then.
+            // After a change of positions there may be fewer solutions. The last one is then shown.
             Some(number) => number.clamp(1, solutions.len().max(1)) - 1,
             None => options.best(),
         };
@@ -307,7 +308,7 @@ impl Synthesis {
     /// The shown solution as a linkage of the simulator: the rocker's angle is φ₂ + 180°.
     ///
     /// # Errors
-    /// Why it cannot be drawn.
+    /// The reasons why the solution cannot be drawn.
     pub fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
         let draft = self.shown.spec(&self.task).map_err(|error| match error {
             DraftError::Lengths(faults) => faults.into_iter().map(Problem::from).collect(),
@@ -319,7 +320,7 @@ impl Synthesis {
         Ok(document)
     }
 
-    /// The shown solution with the angles of the paper: the rocker's is φ₂.
+    /// The shown solution with the angles of the paper: the rocker's angle is φ₂.
     ///
     /// # Errors
     /// Those of [`Self::linkage`].

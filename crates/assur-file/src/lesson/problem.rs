@@ -1,11 +1,11 @@
-//! Problems of a lesson, as codes; numbers and texts out of bounds have the codes of all fields.
+//! Problems of a lesson, as codes. Numbers and texts out of bounds have the same codes as in other documents.
 
 use serde::Serialize;
 
 use crate::Problem;
 use crate::problem::Problems;
 
-/// The greatest number that a lesson may hold.
+/// The greatest magnitude of a number in a lesson.
 pub(super) const NUMBER: f64 = 1e9;
 
 /// A problem of a lesson; serialised like [`Problem`].
@@ -16,13 +16,13 @@ pub(super) const NUMBER: f64 = 1e9;
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum LessonProblem {
-    /// The problems that follow are of this step, from 1.
+    /// The problems that follow belong to this step, counted from 1.
     LessonStep { step: usize },
-    /// A question without exactly one of a number, a choice and a state to be reached.
+    /// A question that does not have exactly one of a number, a choice and a state to be reached.
     LessonQuestion,
-    /// A number as an answer without exactly one of a quantity and a value.
+    /// A numerical answer that does not have exactly one of a quantity and a value.
     LessonAnswer,
-    /// A number to be varied that the document of the step does not have.
+    /// A number to be varied that does not exist in the document of the step.
     LessonVaries { name: String },
     /// A question about a quantity before anything has been shown.
     LessonShowsNothing,

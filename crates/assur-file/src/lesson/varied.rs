@@ -17,13 +17,13 @@ const VALUES: f64 = 10_000.0;
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct VariedDocument {
-    /// Path of its field, such as `links[0].length`, of a number that a lesson may vary.
+    /// Path of the field of a number that a lesson may vary, such as `links[0].length`.
     pub field: String,
     /// The least value.
     pub from: f64,
     /// The greatest value.
     pub to: f64,
-    /// Difference of successive values.
+    /// Difference between successive values.
     pub step: f64,
 }
 

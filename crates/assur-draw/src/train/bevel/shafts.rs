@@ -1,4 +1,4 @@
-//! Parts of bevel trains about the main axis: shafts, the carrier's cage, bearings.
+//! Parts of a bevel train on the main axis: shafts, the carrier's cage, bearings.
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,7 @@ impl Bevel {
         list
     }
 
-    /// The carrier's arm: from a pin past the wheels and behind the ring to its hollow shaft.
+    /// An arm of the carrier, from a satellite's pin around the wheels to the hollow shaft behind the ring.
     pub(super) fn arm(&self, at: f64, first: bool) -> [Part; 2] {
         let ([cosine, sine], [outward, _]) = (self.inclination, turning(at));
         let [radius, left] = self.cage;
@@ -53,7 +53,7 @@ impl Bevel {
         ]
     }
 
-    /// The carrier's hollow shaft and the working member on it.
+    /// The carrier's hollow shaft, and working member 8 on it.
     pub(super) fn eighth(&self, angle: f64) -> [Part; 2] {
         let [left, at] = [self.cage[1], self.hollow];
         let colour = role(Body::Carrier);
@@ -73,8 +73,8 @@ impl Bevel {
         [shaft, member]
     }
 
-    /// The bearings of sun and ring, each with its foot on the ground, which turns for an observer
-    /// who is not on the ground.
+    /// The bearings of sun and ring, each with a foot on the ground. `ground` is the angle of the ground,
+    /// 0 for an observer who stands on it.
     pub(super) fn bearings(&self, ground: f64) -> [Part; 2] {
         let ends = [(self.shafts[0], 1.0), (self.shafts[1], -1.0)];
         ends.map(|(end, inward)| {

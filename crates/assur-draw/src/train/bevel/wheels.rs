@@ -16,7 +16,7 @@ use crate::train::wheel::POLES;
 use crate::train::{Name, role};
 
 impl Bevel {
-    /// A wheel's teeth or plates and its mark.
+    /// Draws a wheel, its teeth or plates, the first of them at the angle `zero`, and its mark.
     fn draw_wheel(&self, list: &mut List, member: Member, body: Body, wheel: &Frustum, zero: f64) {
         let teeth = self.layout.train().teeth(member);
         wheel.draw(list, &self.projection, role(body));
@@ -35,7 +35,7 @@ impl Bevel {
                 }
             }
         }
-        // Between two plates, where a line is visible.
+        // The mark lies between two plates, where its line is visible.
         let mark = zero + PI / f64::from(teeth);
         wheel.mark(list, &self.projection, role(body), mark);
     }
@@ -62,7 +62,7 @@ impl Bevel {
         [wheel, shaft]
     }
 
-    /// A satellite on its pin with its working member.
+    /// A satellite on its pin, with its working member 7.
     pub(super) fn draw_satellite(&self, at: f64, turned: f64, first: bool) -> Part {
         let wheel = self.satellite(at);
         let axis = wheel.axis;
@@ -109,7 +109,7 @@ impl Bevel {
         })
     }
 
-    /// Outlines in a plane, about a centre.
+    /// Draws outlines in the plane through `centre` that the directions `across` span.
     pub(super) fn disc(
         &self,
         list: &mut List,

@@ -1,4 +1,4 @@
-//! The field in the gaps of magnets, and its forces on the satellites.
+//! The magnetic field in the gaps between wheels, and its forces on the satellites.
 
 use std::f64::consts::TAU;
 
@@ -9,12 +9,13 @@ use super::{Planar, ROOM};
 use crate::train::arrows::arrow;
 use crate::train::wheel::polar;
 
-/// Length of an arrow of the greatest torque, and of the field, in units.
+/// Length of the arrow of a force at the greatest torque, in units of the drawing.
 const FORCE: f64 = 15.0;
+/// Length of an arrow of the field, in units of the drawing.
 const FIELD: f64 = 3.6;
 
 impl Planar {
-    /// The gaps of a satellite on the line from the main axis, at sun and ring: inner and outer radius.
+    /// The gaps of a satellite, at the sun and at the ring, each by the distances of its two faces from the main axis.
     fn gaps(&self) -> [[f64; 2]; 2] {
         let step = self.step.as_ref().unwrap_or(&self.satellite);
         [
@@ -23,9 +24,9 @@ impl Planar {
         ]
     }
 
-    /// Arrows at both sides of each gap: pointing apart between like poles, otherwise towards each other.
+    /// Arrows on both sides of each gap. They point away from the gap between like poles, otherwise into it.
     pub(super) fn field(&self) -> Vec<Vec<Point>> {
-        // Smaller for small satellites.
+        // Small satellites have smaller arrows.
         let unit = self.unit.min(2.0 * self.satellite.radius() / ROOM);
         let length = FIELD * unit;
         let turned = |direction: f64, at: Vector| {
@@ -51,7 +52,7 @@ impl Planar {
         all.collect()
     }
 
-    /// The forces on the satellites at their gaps: opposite to the torques on sun and ring.
+    /// Arrows of the forces on the satellites at their gaps, opposite in direction to those on sun and ring.
     pub(super) fn forces(&self, torques: [f64; 2]) -> Vec<Vec<Point>> {
         let gaps = self.gaps().map(|[from, to]| 0.5 * (from + to));
         let all = self.directions.iter().flat_map(|direction| {

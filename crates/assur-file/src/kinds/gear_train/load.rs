@@ -1,4 +1,4 @@
-//! Loads of a train, and the magnets and bodies that determine how it swings and slips.
+//! Loads, magnets and bodies of a train, which determine how it oscillates and slips.
 
 use std::f64::consts::TAU;
 
@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 use super::{GearTrainDocument, GearTrainProblem, problem};
 use crate::Problem;
 
-/// Speed about which a member's friction changes sign: relative to the speed of its shaft without slip,
-/// and its minimum in rad/s. A sharper change would require shorter steps and show nothing more.
+/// Scale of the speeds around 0 within which a member's friction changes sign: relative to the speed of its
+/// shaft without slip, and its minimum in rad/s. A sharper change would only require shorter steps.
 const CREEP: (f64, f64) = (0.5, 0.5);
 
 /// Metres in a millimetre.
@@ -23,10 +23,10 @@ const MILLI: f64 = 1e-3;
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(default, deny_unknown_fields)]
 pub struct MembersDocument {
-    /// 7: on the shaft of each satellite.
+    /// Member 7, on the shaft of each satellite.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub satellite: Option<MemberDocument>,
-    /// 8: on the carrier.
+    /// Member 8, on the carrier.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub carrier: Option<MemberDocument>,
 }
@@ -36,14 +36,14 @@ pub struct MembersDocument {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct MemberDocument {
-    /// Kind of the member.
+    /// Type of the member.
     pub kind: MemberKind,
-    /// Torque of one member at the speed that its shaft has without slip, N·m.
+    /// Torque of one member at the speed that its shaft would have without slip, N·m.
     #[serde(default)]
     pub torque: f64,
 }
 
-/// Kinds of working members, by the table of uses in the source paper.
+/// Types of working members, from the table of uses in the source paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -59,7 +59,7 @@ pub enum MemberKind {
 }
 
 impl MemberKind {
-    /// Whether its torque grows with the square of its speed; otherwise it is friction.
+    /// Whether the torque grows with the square of the speed; otherwise it is friction.
     fn stirs(self) -> bool {
         matches!(self, Self::Fan | Self::Stirrer | Self::Propeller)
     }
@@ -70,11 +70,11 @@ impl MemberKind {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(default, deny_unknown_fields)]
 pub struct MagnetsDocument {
-    /// Which poles the plates show.
+    /// Polarity of the plates.
     pub poles: PolesDocument,
-    /// The greatest torque of one satellite on sun and ring, N·m.
+    /// Greatest torques that one satellite exerts on sun and ring, N·m.
     pub peak: [f64; 2],
-    /// Damping by eddy currents of one satellite on sun and ring, N·m·s.
+    /// Eddy-current damping between one satellite and the sun, and between it and the ring, N·m·s.
     pub damping: [f64; 2],
 }
 
@@ -89,7 +89,7 @@ impl Default for MagnetsDocument {
 }
 
 impl MagnetsDocument {
-    /// How the plates are magnetised.
+    /// The polarity of the plates, as a type of the engine.
     pub fn poles(&self) -> Poles {
         self.poles.into()
     }
@@ -115,12 +115,12 @@ impl From<PolesDocument> for Poles {
     }
 }
 
-/// Parameters of the bodies, listed by sun, one satellite, carrier, ring.
+/// Parameters of the bodies. Lists have the order sun, one satellite, carrier, ring.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(default, deny_unknown_fields)]
 pub struct BodiesDocument {
-    /// Moments of inertia with what is on the shafts, kg·m².
+    /// Moments of inertia, including those of all parts on the shafts, kg·m².
     pub inertia: [f64; 4],
     /// Mass of a satellite, kg.
     pub mass: f64,
@@ -139,7 +139,7 @@ impl Default for BodiesDocument {
 }
 
 impl GearTrainDocument {
-    /// The model of the train under load; none if the engine refuses it and the document is not loaded.
+    /// The model of the train under load. None if the model cannot be made and the document asks for no load.
     pub(super) fn differential(
         &self,
         layout: &Layout,
@@ -223,7 +223,7 @@ impl GearTrainDocument {
         })
     }
 
-    /// The load as a torque over time, of the sign that opposes its shaft's rotation without slip.
+    /// The load as a torque over time. A positive load opposes `speed`, the speed of its shaft without slip.
     fn pull(&self, speed: f64) -> Result<Profile, Vec<Problem>> {
         if self.load.is_empty() {
             return Ok(Profile::zero());
@@ -239,7 +239,7 @@ impl GearTrainDocument {
 }
 
 impl super::DriveDocument {
-    /// The drive of the shaft under load.
+    /// The drive of the shaft in the model under load.
     fn motor(&self) -> Drive {
         if let Some(to) = self.to {
             return Drive::Tied {
@@ -253,16 +253,16 @@ impl super::DriveDocument {
         } else {
             Profile::constant(speed)
         };
-        // Speed and time of rise were checked.
+        // Speed and start time have been checked.
         profile.map_or_else(|_| Drive::held(), Drive::Speed)
     }
 }
 
-/// The load of a member whose shaft has this speed without slip, rad/s.
+/// The load of a member. `speed` is the speed of its shaft without slip, rad/s.
 fn of_member(member: Option<MemberDocument>, speed: f64) -> Load {
     match member {
         Some(MemberDocument { kind, torque }) if kind.stirs() => Load {
-            // A member at rest stirs nothing.
+            // A member whose shaft is at rest has no drag.
             fan: if speed == 0.0 {
                 0.0
             } else {
@@ -272,7 +272,7 @@ fn of_member(member: Option<MemberDocument>, speed: f64) -> Load {
         },
         Some(MemberDocument { torque, .. }) => {
             let creep = CREEP.1.max(CREEP.0 * speed.abs());
-            // At or near rest, `torque` is the friction at the creep speed.
+            // For a shaft at or near rest, `torque` is the friction at the speed `creep`.
             let part = (speed.abs().max(creep) / creep).tanh();
             Load {
                 friction: torque / part,

@@ -20,9 +20,9 @@ pub enum GearTrainProblem {
     RingNotLarger { sun: u32, ring: u32 },
     /// The satellite of a planar train is not smaller than the ring.
     SatelliteNotInside { satellite: u32, ring: u32 },
-    /// Bevel wheels have no pitch cones with one apex: |z₄ − z₁| < 2 z₂ does not hold.
+    /// Pitch cones without a common apex: |z₄ − z₁| < 2 z₂ does not hold for sun z₁, satellite z₂ and ring z₄.
     NoCones { sun: u32, satellite: u32, ring: u32 },
-    /// Magnets touch: the distance of the axes does not exceed this limit.
+    /// Magnets touch: the distance of the axes is not above this limit at the sun, or not below it at the ring.
     Contact {
         mesh: ShaftDocument,
         distance: f64,
@@ -30,39 +30,40 @@ pub enum GearTrainProblem {
     },
     /// The number of drives is not two.
     DriveCount { given: usize },
-    /// This shaft, which is not driven, would turn too fast for its angles to be computed, min⁻¹.
+    /// A shaft that is not driven would rotate too fast for its angles to be computed; speeds in min⁻¹.
     ShaftTooFast {
         shaft: ShaftDocument,
         rpm: f64,
         max: f64,
     },
-    /// Both drives are on this shaft.
+    /// Both drives are on the same shaft.
     DrivenTwice { shaft: ShaftDocument },
-    /// A shaft is tied to itself.
+    /// The speed of a shaft is given as a multiple of itself.
     TiedToItself { shaft: ShaftDocument },
-    /// Two shafts are tied to each other.
+    /// The speeds of two shafts are given as multiples of each other.
     TiedTogether { shaft: ShaftDocument },
-    /// This tie leaves the motion undetermined, whatever the other drive.
+    /// A ratio of the speeds of two shafts with which the motion is undetermined, whatever the other drive.
     SingularTie {
         shaft: ShaftDocument,
         to: ShaftDocument,
         factor: f64,
     },
-    /// A train that cannot be run under load: only planar trains with magnets can.
+    /// The train cannot be run under load. Only planar trains with magnets can.
     NotUnderLoad,
-    /// Poles cannot alternate round a wheel with an odd number of plates.
+    /// Poles cannot alternate around a wheel with an odd number of plates.
     OddPlates { field: Field },
-    /// This number of satellites cannot be evenly spaced in one phase: it does not divide this sum of periods.
+    /// Evenly spaced satellites cannot have the same phase: their number does not divide the sum of the periods of
+    /// the field around sun and ring.
     OutOfPhase { satellites: u32, periods: u32 },
-    /// The inertia of this body is too small for the torques on it.
+    /// The inertia of a body is too small for the torques on the body.
     TooQuick { field: Field },
-    /// This knot of the load is no later than the one before it.
+    /// A knot of the load is not later than the knot before.
     LoadOrder { knot: usize },
-    /// A train is driven by time and is not a linkage.
+    /// A train is not a linkage: its input is time.
     ByTime,
 }
 
-/// What is wrong with wheels.
+/// Converts an error of the wheels to a problem.
 pub(super) fn of_train(error: TrainError) -> Problem {
     let problem = match error {
         TrainError::Teeth { member, fault } => {
@@ -88,13 +89,13 @@ pub(super) fn of_train(error: TrainError) -> Problem {
     problem.into()
 }
 
-/// The problem of poles that cannot alternate round a wheel.
+/// The problem that poles cannot alternate around a wheel.
 pub(super) fn odd_plates(member: Member) -> Problem {
     let field = of_wheel(member).into();
     GearTrainProblem::OddPlates { field }.into()
 }
 
-/// The field of a wheel's plates or teeth.
+/// The field with the number of a wheel's plates or teeth.
 fn of_wheel(member: Member) -> &'static str {
     match member {
         Member::Sun => "z1",
@@ -105,7 +106,7 @@ fn of_wheel(member: Member) -> &'static str {
 }
 
 impl GearTrainDocument {
-    /// The problem of a drive.
+    /// Converts an error of a drive to a problem.
     pub(super) fn input_problem(&self, error: InputError) -> Problem {
         let problem = match error {
             InputError::Number { shaft, fault } => {
@@ -143,7 +144,7 @@ impl GearTrainDocument {
         problem.into()
     }
 
-    /// The problem of a load.
+    /// Converts a defect of the model under load to a problem.
     pub(super) fn load_problem(&self, defect: Defect) -> Problem {
         match defect {
             Defect::Value {
@@ -168,7 +169,8 @@ impl GearTrainDocument {
     }
 }
 
-/// The problem of a load without its document: it names the list of drives, not the drive at fault.
+/// Converts a defect of the model under load to a problem if the document is not known. The problem names the
+/// list of drives, not the drive at fault.
 pub(super) fn of_load(defect: Defect) -> Problem {
     let problem = match defect {
         Defect::Value { quantity, fault } => return Problem::of_fault(field(quantity), fault),
@@ -192,10 +194,10 @@ pub(super) fn of_load(defect: Defect) -> Problem {
     problem.into()
 }
 
-/// The problem of a knot of the load.
+/// Converts a fault of a knot of the load to a problem.
 pub(super) fn of_load_knot(fault: ProfileFault) -> Problem {
     match fault {
-        // There is a knot, or no profile is made of them.
+        // Does not occur: a profile is made only if there are knots.
         ProfileFault::Empty => Problem::of_fault("load", Fault::NotFinite),
         ProfileFault::Time(knot, fault) => Problem::of_fault(format!("load[{knot}][0]"), fault),
         ProfileFault::Value(knot) => {
@@ -223,7 +225,7 @@ fn of_mesh(name: &str, mesh: Mesh) -> Field {
     format!("magnets.{name}[{}]", mesh as usize).into()
 }
 
-/// The field that holds a number.
+/// The field that determines a quantity of the model.
 fn field(quantity: Quantity) -> Field {
     match quantity {
         Quantity::Plates(body) => plates(body).into(),

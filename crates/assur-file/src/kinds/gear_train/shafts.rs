@@ -1,4 +1,4 @@
-//! Conversion of shafts and couplings from the file to the engine.
+//! Conversion of shafts and couplings between the file and the engine.
 
 use super::*;
 
@@ -32,7 +32,7 @@ impl From<CouplingDocument> for Coupling {
 }
 
 impl ObserverDocument {
-    /// The shaft with which the observer turns; none: the observer is on the ground.
+    /// The shaft with which the observer rotates; none for an observer on the ground.
     pub fn shaft(self) -> Option<Shaft> {
         match self {
             Self::Ground => None,

@@ -1,4 +1,4 @@
-//! Checks of single fields of a linkage before it is built, with limits on its size.
+//! Checks of single fields of a linkage before the mechanism is built, and limits on the number of parts.
 
 use assur::mechanism::Defect;
 
@@ -6,17 +6,18 @@ use super::spec::driver;
 use super::{LinkageDocument, LinkageProblem};
 use crate::problem::is_plain;
 
-/// Maximum numbers of parts.
+/// Maximum lengths of the lists in a document.
 const MOST_POINTS: usize = 200;
 const MOST_LINKS: usize = 64;
 const MOST_PAIRS: usize = 64;
 const MOST_DRIVERS: usize = 8;
 const MOST_SHOWN: usize = 32;
-/// Maximum number of characters of a name; of a title or source.
+/// Maximum number of characters of a name.
 const LONGEST_NAME: usize = 40;
+/// Maximum number of characters of a title or source.
 const LONGEST_TEXT: usize = 400;
 
-/// Every problem of a field, with its path.
+/// All problems of single fields, with the paths of the fields. If lists are too long, only this is reported.
 pub(super) fn problems(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let found = counts(document);
     if found.is_empty() {
@@ -118,7 +119,7 @@ fn links(document: &LinkageDocument) -> Vec<LinkageProblem> {
     found
 }
 
-/// The problems of plots and traces that name nothing.
+/// The problems of plots and traces whose quantity or point does not exist.
 fn shown(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let points = document.points.iter().map(|point| &point.name);
     let points = points.chain(document.tracers.iter().map(|tracer| &tracer.name));
@@ -143,7 +144,7 @@ fn shown(document: &LinkageDocument) -> Vec<LinkageProblem> {
         .collect()
 }
 
-/// The problems of locks that are not of two or three distinct points.
+/// The problems of locks that do not name two or three distinct points.
 fn locks(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let is_point = |name: &String| document.points.iter().any(|point| point.name == *name);
     let mut found = Vec::new();

@@ -1,9 +1,9 @@
-//! A document as a mechanism and a motion.
+//! The mechanism and the motion of a document.
 
 use super::*;
 
 impl LinkageDocument {
-    /// Sets the origin of a document of the first version, which only its title shows.
+    /// Sets the origin of a document of the first version. In that version only the title identifies the origin.
     pub(crate) fn recognise(&mut self) {
         let title = self.title.as_deref();
         let known = |name: &&str| catalogue::title(name).as_deref() == title;
@@ -15,7 +15,7 @@ impl LinkageDocument {
     /// Checks single fields of a document that need not move yet.
     ///
     /// # Errors
-    /// Every problem at once, each naming the field.
+    /// All problems, each naming the field.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
         let problems = check::problems(self);
         if problems.is_empty() {
@@ -24,11 +24,11 @@ impl LinkageDocument {
         Err(problems.into_iter().map(Problem::from).collect())
     }
 
-    /// The mechanism that is described, drawn in the assembly that moves.
+    /// The mechanism that the document describes, drawn in the assembly that moves.
     ///
     /// # Errors
-    /// Every problem at once, each naming the field, or the links and points, at fault. Problems of
-    /// single fields come first and alone. An assembly that does not exist.
+    /// All problems, each naming the field, or the links and points, at fault; if single fields have
+    /// problems, only these. An assembly that does not exist.
     pub fn mechanism(&self) -> Result<Mechanism, Vec<Problem>> {
         self.check()?;
         let drawn = Mechanism::new(&self.spec()).map_err(Problem::all)?;
@@ -50,7 +50,7 @@ impl LinkageDocument {
         })
     }
 
-    /// The document by its kind: a linkage if it moves, otherwise a drawing.
+    /// The document with its kind: a linkage if it moves, otherwise a draft.
     pub fn as_it_moves(self) -> Document {
         if self.mechanism().is_ok() {
             Document::Linkage(self)
@@ -59,17 +59,17 @@ impl LinkageDocument {
         }
     }
 
-    /// The mechanism by its dimensions alone, drawn in one of its assemblies at an input; see
-    /// [`Mechanism::assembled`].
+    /// The mechanism determined by dimensions alone, drawn in one of its assemblies at an input; see
+    /// [`Mechanism::assembled`]. None if the links cannot be joined at this input.
     ///
     /// # Errors
-    /// Those of [`Self::mechanism`], except a drawing that does not close. None if there is no assembly.
+    /// Those of [`Self::mechanism`], except defects of the drawing.
     pub fn assembled(&self, input: Option<f64>) -> Result<Option<Mechanism>, Vec<Problem>> {
         self.check()?;
         Mechanism::assembled(&self.spec(), input).map_err(Problem::all)
     }
 
-    /// The document redrawn in the pose of a draft; it then names no assembly.
+    /// The document redrawn in the pose of a specification. The result names no assembly.
     pub fn redrawn(&self, draft: &LinkageSpec) -> Self {
         let drawn = Self::new(draft);
         Self {
@@ -85,13 +85,13 @@ impl LinkageDocument {
     /// The motion of the mechanism.
     ///
     /// # Errors
-    /// As of [`Self::mechanism`].
+    /// Those of [`Self::mechanism`].
     pub fn motion(&self) -> Result<Motion, Vec<Problem>> {
         self.mechanism().map(Motion::new)
     }
 
-    /// The link by whose angle assemblies are numbered: that of the first plot if this is an angle,
-    /// otherwise the last link that is placed. None for a mechanism without links.
+    /// The link by whose angle assemblies are numbered: the link of the first plotted quantity if that is
+    /// an angle, otherwise the link solved last. None for a mechanism without links.
     pub fn output(&self, mechanism: &Mechanism) -> Option<LinkId> {
         let first = self.plots.first();
         match first.and_then(|name| Quantity::named(mechanism, name)) {
@@ -100,8 +100,8 @@ impl LinkageDocument {
         }
     }
 
-    /// The outputs, for which swing and time ratio are listed: the quantities that the document
-    /// plots, otherwise the usual ones of textbooks.
+    /// The outputs, whose swing and time ratio are listed: the quantities that the document plots or, if
+    /// there are none, the usual outputs of textbooks.
     pub fn outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
         let named = self.plots.iter();
         let named = named.filter_map(|name| Quantity::named(mechanism, name));
@@ -113,8 +113,8 @@ impl LinkageDocument {
         }
     }
 
-    /// The usual outputs of textbooks: coordinates of sliders on guides of the frame, then angles of
-    /// links hinged on the frame; without either, the angles of all links. Driven links are excluded.
+    /// The usual outputs of textbooks: coordinates of sliders on guides of the frame, then angles of links
+    /// hinged to the frame; if there are none, the angles of all links. Driven links are excluded.
     fn usual_outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
         let draft = self.spec();
         let driven: Vec<&str> = (draft.drivers.iter())
@@ -149,9 +149,9 @@ impl LinkageDocument {
         others.filter_map(angle).collect()
     }
 
-    /// The quantities, of one kind, that a choice of the page names: for `angles` those that the
-    /// document plots, otherwise all angles; `LINK.angle`; for a point both coordinates. None for
-    /// an unknown name.
+    /// The quantities to be plotted for a choice on the page, either all angles or all coordinates. `angles`
+    /// stands for the outputs or, if there are none, for all angles; `LINK.angle` for one angle; the name
+    /// of a point for both its coordinates. None for an unknown name.
     pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
         if choice == "angles" {
             let mut asked = self.outputs(mechanism);

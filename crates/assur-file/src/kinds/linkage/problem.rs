@@ -1,5 +1,5 @@
-//! Problems of a linkage, as codes with parameters: paths of fields, names of links and points. The
-//! words are in `lang/`.
+//! Problems of a linkage, as codes with parameters: paths of fields, names of links and points. Their
+//! texts are in `lang/`.
 
 use assur::mechanism::{Cause, Defect, Dimension, Mechanism, Singularity, Unsolved};
 use assur::motion::{Refusal, TooManyTurns};
@@ -18,25 +18,25 @@ use crate::{Field, Problem};
 pub enum LinkageProblem {
     /// A list that is too long.
     TooMany { path: String, max: usize },
-    /// A name that is empty, too long or holds control characters.
+    /// A name that is empty or too long, or contains control characters.
     BadName { path: String, max: usize },
-    /// A title or source that is too long or holds control characters.
+    /// A title or source that is too long or contains control characters.
     BadText { path: String, max: usize },
-    /// A length together with a shape, or of a link without exactly two points.
+    /// A length of a link that also has a shape, or that does not have exactly two points.
     LengthOfTwo { path: String },
     /// A length that is not greater than zero.
     BadLength { path: String, value: f64 },
     /// A dwell band whose width is not greater than zero.
     BadBand { path: String, value: f64 },
-    /// A length or shape of a link that is fixed to another and so lies on it as drawn.
+    /// A length or shape of a link that is fixed to another link and so has its dimensions from the drawing.
     FixedAsDrawn { path: String },
-    /// Neither a crank nor a slide with its range, or both.
+    /// A driver that is neither a crank nor a slide with its range, or that is both.
     BadDriver { path: String },
     /// A plot of a quantity that does not exist.
     NothingToPlot { path: String },
     /// A trace of a point that does not exist.
     NothingToTrace { path: String },
-    /// A lock that is not of two or three distinct points.
+    /// A lock that does not name two or three distinct points.
     BadLock { path: String },
     /// A drawing in which links are in line.
     OpenInLine { links: Vec<String> },
@@ -50,7 +50,7 @@ pub enum LinkageProblem {
     Unreached,
     /// The motion could not be followed up to this input.
     Unfollowed,
-    /// Extrema over the motion are not computed: it repeats only after many turns, and at most `most` are
+    /// Extrema are not computed: the motion repeats only after `turns` turns, and at most `most` turns are
     /// searched.
     TooManyTurns { turns: usize, most: usize },
     /// Links are too short, or too long, to meet.
@@ -59,37 +59,37 @@ pub enum LinkageProblem {
     OutOfReach { links: Vec<String>, by: f64 },
     /// Guides have become parallel.
     GuidesParallel { links: Vec<String> },
-    /// Links may stand at any angle.
+    /// The angles of links are undetermined.
     LinksUndetermined { links: Vec<String> },
     /// Derivatives are unbounded: links are in line.
     LinksDeadPoint { links: Vec<String> },
-    /// A redundant constraint of a link that does not hold where the others do.
+    /// A redundant constraint of a link does not hold where the other constraints do.
     ConstraintBroken { link: String, by: f64 },
     /// Derivatives are unbounded: a link is perpendicular to its guide.
     LinksPerpendicular { links: Vec<String> },
     /// Derivatives are unbounded: a group is in a singular position.
     LinksSingular { links: Vec<String> },
-    /// A point without a circle of curvature, as it stands still: at a cusp of its path, or for good.
+    /// A point without a circle of curvature because it is at rest: at a cusp of its path, or permanently.
     StandsStill { point: String },
-    /// A point without a circle of curvature, as its path is straight here.
+    /// A point without a circle of curvature because its path is straight there.
     StraightPath { point: String },
-    /// A link that does not turn here and so has no inflection circle.
+    /// A link that does not rotate in this pose and so has no inflection circle.
     NotTurning { link: String },
-    /// A dimension that is set too large to be followed: these links come apart.
+    /// A dimension that cannot be increased to a value: beyond the value `last`, these links cannot be joined.
     TooLarge {
         field: Field,
         by: f64,
         links: Vec<String>,
         last: f64,
     },
-    /// See [`LinkageProblem::TooLarge`].
+    /// A dimension that cannot be decreased to a value; see [`LinkageProblem::TooLarge`].
     TooSmall {
         field: Field,
         by: f64,
         links: Vec<String>,
         last: f64,
     },
-    /// A dwell requirement that is not greater than zero, or an arc of more than a turn.
+    /// A requirement for a dwell that is not greater than zero, or an arc of more than a turn.
     BadWish { field: Field },
     /// The mechanism has no such output.
     NoOutput,
@@ -97,18 +97,18 @@ pub enum LinkageProblem {
     NothingMoves,
     /// A dimension to be varied that does not exist or is not a single length.
     NoDimension { name: String },
-    /// A range of a dimension that is empty, or excludes its value.
+    /// A range of a dimension that is empty, or excludes the dimension's value.
     BadRange { name: String },
-    /// A search from a linkage whose driver does not turn fully, or comes close to a
+    /// A search from a linkage whose driver cannot turn fully, or that comes close to a
     /// singular position.
     Blocked,
-    /// Two points of a drawing that must be distinct and coincide.
+    /// Two points of a drawing that coincide but must be distinct.
     OnePlace { points: [String; 2] },
-    /// Two points to be joined in a hinge that are of one link.
+    /// Two points that cannot be joined in a hinge, since both belong to the same link.
     OneLink { link: String, points: [String; 2] },
-    /// A point to slide along a line that is an end of the line, or joined to one.
+    /// A point that cannot slide along a line, since it defines the line or belongs to the line's link.
     OnItsLine { link: String, point: String },
-    /// A link along which nothing can slide, since it does not have two points.
+    /// A link without a line, since it has fewer than two distinct points.
     NoLine { link: String },
     /// A dyad of three slides, which does not exist.
     NoSuchDyad,
@@ -118,7 +118,7 @@ pub enum LinkageProblem {
 }
 
 impl LinkageProblem {
-    /// Why a mechanism has no pose, with the names of its links.
+    /// The reason why a mechanism has no pose, with the names of the links concerned.
     pub fn unsolved(unsolved: &Unsolved, mechanism: &Mechanism) -> Self {
         let links: Vec<String> = mechanism
             .links_of(unsolved.step)
@@ -187,7 +187,7 @@ impl LinkageProblem {
     }
 }
 
-/// The saved name of a dimension's field. A coordinate is one of `at`.
+/// The path of a dimension's field. Coordinates have paths of their own although they are saved in `at`.
 pub fn dimension_field(dimension: Dimension) -> Field {
     match dimension {
         Dimension::Length(link) => format!("links[{}].length", link.index()),
@@ -202,7 +202,7 @@ pub fn dimension_field(dimension: Dimension) -> Field {
     .into()
 }
 
-/// A value of a dimension in the unit of its field: angles in degrees.
+/// Converts a value of a dimension to the unit of its field: angles to degrees.
 pub fn in_field(dimension: Dimension, value: f64) -> f64 {
     match dimension {
         Dimension::Corner(..) => value.to_degrees(),
@@ -210,7 +210,7 @@ pub fn in_field(dimension: Dimension, value: f64) -> f64 {
     }
 }
 
-/// A value of a dimension's field in the unit of the engine: angles in radians.
+/// Converts a value of a dimension's field to the unit of the engine: angles to radians.
 pub fn of_field(dimension: Dimension, value: f64) -> f64 {
     match dimension {
         Dimension::Corner(..) => value.to_radians(),
@@ -218,13 +218,13 @@ pub fn of_field(dimension: Dimension, value: f64) -> f64 {
     }
 }
 
-/// The field of the rate of a further driver, by the driver's index.
+/// The path of the field with a further driver's rate, by the driver's index.
 pub fn rate_field(driver: usize) -> Field {
     format!("drivers[{driver}].rate").into()
 }
 
 impl LinkageProblem {
-    /// Why a dimension of a mechanism cannot be set to a value.
+    /// The reasons why a dimension of a mechanism cannot be set to a value.
     pub fn unset(
         refusal: Refusal,
         mechanism: &Mechanism,

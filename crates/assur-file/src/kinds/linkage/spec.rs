@@ -1,4 +1,4 @@
-//! Conversion between a saved linkage and the engine's draft.
+//! Conversion between a saved linkage and the engine's specification.
 
 use assur::gears::Mesh;
 use assur::mechanism::{
@@ -12,7 +12,7 @@ use super::{
 };
 
 impl LinkageDocument {
-    /// The saved form of a draft.
+    /// The saved form of a specification.
     pub fn new(draft: &LinkageSpec) -> Self {
         let place = |at: &Point| [at.x, at.y];
         let link = |link: &LinkSpec| {
@@ -74,7 +74,7 @@ impl LinkageDocument {
         }
     }
 
-    /// The draft that is described. Drivers that are neither a crank nor a slide
+    /// The specification that the document describes. Drivers that are neither a crank nor a slide
     /// are left out; [`Self::mechanism`] refuses them.
     pub fn spec(&self) -> LinkageSpec {
         let place = |[x, y]: [f64; 2]| Point::new(x, y);

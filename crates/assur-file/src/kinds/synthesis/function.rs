@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 use super::{PositionDocument, SynthesisProblem};
 use crate::Problem;
 
-/// Number of samples of a linkage's error, between which its maximum is sought.
+/// Number of samples of a linkage's error curve. The maximum is sought between samples.
 const SAMPLES: usize = 101;
 
-/// A function that output and input are to follow: x becomes φ₃ and y becomes φ₂, both linearly.
+/// A wanted function y = f(x). The input angle φ₃ is linear in x, and the output angle φ₂ is linear in y.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
@@ -18,9 +18,9 @@ pub struct FunctionDocument {
     pub of: FormulaDocument,
     /// Interval of x.
     pub x: [f64; 2],
-    /// φ₃ at these x, degrees.
+    /// φ₃ at the two ends of the interval of x, degrees.
     pub input_deg: [f64; 2],
-    /// φ₂ at the y of these x, degrees.
+    /// φ₂ at the values of y at these two ends, degrees.
     pub output_deg: [f64; 2],
 }
 
@@ -33,11 +33,11 @@ pub enum FormulaDocument {
     Log10,
     /// eˣ.
     Exp,
-    /// sin x, x in degrees.
+    /// sin x, with x in degrees.
     Sin,
     /// x to this power.
     Power(f64),
-    /// Linear interpolation between these x and y, in ascending x.
+    /// Linear interpolation between rows [x, y], in ascending order of x.
     Table(Vec<[f64; 2]>),
 }
 
@@ -68,7 +68,7 @@ impl FormulaDocument {
 }
 
 impl FunctionDocument {
-    /// The function, checked.
+    /// Validates the function.
     ///
     /// # Errors
     /// Every problem of the function.
@@ -76,11 +76,11 @@ impl FunctionDocument {
         self.mapped(f64::to_radians)
     }
 
-    /// The function with its angles in another unit.
+    /// Validates the function and converts its angles from degrees to another unit.
     fn mapped(&self, unit: fn(f64) -> f64) -> Result<Wanted, Vec<Problem>> {
         let f = self.of.function()?;
         let [from, to] = self.x;
-        // Powers may have no value at 0, in the middle of the interval.
+        // A power may have no value at 0, which may be inside the interval.
         let zero = 0_f64.max(from.min(to)).min(from.max(to));
         let undefined = [from, to, zero].into_iter().find(|x| !f(*x).is_finite());
         if let Some(x) = undefined.filter(|x| x.is_finite()) {
@@ -91,10 +91,10 @@ impl FunctionDocument {
         Ok(Wanted { mapping, f })
     }
 
-    /// This number of positions on the function: with Chebyshev spacing, or evenly spaced including the ends.
+    /// `count` positions on the function: with Chebyshev spacing or, if `even`, evenly spaced including the ends.
     ///
     /// # Errors
-    /// Every problem of the function and the number.
+    /// Every problem of the function; an invalid count.
     pub fn positions(
         &self,
         count: usize,
@@ -118,7 +118,7 @@ impl FunctionDocument {
 }
 
 impl Wanted {
-    /// The error of a linkage for these positions; none if its lengths make no linkage.
+    /// The error curve of a solution relative to the function; none if its lengths make no linkage.
     pub fn error_curve(&self, task: &Task, solution: &Solution) -> Option<ErrorCurve> {
         let curve = self.mapping.error_curve(task, solution, SAMPLES, &self.f);
         curve.ok().flatten()
@@ -153,7 +153,7 @@ fn problems(errors: Vec<FunctionError>) -> Vec<Problem> {
             row: row + 1,
         },
     };
-    // In an empty interval of x the values are necessarily equal.
+    // In an empty interval of x the values are necessarily equal. This is not reported as well.
     let empty = errors.contains(&FunctionError::Interval);
     let told = |error: &FunctionError| !empty || *error != FunctionError::Values;
     errors
