@@ -21,7 +21,7 @@ pub(crate) trait Capabilities {
     /// Summary of the document; its field `moves` says whether it moves.
     fn summary(&self) -> JsValue;
 
-    /// The stationary part of the drawing; by default that of the document's linkage, if it is one.
+    /// The rigid part of the drawing; by default that of the document's linkage, if it is one.
     fn rigid(&self) -> Rigid<'_> {
         let figure = self.linkage().map(Moving::figure);
         figure.map(Rigid::from).unwrap_or_default()
@@ -155,12 +155,12 @@ pub(crate) trait Moves {
     fn table(&self, steps: u32) -> SweepTable;
 }
 
-/// The stationary part of a drawing.
+/// The rigid part of a drawing: shapes that move with the bodies.
 #[derive(Default)]
 pub(crate) struct Rigid<'a> {
     /// Names that labels refer to by number.
     pub(crate) names: &'a [String],
-    /// Display list of the stationary part.
+    /// Display list of the rigid part.
     pub(crate) list: &'a [f32],
 }
 

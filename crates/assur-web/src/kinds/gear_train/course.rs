@@ -274,13 +274,13 @@ impl Course {
     }
 }
 
-/// A time within its limits; NaN becomes 0.
+/// Clamps a time to its limits; NaN becomes 0.
 fn on_axis(time: f64) -> f64 {
     time.clamp(0.0, Turning::LONGEST).max(0.0)
 }
 
 impl Known {
-    /// A quantity with two derivatives with respect to time.
+    /// A quantity and its first two derivatives with respect to time.
     fn rates(&self, quantity: Quantity) -> [f64; 3] {
         match quantity {
             Quantity::Angle(body) => {
@@ -292,7 +292,7 @@ impl Known {
                 } = &self.turned;
                 [angles[body].radians(), speeds[body], accelerations[body]]
             }
-            // Read only under load.
+            // Load angles are read only under load.
             Quantity::LoadAngle(mesh) => self.reading.as_ref().map_or([0.0; 3], |reading| {
                 let one = &reading.meshes[mesh];
                 [one.advance, one.slip_speed, one.slip_acceleration]
@@ -301,7 +301,7 @@ impl Known {
     }
 }
 
-/// The names of the read-outs of a run beyond angles, with its energy balance.
+/// Names of the read-outs of a run besides angles: torques and the energy balance.
 const OF_RUN: [&str; 11] = [
     "sun.field",
     "ring.field",
@@ -316,7 +316,7 @@ const OF_RUN: [&str; 11] = [
     "imbalance",
 ];
 
-/// The values of these read-outs, in the order of the names.
+/// Values of these read-outs, in the order of [`OF_RUN`].
 fn of_run(reading: &Reading) -> [f64; OF_RUN.len()] {
     let drive = |body| reading.body(body).drive_torque.unwrap_or(0.0);
     let energy = &reading.energy;
