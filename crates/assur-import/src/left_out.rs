@@ -24,7 +24,7 @@ pub enum LeftOut {
     Welded { link: String, parts: Vec<String> },
     /// Links that cannot move: fixed to the frame at two points, or at one point and by a slide.
     Fixed { names: Vec<String> },
-    /// Points that join nothing.
+    /// Points that belong to no link.
     Unused { names: Vec<String> },
     /// Pins in circular slots, replaced by pins on links as long as the radius of the slot.
     Curved { names: Vec<String> },

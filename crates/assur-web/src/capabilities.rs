@@ -139,7 +139,7 @@ pub(crate) trait Moves {
     /// The names of the read-outs.
     fn readout_names(&self) -> Vec<String>;
 
-    /// The input after a step, and −1 if it turned back, otherwise 1.
+    /// The input after a step, and a factor: −1 if the input turned back, otherwise 1.
     fn advance(&self, input: f64, by: f64) -> (f64, f64);
 
     /// The plots. For an endless motion, they cover the span around an input.

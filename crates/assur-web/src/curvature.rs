@@ -38,7 +38,7 @@ pub(crate) struct InflectionHere<'a> {
 }
 
 impl Moving {
-    /// Values of the drawn circles at an input. A circle that is not drawn has none.
+    /// Values of the drawn circles at an input.
     ///
     /// # Errors
     /// The reason why there are no derivatives.

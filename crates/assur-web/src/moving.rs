@@ -39,7 +39,7 @@ pub(crate) struct Moving {
     plotted: Vec<Quantity>,
     /// Colour roles of the curves.
     plotted_roles: Vec<Role>,
-    /// Two quantities plotted against each other instead.
+    /// Two quantities plotted against each other, in place of the plots over the input.
     pair: Option<Pair<Column>>,
     driven: Option<Driven>,
     /// Handles that can be dragged.

@@ -31,7 +31,7 @@ pub(crate) struct PolygonPictureHere {
     bounds: [f64; 4],
     /// Length of the scale bar.
     bar: f64,
-    /// Factor by which this picture has a smaller scale than the rest of the motion; 1 if the polygon fits.
+    /// Factor by which this picture's scale is smaller than the usual scale of the motion; 1 if the polygon fits.
     smaller: f64,
 }
 

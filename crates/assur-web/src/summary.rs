@@ -49,7 +49,7 @@ pub(crate) struct CourseSummary<'a> {
     pub(crate) dead_points: Vec<DeadPointSummary<'a>>,
     pub(crate) change_points: &'a [f64],
     pub(crate) outputs: Vec<OutputSummary>,
-    /// The reason why the motion was not searched for extrema, if so. Outputs then have only a name.
+    /// The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
     pub(crate) unsearched: Option<UnsearchedSummary>,
     /// The numbers of links, by their names; a number denotes the angle of its link.
     pub(crate) numbers: &'a BTreeMap<String, String>,

@@ -58,7 +58,7 @@ pub(crate) struct SweepQuantity {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepRow {
-    /// Input of the row: degrees for a crank, a time for a gear train, otherwise in the unit of the lengths.
+    /// Input of the row: degrees for a crank, seconds for a gear train, otherwise in the unit of the lengths.
     pub(crate) input: f64,
     pub(crate) values: Vec<Option<f64>>,
     #[cfg_attr(test, ts(type = "{ readonly code: string } | null"))]

@@ -7,7 +7,7 @@ use super::wheels;
 use crate::LeftOut;
 use crate::sketch::{Body, Driver, Joint, Moves, Sketch, distance, letter};
 
-/// Length of an actuator's cylinder, as a fraction of the drawn actuator's. Rod and cylinder are then both visible.
+/// Length of an actuator's cylinder, as a fraction of the actuator's drawn length. Both rod and cylinder are visible.
 const CYLINDER: f64 = 0.6;
 
 /// A file during its conversion to a sketch.

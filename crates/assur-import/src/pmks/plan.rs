@@ -98,7 +98,7 @@ impl Plan {
         let size = sketch.size();
         let blocks = self.blocks(&mut sketch)?;
         let bars = self.bars(&mut sketch, &blocks)?;
-        // Index of the slide of each joint that is one.
+        // For each joint that is a slide, the index of the slide.
         let mut slides = vec![None; self.pins.len()];
         for Block { pair, pin } in &blocks {
             slides[*pair] = Some(self.slide(&mut sketch, &bars, *pair, *pin, size)?);

@@ -22,12 +22,12 @@ use crate::handle::{Handle, HandlePlace};
 use crate::moving::Moving;
 use summary::SynthesisSummary;
 
-/// Minimum distance of a direction's handle from its pivot, as a fraction of the frame and of the link. The link's joint
-/// then stays free.
+/// Minimum distance of a direction's handle from its pivot, as a fraction of the frame and of the link. The joint of
+/// the link then stays free.
 const REACH: [f64; 2] = [0.62, 1.25];
 
-/// Minimum distance of a coupler's handle from the coupler's joint with the input, as a fraction of the frame and of the
-/// coupler. Both ends of the coupler then stay free.
+/// Minimum distance of a coupler's handle from the coupler's joint with the input, as a fraction of the frame and of
+/// the coupler. Both ends of the coupler then stay free.
 const REACH_OF_COUPLER: [f64; 2] = [0.25, 0.6];
 
 /// Step of a dragged direction, degrees; a hand is no more precise.

@@ -147,8 +147,8 @@ impl Table<'_> {
         }
     }
 
-    /// Intersects two of Kennedy's lines for two bodies: those by the first two other bodies with an accurate
-    /// intersection or, if there are none, by those with the most accurate one.
+    /// Intersects two of Kennedy's lines for two bodies. The lines are those of the first two other bodies with an
+    /// accurate intersection or, if there are none, of the two with the most accurate one.
     fn crossing(&self, [first, second]: [BodyId; 2]) -> Option<([BodyId; 2], Known)> {
         let lines = self.mechanism.bodies().filter_map(|by| {
             let line = self.of([first, by])?.joined(self.of([by, second])?)?;

@@ -1,5 +1,5 @@
-//! Points of the plane, including those at infinity, and lines, as triples of homogeneous coordinates. The triple (X,
-//! Y, w) is the point (X/w, Y/w); (a, b, c) is the line a x + b y + c = 0. The line through two points is the vector
+//! Points of the plane, including those at infinity, and lines, as triples of homogeneous coordinates. As a point,
+//! (X, Y, w) is at (X/w, Y/w); as a line, (a, b, c) is a x + b y + c = 0. The line through two points is the vector
 //! product of their triples, and so is the intersection of two lines.
 
 use crate::Vector;

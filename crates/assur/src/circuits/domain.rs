@@ -14,7 +14,7 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// Finds the domain of a mechanism, at most `max_turns` long, and whether all of it is searched.
+    /// Finds the domain of a mechanism, at most `max_turns` turns long, and whether all of it is searched.
     pub(super) fn of(mechanism: &Mechanism, max_turns: usize) -> (Self, bool) {
         match mechanism.turns_of_assemblies() {
             Some(turns) => {

@@ -170,7 +170,7 @@ fn ends_of<'a>(
     })
 }
 
-/// The circuit of each branch, as connected components; their numbers have no order.
+/// Finds the circuit of each branch, as a connected component. The numbers of the circuits are in no particular order.
 pub(super) fn circuits(branches: usize, meetings: &[Meeting]) -> Vec<usize> {
     let mut circuits: Vec<usize> = (0..branches).collect();
     for meeting in meetings {
@@ -185,7 +185,7 @@ pub(super) fn circuits(branches: usize, meetings: &[Meeting]) -> Vec<usize> {
 }
 
 impl Circuits {
-    /// Reachability of one branch from another, with the shortest sequence of meetings, by breadth-first search.
+    /// Finds whether one branch can be reached from another, by breadth-first search for the fewest meetings.
     pub fn reach(&self, from: usize, to: usize) -> Reach {
         if from == to {
             return Reach::SameBranch;

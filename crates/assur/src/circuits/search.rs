@@ -69,7 +69,7 @@ struct Sample {
 struct Division<'a> {
     input: f64,
     sample: Option<&'a Sample>,
-    /// Number of branches that start at a fold at this input, towards greater and towards smaller inputs.
+    /// Numbers of branches that start at a fold at this input: towards greater inputs, and towards smaller inputs.
     starts: [usize; 2],
 }
 

@@ -35,7 +35,7 @@ pub(crate) struct Course {
     /// Peak torques of the magnetic field in each mesh, under load.
     peaks: Option<[f64; 2]>,
     plotted: Vec<Quantity>,
-    /// Two quantities plotted against each other instead.
+    /// Two quantities plotted against each other, in place of the plots over time.
     pair: Option<Pair<Column>>,
     numbers: BTreeMap<String, String>,
     /// Plots of a run under load; none for the endless motion without load.

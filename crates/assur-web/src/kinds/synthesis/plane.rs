@@ -9,8 +9,8 @@ const PARTS: usize = 40;
 /// Lower bound of ΣJ before its logarithm is taken, in squares of the frame's length.
 const LEAST: f64 = 1e-9;
 
-/// Values at the centres of cells, which are equal in the logarithms of two lengths. Each row
-/// belongs to one value of the first length and runs over the second.
+/// Values at the centres of cells. All cells have the same size in the logarithms of two lengths.
+/// Each row belongs to one value of the first length and runs over the second.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PlaneSummary {
@@ -20,7 +20,7 @@ pub(crate) struct PlaneSummary {
 }
 
 impl PlaneSummary {
-    /// Evaluates a function over the ratios of length within which a task is searched.
+    /// Evaluates a function over the range of length ratios in which a task is searched.
     fn new(task: &Task, value: impl Fn(f64, f64) -> f64) -> Self {
         let [least, most] = task.ratios();
         let ratio = |part: usize| least * (most / least).powf((part as f64 + 0.5) / PARTS as f64);
