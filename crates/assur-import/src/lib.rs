@@ -18,7 +18,7 @@ pub use problem::ImportProblem;
 /// Maximum length of a text that is read, in bytes; the largest possible linkage is far shorter.
 const LONGEST: usize = 1 << 20;
 
-/// Maximum number of parts, far above that of a linkage. The time to name and join parts grows faster than their number.
+/// Maximum number of parts, far above that of a linkage. The time to name and join them grows faster than their number.
 const MOST_PARTS: usize = 1000;
 
 /// # Errors
