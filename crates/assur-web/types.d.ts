@@ -271,7 +271,7 @@ torques: ShaftNumbers,
  */
 powers: ShaftNumbers, 
 /**
- * Greatest torque on each body that the magnets hold, N·m, with the other shafts held.
+ * Greatest static torque on each body that the magnets can hold, N·m, with the other shafts held.
  */
 limits: BodyNumbers | null, 
 /**
@@ -283,7 +283,7 @@ swings: [number, number] | null,
  */
 load: PullSummary | null, 
 /**
- * Slips of the meshes with sun and ring at the end of a run, in periods of the magnets.
+ * Slips of the meshes with sun and ring at the end of a run, in periods of the field.
  */
 slips: [number, number] | null, halt: HaltSummary | null, 
 /**
@@ -697,7 +697,7 @@ starts: [number, number],
  */
 gap: number, 
 /**
- * Sum l₀²ΣJ over all positions, in squares of the unit of lengths.
+ * Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths.
  */
 sum: number, 
 /**
@@ -758,7 +758,7 @@ solutions: Array<SolutionSummary>,
  */
 shown: Array<number>, 
 /**
- * Whether the output's angles were probably given with the opposite sense of rotation.
+ * Whether the output's angles were probably given for the opposite direction, turned through 180°.
  */
 turned: boolean, 
 /**

@@ -23,7 +23,7 @@ use crate::summary::MotionSummary;
 /// A linkage with its drawing.
 pub(crate) struct Linkage {
     moving: Moving,
-    /// The paper on the combined method, if this is the paper's mechanism from the catalogue, with any lengths.
+    /// The linkage in terms of the paper on the combined method, if it is the paper's mechanism, with any lengths.
     of_paper: Option<CombinedMethod>,
 }
 

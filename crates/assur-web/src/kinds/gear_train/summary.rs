@@ -57,13 +57,13 @@ pub(crate) struct GearTrainSummary<'a> {
     #[serde(with = "ShaftNumbers")]
     #[cfg_attr(test, ts(as = "ShaftNumbers"))]
     powers: Shafts,
-    /// Greatest torque on each body that the magnets hold, N·m, with the other shafts held.
+    /// Greatest static torque on each body that the magnets can hold, N·m, with the other shafts held.
     limits: Option<BodyNumbers>,
     /// Natural frequencies of the meshes with sun and ring, Hz.
     swings: Option<[f64; 2]>,
     /// The greatest torque of the load, and its upper limit, N·m.
     load: Option<PullSummary>,
-    /// Slips of the meshes with sun and ring at the end of a run, in periods of the magnets.
+    /// Slips of the meshes with sun and ring at the end of a run, in periods of the field.
     slips: Option<[i64; 2]>,
     halt: Option<HaltSummary>,
 }

@@ -22,7 +22,7 @@ pub(crate) struct SynthesisSummary<'a> {
     solutions: Vec<SolutionSummary>,
     /// Numbers of the solutions, from 1, in the order in which they are shown.
     shown: Vec<usize>,
-    /// Whether the output's angles were probably given with the opposite sense of rotation.
+    /// Whether the output's angles were probably given for the opposite direction, turned through 180°.
     turned: bool,
     /// Number of the drawn solution, from 1.
     number: Option<usize>,
@@ -67,7 +67,7 @@ pub(crate) struct SolutionSummary {
     starts: [f64; 2],
     /// The greatest gap at the coupler over all positions.
     gap: f64,
-    /// Sum l₀²ΣJ over all positions, in squares of the unit of lengths.
+    /// Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths.
     sum: f64,
     /// Maximum error of the output angle, radians; none if a position is not reached.
     output_error: Option<f64>,
