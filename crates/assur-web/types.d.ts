@@ -4,7 +4,7 @@ import { KindDocument, LinkageDocument, Only } from "assur/types/file.js";
 export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
 /**
- * Visible runs of the curve: x and y in pixels of the reader, and the input.
+ * Visible runs of the curve; each point is x, y in CSS pixels, then the input.
  */
 curve: Array<Array<number>>, };
 export type AssembliesHere = { 
@@ -13,11 +13,11 @@ export type AssembliesHere = {
  */
 all: Array<AssemblyHere>, 
 /**
- * Index of the assembly that moves; none if it has no pose at the input.
+ * Index of the assembly in which the document moves; none if it has no pose at this input.
  */
 shown: number | null, 
 /**
- * Number of solutions of a group's equations over the complex numbers, if a single group has them.
+ * Number of complex solutions of the equations of an Assur group; none unless a single group was solved that way.
  */
 complex: number | null, 
 /**
@@ -26,64 +26,64 @@ complex: number | null,
 whole: boolean, };
 export type AssemblyHere = { 
 /**
- * Number by which it is shown and chosen; a mixer numbers its assemblies by itself.
+ * Number by which the page shows and chooses the assembly. A mixer has its own numbering.
  */
 number: number, 
 /**
- * The angle by which they are numbered, in [0, 2π).
+ * Angle that determines the numbering, in [0, 2π).
  */
 angle: number, 
 /**
- * Poses of the bodies, as in a frame.
+ * Poses of the bodies, in the format of a frame of the animation.
  */
 bodies: Array<number>, };
 export type AxisLayout = { 
 /**
- * None for the input.
+ * Name of the quantity; none for the input.
  */
 name: string | null, 
 /**
- * The number that denotes the angle, if it has one.
+ * For an angle, the number that denotes it, if it has one.
  */
 number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
 export type Belonging = { 
 /**
- * Index of the branch of each assembly, in the order of their numbers.
+ * For each assembly, in the order of their numbers, the index of its branch.
  */
 branches: Array<number>, 
 /**
- * For each assembly, the meetings on the way from the chosen one: empty for the same branch,
- * null if it cannot be reached.
+ * For each assembly, the meetings of branches on the way from the chosen assembly. Empty on the same branch; null
+ * if the assembly cannot be reached.
  */
 reached: Array<Array<number> | null>, };
 export type Between = { min: number, max: number, stroke: number, };
 export type BodyNumbers = { sun: number, satellite: number, carrier: number, ring: number, };
 export type BranchLine = { 
 /**
- * Index of its circuit.
+ * Index of the branch's circuit.
  */
 circuit: number, 
 /**
- * Inputs and outputs in alternation, split where either wraps: radians in [0, 2π], or the displacement of a slide.
+ * Alternating inputs and outputs, split where either wraps: angles in [0, 2π], or the displacement of a slide.
  */
 pieces: Array<Array<number>>, };
 export type ChangedPair = { pair: string, kind: KindDocument, };
 export type ChartLayout = { panels: Array<PanelLayout>, 
 /**
- * The plot of one quantity against another that replaces the panels, if there is one and it has room.
+ * The plot of one quantity against another that replaces the panels, if it is wanted and has enough room.
  */
 against: AgainstLayout | null, };
 export type ChartRequest = { width: number, height: number, palette: Array<[number, number, number]>, 
 /**
- * Scale of text and lines relative to the usual size.
+ * Scale of text and lines; 1 for the usual size.
  */
 scale: number, 
 /**
- * Pixels of the screen per pixel of the reader.
+ * Screen pixels per CSS pixel.
  */
 ratio: number, 
 /**
- * Whether curves go through all their points, for a picture that may be enlarged.
+ * Whether curves pass through all their points, for a picture that may be enlarged.
  */
 whole: boolean, 
 /**
@@ -96,36 +96,44 @@ only: Only,
 around: number, };
 export type CircleHere = { point: string, 
 /**
- * The radius with two derivatives, as the axes define them.
+ * The radius and its first two derivatives, with respect to the same variable as on the axes.
  */
 radius: [number, number, number] | null, centre: [number, number] | null, reason: import("assur/core/problem.js").Problem | null, };
 export type ClassSummary = { freedoms: number, count: number, };
 export type ConditionSummary = { 
 /**
- * Its number in the paper.
+ * Number of the condition in the paper.
  */
 number: number, 
 /**
- * The length that it concerns.
+ * The length that the condition concerns.
  */
 about: string | null, 
 /**
- * The two numbers whose signs it compares; null where one is infinite.
+ * The two numbers whose signs are compared; null for an infinite one.
  */
 values: [number | null, number | null], 
 /**
- * Whether it holds as printed, and whether its conclusion is true.
+ * Whether the condition holds as printed.
  */
-holds: boolean, truth: boolean, };
+holds: boolean, 
+/**
+ * Whether the conclusion of the condition is true.
+ */
+truth: boolean, };
 export type CountSummary = { 
 /**
- * n: moving links.
+ * Number of moving links, n.
  */
 links: number, 
 /**
- * Pᵢ in the scheme's own space, and in space.
+ * Numbers Pᵢ of pairs with i freedoms, in the scheme's own space.
  */
-pairs: Array<ClassSummary>, spatial_pairs: Array<ClassSummary>, planar: number | null, spatial: number, };
+pairs: Array<ClassSummary>, 
+/**
+ * Numbers Pᵢ of pairs with i freedoms, in three-dimensional space.
+ */
+spatial_pairs: Array<ClassSummary>, planar: number | null, spatial: number, };
 export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, by_count: number, };
 export type CourseSummary = { 
 /**
@@ -137,27 +145,27 @@ moves: "angle" | "length" | "time",
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
+ * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, which denote their angles.
+ * The numbers of links, by their names; a number denotes the angle of its link.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * Groups of quantities that can be plotted together, by the name of the choice.
+ * Names of choices that plot a group of quantities together.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * The quantities of the curves on the plots: those, or the ones plotted against each other.
+ * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
- * Whether points of its links can be traced.
+ * Whether points of the links can be traced.
  */
 traceable: boolean, 
 /**
- * Other kinds of document into which it can be converted.
+ * Other kinds of document into which this document can be converted.
  */
 becomes: readonly "scheme"[], };
 export type CurvatureHere = { circles: Array<CircleHere>, inflection: InflectionHere | null, };
@@ -170,11 +178,11 @@ export type DraftSummary = {
  */
 moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
 /**
- * Mobility W by count; none if a named part does not exist.
+ * Mobility W by count; none if the drawing refers to a part that does not exist.
  */
 mobility: number | null, drivers: number, 
 /**
- * Every reason why it does not move.
+ * Every reason why the drawing does not move.
  */
 reasons: readonly import("assur/core/problem.js").Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
 export type DwellSummary = { arc: [number, number], band: [number, number], };
@@ -182,7 +190,7 @@ export type EquationSummary = { "kind": "distance", link: string, points: [strin
 export type FamilyCurve = { l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
 export type FamilySummary = { 
 /**
- * Minimum and maximum of l₁, l₂, l₃; null if there is none.
+ * Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); null if there is none.
  */
 lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
 /**
@@ -190,13 +198,13 @@ lengths: [[number | null, number | null], [number | null, number | null], [numbe
  */
 couplers: [[number, number], [number, number]], curve: FamilyCurve, 
 /**
- * l₁, l₂, l₃ where the class changes.
+ * l₁, l₂, l₃ at each change of the Grashof type.
  */
 changes: Array<[number, number, number]>, };
 export type FoundHere = { name: string, rates: [number, number], };
 export type FoundSummary = { 
 /**
- * Number of its starts.
+ * Number of starting points.
  */
 starts: number, 
 /**
@@ -214,15 +222,15 @@ sum: PlaneSummary, };
 export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
 export type FunctionSummary = { 
 /**
- * x in even steps, with the error of the linkage's y; null beyond its reach.
+ * Values of x at equal steps, each with the error of y; null if the linkage does not reach x.
  */
 curve: Array<[number, number | null]>, 
 /**
- * x and error at the greatest error; none if the linkage reaches nothing of the interval.
+ * x and the error where the error is greatest; none if the linkage reaches no part of the interval.
  */
 greatest: [number, number] | null, 
 /**
- * Whether it covers the whole interval without a break.
+ * Whether the linkage covers the whole interval without a break.
  */
 complete: boolean, };
 export type GearTrainSummary = { bounds: [number, number, number, number], roles: { [key in string]: string }, 
@@ -231,7 +239,7 @@ export type GearTrainSummary = { bounds: [number, number, number, number], roles
  */
 free: string, speeds: BodyNumbers, 
 /**
- * a and b of a ω₁ + b ω₄ = (a + b) ω₃.
+ * Weights a and b in Willis's equation, a ω₁ + b ω₄ = (a + b) ω₃.
  */
 weights: [number, number], ratios: Array<RatioSummary>, identities: Array<IdentitySummary>, conditions: Array<TrainConditionSummary>, 
 /**
@@ -243,23 +251,27 @@ builds: boolean,
  */
 suggestions: Array<SuggestionSummary>, 
 /**
- * z₂ with which gears of these z₁ and z₄ are in contact, if there is one.
+ * Number of satellite teeth, z₂, with which gears of these z₁ (sun) and z₄ (ring) are in contact, if there is one.
  */
 in_contact: number | null, mobility: MobilitySummary, 
 /**
- * Gaps of magnets at sun and ring, mm.
+ * Gaps between the magnets at sun and ring, mm.
  */
 gaps: [number, number] | null, axis_distance: number, 
 /**
- * Velocities at the last speeds, mm and mm/s.
+ * Velocities at the final speeds: distances in mm, velocities in mm/s.
  */
 velocities: VelocitySummary | null, 
 /**
- * Torques from outside without losses, relative to the sun's, and what each shaft takes in of the power.
+ * External torques without losses, relative to the sun's.
  */
-torques: ShaftNumbers, powers: ShaftNumbers, 
+torques: ShaftNumbers, 
 /**
- * The torques that the magnets hold, N·m, each with the other shafts held.
+ * Power that each shaft takes in.
+ */
+powers: ShaftNumbers, 
+/**
+ * Greatest static torque on each body that the magnets can hold, N·m, with the other shafts held.
  */
 limits: BodyNumbers | null, 
 /**
@@ -271,7 +283,7 @@ swings: [number, number] | null,
  */
 load: PullSummary | null, 
 /**
- * Slips of the meshes with sun and ring at the end of a run, in periods.
+ * Slips of the meshes with sun and ring at the end of a run, in periods of the field.
  */
 slips: [number, number] | null, halt: HaltSummary | null, 
 /**
@@ -283,66 +295,66 @@ moves: "angle" | "length" | "time",
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
+ * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, which denote their angles.
+ * The numbers of links, by their names; a number denotes the angle of its link.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * Groups of quantities that can be plotted together, by the name of the choice.
+ * Names of choices that plot a group of quantities together.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * The quantities of the curves on the plots: those, or the ones plotted against each other.
+ * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
- * Whether points of its links can be traced.
+ * Whether points of the links can be traced.
  */
 traceable: boolean, 
 /**
- * Other kinds of document into which it can be converted.
+ * Other kinds of document into which this document can be converted.
  */
 becomes: readonly "scheme"[], };
 export type GroupSummary = { term: string, role: string, };
 export type HaltSummary = { body: string, time: number, };
 export type HandleSummary = { name: string, role: string, 
 /**
- * Whether pressing it without a drag has an effect.
+ * Whether pressing the handle without a drag has an effect.
  */
 pressed: boolean, };
 export type IdentitySummary = { terms: [string, string], sum: number, };
 export type InflectionHere = { link: string, diameter: number | null, reason: import("assur/core/problem.js").Problem | null, };
 export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 
 /**
- * W in a nearby pose.
+ * W in a nearby pose, if one was found.
  */
 generic: number | null, 
 /**
- * Whether there is no nearby pose, though W is not 0.
+ * Whether the scheme moves only for an instant: W is not 0, but there is no nearby pose.
  */
 instantaneous: boolean, };
 export type LeftOutSummary = { values: [number, number], holds: boolean, };
 export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
 /**
- * Whether its length is known before the point is found.
+ * Whether the length is known before the point is found.
  */
 known: boolean, };
 export type LimitSummary = { input: number, value: number, };
 export type LinkHere = { link: string, 
 /**
- * Its distance from the place, in the unit of the lengths.
+ * Distance of the link from the place, in the unit of the lengths.
  */
 off: number, 
 /**
- * The wheel at the place, a ring only on its rim.
+ * The wheel at the place, if there is one; a ring counts only at its rim.
  */
 wheel: string | null, };
 export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
 /**
- * The links that can drive it, by turning or sliding.
+ * Links that can drive the linkage, by rotating or sliding.
  */
 drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
@@ -354,35 +366,35 @@ moves: "angle" | "length" | "time",
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
+ * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, which denote their angles.
+ * The numbers of links, by their names; a number denotes the angle of its link.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * Groups of quantities that can be plotted together, by the name of the choice.
+ * Names of choices that plot a group of quantities together.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * The quantities of the curves on the plots: those, or the ones plotted against each other.
+ * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
- * Whether points of its links can be traced.
+ * Whether points of the links can be traced.
  */
 traceable: boolean, 
 /**
- * Other kinds of document into which it can be converted.
+ * Other kinds of document into which this document can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Passive wheels, whose meshes repeat what others do.
+ * Passive wheels, whose meshes repeat what other meshes do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
+ * The pairs with a redundant constraint; not listed if there are passive wheels.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type ListedSummary = { name: string, 
@@ -391,7 +403,7 @@ export type ListedSummary = { name: string,
  */
 what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
 /**
- * The number that denotes the angle.
+ * The number that denotes the read-out, if it is an angle.
  */
 number: string | null, role: string, };
 export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
@@ -404,7 +416,7 @@ export type MendedSummary = { list: Array<Array<ChangedPair>>,
 complete: boolean, };
 export type MixerSummary = { 
 /**
- * The ratios of the peripheral wheels to the rocker.
+ * Speed ratios of the peripheral wheels to the rocker.
  */
 ratios: Array<number>, 
 /**
@@ -412,7 +424,7 @@ ratios: Array<number>,
  */
 overlaps: Array<[number, number]>, 
 /**
- * The direction from wheel 4 with the most room.
+ * Direction from wheel 4 in which there is most room.
  */
 free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
@@ -424,35 +436,35 @@ moves: "angle" | "length" | "time",
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
+ * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, which denote their angles.
+ * The numbers of links, by their names; a number denotes the angle of its link.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * Groups of quantities that can be plotted together, by the name of the choice.
+ * Names of choices that plot a group of quantities together.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * The quantities of the curves on the plots: those, or the ones plotted against each other.
+ * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
- * Whether points of its links can be traced.
+ * Whether points of the links can be traced.
  */
 traceable: boolean, 
 /**
- * Other kinds of document into which it can be converted.
+ * Other kinds of document into which this document can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Passive wheels, whose meshes repeat what others do.
+ * Passive wheels, whose meshes repeat what other meshes do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
+ * The pairs with a redundant constraint; not listed if there are passive wheels.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
@@ -466,65 +478,69 @@ moves: "angle" | "length" | "time",
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
+ * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, which denote their angles.
+ * The numbers of links, by their names; a number denotes the angle of its link.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * Groups of quantities that can be plotted together, by the name of the choice.
+ * Names of choices that plot a group of quantities together.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * The quantities of the curves on the plots: those, or the ones plotted against each other.
+ * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
- * Whether points of its links can be traced.
+ * Whether points of the links can be traced.
  */
 traceable: boolean, 
 /**
- * Other kinds of document into which it can be converted.
+ * Other kinds of document into which this document can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Passive wheels, whose meshes repeat what others do.
+ * Passive wheels, whose meshes repeat what other meshes do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
+ * The pairs with a redundant constraint; not listed if there are passive wheels.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionsMap = { 
 /**
- * The link by whose angle assemblies are numbered.
+ * Name of the link whose angle numbers the assemblies.
  */
 output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
 /**
- * Whether all branches were found, each followed to its ends.
+ * Whether all branches were found and each was followed to its ends.
  */
 whole: boolean, };
 export type Movement = { field: string, by: number, };
 export type OutputSummary = { name: string, searched: boolean, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
 export type PairSummary = { name: string, freedoms: number, constraints: number, spatial_freedoms: number, 
 /**
- * The cuts of this pair if it is cut: itself, or one link of a compound hinge.
+ * Names of the possible cuts of this pair: one cut, or one for each link of a compound hinge.
  */
 cuts: Array<string>, };
 export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
 export type PhaseSummary = { kind: "rise" | "dwell" | "return", arc: [number, number], };
 export type PlaneSummary = { 
 /**
- * Minimum and maximum of both lengths.
+ * Minimum and maximum, the same for both lengths.
  */
 bounds: [number, number], values: Array<Array<number>>, };
 export type PolygonPictureHere = { 
 /**
- * The display list, and the names to which its labels refer.
+ * Display list.
  */
-list: Array<number>, names: Array<string>, 
+list: Array<number>, 
+/**
+ * Names to which the labels of the list refer.
+ */
+names: Array<string>, 
 /**
  * Left, bottom, right, top.
  */
@@ -534,24 +550,28 @@ bounds: [number, number, number, number],
  */
 bar: number, 
 /**
- * Factor by which the scale is smaller than usual in the motion: 1, unless the polygon would not fit.
+ * Factor by which this picture's scale is smaller than the usual scale of the motion; 1 if the polygon fits.
  */
 smaller: number, };
 export type PolygonStepHere = { 
 /**
- * Kind of step: the pole, an equation, points by the image of their link, points of a group other than a dyad.
+ * Kind of step: the pole, a vector equation, points by the image of their link, points of a group that is no dyad.
  */
 kind: "pole" | "equation" | "image" | "group", 
 /**
- * The unknown point of an equation and its reference point.
+ * The unknown point of the equation.
  */
-target?: string | null, from?: string | null, 
+target?: string | null, 
 /**
- * The number of the link that has both, or the line; 0 of the frame.
+ * The reference point of the equation.
+ */
+from?: string | null, 
+/**
+ * Number of the link with both points or, for a slide, with the line; 0 for the frame.
  */
 link?: string | null, 
 /**
- * Terms added to its velocity and to its acceleration.
+ * Terms added in the equation for the velocity, and in that for the acceleration.
  */
 legs: [Array<LegHere>, Array<LegHere>], 
 /**
@@ -564,51 +584,55 @@ export type PolygonsHere = {
  */
 steps: Array<PolygonStepHere>, 
 /**
- * Pictures of the velocity and acceleration polygons, after the requested number of steps.
+ * Pictures of the velocity and acceleration polygons, each after the requested number of steps.
  */
 pictures: [PolygonPictureHere, PolygonPictureHere], };
 export type PrintedSummary = { 
 /**
- * l₁, l₂, l₃.
+ * Lengths l₁ (coupler), l₂ (output) and l₃ (input).
  */
 lengths: [number, number, number], 
 /**
- * ΣJ of these lengths and of the drawn linkage: dimensionless, since J is of zᵢ = lᵢ/l₀.
+ * ΣJ of these lengths; dimensionless, since J is computed from zᵢ = lᵢ/l₀.
  */
-least: number, drawn: number, };
+least: number, 
+/**
+ * ΣJ of the drawn linkage.
+ */
+drawn: number, };
 export type ProfileSummary = { 
 /**
  * Width of the band, degrees or in the unit of the lengths.
  */
 width: number, 
 /**
- * Stroke from minimum to maximum; none if the output turns on and on.
+ * Stroke from minimum to maximum; none if the output keeps rotating.
  */
 stroke: number | null, dwell: DwellSummary | null, phases: Array<PhaseSummary>, };
 export type PullSummary = { value: number, max: number, };
 export type RateSummary = { field: string, link: string, rate: number, role: string, };
 export type RatioSummary = { name: string, of: number, to: number, held: number, numerator: number, denominator: number, value: number, 
 /**
- * Whether it is the largest positive one.
+ * Whether this is the largest positive ratio.
  */
 largest: boolean, };
 export type ReachedSummary = { arc: number, stroke: number, residual: number, singularity_margin: number, };
 export type RedundancySummary = { count: number, pairs: Array<string>, };
 export type RelationHere = { item: string, name: string, 
 /**
- * Whether it is an angle, radians.
+ * Whether the value is an angle, in radians.
  */
 angle: boolean, 
 /**
- * Whether it is an angle of rotation, of which whole turns count.
+ * Whether the value is an angle of rotation, in which whole turns count.
  */
 turned: boolean, 
 /**
- * Whether it is a count, and so a whole number.
+ * Whether the value is a count, which is a whole number.
  */
 count: boolean, value: number, 
 /**
- * The value by the relation as printed; none if that divides by zero.
+ * The value given by the relation as printed; none if that divides by zero.
  */
 printed: number | null, };
 export type SchemeSummary = { 
@@ -621,7 +645,7 @@ moves: null, bounds: [number, number, number, number], handles: Array<HandleSumm
  */
 links: Array<string>, pairs: Array<PairSummary>, counts: CountSummary, mobility: number, redundant: number, 
 /**
- * q by (6), if it applies.
+ * Redundant constraints q by equation (6) of the mobility paper, if it applies.
  */
 redundant_by_plane: number | null, 
 /**
@@ -629,11 +653,11 @@ redundant_by_plane: number | null,
  */
 sections: SectionsSummary | null, 
 /**
- * The pairs of a contour that is still closed.
+ * The pairs of a contour that is still closed after the cuts.
  */
 closed: Array<string>, 
 /**
- * Links joined to nothing after the cuts.
+ * Links that the cuts disconnect.
  */
 apart: Array<string>, 
 /**
@@ -641,39 +665,39 @@ apart: Array<string>,
  */
 automatic: Array<string>, plane: JudgedSummary | null, space: JudgedSummary | null, 
 /**
- * A pair with too few data for the rank.
+ * The first pair with too few data for the rank.
  */
 missing: string | null, mended: MendedSummary | null, };
 export type SectionsSummary = { cuts: Array<string>, 
 /**
- * Remaining pairs: i, and their number.
+ * Numbers of remaining pairs with i freedoms.
  */
 left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
 export type SeriesLayout = { name: string, 
 /**
- * The number that denotes the angle, if it has one.
+ * For an angle, the number that denotes it, if it has one.
  */
 number: string | null, role: string, 
 /**
- * The value of the curve if it is constant.
+ * The value of the curve, if it is constant.
  */
 level: number | null, };
 export type ShaftNumbers = { sun: number, carrier: number, ring: number, };
 export type SolutionSummary = { 
 /**
- * l₁, l₂, l₃.
+ * Lengths l₁ (coupler), l₂ (output) and l₃ (input).
  */
 lengths: [number, number, number], 
 /**
- * φ₂₀ and φ₃₀, radians.
+ * Starting angles φ₂₀ of the output and φ₃₀ of the input, radians.
  */
 starts: [number, number], 
 /**
- * The greatest gap at the coupler over the positions.
+ * The greatest gap at the coupler over all positions.
  */
 gap: number, 
 /**
- * l₀²ΣJ, in squares of the unit of lengths.
+ * Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths.
  */
 sum: number, 
 /**
@@ -687,32 +711,32 @@ at_bound: boolean, verdict: VerdictSummary | null, };
 export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Passive wheels, whose meshes repeat what others do.
+ * Passive wheels, whose meshes repeat what other meshes do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
+ * The pairs with a redundant constraint; not listed if there are passive wheels.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
 export type SweepColumn = { 
 /**
- * Name as in all tables: `rocker.dangle`.
+ * Name of the column, as in all tables: `rocker.dangle`.
  */
 name: string, 
 /**
- * None if the name is sufficient.
+ * The quantity in parts; none if the name is sufficient.
  */
 quantity: SweepQuantity | null, };
 export type SweepDimension = { kind: "length" | "x" | "y", 
 /**
- * Names of two points, as in `A-B`, or of one.
+ * Names of the two points, as in `A-B`, or of the single point.
  */
 of: string, value: number, };
 export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner" | "between" | "transmission" | "pressure" | "radius" | "centre_x" | "centre_y", of: string, order: number, };
 export type SweepRow = { 
 /**
- * Degrees of a crank, otherwise in the unit of the lengths.
+ * Input of the row: degrees for a crank, seconds for a gear train, otherwise in the unit of the lengths.
  */
 input: number, values: Array<number | null>, reason: { readonly code: string } | null, };
 export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, 
@@ -726,15 +750,15 @@ export type SynthesisSummary = {
  */
 from: "family" | "exact" | "found" | "trial", 
 /**
- * The numbered solutions in the order of their numbers.
+ * The numbered solutions, in the order of their numbers.
  */
 solutions: Array<SolutionSummary>, 
 /**
- * Their numbers, from 1, in the order in which they are shown.
+ * Numbers of the solutions, from 1, in the order in which they are shown.
  */
 shown: Array<number>, 
 /**
- * Whether the output's angles are probably given in the opposite sense.
+ * Whether the output's angles were probably given for the opposite direction, turned through 180°.
  */
 turned: boolean, 
 /**
@@ -742,11 +766,11 @@ turned: boolean,
  */
 number: number | null, drawn: SolutionSummary, 
 /**
- * l₀.
+ * Length of the frame, l₀.
  */
 frame: number, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
 /**
- * Number of positions that can be closed, over l₁ and l₂.
+ * Number of positions that can be closed, over l₁ (coupler) and l₂ (output).
  */
 closed: PlaneSummary, 
 /**
@@ -774,42 +798,42 @@ moves: "angle" | "length" | "time",
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
- * The reason why extrema over the motion were not searched, if so: outputs then have only a name.
+ * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, which denote their angles.
+ * The numbers of links, by their names; a number denotes the angle of its link.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
- * Groups of quantities that can be plotted together, by the name of the choice.
+ * Names of choices that plot a group of quantities together.
  */
 overviews: Array<string>, plotted: Array<string>, 
 /**
- * The quantities of the curves on the plots: those, or the ones plotted against each other.
+ * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
  */
 curves: Array<string>, handles: Array<HandleSummary>, 
 /**
- * Whether points of its links can be traced.
+ * Whether points of the links can be traced.
  */
 traceable: boolean, 
 /**
- * Other kinds of document into which it can be converted.
+ * Other kinds of document into which this document can be converted.
  */
 becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /**
- * Passive wheels, whose meshes repeat what others do.
+ * Passive wheels, whose meshes repeat what other meshes do.
  */
 passive: Array<string>, 
 /**
- * The pairs with a redundant constraint; none if passive wheels are the only redundancy.
+ * The pairs with a redundant constraint; not listed if there are passive wheels.
  */
 redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
 export type TickLayout = { value: number, at: number, };
 export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, 
 /**
- * Whether gears with profile shift may still be built.
+ * Whether gears with profile shift could still meet the condition.
  */
 shifted: boolean, };
 export type TransmissionSummary = { what: "transmission" | "pressure", joint: string, links: [string, string], worst: number | null, input: number | null, };
@@ -817,49 +841,64 @@ export type UnsearchedSummary = { turns: number, most: number, };
 export type VelocitySummary = { sun: [number, number], centre: [number, number], ring: [number, number], instantaneous_centre: number | null, };
 export type VerdictSummary = { passage: "continuous" | "through_change_point" | "across_dead_point" | "other_circuit" | "unreached", order: "growing" | "falling" | "either" | "mixed", grashof: string, turns: boolean, 
 /**
- * Radians.
+ * Minimum transmission angle over the whole motion, radians.
  */
 transmission: number, transmission_between: number | null, size_ratio: number, };
 export type WantedSummary = { 
 /**
- * φ₂ and φ₃ with their starts, and φ₁ of the drawn linkage, radians.
+ * Angle φ₂ of the output, including its starting angle, radians.
  */
-output: number, input: number, coupler: number, 
+output: number, 
+/**
+ * Angle φ₃ of the input, including its starting angle, radians.
+ */
+input: number, 
+/**
+ * Angle φ₁ of the coupler of the drawn linkage, radians.
+ */
+coupler: number, 
 /**
  * Gap of the contour at the coupler.
  */
 error: number, 
 /**
- * The main equation: its left side, Z, e₀·e₂/z₃ and e₀·e₃/z₂.
+ * Terms of the main equation: left side, Z, e₀·e₂/z₃, e₀·e₃/z₂. Links have unit vectors eᵢ and zᵢ = lᵢ/l₀.
  */
 equation: [number, number, number, number], 
 /**
- * φ₁ at which the conditions are evaluated, and the gap of the contour with the coupler at
- * this angle.
+ * Coupler angle φ₁ at which the conditions are evaluated, radians.
  */
-at: number, open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
+at: number, 
 /**
- * The condition that theorem 5 leaves out.
+ * Gap of the contour if the coupler has this angle.
+ */
+open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
+/**
+ * The condition omitted by theorem 5.
  */
 pair: LeftOutSummary | null, 
 /**
- * Ranges of l₁ in which l₂ and l₃ are positive: null if there is none, or no maximum; null
- * altogether where (13) fails.
+ * Ranges of l₁ for which l₂ and for which l₃ is positive. A null range is empty; a null maximum means no limit.
+ * Null altogether if condition (13) fails.
  */
 ranges: [[number, number | null] | null, [number, number | null] | null] | null, 
 /**
- * Range of l₁ in which all lengths are positive: null if there is none, or no maximum.
+ * Range of l₁ for which all lengths are positive; null if it is empty. A null maximum means no limit.
  */
 interval: [number, number | null] | null, };
 export type WeightedSummary = { 
 /**
- * l₁, l₂, l₃.
+ * Lengths l₁ (coupler), l₂ (output) and l₃ (input).
  */
 lengths: [number, number, number], 
 /**
- * ΣJ of these lengths, with the best coupler angles, and of the drawn linkage: dimensionless.
+ * ΣJ of these lengths with the best coupler angles; dimensionless.
  */
-sum: number, drawn: number, };
+sum: number, 
+/**
+ * ΣJ of the drawn linkage.
+ */
+drawn: number, };
 export type Wishes = { 
 /**
  * Minimum arc of the crank over which the output dwells, radians.

@@ -2,8 +2,7 @@
 
 use serde::Serialize;
 
-/// A feature of the other program that a linkage lacks or has in another form; serialised as
-/// `{"code": "…", parameters}`.
+/// A feature of the other program that could not be imported unchanged; serialised as `{"code": "…", parameters}`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 #[expect(
@@ -11,48 +10,48 @@ use serde::Serialize;
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum LeftOut {
-    /// Forces, by name.
+    /// Names of forces.
     Forces { names: Vec<String> },
-    /// Links with masses.
+    /// Names of links with masses.
     Masses { names: Vec<String> },
     /// Speed of a crank, revolutions per minute.
     Speed { link: String, rpm: f64 },
-    /// Frequency of a cylinder, cycles per minute.
+    /// Frequency of an actuator, cycles per minute.
     Pace { link: String, cycles: f64 },
-    /// This number of parts that are only drawn.
+    /// Number of parts that are drawn but do not belong to the mechanism.
     Drawn { parts: usize },
     /// Parts that became one rigid link.
     Welded { link: String, parts: Vec<String> },
-    /// Links that do not move: fixed at two points, or fastened to a fixed part.
+    /// Links that cannot move: fixed to the frame at two points, or at one point and by a slide.
     Fixed { names: Vec<String> },
-    /// Points that join nothing.
+    /// Points that belong to no link.
     Unused { names: Vec<String> },
-    /// Pins in curved slots became pins on links of the slots' radii.
+    /// Pins in circular slots, replaced by pins on links as long as the radius of the slot.
     Curved { names: Vec<String> },
-    /// A slider without a line to slide on became a hinge.
+    /// A slider without a line to slide on, replaced by a hinge.
     Slideless { point: String },
-    /// A chain around two wheels became wheels with the same sense of rotation.
+    /// Two wheels with a chain, replaced by a pair of wheels with the same sense of rotation.
     Chain { names: Vec<String> },
-    /// Wheels whose ratio is not one of possible numbers of teeth.
+    /// Wheels whose ratio no permitted numbers of teeth give exactly.
     Teeth { names: Vec<String>, ratio: f64 },
-    /// Wheels without a common carrier, or otherwise not a pair.
+    /// Wheels that do not form a pair, for example without a common carrier.
     Wheels { names: Vec<String> },
     /// A further driver whose rate relative to the first was changed so that the motion repeats.
     Ratio { link: String, rate: f64, taken: f64 },
-    /// A driven slide whose range was not given, or went beyond what is possible.
+    /// A driven slide with no given range, or with one that includes impossible lengths.
     Range { point: String, min: f64, max: f64 },
-    /// Oscillating cylinders beside other drivers go one way only.
+    /// Oscillating actuators that are not the only driver, and now move in one direction only.
     OneWay { names: Vec<String> },
-    /// A crank that oscillates by an angle, in degrees, turns on.
+    /// A crank that oscillated through this angle, in degrees, and now keeps rotating.
     Swing { link: String, angle: f64 },
-    /// A driver moved only by hand is at rest.
+    /// A driver that was moved only by hand and is now at rest.
     ByHand { link: String },
     /// A driver that turns or moves nothing.
     Driver { point: String },
-    /// A part fastened to one that does not carry it.
+    /// A part fastened to another part that cannot carry it.
     Fastened { name: String },
-    /// The drawing's scale.
+    /// Scale of the drawing.
     Scale { factor: f64 },
-    /// An unknown part at the end of a link.
+    /// An unknown part at the end of a PMKS+ link.
     Unknown { part: String },
 }

@@ -1,8 +1,8 @@
-//! Import of mechanisms from other programs: links of PMKS+ in both of its forms and of the PMKS
-//! before it, and files of Linkage (`.linkage2`). Parts that could not be imported unchanged are
-//! listed ([`LeftOut`]); docs/file-format.md lists what is imported.
+//! Import of mechanisms from other programs: links (URLs) of PMKS+ in both of its forms, links of its predecessor PMKS,
+//! and Linkage files (`.linkage2`). Parts that could not be imported unchanged are listed ([`LeftOut`]);
+//! docs/file-format.md lists what is imported.
 //!
-//! An imported linkage need not move: [`LinkageDocument::mechanism`] checks that.
+//! An imported linkage may be unable to move: [`LinkageDocument::mechanism`] checks that.
 
 mod left_out;
 mod linkage2;
@@ -15,15 +15,14 @@ use assur_file::LinkageDocument;
 pub use left_out::LeftOut;
 pub use problem::ImportProblem;
 
-/// Longest text that is read: the largest possible linkage is far shorter.
+/// Maximum length of a text that is read, in bytes; the largest possible linkage is far shorter.
 const LONGEST: usize = 1 << 20;
 
-/// Maximum number of parts, many more than a linkage may have: naming and joining them takes time
-/// that grows faster than their number.
+/// Maximum number of parts, far above that of a linkage. The time to name and join them grows faster than their number.
 const MOST_PARTS: usize = 1000;
 
 /// # Errors
-/// More parts than are read.
+/// More than [`MOST_PARTS`] parts.
 fn bounded(parts: usize) -> Result<(), ImportProblem> {
     match parts {
         0..=MOST_PARTS => Ok(()),
@@ -31,7 +30,7 @@ fn bounded(parts: usize) -> Result<(), ImportProblem> {
     }
 }
 
-/// A finite number, as other programs write them too: `.5`, `5.`, `+3`.
+/// Parses a finite number. Other programs also write `.5`, `5.` and `+3`.
 fn number(text: &str) -> Option<f64> {
     let value: f64 = text.trim().parse().ok()?;
     value.is_finite().then_some(value)
@@ -40,7 +39,7 @@ fn number(text: &str) -> Option<f64> {
 /// Maximum number of characters of a quoted text.
 const LONGEST_QUOTE: usize = 40;
 
-/// The beginning of a text from outside, for a message: without control characters, with an ellipsis if it is cut.
+/// Returns the first characters of an outside text, for a message: control characters removed, a cut marked by `…`.
 fn quoted(text: &str) -> String {
     let mut plain = text.chars().filter(|c| !c.is_control());
     let mut quote: String = plain.by_ref().take(LONGEST_QUOTE).collect();
@@ -53,7 +52,7 @@ fn quoted(text: &str) -> String {
 /// Result of an import.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Imported {
-    /// The linkage, with its source; without a title, which neither program saves.
+    /// The linkage. Its source is set; its title is not, since neither program saves one.
     pub document: LinkageDocument,
     /// Parts that could not be imported unchanged.
     pub left_out: Vec<LeftOut>,
@@ -62,7 +61,7 @@ pub struct Imported {
 /// A text that appears to come from another program.
 #[derive(Clone, Copy)]
 enum Source<'a> {
-    /// The part of a PMKS+ link after the `?`, with the link's host; files of PMKS+ contain only that part.
+    /// The query of a PMKS+ link, which follows the `?`, and the link's host. A PMKS+ file contains only the query.
     Pmks {
         host: Option<&'a str>,
         query: &'a str,
@@ -75,7 +74,7 @@ fn source(text: &str) -> Option<Source<'_>> {
     if linkage2::begins(text) {
         return Some(Source::Linkage(text));
     }
-    // A file of ours, which may hold a part of a link in its texts.
+    // One of Assur's own files, whose texts may happen to contain part of a link.
     if text.starts_with('{') {
         return None;
     }
@@ -89,15 +88,15 @@ fn source(text: &str) -> Option<Source<'_>> {
     pmks::begins(query).then_some(Source::Pmks { host, query })
 }
 
-/// Whether a text appears to be a link of PMKS+ or a file of Linkage, whole or damaged.
+/// Whether a text appears to be a PMKS+ link or a Linkage file, whole or damaged.
 pub fn recognised(text: &str) -> bool {
     source(text).is_some()
 }
 
-/// Reads a link of PMKS+ or a file of Linkage.
+/// Reads a PMKS+ link or a Linkage file.
 ///
 /// # Errors
-/// Neither of these; the part that cannot be read.
+/// A text that is neither or is too long; the part that cannot be read.
 pub fn read(text: &str) -> Result<Imported, ImportProblem> {
     if text.len() > LONGEST {
         return Err(ImportProblem::ImportTooLarge { max: LONGEST });

@@ -7,10 +7,10 @@ mod wheels;
 
 use crate::{ImportProblem, Imported};
 
-/// The root of a file.
+/// Name of a file's root tag.
 const ROOT: &str = "linkage2";
 
-/// Whether a text appears to be such a file.
+/// Whether a text appears to be a Linkage file.
 pub(crate) fn begins(text: &str) -> bool {
     let mut text = text;
     while let Some(rest) = text.strip_prefix("<?") {
@@ -23,7 +23,7 @@ pub(crate) fn begins(text: &str) -> bool {
         .is_some_and(|rest| rest.starts_with(ROOT))
 }
 
-/// Reads such a file.
+/// Reads a Linkage file.
 ///
 /// # Errors
 /// The part that cannot be read.

@@ -1,6 +1,6 @@
-//! Links of PMKS+ (Planar Mechanism Kinematic Simulator, <https://pmksplus.com>), in its first
-//! form, in plain text, and in the second, abbreviated one. Both are read into a
-//! [`Plan`](plan::Plan). Also links of the PMKS before it ([`original`]).
+//! Links of PMKS+ (Planar Mechanism Kinematic Simulator, <https://pmksplus.com>). The first form is
+//! plain text, the second is abbreviated; both are read into a [`Plan`](plan::Plan). [`original`]
+//! reads links of the predecessor, PMKS.
 
 mod original;
 mod plan;
@@ -9,12 +9,12 @@ mod short;
 
 use crate::{ImportProblem, Imported};
 
-/// Whether the query of a link has one of the forms.
+/// Whether the query of a link has one of these three forms.
 pub(crate) fn begins(query: &str) -> bool {
     readable::begins(query) || short::begins(query) || original::begins(query)
 }
 
-/// Reads the part of a link after the `?`.
+/// Reads the query of a link: the part after the `?`.
 ///
 /// # Errors
 /// The part that cannot be read.
@@ -29,7 +29,7 @@ pub(crate) fn read(host: Option<&str>, query: &str) -> Result<Imported, ImportPr
     if original::begins(query) {
         return original::sketch(query, source("PMKS"))?.imported();
     }
-    // The delimiters of an address stay encoded, as browsers leave them.
+    // Encoded delimiters of a URL stay encoded, as browsers leave them.
     let query = decoded(query, b";/?:@&=+$,#");
     let plan = if readable::begins(&query) {
         readable::plan(&query)?
@@ -39,7 +39,7 @@ pub(crate) fn read(host: Option<&str>, query: &str) -> Result<Imported, ImportPr
     plan.sketch(source("PMKS+"))?.imported()
 }
 
-/// A text with `%7C` and the like decoded, except the characters in `kept`.
+/// Decodes a percent-encoded text (`%7C` and the like), except for the characters in `kept`.
 fn decoded(query: &str, kept: &[u8]) -> String {
     let hex = |byte: Option<&u8>| char::from(*byte?).to_digit(16);
     let mut bytes = Vec::with_capacity(query.len());

@@ -1,10 +1,10 @@
-//! Reasons why something of another program cannot be read, as codes with parameters. The words are in `lang/`.
+//! Reasons why a mechanism of another program cannot be read, as codes with parameters. The words are in `lang/`.
 
 use serde::Serialize;
 
 use crate::quoted;
 
-/// A problem; serialised as `{"code": "…", parameters}`.
+/// A reason why an import failed; serialised as `{"code": "…", parameters}`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "code", rename_all = "snake_case")]
 #[expect(
@@ -12,25 +12,25 @@ use crate::quoted;
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum ImportProblem {
-    /// It is neither a link of PMKS+ nor a file of Linkage.
+    /// A text that is neither a PMKS+ link nor a Linkage file.
     NotImported,
-    /// The text is longer than this, in bytes.
+    /// A text longer than `max` bytes.
     ImportTooLarge { max: usize },
-    /// There are more parts than this.
+    /// More than `max` parts.
     ImportTooMany { max: usize },
     /// A link whose check character does not match its length.
     LinkCut,
-    /// A part of a link in the wrong form.
+    /// A malformed part of a link.
     LinkPart { part: String },
-    /// A tag of a file that does not end, or does not belong there.
+    /// A tag that does not end or is out of place, by its line in the file.
     MarkupBroken { line: usize },
-    /// The value of this part is not a number, or out of range.
+    /// A value of a part that is not a number or is out of range.
     ImportNumber { part: String, value: String },
-    /// Two parts with the same name, so that references to it are ambiguous.
+    /// A name shared by two parts, which makes references to it ambiguous.
     ImportTwice { part: String },
-    /// A joint between wheels in a link of the first PMKS, which is not read.
+    /// A joint between the teeth of wheels, in a link of the first PMKS. Such joints are not read.
     ImportGears { part: String },
-    /// A text without links.
+    /// A mechanism without links.
     NothingImported,
 }
 
@@ -41,13 +41,13 @@ impl ImportProblem {
         Self::LinkPart { part }
     }
 
-    /// A value that is not a finite number in range.
+    /// A value that is not a finite number or is out of range.
     pub(crate) fn number(part: &str, value: &str) -> Self {
         let [part, value] = [part, value].map(quoted);
         Self::ImportNumber { part, value }
     }
 
-    /// A joint between wheels.
+    /// A joint between the teeth of wheels.
     pub(crate) fn gears(part: &str) -> Self {
         let part = quoted(part);
         Self::ImportGears { part }

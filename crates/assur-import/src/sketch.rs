@@ -1,4 +1,4 @@
-//! A mechanism of another program, by indices instead of names, and its conversion to a linkage.
+//! A mechanism read from another program, with indices instead of names, and its conversion to a linkage.
 
 mod document;
 mod names;
@@ -10,7 +10,7 @@ use assur_file::{LengthUnit, MeshDocument};
 use crate::{ImportProblem, Imported, LeftOut};
 pub(crate) use names::letter;
 
-/// Carrier of a part.
+/// A body: the frame, or a bar by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Body {
     Frame,
@@ -24,7 +24,7 @@ pub(crate) struct Joint {
     pub(crate) at: [f64; 2],
     pub(crate) fixed: bool,
     pub(crate) traced: bool,
-    /// Whether it exists in the other program; otherwise it only helps to define a part.
+    /// Whether the point exists in the other program. If not, it only helps to define a part.
     pub(crate) own: bool,
 }
 
@@ -33,13 +33,13 @@ pub(crate) struct Joint {
 pub(crate) struct Bar {
     pub(crate) name: String,
     pub(crate) joints: Vec<usize>,
-    /// The body to which it is fixed, lying on it as drawn.
+    /// The body to which a wheel is fixed, in the drawn position.
     pub(crate) fixed_to: Option<Body>,
-    /// Whether it is a wheel, which remains a link even on a shaft at rest.
+    /// Whether the bar is a wheel. A wheel remains a link even on a shaft at rest.
     pub(crate) wheel: bool,
 }
 
-/// A prismatic pair: the joint of a bar on a line through two joints of a body.
+/// A prismatic pair: the joint of a bar, on a line through two joints of another body.
 #[derive(Clone, Debug)]
 pub(crate) struct Slide {
     pub(crate) bar: usize,
@@ -57,7 +57,7 @@ pub(crate) struct Gear {
     pub(crate) mesh: MeshDocument,
 }
 
-/// A driver, with its speed in time: radians or lengths per second.
+/// A driver, with its speed in radians or lengths per second.
 #[derive(Clone, Debug)]
 pub(crate) struct Driver {
     pub(crate) moves: Moves,
@@ -100,7 +100,7 @@ impl Sketch {
         self.joints.len() - 1
     }
 
-    /// Adds a bar with a name through joints.
+    /// Adds a named bar through joints; returns its index.
     pub(crate) fn bar(&mut self, name: String, joints: Vec<usize>) -> usize {
         self.bars.push(Bar {
             name,
@@ -110,7 +110,7 @@ impl Sketch {
         self.bars.len() - 1
     }
 
-    /// Adds a pin on a line of a body: a block hinged at the pin. Returns the index of its slide.
+    /// Adds a block, hinged at a pin, on a line of a body. Returns the index of the block's slide.
     pub(crate) fn block(&mut self, pin: usize, on: Body, line: [usize; 2]) -> usize {
         let name = self.joints[pin].name.clone();
         let bar = self.bar(name, vec![pin]);
@@ -127,8 +127,8 @@ impl Sketch {
         self.slides.len() - 1
     }
 
-    /// Adds two points of a body for the line of a slide through a place, in a direction in
-    /// radians, at a distance that is a fraction of the drawing's size.
+    /// Adds two points to a body, which define the line of a slide. The line passes through a place, in a direction in
+    /// radians. The distance of the points is a fraction of the drawing's size.
     pub(crate) fn guide(
         &mut self,
         names: [String; 2],
@@ -154,7 +154,7 @@ impl Sketch {
         line
     }
 
-    /// The drawn displacement of a slide, and the length of its line.
+    /// The drawn displacement of a slide along its line, and the length of the line.
     pub(crate) fn way(&self, slide: usize) -> [f64; 2] {
         let Slide { joint, line, .. } = &self.slides[slide];
         let [from, to] = line.map(|end| self.joints[end].at);
@@ -164,7 +164,7 @@ impl Sketch {
         [if length > 0.0 { along / length } else { 0.0 }, length]
     }
 
-    /// The diagonal of the rectangle around its joints.
+    /// Diagonal of the rectangle around all joints.
     pub(crate) fn size(&self) -> f64 {
         let extent = |axis: usize| {
             let places = self.joints.iter().map(|joint| joint.at[axis]);
@@ -174,7 +174,7 @@ impl Sketch {
         extent(0).hypot(extent(1))
     }
 
-    /// The linkage, with the parts that could not be imported unchanged.
+    /// Converts the sketch to a linkage, and lists the parts that could not be imported unchanged.
     ///
     /// # Errors
     /// A mechanism without links.
@@ -182,8 +182,8 @@ impl Sketch {
         document::imported(self)
     }
 
-    /// The body of each bar after welding: itself, the one to which it is welded, or the frame. The
-    /// latter takes over the joints.
+    /// The body of each bar after welding: the bar itself, the bar to which it is welded, or the
+    /// frame. This body takes over the joints of the welded bars.
     fn bodies(&mut self) -> Vec<Body> {
         let mut into: Vec<Body> = (0..self.bars.len()).map(Body::Bar).collect();
         for (bar, to) in self.welds.clone() {
@@ -197,7 +197,7 @@ impl Sketch {
         let mut still = Vec::new();
         while let Some(bar) = self.held(&into) {
             self.fix(&mut into, bar);
-            // A bar of only two anchors is just a drawing of the frame.
+            // A bar with only two joints just draws the frame; it is not listed.
             let told = |joint: &usize| !self.joints[*joint].own;
             if self.bars[bar].joints.len() > 2 && !self.bars[bar].joints.iter().any(told) {
                 still.push(self.bars[bar].name.clone());
@@ -211,7 +211,7 @@ impl Sketch {
             .collect()
     }
 
-    /// The first bar that is held by the frame: at two points, or at one point and by a slide.
+    /// Finds the first bar that the frame holds: at two points, or at one point and by a slide.
     fn held(&self, into: &[Body]) -> Option<usize> {
         let mut slid = vec![false; self.bars.len()];
         for slide in &self.slides {

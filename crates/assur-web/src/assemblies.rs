@@ -1,4 +1,4 @@
-//! All assemblies of a document: their pictures at an input, and, in a worker of the page, all their motions.
+//! All assemblies of a document: their poses at an input and, found in a worker of the page, all their motions.
 
 use std::f64::consts::{PI, TAU};
 
@@ -19,9 +19,9 @@ use crate::simulator::{bad, one};
 pub(crate) struct AssembliesHere {
     /// Assemblies in ascending order of their angles.
     pub(crate) all: Vec<AssemblyHere>,
-    /// Index of the assembly that moves; none if it has no pose at the input.
+    /// Index of the assembly in which the document moves; none if it has no pose at this input.
     pub(crate) shown: Option<usize>,
-    /// Number of solutions of a group's equations over the complex numbers, if a single group has them.
+    /// Number of complex solutions of the equations of an Assur group; none unless a single group was solved that way.
     complex: Option<usize>,
     /// Whether all assemblies were found.
     whole: bool,
@@ -31,21 +31,21 @@ pub(crate) struct AssembliesHere {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct AssemblyHere {
-    /// Number by which it is shown and chosen; a mixer numbers its assemblies by itself.
+    /// Number by which the page shows and chooses the assembly. A mixer has its own numbering.
     pub(crate) number: usize,
-    /// The angle by which they are numbered, in [0, 2π).
+    /// Angle that determines the numbering, in [0, 2π).
     angle: f64,
-    /// Poses of the bodies, as in a frame.
+    /// Poses of the bodies, in the format of a frame of the animation.
     bodies: Vec<f32>,
 }
 
 impl Moving {
-    /// The link by whose angle assemblies are numbered.
+    /// The link whose angle numbers the assemblies.
     pub(crate) fn numbering(&self) -> Option<LinkId> {
         self.document().output(self.mechanism())
     }
 
-    /// All assemblies at an input, in the order of their numbers, and the index of the one that moves.
+    /// Finds all assemblies at an input, in the order of their numbers, and the index of the one that moves.
     pub(crate) fn assembled(&self, input: f64) -> (Assemblies, Option<usize>) {
         let mechanism = self.mechanism();
         let following = &mut *self.following().borrow_mut();
@@ -82,32 +82,32 @@ impl Moving {
     }
 }
 
-/// The motions of a document in all assemblies. Finding them takes some time: it is done in a worker of the page.
+/// The motions of a document in all assemblies. They take time to find, which is done in a worker of the page.
 #[wasm_bindgen]
 pub struct AllMotions {
     document: Box<dyn Capabilities>,
     circuits: Circuits,
 }
 
-/// Curves of the output over the input, for all branches.
+/// Curves of the output against the input, for all branches.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MotionsMap {
-    /// The link by whose angle assemblies are numbered.
+    /// Name of the link whose angle numbers the assemblies.
     output: String,
     branches: Vec<BranchLine>,
     meetings: Vec<MeetingPlace>,
     circuits: usize,
-    /// Whether all branches were found, each followed to its ends.
+    /// Whether all branches were found and each was followed to its ends.
     whole: bool,
 }
 
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct BranchLine {
-    /// Index of its circuit.
+    /// Index of the branch's circuit.
     circuit: usize,
-    /// Inputs and outputs in alternation, split where either wraps: radians in [0, 2π], or the displacement of a slide.
+    /// Alternating inputs and outputs, split where either wraps: angles in [0, 2π], or the displacement of a slide.
     pieces: Vec<Vec<f64>>,
 }
 
@@ -125,20 +125,21 @@ pub(crate) struct MeetingPlace {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Belonging {
-    /// Index of the branch of each assembly, in the order of their numbers.
+    /// For each assembly, in the order of their numbers, the index of its branch.
     branches: Vec<usize>,
-    /// For each assembly, the meetings on the way from the chosen one: empty for the same branch,
-    /// null if it cannot be reached.
+    /// For each assembly, the meetings of branches on the way from the chosen assembly. Empty on the same branch; null
+    /// if the assembly cannot be reached.
     reached: Vec<Option<Vec<usize>>>,
 }
 
-/// Number of steps per turn of the input, and minimum number of steps per branch.
+/// Number of steps per turn of the input.
 const STEPS: f64 = 240.0;
+/// Minimum number of steps per arc of a branch.
 const LEAST_STEPS: f64 = 24.0;
 
 #[wasm_bindgen]
 impl AllMotions {
-    /// All motions of a state's document.
+    /// Finds all motions of the document in a state.
     ///
     /// # Errors
     /// Every problem of the state; a document that is not a moving linkage.
@@ -152,8 +153,8 @@ impl AllMotions {
         Ok(Self { document, circuits })
     }
 
-    /// The map of all branches: `{output, branches: [{circuit, pieces}], meetings: [{kind, branches, input, output}],
-    /// circuits, whole}`.
+    /// Returns the map of all branches: `{output, branches: [{circuit, pieces}], meetings: [{kind, branches, input,
+    /// output}], circuits, whole}`.
     pub fn map(&self) -> JsValue {
         let Some(moving) = self.document.linkage() else {
             return JsValue::NULL;
@@ -176,8 +177,8 @@ impl AllMotions {
         })
     }
 
-    /// Branches of the assemblies at an input, and the way to each from the assembly with this
-    /// index: `{branches, reached}`.
+    /// Returns the branches of the assemblies at an input, and the way to each assembly from the one with index
+    /// `number`: `{branches, reached}`.
     pub fn belonging(&self, input: f64, number: usize) -> JsValue {
         let branches = self.branches_at(input).unwrap_or_default();
         let reached = branches.iter().map(|to| {
@@ -194,7 +195,7 @@ impl AllMotions {
 }
 
 impl AllMotions {
-    /// The branch of each assembly at an input, in the order of their numbers; none if one is on no known branch.
+    /// The branch of each assembly at an input, in order of number; none if an assembly is on no known branch.
     fn branches_at(&self, input: f64) -> Option<Vec<usize>> {
         let moving = self.document.linkage()?;
         let mechanism = moving.mechanism();
@@ -216,7 +217,7 @@ impl AllMotions {
             let mut last: Option<[f64; 2]> = None;
             for step in 0..=steps as usize {
                 let part = step as f64 / steps;
-                // Near a fold the output varies as the square root of the distance to it.
+                // Near a fold the output varies as the square root of the input's distance from the fold.
                 let part = if cycle.is_full() {
                     part
                 } else {

@@ -1,8 +1,7 @@
 //! A canvas as a drawing backend of plotters.
 //!
-//! plotters-canvas draws in whole pixels of the backing store, which makes steps
-//! of a curve at a pixel ratio of 1; this one draws in sixteenths of a pixel of
-//! the reader ([`FINE`]) and leaves the ratio to the canvas's own transform.
+//! plotters-canvas draws in whole pixels of the backing store, which gives a curve visible steps at a pixel ratio of 1.
+//! This backend draws in sixteenths of a CSS pixel ([`FINE`]); the canvas's own transform applies the ratio.
 
 use std::convert::Infallible;
 
@@ -14,12 +13,12 @@ use web_sys::CanvasRenderingContext2d;
 
 use crate::thin::thinned;
 
-/// Greatest distance of a point that is left out from the line on the screen, pixels.
+/// Maximum distance of an omitted point from the drawn line, in screen pixels.
 const UNSEEN: f64 = 1.0 / 32.0;
 
 type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 
-/// A canvas with its size in pixels of the reader.
+/// A canvas with its size in CSS pixels.
 pub(crate) struct Canvas<'a> {
     context: &'a CanvasRenderingContext2d,
     size: (u32, u32),
@@ -28,9 +27,8 @@ pub(crate) struct Canvas<'a> {
 }
 
 impl<'a> Canvas<'a> {
-    /// Draws on `context`, whose transform scales pixels of the reader to the backing store by
-    /// `ratio`; if `whole`, through all points of a curve, otherwise only through as many as can be
-    /// distinguished.
+    /// Draws on `context`, whose transform scales CSS pixels to the backing store by `ratio`. If `whole`, a curve
+    /// passes through all its points; otherwise indistinguishable points are omitted.
     pub(crate) fn new(
         context: &'a CanvasRenderingContext2d,
         size: (u32, u32),
@@ -128,7 +126,7 @@ impl DrawingBackend for Canvas<'_> {
         self.context.begin_path();
         let (x, y) = (pixels(center.0), pixels(center.1));
         let full = std::f64::consts::TAU;
-        // The canvas refuses only negative radii, and this one is not negative.
+        // The canvas refuses only negative radii; this radius is not negative.
         if self.context.arc(x, y, radius, 0.0, full).is_err() {
             return Ok(());
         }
@@ -149,9 +147,9 @@ fn width(style: &impl BackendStyle) -> f64 {
     f64::from(style.stroke_width()) / f64::from(FINE)
 }
 
-/// Moves a line along an axis so that its edges lie between pixels, since otherwise a thin line is
-/// pale and twice as wide; returns its width in whole pixels. These are pixels of the screen:
-/// `ratio` per pixel of the reader.
+/// Moves a horizontal or vertical line so that its edges lie between screen pixels; otherwise a
+/// thin line is pale and twice as wide. Returns its width, a whole number of screen pixels. `ratio`
+/// is the number of screen pixels per CSS pixel.
 fn sharpened(path: &mut [(f64, f64)], width: f64, ratio: f64) -> f64 {
     let [from, to] = path else {
         return width;

@@ -1,4 +1,4 @@
-//! Capabilities of an open document, whatever its kind: each kind implements those that it has.
+//! Capabilities of an open document; each kind of document implements those that it has.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -21,51 +21,51 @@ pub(crate) trait Capabilities {
     /// Summary of the document; its field `moves` says whether it moves.
     fn summary(&self) -> JsValue;
 
-    /// What stands still in its drawing: that of its linkage, where it is one.
+    /// The rigid part of the drawing; by default that of the document's linkage, if it is one.
     fn rigid(&self) -> Rigid<'_> {
         let figure = self.linkage().map(Moving::figure);
         figure.map(Rigid::from).unwrap_or_default()
     }
 
-    /// The frame and handles of a document that never moves, as in [`crate::Simulator::at`], opened
-    /// by a share of the way; empty for one that moves.
+    /// The frame and handles of a document that never moves, as in [`crate::Simulator::at`]; empty for one that moves.
+    /// `_opened` is the fraction by which the last cut of a scheme is open.
     fn still(&self, _opened: f64) -> Here {
         Here::default()
     }
 
-    /// The moving document, with its read-outs and plots, if it moves.
+    /// The document as one that moves, with read-outs and plots; none if it does not move.
     fn moves(&self) -> Option<&dyn Moves> {
         self.linkage().map(|moving| moving as &dyn Moves)
     }
 
-    /// The moving linkage, if it is one.
+    /// The moving linkage, if the document is one.
     fn linkage(&self) -> Option<&Moving> {
         None
     }
 
-    /// The document as it is changed by hand, if it can be.
+    /// Changes by hand in the drawing, if the document allows them.
     fn edited(&self) -> Option<&dyn Edited> {
         None
     }
 
-    /// The relations of the paper that it comes from, in numbers at an input; empty without such a paper.
+    /// Relations of the paper that describes this document, with their values at an input. Empty without such a paper.
     ///
     /// # Errors
-    /// No pose there, or derivatives unbounded.
+    /// No pose at this input, or unbounded derivatives.
     fn relations(&self, _input: f64) -> Result<Vec<Relation>, Problem> {
         Ok(Vec::new())
     }
 
-    /// The linkage as it is drawn at an input, to be drawn on.
+    /// The linkage as drawn at an input, ready for editing.
     ///
     /// # Errors
-    /// A document that is not a linkage; no pose there.
+    /// A document that is not a linkage; no pose at this input.
     fn drawn(&self, input: f64) -> Result<LinkageDocument, Problem> {
         let moving = self.linkage().ok_or_else(|| unknown("drawing"))?;
         moving.drawn(input)
     }
 
-    /// The link that is drawn nearest to a place, at an input.
+    /// Finds the link that is drawn nearest to a place, at an input.
     fn link_at(&self, input: f64, at: Point) -> Option<LinkHere> {
         let moving = self.linkage()?;
         let pose = moving.pose(input).ok()?;
@@ -77,20 +77,20 @@ pub(crate) trait Capabilities {
     }
 }
 
-/// A relation from a paper: a quantity of an item in the paper's table, in the paper's letters.
+/// A relation from a paper: its item in the paper's table, and its quantity in the paper's notation.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct RelationHere {
     item: &'static str,
     name: Cow<'static, str>,
-    /// Whether it is an angle, radians.
+    /// Whether the value is an angle, in radians.
     angle: bool,
-    /// Whether it is an angle of rotation, of which whole turns count.
+    /// Whether the value is an angle of rotation, in which whole turns count.
     turned: bool,
-    /// Whether it is a count, and so a whole number.
+    /// Whether the value is a count, which is a whole number.
     count: bool,
     value: f64,
-    /// The value by the relation as printed; none if that divides by zero.
+    /// The value given by the relation as printed; none if that divides by zero.
     printed: Option<f64>,
 }
 
@@ -113,16 +113,15 @@ impl From<Relation> for RelationHere {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct LinkHere {
     pub(crate) link: String,
-    /// Its distance from the place, in the unit of the lengths.
+    /// Distance of the link from the place, in the unit of the lengths.
     pub(crate) off: f64,
-    /// The wheel at the place, a ring only on its rim.
+    /// The wheel at the place, if there is one; a ring counts only at its rim.
     pub(crate) wheel: Option<String>,
 }
 
 /// A document that moves with an input; its properties are in its summary.
 pub(crate) trait Moves {
-    /// Everything at an input. Where derivatives are unbounded there are no read-outs and no
-    /// plotted values.
+    /// Everything shown at an input. If derivatives are unbounded, there are no read-outs and no plotted values.
     ///
     /// # Errors
     /// No pose at this input.
@@ -131,7 +130,7 @@ pub(crate) trait Moves {
     /// The plotted quantities at an input, as in [`Here`].
     ///
     /// # Errors
-    /// No pose at this input, or derivatives unbounded.
+    /// No pose at this input, or unbounded derivatives.
     fn plotted_at(&self, input: f64) -> Result<Vec<f64>, Problem>;
 
     /// The reason why there is no pose at an input, or why derivatives are unbounded; none otherwise.
@@ -140,28 +139,28 @@ pub(crate) trait Moves {
     /// The names of the read-outs.
     fn readout_names(&self) -> Vec<String>;
 
-    /// The input after a step, and −1 if it turned back, otherwise 1.
+    /// The input after a step, and a factor: −1 if the input turned back, otherwise 1.
     fn advance(&self, input: f64, by: f64) -> (f64, f64);
 
-    /// The plots; of an endless motion those around an input.
+    /// The plots. For an endless motion, they cover the span around an input.
     fn chart(&self, around: f64) -> Cow<'_, Chart>;
 
     /// The plot of one quantity against another that replaces these plots, if any.
     fn against(&self, around: f64) -> Option<Cow<'_, Against>>;
 
-    /// The numbers of links, which denote their angles.
+    /// The numbers of links, by the links' names. A number denotes the angle of its link.
     fn numbers(&self) -> &BTreeMap<String, String>;
 
-    /// The motion as a table with this number of rows per period, or per range.
+    /// The motion as a table, with this number of rows per period or, without a period, per range.
     fn table(&self, steps: u32) -> SweepTable;
 }
 
-/// What stands still in a drawing.
+/// The rigid part of a drawing: shapes that move with the bodies.
 #[derive(Default)]
 pub(crate) struct Rigid<'a> {
-    /// The names to which the numbers of labels refer.
+    /// Names that labels refer to by number.
     pub(crate) names: &'a [String],
-    /// Its display list.
+    /// Display list of the rigid part.
     pub(crate) list: &'a [f32],
 }
 
@@ -174,27 +173,27 @@ impl<'a> From<&'a Figure> for Rigid<'a> {
     }
 }
 
-/// Changes made by hand in the drawing; problems are those that [`crate::Simulator`] throws.
+/// Changes made by hand in the drawing. Their problems are those that [`crate::Simulator`] throws.
 pub(crate) trait Edited {
-    /// A point dragged to a place, at a given input.
+    /// Drags a point to a place, from the pose at an input.
     fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem>;
 
-    /// A handle pressed and released without a drag.
+    /// Presses a handle and releases it without a drag.
     fn press(&self, handle: &str) -> Result<Change, Problem> {
         Err(unknown(handle))
     }
 
-    /// The point at a place traced, at a given input.
+    /// Traces the point at a place, from the pose at an input.
     fn trace(&self, _input: f64, _at: Point) -> Result<Change, Problem> {
         Err(unknown("tracer"))
     }
 
-    /// A dimension, by its field, set to a value from the pose at an input.
+    /// Sets a dimension, named by its field, to a value, from the pose at an input.
     fn set(&self, field: &str, _value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         Err(vec![unknown(field)])
     }
 
-    /// Another link driven, from the pose at an input.
+    /// Makes another link the driver, from the pose at an input.
     fn drive(&self, link: &str, _input: f64) -> Result<Change, Vec<Problem>> {
         Err(vec![unknown(link)])
     }
@@ -204,7 +203,7 @@ pub(crate) trait Edited {
         None
     }
 
-    /// An assembly chosen by its number at an input; nothing changes if it is the one that moves.
+    /// Chooses an assembly by its number at an input. Nothing changes if the document already moves in it.
     fn assemble(&self, _number: usize, _input: f64) -> Result<Change, Vec<Problem>> {
         Err(vec![unknown("assembly")])
     }

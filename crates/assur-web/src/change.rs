@@ -1,12 +1,12 @@
-//! Changes made by hand in the drawing, in the names of the page.
+//! Changes made by hand in the drawing, in the form that the page expects.
 
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
 use crate::convert::to_js;
 
-/// A change of the document, the input, both or neither. Whether it makes a mechanism is checked
-/// when the state is set.
+/// A change of the document, the input, both or neither. Whether the result is a mechanism is
+/// checked when the state is set.
 #[derive(Default, Serialize)]
 pub(crate) struct Change {
     /// Changed fields of the document; undefined if there are none.
@@ -15,7 +15,7 @@ pub(crate) struct Change {
         skip_serializing_if = "JsValue::is_undefined"
     )]
     document: JsValue,
-    /// New input, radians or in the unit of the lengths.
+    /// New input: an angle in radians, or a displacement in the unit of the lengths.
     #[serde(skip_serializing_if = "Option::is_none")]
     input: Option<f64>,
 }

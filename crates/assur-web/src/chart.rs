@@ -11,7 +11,7 @@ use plotters::style::RGBColor;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
 
-/// The page's request for a chart, sizes in pixels of the reader.
+/// The page's request for a chart. Sizes are in CSS pixels.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ChartRequest {
@@ -19,13 +19,13 @@ pub(crate) struct ChartRequest {
     pub(crate) height: u32,
     #[cfg_attr(test, ts(type = "Array<[number, number, number]>"))]
     palette: [[u8; 3]; ROLES.len()],
-    /// Scale of text and lines relative to the usual size.
+    /// Scale of text and lines; 1 for the usual size.
     #[serde(default = "usual")]
     pub(crate) scale: f64,
-    /// Pixels of the screen per pixel of the reader.
+    /// Screen pixels per CSS pixel.
     #[serde(default = "usual")]
     pub(crate) ratio: f64,
-    /// Whether curves go through all their points, for a picture that may be enlarged.
+    /// Whether curves pass through all their points, for a picture that may be enlarged.
     #[serde(default)]
     pub(crate) whole: bool,
     /// The plot that takes all the room, if any.
@@ -54,16 +54,16 @@ impl ChartRequest {
     }
 }
 
-/// Layout of a chart, by which the page places its text.
+/// Layout of a chart; the page uses it to place the text.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ChartLayout<'a> {
     panels: Vec<PanelLayout<'a>>,
-    /// The plot of one quantity against another that replaces the panels, if there is one and it has room.
+    /// The plot of one quantity against another that replaces the panels, if it is wanted and has enough room.
     against: Option<AgainstLayout<'a>>,
 }
 
-/// A quantity plotted against another one.
+/// Layout of the plot of one quantity against another.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct AgainstLayout<'a> {
@@ -75,7 +75,7 @@ pub(crate) struct AgainstLayout<'a> {
     y: AxisLayout<'a>,
     physical: bool,
     role: &'static str,
-    /// Visible runs of the curve: x and y in pixels of the reader, and the input.
+    /// Visible runs of the curve; each point is x, y in CSS pixels, then the input.
     curve: Vec<Vec<f64>>,
 }
 
@@ -83,9 +83,9 @@ pub(crate) struct AgainstLayout<'a> {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct AxisLayout<'a> {
-    /// None for the input.
+    /// Name of the quantity; none for the input.
     name: Option<&'a str>,
-    /// The number that denotes the angle, if it has one.
+    /// For an angle, the number that denotes it, if it has one.
     number: Option<&'a str>,
     #[cfg_attr(test, ts(type = "0 | 1 | 2"))]
     order: usize,
@@ -131,10 +131,10 @@ pub(crate) struct TickLayout {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SeriesLayout<'a> {
     name: &'a str,
-    /// The number that denotes the angle, if it has one.
+    /// For an angle, the number that denotes it, if it has one.
     number: Option<&'a str>,
     role: &'static str,
-    /// The value of the curve if it is constant.
+    /// The value of the curve, if it is constant.
     level: Option<f64>,
 }
 
@@ -264,7 +264,7 @@ impl<'a> PanelLayout<'a> {
     }
 }
 
-/// The number of the link whose angle is named.
+/// Finds the number of a link from the name of the link's angle.
 fn number_of<'a>(numbers: &'a BTreeMap<String, String>, name: &str) -> Option<&'a str> {
     let angle = name.strip_suffix(".angle");
     let link = angle.or_else(|| name.strip_suffix(".load_angle"))?;

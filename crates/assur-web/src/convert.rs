@@ -7,18 +7,18 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use wasm_bindgen::JsValue;
 
-/// A Rust value as a plain JavaScript object.
+/// Converts a Rust value to a plain JavaScript object.
 pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
     let plain = serde_wasm_bindgen::Serializer::json_compatible();
-    // Fails only for maps with keys that are not text, which do not occur here.
+    // Serialisation fails only for maps whose keys are not text; there are none here.
     value.serialize(&plain).unwrap_or(JsValue::NULL)
 }
 
-/// Reads a state of the page. Everything is read by way of JSON values, so that the code is
-/// compiled once; since these cannot hold NaN and infinities, such fields are found here.
+/// Reads a state of the page. All values become JSON first, so that the code is compiled only once. JSON has no NaN or
+/// infinity; fields with such numbers are found here.
 ///
 /// # Errors
-/// The fields whose numbers are not finite; the part of the wrong form.
+/// The fields whose numbers are not finite; otherwise the malformed part.
 pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
     let value: Result<Value, _> = serde_wasm_bindgen::from_value(state.clone());
     let value = value.map_err(|error| Problem::BadState {
@@ -38,10 +38,10 @@ pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
     state.map_err(|problem| thrown([problem]))
 }
 
-/// Reads a value given by the page, by way of JSON values as well.
+/// Reads a value given by the page, also by way of JSON.
 ///
 /// # Errors
-/// The part of the wrong form.
+/// The malformed part.
 pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsValue> {
     let bad = |detail: String| {
         let path = ".".to_owned();
@@ -52,7 +52,7 @@ pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsVa
     serde_json::from_value(value).map_err(|error| bad(error.to_string()))
 }
 
-/// Names the fields that hold NaN or an infinity: these are read as `null`, so only nulls are compared with the original.
+/// Names the fields that hold NaN or an infinity. They are read as `null`; only nulls are compared with the original.
 fn not_numbers(
     read: &Value,
     given: &dyn Fn() -> JsValue,
@@ -90,12 +90,12 @@ fn has_null(value: &Value) -> bool {
     }
 }
 
-/// The member of an object or a list by its name or index; undefined if there is none.
+/// Member of an object by name, or of a list by index; undefined if there is none.
 fn member(of: &JsValue, name: impl Into<JsValue>) -> JsValue {
     Reflect::get(of, &name.into()).unwrap_or_default()
 }
 
-/// Problems as an exception of the page: an array of `{code, …}`.
+/// Converts problems to an exception of the page: an array of `{code, …}`.
 pub(crate) fn thrown(problems: impl IntoIterator<Item = impl Into<Problem>>) -> JsValue {
     let problems: Vec<Problem> = problems.into_iter().map(Into::into).collect();
     to_js(&problems)

@@ -1,4 +1,4 @@
-//! Curvature at an input: circles of curvature of traced points, the inflection circle of a link.
+//! Curvature at an input: circles of curvature of traced points, and the inflection circle of a link.
 
 use assur::curvature::{CircleOfCurvature, Circles, NoCircle};
 use assur::mechanism::{LinkId, PointId, Pose};
@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::moving::Moving;
 
-/// Values of all drawn circles.
+/// Values of all drawn circles at an input.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CurvatureHere<'a> {
@@ -20,7 +20,7 @@ pub(crate) struct CurvatureHere<'a> {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CircleHere<'a> {
     point: &'a str,
-    /// The radius with two derivatives, as the axes define them.
+    /// The radius and its first two derivatives, with respect to the same variable as on the axes.
     radius: Option<[f64; 3]>,
     centre: Option<[f64; 2]>,
     #[cfg_attr(test, ts(type = "import(\"assur/core/problem.js\").Problem | null"))]
@@ -38,10 +38,10 @@ pub(crate) struct InflectionHere<'a> {
 }
 
 impl Moving {
-    /// The values of curvature at an input; none if it is not drawn.
+    /// Values of the drawn circles at an input.
     ///
     /// # Errors
-    /// Why there are no derivatives.
+    /// The reason why there are no derivatives.
     pub(crate) fn curvature(&self, input: f64) -> Result<CurvatureHere<'_>, Problem> {
         let pose: Pose<5> = (self.motion().pose(input)).map_err(|why| self.problem(&why))?;
         let circles = self.figure().curved().iter();
@@ -57,7 +57,7 @@ impl Moving {
     /// The circle of curvature of a point's path in a pose.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why there is no circle.
     pub(crate) fn circle(
         &self,
         pose: &Pose<5>,

@@ -1,4 +1,4 @@
-//! "Design your dwell" on the page: a stepwise search in the engine, run in a worker of the page.
+//! "Design your dwell" on the page: a search in steps, run in a worker of the page.
 
 use assur::mechanism::Quantity;
 use assur::synthesis::dwell::{
@@ -12,7 +12,7 @@ use crate::convert::{read, thrown, to_js};
 use crate::kinds::Redrawn;
 use crate::profile::band;
 
-/// Requirements on the first plotted output; the band of its dwell is in the document.
+/// Requirements on the first plotted output. The band of its dwell is in the document.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Wishes {
@@ -23,7 +23,7 @@ pub(crate) struct Wishes {
     movable: Vec<Movement>,
 }
 
-/// A dimension, by its field, that may change by this part of its value either way.
+/// A dimension that may change, by its field; `by` is the greatest change either way, as a fraction of the value.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Movement {
@@ -35,7 +35,7 @@ pub(crate) struct Movement {
 #[wasm_bindgen]
 pub struct Design {
     search: Search,
-    /// The residual at the start.
+    /// Residual of the dwell at the start of the search.
     before: f64,
 }
 
@@ -66,11 +66,11 @@ pub(crate) struct ReachedSummary {
 
 #[wasm_bindgen]
 impl Design {
-    /// A search from the linkage of a state; `wishes` is `{arc, stroke, movable: [{field, by}]}`,
-    /// `by` a part of the dimension of that field.
+    /// Starts a search from the linkage of a state. `wishes` is `{arc, stroke, movable: [{field, by}]}`; `by` is a
+    /// fraction of the dimension with that field.
     ///
     /// # Errors
-    /// Every problem of the state; otherwise the first problem of the wishes.
+    /// Every problem of the state; if it has none, the first problem of the wishes.
     #[wasm_bindgen(constructor)]
     pub fn new(state: JsValue, wishes: JsValue) -> Result<Self, JsValue> {
         let state = read(&state)?;
@@ -83,10 +83,10 @@ impl Design {
         Self::of(&state, &wishes).map_err(thrown)
     }
 
-    /// Judges the next mechanism: `{judged, accepted, before, reached: {arc, stroke, residual,
-    /// singularity_margin}, end, document}`. `reached` is of the best one so far, `before` the
-    /// residual of the first; `end` is `fulfilled`, `settled` or null; `document` has the changed
-    /// fields if one was accepted.
+    /// Evaluates the next mechanism: `{judged, accepted, before, reached: {arc, stroke, residual,
+    /// singularity_margin}, end, document}`. `reached` describes the best mechanism so far;
+    /// `before` is the residual at the start. `end` is `fulfilled`, `settled` or null. `document`
+    /// has the changed fields, if the mechanism was accepted.
     pub fn step(&mut self) -> JsValue {
         let Progress {
             judged,
@@ -150,7 +150,7 @@ impl Design {
         })
     }
 
-    /// The document with the best linkage so far.
+    /// Fields of the document that change with the best linkage so far.
     fn redrawn(&self) -> Redrawn {
         Redrawn::of(self.search.mechanism().spec())
     }

@@ -7,9 +7,9 @@ use serde::Serialize;
 
 use crate::moving::Moving;
 
-/// A dimension: its field in the document, the points that it is between or of, its value and those it may have. `index`
-/// counts the links, slides or points from 0, `name` is the link's or the point's. A corner is in degrees; an offset is of a
-/// point from the line of two.
+/// A dimension: its field in the document, its points, its value and its range. `index` counts links, slides or points
+/// from 0; `name` is the name of the link or point. A corner is in degrees. An offset is the distance of a point from
+/// the line through two others.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DimensionSummary<'a> {
@@ -30,13 +30,13 @@ pub(crate) struct DimensionSummary<'a> {
     step: f64,
 }
 
-/// Minimum number of steps of a slider; the step is a power of ten.
+/// Minimum number of steps over the range of a slider; a step is a power of ten.
 const STEPS: f64 = 200.0;
 
-/// The step of a slider over a range, and the range with its ends on whole steps.
+/// Step of a slider over a range, and the range with both ends rounded to whole steps.
 fn stepped(range: [f64; 2]) -> ([f64; 2], f64) {
     let digits = ((range[1] - range[0]) / STEPS).log10().floor() as i32;
-    // Division by a whole number gives the closest value to a decimal.
+    // Division by a whole power of ten gives the number closest to the decimal.
     let (times, parts) = (10_f64.powi(digits.max(0)), 10_f64.powi(-digits.min(0)));
     let whole = |steps: f64| steps * times / parts;
     let ends = range.map(|end| whole((end / times * parts).round()));

@@ -1,4 +1,4 @@
-//! Dragging the driver: the new input.
+//! The new input after the driver is dragged.
 
 use std::f64::consts::{PI, TAU};
 
@@ -10,21 +10,21 @@ use assur_file::LinkageDocument;
 /// The handle of the driver: the point whose drag moves the input.
 #[derive(Clone, Copy)]
 pub(crate) enum Driven {
-    /// The end of a crank, about its pivot.
+    /// The end of a crank that turns about its pivot.
     Crank { pivot: PointId, end: PointId },
-    /// A point that slides from the first point of a line towards the second.
+    /// A point that slides along a line, from its first point towards its second.
     Slide { line: [PointId; 2], end: PointId },
 }
 
 impl Driven {
-    /// The point.
+    /// The point that is dragged.
     pub(crate) fn end(self) -> PointId {
         match self {
             Self::Crank { end, .. } | Self::Slide { end, .. } => end,
         }
     }
 
-    /// The input that brings the point, from a pose, nearest to the place to which it is dragged.
+    /// The input that brings the dragged point nearest to a place, starting from a pose.
     pub(crate) fn dragged(self, motion: &Motion, pose: &Pose<1>, input: f64, to: Point) -> f64 {
         let at = |point: PointId| motion.mechanism().place(pose, point).place();
         match self {
@@ -47,7 +47,7 @@ impl Driven {
         }
     }
 
-    /// The handle of a document's driver; none on a crank that turns on a moving link.
+    /// The handle of a document's only driver; none for a crank on a moving link.
     pub(crate) fn of(document: &LinkageDocument, mechanism: &Mechanism) -> Option<Self> {
         let [driver] = &document.drivers[..] else {
             return None;

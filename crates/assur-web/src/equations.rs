@@ -3,8 +3,8 @@
 use assur::mechanism::{Constraint, ConstraintKind, FRAME, LinkOrFrame, Mechanism, PointId, Pose};
 use serde::Serialize;
 
-/// Subject of an equation: points P, Q (and S of a slide, before them), links with those relative
-/// to which they are seen.
+/// Subject of a constraint equation. `points` are P and Q; for an offset, the sliding point S comes before P and Q,
+/// which define its line. `on` and `carrier` are the bodies relative to which links turn.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]
@@ -62,7 +62,7 @@ impl<'a> EquationSummary<'a> {
     }
 }
 
-/// Left side, right side and residual of every equation.
+/// Left side, right side and residual of each equation in turn.
 pub(crate) fn sides<const N: usize>(
     mechanism: &Mechanism,
     pose: &Pose<N>,

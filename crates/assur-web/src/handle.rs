@@ -16,12 +16,12 @@ pub(crate) struct Handle {
 pub(crate) enum HandlePlace {
     /// On a point of the linkage.
     Point(PointId),
-    /// Fixed.
+    /// At a fixed place.
     Fixed(Point),
 }
 
 impl Handle {
-    /// The points of a linkage that are drawn.
+    /// Makes handles for the drawn points of a linkage.
     pub(crate) fn of_points(mechanism: &Mechanism, figure: &Figure) -> Vec<Self> {
         let points = mechanism.point_ids();
         let drawn = points.filter(|point| figure.is_drawn(*point));
@@ -34,7 +34,7 @@ impl Handle {
     }
 }
 
-/// The role of a link with this point; none for points of the frame.
+/// The colour role of a link with this point; "ink" for points of the frame.
 fn role(mechanism: &Mechanism, figure: &Figure, point: PointId) -> &'static str {
     let mut links = mechanism.link_ids();
     let link = links.find(|link| mechanism.points_of(*link).contains(&point));

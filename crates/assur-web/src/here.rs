@@ -1,4 +1,4 @@
-//! Numbers at an input.
+//! Values that the page shows at an input.
 
 use assur::Point;
 
@@ -21,7 +21,7 @@ impl Here {
         }
     }
 
-    /// The lengths of the lists, then the lists.
+    /// All four lists as one: first their lengths, then their items.
     pub(crate) fn flat(&self) -> Vec<f64> {
         let rest = [&self.handles, &self.readouts, &self.plotted];
         let lengths = rest.map(|list| list.len() as f64);

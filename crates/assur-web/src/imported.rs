@@ -1,4 +1,4 @@
-//! Files and links of other programs, as documents.
+//! Files and links of other programs, imported as documents.
 
 use assur_file::Document;
 use assur_import::{Imported, LeftOut};
@@ -7,22 +7,22 @@ use wasm_bindgen::prelude::*;
 
 use crate::convert::to_js;
 
-/// The result of an import. (The document is not part of it by `flatten`, which would compile the
-/// code for every kind once more.)
+/// Result of an import. The document is a field of its own: `flatten` would compile the code for
+/// every kind of document once more.
 #[derive(Serialize)]
 struct Read {
     read: Document,
     left_out: Vec<LeftOut>,
 }
 
-/// Whether a text appears to be a link of PMKS+ or a file of Linkage, whole or damaged.
+/// Whether a text appears to be a PMKS+ link or a Linkage file, whole or damaged.
 #[wasm_bindgen(js_name = isImport)]
 pub fn is_import(text: &str) -> bool {
     assur_import::recognised(text)
 }
 
-/// Reads a link of PMKS+ or a file of Linkage: `{read: {kind, document}, left_out}`, the last with
-/// codes of what could not be imported unchanged. The document need not move.
+/// Reads a PMKS+ link or a Linkage file: `{read: {kind, document}, left_out}`. `left_out` lists
+/// codes of what could not be imported unchanged. The document may be unable to move.
 ///
 /// # Errors
 /// The part that cannot be read.

@@ -1,5 +1,4 @@
-//! The engine in the browser. This crate converts between JavaScript's values
-//! and the engine's and computes nothing.
+//! The engine in the browser. This crate only converts between the values of JavaScript and those of the engine.
 //!
 //! | file | subject |
 //! |---|---|
@@ -8,7 +7,7 @@
 //! | `driven.rs`, `dimensions.rs`, `change.rs`, `handle.rs` | dragging the driver; dimensions; changes made by hand; handles |
 //! | `table.rs`, `chart.rs`, `equations.rs`, `polygons.rs`, `curvature.rs` | tables, plots, constraint equations, polygons, curvature |
 //! | `design.rs` | the search for a dwell |
-//! | `received.rs`, `offered.rs`, `imported.rs`, `convert.rs`, `canvas.rs` | input from outside, checked; documents to begin with; files of other programs; JavaScript values; a canvas as a backend of plotters |
+//! | `received.rs`, `offered.rs`, `imported.rs`, `convert.rs`, `canvas.rs` | checked input from outside; starting documents; files of other programs; JavaScript values; a canvas as a backend of plotters |
 
 // There are no unit tests for wasm.
 #![cfg(not(all(test, target_family = "wasm")))]

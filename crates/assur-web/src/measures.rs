@@ -1,4 +1,4 @@
-//! Measures of a view between points or links.
+//! Measures that a view shows between points or links.
 
 use assur::mechanism::{Mechanism, Quantity};
 use assur_file::{Problem, View};
@@ -6,10 +6,10 @@ use assur_file::{Problem, View};
 /// Maximum number of measures of a view.
 const MOST_MEASURES: usize = 8;
 
-/// The measures of a view.
+/// Finds the quantities that a view measures.
 ///
 /// # Errors
-/// An unknown or duplicate measure, or more than can be distinguished.
+/// An unknown or duplicate measure; more than [`MOST_MEASURES`].
 pub(crate) fn measures(view: &View, mechanism: &Mechanism) -> Result<Vec<Quantity>, Vec<Problem>> {
     let mut found = Vec::new();
     for name in &view.measures {

@@ -18,54 +18,55 @@ use crate::pair::Pair;
 
 mod reading;
 
-/// The problem of an input without a pose, or without derivatives.
+/// Expresses the reason why an input has no pose, or no derivatives, as a problem.
 pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
 
 /// A linkage in motion with its drawing.
 pub(crate) struct Moving {
     document: LinkageDocument,
     motion: Motion,
-    /// Its other assemblies, found on first use and not on every edit.
+    /// The other assemblies; found on first use, not on every edit.
     following: OnceCell<RefCell<Following>>,
-    /// Transmission and pressure angles of dyads: read out without derivatives.
+    /// Transmission and pressure angles of dyads, which are read out without derivatives.
     transmitting: Vec<Quantity>,
-    /// The numbers of links, which denote their angles.
+    /// The numbers of links, by their names; a number denotes the angle of its link.
     numbers: BTreeMap<String, String>,
     quantities: Vec<Quantity>,
-    /// Quantities listed whatever is plotted.
+    /// Quantities that are listed whatever is plotted.
     listed: Vec<Quantity>,
     /// Measures of the view.
     measures: Vec<Quantity>,
     plotted: Vec<Quantity>,
-    /// Roles whose colours the curves have.
+    /// Colour roles of the curves.
     plotted_roles: Vec<Role>,
-    /// Quantities plotted against each other instead.
+    /// Two quantities plotted against each other, in place of the plots over the input.
     pair: Option<Pair<Column>>,
     driven: Option<Driven>,
     /// Handles that can be dragged.
     handles: Vec<Handle>,
-    /// Whether points of its links can be traced.
+    /// Whether points of the links can be traced.
     traceable: bool,
-    /// Whether the other assemblies are drawn beside it.
+    /// Whether the other assemblies are drawn beside the linkage.
     others: bool,
-    /// Whether circles of curvature are drawn, which need a further derivative.
+    /// Whether circles of curvature are drawn; they need a further derivative.
     curvature: bool,
     figure: Figure,
     settings: Settings,
-    /// Made on first drawing: while a joint is dragged not every linkage is plotted.
+    /// The plots, made when first drawn: while a joint is dragged, not every linkage is plotted.
     chart: OnceCell<Chart>,
+    /// The plot of one quantity against another, made when first drawn.
     against: OnceCell<Against>,
-    /// Sheets of the polygons of velocities and accelerations, made with the first polygon.
+    /// Sheets for the polygons of velocities and accelerations, made with the first polygon.
     polygon_sheets: OnceCell<[PolygonSheet; 2]>,
     explain: Explain,
 }
 
 impl Moving {
-    /// A linkage in motion with its drawing, by the view of a state, the annotations of its
-    /// document and its read-outs; `explain` gives the reason why there is no pose.
+    /// Makes a linkage in motion with its drawing, from the view of a state, annotations and the
+    /// quantities to be read out. `explain` gives the reason if there is no pose.
     ///
     /// # Errors
-    /// The reason why there is no pose to draw it in.
+    /// An unknown name in the view; the reason why there is no pose to draw.
     pub(crate) fn new(
         view: &View,
         moved: Moved,
@@ -88,7 +89,7 @@ impl Moving {
         let pair = Pair::of(view, |name| Column::named(mechanism, name))?;
         let measures = measures(view, mechanism)?;
         let point = |name: &String| mechanism.point(name);
-        // The path of a plotted point is drawn, too.
+        // The path of a plotted point is also drawn.
         let of_pair = pair
             .iter()
             .flat_map(|pair| pair.quantities(|one| one.quantity));
@@ -138,8 +139,7 @@ impl Moving {
         })
     }
 
-    /// The same linkage with all transmission angles and the angles of these links listed, whatever
-    /// is plotted.
+    /// Lists all transmission and pressure angles and the angles of these links, whatever is plotted.
     pub(crate) fn listing(mut self, links: impl Iterator<Item = LinkId>) -> Self {
         let transmitting = self.transmitting.iter().copied();
         let measures = self.measures.iter().copied();
@@ -148,8 +148,7 @@ impl Moving {
         self
     }
 
-    /// The same linkage with these handles instead of its points, which are then not traced; the
-    /// driver keeps its handle.
+    /// Replaces the handles of points, which can then not be traced, by these handles. The driver keeps its handle.
     pub(crate) fn held_by(mut self, handles: impl Iterator<Item = Handle>) -> Self {
         let driven = (self.driven).map(|driven| HandlePlace::Point(driven.end()));
         self.handles.retain(|handle| Some(handle.at) == driven);
@@ -183,7 +182,7 @@ impl Moving {
         &self.polygon_sheets
     }
 
-    /// The input rate, as the axes define it.
+    /// Rate of the input, as chosen for the axes.
     pub(crate) fn input(&self) -> InputRate {
         self.settings.input
     }
@@ -209,7 +208,7 @@ impl Moving {
         &self.plotted
     }
 
-    /// The role of the curve of a quantity, if it is plotted.
+    /// The colour role of a quantity's curve, if the quantity is plotted.
     pub(crate) fn plotted_role(&self, quantity: Quantity) -> Option<&'static str> {
         let mut plotted = self.plotted.iter().zip(&self.plotted_roles);
         let found = plotted.find(|(plotted, _)| **plotted == quantity);
@@ -220,12 +219,12 @@ impl Moving {
         &self.measures
     }
 
-    /// The first plotted quantity, if it is an output: transmission and pressure angles are not.
+    /// The first plotted quantity, if it is an output; transmission and pressure angles are not outputs.
     pub(crate) fn plotted_output(&self) -> Option<Quantity> {
         self.plotted.first().copied().filter(|one| !one.is_folded())
     }
 
-    /// The outputs of the document, whatever is plotted; if it has none, the first plotted one.
+    /// The outputs of the document, whatever is plotted; without any, the first plotted output.
     pub(crate) fn outputs(&self) -> Vec<Quantity> {
         let named = self.document.outputs(self.mechanism());
         if named.is_empty() {
@@ -243,7 +242,7 @@ impl Moving {
         }
     }
 
-    /// The quantities listed beside the drawing: the permanent ones, then the plotted ones.
+    /// The quantities listed beside the drawing: first those always listed, then the plotted ones.
     pub(crate) fn listed(&self) -> Vec<Quantity> {
         let mut listed = self.listed.clone();
         for one in self.curves() {
@@ -258,8 +257,8 @@ impl Moving {
         &self.handles
     }
 
-    /// The linkage drawn in the pose at an input. At the drawn input it is the unchanged document,
-    /// if all its dimensions are as drawn.
+    /// The document redrawn in the pose at an input. At the drawn input it is unchanged, unless a
+    /// link has a length or shape of its own.
     pub(crate) fn drawn(&self, input: f64) -> Result<LinkageDocument, Problem> {
         let own = |link: &LinkDocument| link.length.is_some() || link.shape.is_some();
         let document = &self.document;
@@ -273,18 +272,18 @@ impl Moving {
     /// The pose at an input.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why there is no pose.
     pub(crate) fn pose(&self, input: f64) -> Result<Pose<1>, Problem> {
         let pose = self.motion.pose(input);
         pose.map_err(|unsolved| self.problem(&unsolved))
     }
 
-    /// The problem of a missing pose, or of missing derivatives, in terms of the document.
+    /// Expresses a missing pose, or missing derivatives, as a problem of the document.
     pub(crate) fn problem(&self, unsolved: &Unsolved) -> Problem {
         (self.explain)(self.mechanism(), unsolved)
     }
 
-    /// The input after a drag of this point to a place; none if it is not the point of the driver.
+    /// The input after a point is dragged to a place; none if the point is not the driver's handle.
     pub(crate) fn driven_to(
         &self,
         point: PointId,
@@ -296,13 +295,13 @@ impl Moving {
         Some(pose.map(|pose| driven.dragged(&self.motion, &pose, input, to)))
     }
 
-    /// Left side, right side and residual of every constraint equation, or with order 1 and 2 of
-    /// their derivatives.
+    /// Left side, right side and residual of every constraint equation; with order 1 or 2, their
+    /// derivatives of this order.
     ///
     /// # Errors
-    /// Why there are none.
+    /// The reason why there is no pose, or why derivatives are unbounded.
     pub(crate) fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, Problem> {
-        // Order 0 needs no derivatives, which a dead point does not have.
+        // Order 0 needs no derivatives, so it works at a dead point.
         if order == 0 {
             return Ok(sides(self.mechanism(), &self.pose(input)?, 0));
         }
@@ -325,7 +324,7 @@ fn overlays(view: &View) -> Overlays {
     }
 }
 
-/// The lecturer's lines of a view.
+/// Lines for lecturers in a view.
 fn lines(view: &View, mechanism: &Mechanism) -> Lines {
     Lines {
         centres: view.instant_centres,
@@ -336,7 +335,7 @@ fn lines(view: &View, mechanism: &Mechanism) -> Lines {
     }
 }
 
-/// The settings of a chart by a view.
+/// Settings of a chart from a view.
 fn settings(view: &View) -> Settings {
     Settings {
         input: view.input(),

@@ -4,10 +4,10 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 use crate::convert::{read, thrown, to_js};
 
-/// The numbers of the document of a state, in the order of its fields: `{field, value, whole, followed}`.
+/// Lists the numbers in the document of a state, in the order of its fields: `{field, value, whole, followed}`.
 ///
 /// # Errors
-/// A value that does not have the form of a state; every problem that prevents this.
+/// A malformed state; every problem that prevents the list.
 #[wasm_bindgen(js_name = numbersOf)]
 pub fn numbers_of(state: JsValue) -> Result<JsValue, JsValue> {
     let numbers = read(&state)?.document.numbers();

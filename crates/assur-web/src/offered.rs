@@ -1,4 +1,4 @@
-//! Documents to begin with, names of roles, and positions of a synthesis.
+//! Starting documents, names of roles, and positions of a synthesis.
 
 use assur_draw::ROLES;
 use assur_file::{Document, DraftDocument, Preset, Shelf};
@@ -20,7 +20,7 @@ pub fn blank() -> JsValue {
     to_js(&Document::Draft(DraftDocument::default()))
 }
 
-/// The catalogue: `{id, kind, document}` for each mechanism of it.
+/// The catalogue: `{id, kind, document}` for each mechanism.
 ///
 /// # Errors
 /// The problems of a mechanism; a test ensures that there are none.
@@ -40,13 +40,13 @@ pub fn shelves() -> Result<JsValue, JsValue> {
     Ok(to_js(&all.map_err(thrown)?))
 }
 
-/// The names of the roles of display lists and palettes, in order.
+/// Names of the colour roles in display lists and palettes, in order.
 #[wasm_bindgen(js_name = roleNames)]
 pub fn role_names() -> Vec<String> {
     ROLES.map(str::to_owned).to_vec()
 }
 
-/// Positions on the function of the synthesis in a state: with Chebyshev spacing, or evenly spaced including the ends.
+/// Positions on the function of the synthesis in a state: with Chebyshev spacing or, if `even`, at equal steps.
 ///
 /// # Errors
 /// The problems of the function, or a state without one.

@@ -5,7 +5,7 @@ use assur_file::{Against, Problem, View};
 /// Name of the input among read-outs and axes.
 pub(crate) const INPUT: &str = "input";
 
-/// Abscissa and ordinate of a plot; without an abscissa it is the input.
+/// Abscissa and ordinate of a plot. If no abscissa is given, it is the input.
 #[derive(Clone, Copy)]
 pub(crate) struct Pair<C> {
     pub(crate) x: Option<C>,
@@ -13,7 +13,7 @@ pub(crate) struct Pair<C> {
 }
 
 impl<C> Pair<C> {
-    /// The pair of a view, if it has one, in columns of a motion.
+    /// Finds the pair that a view plots, if it has one, as columns of a motion.
     ///
     /// # Errors
     /// The name of an unknown column.
@@ -45,7 +45,7 @@ impl<C> Pair<C> {
         quantities
     }
 
-    /// Their values at an input.
+    /// Values of abscissa and ordinate at an input.
     pub(crate) fn values(&self, input: f64, value: impl Fn(&C) -> f64) -> Vec<f64> {
         vec![self.x.as_ref().map_or(input, &value), value(&self.y)]
     }

@@ -16,21 +16,22 @@ const ORDERS: [Order; 2] = [Order::Velocity, Order::Acceleration];
 pub(crate) struct PolygonsHere {
     /// Steps of the construction, the same for both polygons.
     steps: Vec<PolygonStepHere>,
-    /// Pictures of the velocity and acceleration polygons, after the requested number of steps.
+    /// Pictures of the velocity and acceleration polygons, each after the requested number of steps.
     pictures: [PolygonPictureHere; 2],
 }
 
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PolygonPictureHere {
-    /// The display list, and the names to which its labels refer.
+    /// Display list.
     list: Vec<f32>,
+    /// Names to which the labels of the list refer.
     names: Vec<String>,
     /// Left, bottom, right, top.
     bounds: [f64; 4],
     /// Length of the scale bar.
     bar: f64,
-    /// Factor by which the scale is smaller than usual in the motion: 1, unless the polygon would not fit.
+    /// Factor by which this picture's scale is smaller than the usual scale of the motion; 1 if the polygon fits.
     smaller: f64,
 }
 
@@ -38,15 +39,16 @@ pub(crate) struct PolygonPictureHere {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub(crate) struct PolygonStepHere {
-    /// Kind of step: the pole, an equation, points by the image of their link, points of a group other than a dyad.
+    /// Kind of step: the pole, a vector equation, points by the image of their link, points of a group that is no dyad.
     #[cfg_attr(test, ts(type = "\"pole\" | \"equation\" | \"image\" | \"group\""))]
     kind: &'static str,
-    /// The unknown point of an equation and its reference point.
+    /// The unknown point of the equation.
     target: Option<String>,
+    /// The reference point of the equation.
     from: Option<String>,
-    /// The number of the link that has both, or the line; 0 of the frame.
+    /// Number of the link with both points or, for a slide, with the line; 0 for the frame.
     link: Option<String>,
-    /// Terms added to its velocity and to its acceleration.
+    /// Terms added in the equation for the velocity, and in that for the acceleration.
     legs: [Vec<LegHere>; 2],
     /// The points found by this step, each with the magnitudes of its velocity and acceleration.
     found: Vec<FoundHere>,
@@ -63,7 +65,7 @@ pub(crate) struct LegHere {
     )]
     kind: &'static str,
     length: f64,
-    /// Whether its length is known before the point is found.
+    /// Whether the length is known before the point is found.
     known: bool,
 }
 
@@ -78,7 +80,7 @@ impl Moving {
     /// The polygons at an input after this number of steps.
     ///
     /// # Errors
-    /// Why there are none.
+    /// The reason why there are no polygons.
     pub(crate) fn polygons(&self, input: f64, shown: usize) -> Result<PolygonsHere, Problem> {
         let mechanism = self.mechanism();
         let pose: Pose<3> = (self.motion().pose(input)).map_err(|why| self.problem(&why))?;
@@ -109,7 +111,7 @@ impl Moving {
         self.polygon_sheets().get_or_init(|| ORDERS.map(over))
     }
 
-    /// The steps of both polygons, which are drawn alike.
+    /// The steps of both polygons, which have the same construction.
     fn steps(&self, polygons: &[Polygon; 2]) -> Vec<PolygonStepHere> {
         let [first, second] = polygons.each_ref().map(polygon_steps);
         let both = first.iter().zip(&second);
@@ -145,7 +147,7 @@ impl Moving {
         found.collect()
     }
 
-    /// A point, with the number of the link to which it belongs: `B3`.
+    /// Name of a point, with the number of the link to which it belongs: `B3`.
     fn node_name(&self, node: Node) -> String {
         let point = self.mechanism().point_name(node.point);
         let number = node.on.map(|body| self.body_number(body));

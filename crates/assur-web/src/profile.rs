@@ -4,8 +4,9 @@ use assur::mechanism::{Mechanism, Quantity};
 use assur::motion::{OutputProfile, PhaseKind};
 use serde::Serialize;
 
-/// The default width of a band: degrees, or about this part of the size.
+/// Default width of a band for an angle, degrees.
 const BAND: f64 = 0.1;
+/// Default width of a band for a length, as an approximate fraction of the linkage's size.
 const FINE: f64 = 1e-3;
 
 #[derive(Serialize)]
@@ -13,14 +14,14 @@ const FINE: f64 = 1e-3;
 pub(crate) struct ProfileSummary {
     /// Width of the band, degrees or in the unit of the lengths.
     width: f64,
-    /// Stroke from minimum to maximum; none if the output turns on and on.
+    /// Stroke from minimum to maximum; none if the output keeps rotating.
     stroke: Option<f64>,
     dwell: Option<DwellSummary>,
     phases: Vec<PhaseSummary>,
 }
 
-/// The longest arc over which the output stays within the band: its ends, and the minimum and
-/// maximum value.
+/// The longest arc of the input over which the output stays within the band: the ends of the arc,
+/// and the output's minimum and maximum.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DwellSummary {
@@ -36,14 +37,14 @@ pub(crate) struct PhaseSummary {
     arc: [f64; 2],
 }
 
-/// The width of a band in the unit of the page, by default the usual one, and in the unit of the
-/// engine.
+/// The width of a band in the unit of the page, and in the unit of the engine. Without a given
+/// width, the default is used.
 pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>) -> (f64, f64) {
     if quantity.is_angle() {
         let width = width.unwrap_or(BAND);
         (width, width.to_radians())
     } else {
-        // A power of ten, as a reader would choose.
+        // The default is a power of ten, as a person would choose.
         let usual = 10_f64.powi((FINE * mechanism.size()).log10().floor() as i32);
         let width = width.unwrap_or(usual);
         (width, width)
@@ -51,8 +52,8 @@ pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>
 }
 
 impl ProfileSummary {
-    /// The summary of a quantity's profile, with dwells within a band whose width is in degrees, or
-    /// in the unit of the lengths.
+    /// Summarises the profile of a quantity. The width of the band for dwells is in degrees, or in
+    /// the unit of the lengths.
     pub(crate) fn new(
         mechanism: &Mechanism,
         quantity: Quantity,

@@ -1,9 +1,9 @@
-//! The address of a page as a code that telephones read from paper.
+//! The URL of a page as a QR code, which telephones read from paper.
 
 use qrcodegen::{QrCode, QrCodeEcc};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The cells of the QR code of a text, row by row: 1 is dark. None where the text is too long for one.
+/// Cells of the QR code of a text, row by row; 1 is dark. None if the text is too long.
 #[wasm_bindgen]
 pub fn qr_code(text: &str) -> Option<Vec<u8>> {
     let code = QrCode::encode_text(text, QrCodeEcc::Low).ok()?;
@@ -20,7 +20,7 @@ pub fn qr_code(text: &str) -> Option<Vec<u8>> {
 mod tests {
     use super::qr_code;
 
-    /// The smallest code has 21 cells a side and a finder in three of its corners; the longest text fills 177.
+    /// The smallest code has 21 cells a side, and finder patterns in three corners; the longest text fills 177 a side.
     #[test]
     fn codes_have_finders() {
         let cells = qr_code("#jansen").unwrap();

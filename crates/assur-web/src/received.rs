@@ -1,4 +1,4 @@
-//! Input from outside (an address, a file, browser storage), read and checked.
+//! Input from outside (a URL, a file, browser storage), read and checked.
 
 use assur_file::{LessonDocument, Problem, State, View, in_step};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
@@ -6,8 +6,8 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use crate::convert::{read, read_value, thrown, to_js};
 use crate::kinds::open;
 
-/// A state, read and checked with its compared document and everything that its lesson shows: the
-/// same state, with known keys only.
+/// Reads and checks a state, its compared document and everything that its lesson shows. Returns
+/// the same state, with known keys only.
 ///
 /// # Errors
 /// Every problem of the state.
@@ -33,8 +33,7 @@ pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
     Ok(to_js(&state))
 }
 
-/// A lesson, read and checked except for the documents that it shows: the same lesson, with known
-/// keys only.
+/// Reads and checks a lesson, except for the documents that it shows. Returns the same lesson, with known keys only.
 ///
 /// # Errors
 /// Every problem of the lesson.
@@ -45,7 +44,7 @@ pub fn read_lesson(lesson: JsValue) -> Result<JsValue, JsValue> {
     Ok(to_js(&lesson))
 }
 
-/// Checks that a file's JSON has no duplicate keys: the browser, which reads it, takes the last one.
+/// Checks that the JSON of a file has no duplicate keys. The browser's own parser keeps the last one.
 ///
 /// # Errors
 /// The path of the duplicate key.

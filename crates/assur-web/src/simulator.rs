@@ -19,13 +19,13 @@ use crate::table::SweepTable;
 use refusal::place;
 pub(crate) use refusal::{bad, one};
 
-/// An open document with its drawing. Inputs are radians, or for a driven slide in the unit of the
-/// lengths. A method that fails throws an array of problems, `{code, …}`, and changes nothing.
+/// An open document with its drawing. Inputs are in radians or, for a driven slide, in the unit of
+/// the lengths. A method that fails throws an array of problems, `{code, …}`, and changes nothing.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Simulator {
     document: Option<Box<dyn Capabilities>>,
-    /// The unit of its lengths, and whether the document has a field for it.
+    /// The unit of the document's lengths, and whether its kind of document has a field for the unit.
     lengths: Option<(LengthUnit, bool)>,
 }
 
@@ -40,7 +40,7 @@ impl Simulator {
     /// Takes the page's state and returns the summary of its document.
     ///
     /// # Errors
-    /// Every problem of the state; the document set before stays.
+    /// Every problem of the state; the previous document then stays open.
     pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
         let state = read(&state)?;
         let document = open(&state).map_err(thrown)?;
@@ -50,22 +50,22 @@ impl Simulator {
         Ok(summary)
     }
 
-    /// The unit of lengths: `m`, `cm`, `mm`, `in`, or `none`, also before the first `set`.
+    /// The unit of lengths: `m`, `cm`, `mm`, `in` or `none`. Before the first `set` it is `none`.
     pub fn lengths(&self) -> JsValue {
         let (unit, _) = self.lengths.unwrap_or((LengthUnit::None, false));
         to_js(&unit)
     }
 
-    /// Whether a document of its kind may have a `unit`.
+    /// Whether documents of this kind may have a field `unit`.
     #[wasm_bindgen(js_name = choosesLengths)]
     pub fn chooses_lengths(&self) -> bool {
         self.lengths.is_some_and(|(_, chooses)| chooses)
     }
 
-    /// The names of the labels of the display lists, in order.
+    /// Names to which the labels of the display lists refer, in order.
     ///
     /// # Errors
-    /// Before the first `set`.
+    /// A call before the first `set`.
     #[wasm_bindgen(js_name = labelNames)]
     pub fn label_names(&self) -> Result<Vec<String>, JsValue> {
         Ok(self.document()?.rigid().names.to_vec())
@@ -74,23 +74,24 @@ impl Simulator {
     /// The display list of everything rigid, grouped by body.
     ///
     /// # Errors
-    /// Before the first `set`.
+    /// A call before the first `set`.
     pub fn scene(&self) -> Result<Vec<f32>, JsValue> {
         Ok(self.document()?.rigid().list.to_vec())
     }
 
-    /// The frame, handles, read-outs and plotted values at an input, from one pose: the lengths of
-    /// these four lists, then the lists. The frame has the bodies' poses `n, x, y, θ, …` and the
-    /// display list of everything that changes its shape; the handles of the summary have x and y
-    /// each; the read-outs are those of `readoutNames`; each plotted quantity, in the order of the
-    /// chart's series, has its value and first two derivatives, or, in a plot of one quantity
-    /// against another, abscissa and ordinate. Derivatives are those of the axes, with respect to
-    /// the input or to time; where they are unbounded the last two lists are empty, and `why` gives
-    /// the reason. A document that never moves has only frame and handles; its input is the share
-    /// by which an open chain has fallen open.
+    /// Everything at an input, from one pose: the lengths of four lists, then the lists themselves:
+    /// - frame: the bodies' poses `n, x, y, θ, …`, then a display list of all that changes its shape;
+    /// - handles: x and y of each handle in the summary;
+    /// - read-outs: those of `readoutNames`;
+    /// - plotted values: for each quantity, in the order of the chart's series, the value and its first two
+    ///   derivatives; in a plot of one quantity against another, abscissa and ordinate.
+    ///
+    /// Derivatives are those of the axes, with respect to the input or to time. If they are unbounded, the last two
+    /// lists are empty, and `why` gives the reason. A document that never moves has only frame and handles; its input
+    /// is the fraction by which an open chain has fallen open.
     ///
     /// # Errors
-    /// Why there is no pose.
+    /// The reason why there is no pose.
     pub fn at(&self, input: f64) -> Result<Vec<f64>, JsValue> {
         let document = self.document()?;
         let Some(moves) = document.moves() else {
@@ -99,7 +100,7 @@ impl Simulator {
         Ok(moves.at(input).map_err(one)?.flat())
     }
 
-    /// The last of the lists of `at` alone, for the cursor of the plots.
+    /// The plotted values of `at` alone, for the cursor of the plots.
     ///
     /// # Errors
     /// The reason why there is no pose, or why derivatives are unbounded.
@@ -110,35 +111,34 @@ impl Simulator {
     /// The problems at an input: the reason why there is no pose, or why derivatives are unbounded.
     ///
     /// # Errors
-    /// Before the first `set`.
+    /// A call before the first `set`.
     pub fn why(&self, input: f64) -> Result<JsValue, JsValue> {
         let moves = self.document()?.moves();
         Ok(thrown(moves.and_then(|moves| moves.why(input))))
     }
 
-    /// The names of the read-outs: the input, the transmission angles of the RRR dyads, then every
-    /// quantity with its first (′) and second (″) derivative; none if nothing moves.
+    /// Names of the read-outs: the input, the transmission and pressure angles of dyads, then every
+    /// quantity with its first (′) and second (″) derivative. Empty if nothing moves.
     ///
     /// # Errors
-    /// Before the first `set`.
+    /// A call before the first `set`.
     #[wasm_bindgen(js_name = readoutNames)]
     pub fn readout_names(&self) -> Result<Vec<String>, JsValue> {
         let moves = self.document()?.moves();
         Ok(moves.map_or_else(Vec::new, |moves| moves.readout_names()))
     }
 
-    /// The change when a handle is dragged to a place at an input: `{input}`, or `{document}` with
-    /// the changed fields. A traced point keeps to its link. Whether the fields make a mechanism is
-    /// checked by `set`.
+    /// The change after a handle is dragged to a place at an input: `{input}`, or `{document}` with the changed fields.
+    /// A traced point stays on its link. `set` checks whether the changed document is a mechanism.
     ///
     /// # Errors
-    /// An unknown point, a place that is not finite; no pose to drag in.
+    /// An unknown point; a place that is not finite; no pose at this input.
     pub fn drag(&self, point: &str, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.drag(point, input, place(x, y)?);
         Ok(change.map_err(one)?.into_js())
     }
 
-    /// The change when a handle is pressed without a drag: `{document}` with the changed fields.
+    /// The change after a handle is pressed without a drag: `{document}` with the changed fields.
     ///
     /// # Errors
     /// A handle without an action.
@@ -147,21 +147,22 @@ impl Simulator {
         Ok(change.map_err(one)?.into_js())
     }
 
-    /// The open document, drawn at an input, after one edit (the type `Edit`): `{kind, document,
-    /// point, link}` with the added parts. It is a linkage if it moves, otherwise a drawing.
+    /// Applies one edit, of the type `Edit`, to the open document in its pose at an input:
+    /// `{kind, document, point, link, held}`, with the parts added last. The result is a linkage
+    /// if it moves, otherwise a drawing.
     ///
     /// # Errors
-    /// A document that cannot be drawn on; the reason why the edit is impossible.
+    /// A document that cannot be edited as a drawing; the reason why the edit is impossible.
     pub fn edit(&self, edit: JsValue, input: f64) -> Result<JsValue, JsValue> {
         let edit: Edit = read_value(&edit)?;
         draft::edit(self.document()?, &edit, input).map_err(thrown)
     }
 
-    /// Links and points of the open document, drawn at an input, as a linkage of their own, for the
-    /// edit `paste`.
+    /// Copies links and points of the open document, in its pose at an input, to a separate linkage
+    /// for the edit `paste`.
     ///
     /// # Errors
-    /// A document that cannot be drawn on.
+    /// A document that cannot be edited as a drawing.
     pub fn part(
         &self,
         points: Vec<String>,
@@ -172,53 +173,52 @@ impl Simulator {
         Ok(to_js(&part))
     }
 
-    /// The link drawn nearest to a place at an input, `{link, off}` with its distance; `null` if
-    /// there is none.
+    /// The link drawn nearest to a place at an input: `{link, off, wheel}`, with its distance `off`
+    /// and the wheel at the place. `null` if there is no link.
     ///
     /// # Errors
-    /// A place that is not finite; before the first `set`.
+    /// A place that is not finite; a call before the first `set`.
     #[wasm_bindgen(js_name = linkAt)]
     pub fn link_at(&self, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let place = place(x, y)?;
         Ok(to_js(&self.document()?.link_at(input, place)))
     }
 
-    /// The open document, at an input, as a document of another kind: `{kind, document}`.
+    /// Converts the open document, in its pose at an input, to a document of another kind: `{kind, document}`.
     ///
     /// # Errors
-    /// A kind that cannot be made from it.
+    /// A kind that cannot be made from this document.
     #[wasm_bindgen(js_name = asKind)]
     pub fn as_kind(&self, kind: &str, input: f64) -> Result<JsValue, JsValue> {
         let document = as_kind(kind, self.linkage()?, input).map_err(one)?;
         Ok(to_js(&document))
     }
 
-    /// The change when the point at a place is traced at an input: `{document}` with one more
+    /// The change after the point at a place is traced at an input: `{document}` with one more
     /// traced point, on the link drawn nearest.
     ///
     /// # Errors
-    /// The reason why there is no pose; no link.
+    /// The reason why there is no pose; no link to trace.
     pub fn trace(&self, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.trace(input, place(x, y)?);
         Ok(change.map_err(one)?.into_js())
     }
 
-    /// The change when a dimension of the summary, by its field, is set to a value at an input:
-    /// `{document, input}`, the latter if it had to change. The assembly is kept by following it.
+    /// The change after a dimension of the summary, by its field, is set to a value at an input: `{document, input}`,
+    /// with `input` only if it had to change. The motion is followed, so the assembly stays the same.
     ///
     /// # Errors
-    /// The reason why it cannot be set, with the last possible value.
+    /// The reason why the value cannot be set, with the last possible value.
     #[wasm_bindgen(js_name = setDimension)]
     pub fn set_dimension(&self, field: &str, value: f64, input: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.set(field, value, input);
         Ok(change.map_err(thrown)?.into_js())
     }
 
-    /// The change when another of the possible drivers is chosen, in the pose at an input:
-    /// `{document, input}`.
+    /// The change after another of the possible drivers is chosen, in the pose at an input: `{document, input}`.
     ///
     /// # Errors
-    /// The reason why it cannot be driven.
+    /// The reason why the link cannot be driven.
     pub fn drive(&self, link: &str, input: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.drive(link, input);
         Ok(change.map_err(thrown)?.into_js())
@@ -233,7 +233,7 @@ impl Simulator {
         Ok(to_js(&here.ok_or_else(|| one(unknown("assembly")))?))
     }
 
-    /// The change when an assembly is chosen by its number at an input: `{document}` with the
+    /// The change after an assembly is chosen by its number at an input: `{document}` with the
     /// changed fields, or nothing.
     ///
     /// # Errors
@@ -243,22 +243,20 @@ impl Simulator {
         Ok(change.map_err(thrown)?.into_js())
     }
 
-    /// The input after a step `delta`, and −1 if it turned back at the end of its range, otherwise
-    /// 1.
+    /// The input after a step `delta`, and a factor: −1 if the input turned back at the end of its range, otherwise 1.
     ///
     /// # Errors
-    /// Before the first `set`; a document that does not move.
+    /// A call before the first `set`; a document that does not move.
     pub fn advance(&self, input: f64, delta: f64) -> Result<Vec<f64>, JsValue> {
         let (input, sense) = self.moves()?.advance(input, delta);
         Ok(vec![input, sense])
     }
 
-    /// Draws the plots by plotters on a canvas whose transform maps pixels of the reader to its
-    /// backing store; `request` is `{width, height, palette, around}`. Returns the layout of their
-    /// text.
+    /// Draws the plots on a canvas whose transform maps CSS pixels to its backing store; `request`
+    /// is `{width, height, palette, around}`. Returns the layout of the plots' text.
     ///
     /// # Errors
-    /// A request of the wrong form; before the first `set`.
+    /// A malformed request; a call before the first `set`.
     pub fn chart(
         &self,
         context: &CanvasRenderingContext2d,
@@ -267,11 +265,11 @@ impl Simulator {
         self.charted(context, request, None)
     }
 
-    /// Draws the plots with the curves of another simulator, thin and dashed, for each quantity
-    /// that both plot.
+    /// Draws the plots together with those of another simulator. Of each quantity that both plot,
+    /// the other's curve is thin and dashed.
     ///
     /// # Errors
-    /// Those of `chart`; another document that does not move.
+    /// Those of `chart`; a document of the other simulator that does not move.
     #[wasm_bindgen(js_name = chartCompared)]
     pub fn chart_compared(
         &self,
@@ -311,40 +309,40 @@ impl Simulator {
         Ok(to_js(&ChartLayout::new(&chart, panels, moves.numbers())))
     }
 
-    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}], compared}`,
-    /// with `steps` rows per turn of the crank, and rows where it ends or turns back; a missing
-    /// value is `null`, with the reason.
+    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}], compared}`. It
+    /// has `steps` rows per turn of the crank, and rows where the motion ends or turns back. A
+    /// missing value is `null`; the row then has the reason.
     ///
     /// # Errors
-    /// Before the first `set`.
+    /// A call before the first `set`.
     pub fn sweep(&self, steps: u32) -> Result<JsValue, JsValue> {
         Ok(to_js(&self.moves()?.table(steps)))
     }
 
-    /// The same table, with that of another linkage at the same inputs as `compared`.
+    /// The same table; `compared` is the table of another linkage at the same inputs.
     ///
     /// # Errors
-    /// One of them is not a moving linkage.
+    /// Either document is not a moving linkage.
     #[wasm_bindgen(js_name = sweepCompared)]
     pub fn sweep_compared(&self, steps: u32, with: &Self) -> Result<JsValue, JsValue> {
         let table = SweepTable::beside(self.linkage()?, steps, with.linkage()?);
         Ok(to_js(&table))
     }
 
-    /// Left side, right side and residual of every constraint equation of the summary at a crank
-    /// angle; with order 1 or 2 their derivatives with respect to the crank angle.
+    /// Left side, right side and residual of every constraint equation of the summary at an input;
+    /// with order 1 or 2, their derivatives with respect to the input.
     ///
     /// # Errors
-    /// The reason why there are none: no pose, or derivatives unbounded.
+    /// The reason why there are none: no pose, or unbounded derivatives.
     pub fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, JsValue> {
         self.linkage()?.equations(input, order).map_err(one)
     }
 
-    /// The relations of the paper that the document comes from, in numbers at an input:
-    /// `[{item, name, angle, count, value, printed}]`, in the order of the paper.
+    /// Relations of the paper that describes the document, with their values at an input:
+    /// `[{item, name, angle, turned, count, value, printed}]`, in the order of the paper.
     ///
     /// # Errors
-    /// The reason why there are none: no pose, or derivatives unbounded.
+    /// The reason why there are none: no pose, or unbounded derivatives.
     pub fn relations(&self, input: f64) -> Result<JsValue, JsValue> {
         let relations = self.document()?.relations(input).map_err(one)?;
         let here: Vec<RelationHere> = relations.into_iter().map(Into::into).collect();
@@ -352,10 +350,10 @@ impl Simulator {
     }
 
     /// Values of the drawn circles of curvature: `{circles: [{point, radius, centre, reason}],
-    /// inflection: {link, diameter, reason}}`, with a problem where there is no circle.
+    /// inflection: {link, diameter, reason}}`. If there is no circle, `reason` is the problem.
     ///
     /// # Errors
-    /// The reason why there is none: no linkage, no pose, or derivatives unbounded.
+    /// The reason why there are none: no linkage, no pose, or unbounded derivatives.
     pub fn curvature(&self, input: f64) -> Result<JsValue, JsValue> {
         let here = self.linkage()?.curvature(input).map_err(one)?;
         Ok(to_js(&here))
@@ -365,7 +363,7 @@ impl Simulator {
     /// construction: `{steps, pictures}`.
     ///
     /// # Errors
-    /// The reason why there are none: no pose, or derivatives unbounded.
+    /// The reason why there are none: no pose, or unbounded derivatives.
     pub fn polygons(&self, input: f64, shown: usize) -> Result<JsValue, JsValue> {
         let here = self.linkage()?.polygons(input, shown);
         Ok(to_js(&here.map_err(one)?))

@@ -24,9 +24,9 @@ use crate::profile::ProfileSummary;
 pub(crate) struct StructureSummary<'a> {
     bounds: [f64; 4],
     counts: CountsSummary,
-    /// Passive wheels, whose meshes repeat what others do.
+    /// Passive wheels, whose meshes repeat what other meshes do.
     passive: Vec<&'a str>,
-    /// The pairs with a redundant constraint; none if passive wheels are the only redundancy.
+    /// The pairs with a redundant constraint; not listed if there are passive wheels.
     redundant: Vec<String>,
     class: String,
     order: usize,
@@ -49,20 +49,20 @@ pub(crate) struct CourseSummary<'a> {
     pub(crate) dead_points: Vec<DeadPointSummary<'a>>,
     pub(crate) change_points: &'a [f64],
     pub(crate) outputs: Vec<OutputSummary>,
-    /// The reason why extrema over the motion were not searched, if so: outputs then have only a name.
+    /// The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
     pub(crate) unsearched: Option<UnsearchedSummary>,
-    /// The numbers of links, which denote their angles.
+    /// The numbers of links, by their names; a number denotes the angle of its link.
     pub(crate) numbers: &'a BTreeMap<String, String>,
     pub(crate) listed: Vec<ListedSummary<'a>>,
-    /// Groups of quantities that can be plotted together, by the name of the choice.
+    /// Names of choices that plot a group of quantities together.
     pub(crate) overviews: &'static [&'static str],
     pub(crate) plotted: Vec<String>,
-    /// The quantities of the curves on the plots: those, or the ones plotted against each other.
+    /// Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
     pub(crate) curves: Vec<String>,
     pub(crate) handles: Vec<HandleSummary<'a>>,
-    /// Whether points of its links can be traced.
+    /// Whether points of the links can be traced.
     pub(crate) traceable: bool,
-    /// Other kinds of document into which it can be converted.
+    /// Other kinds of document into which this document can be converted.
     #[cfg_attr(test, ts(type = "readonly \"scheme\"[]"))]
     pub(crate) becomes: &'static [&'static str],
 }
@@ -82,8 +82,8 @@ pub(crate) struct MotionSummary<'a> {
     profile: Option<ProfileSummary>,
 }
 
-/// Moving links, lower and higher pairs (a hinge of k links counting k − 1 times), degrees
-/// of freedom by rank and by count.
+/// Numbers of moving links, lower pairs and higher pairs; degrees of freedom by rank and by count. A hinge of k links
+/// counts as k − 1 pairs.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CountsSummary {
@@ -94,7 +94,7 @@ pub(crate) struct CountsSummary {
     by_count: isize,
 }
 
-/// Range of the input. `full`: a crank that turns fully.
+/// Range of the input. `full` means that a crank turns fully.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CycleSummary {
@@ -104,7 +104,7 @@ pub(crate) struct CycleSummary {
     pub(crate) arcs: Vec<[f64; 2]>,
 }
 
-/// Number of turns after which the motion repeats, and the greatest number that is searched.
+/// Number of turns after which the motion repeats, and the greatest such number for which extrema are searched.
 #[derive(Clone, Copy, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct UnsearchedSummary {
@@ -112,7 +112,7 @@ pub(crate) struct UnsearchedSummary {
     most: usize,
 }
 
-/// A term of the structural formula, and the colour of its links.
+/// A term of the structural formula, and the colour role of its links.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct GroupSummary {
@@ -128,7 +128,7 @@ pub(crate) struct DeadPointSummary<'a> {
     links: Vec<&'a str>,
 }
 
-/// A four-bar in the linkage: its crank, coupler, rocker and base, and its class.
+/// A four-bar in the linkage: its crank, coupler, rocker and base, and its Grashof type.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FourBarSummary<'a> {
@@ -136,8 +136,8 @@ pub(crate) struct FourBarSummary<'a> {
     grashof: &'static str,
 }
 
-/// The least transmission angle of a dyad RRR or the greatest pressure angle of a dyad RRP, at the
-/// inner joint, with its input; none if the motion is not searched.
+/// The least transmission angle of an RRR dyad, or the greatest pressure angle of an RRP dyad, at the dyad's inner
+/// joint, and the input at which it occurs. None if the motion was not searched.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct TransmissionSummary<'a> {
@@ -149,8 +149,8 @@ pub(crate) struct TransmissionSummary<'a> {
     input: Option<f64>,
 }
 
-/// Profile of an output over the motion: a swing for each arc, none if it turns on and on; turns
-/// there and back, per cycle. If it was not `searched`, only its name.
+/// Profile of an output over the motion. For each arc, `swing` is null if the output keeps rotating; `turns` is the
+/// total travel per cycle, there and back, in turns. If not `searched`, only the name is set.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct OutputSummary {
@@ -177,8 +177,8 @@ pub(crate) struct LimitSummary {
     value: f64,
 }
 
-/// A listed read-out, and what it belongs to: for an angle the link and those fixed to it, for a
-/// coordinate the point, for a transmission angle the joint, for a measure its points or links.
+/// A listed read-out and its subject `of`: the link of an angle, and the links fixed to it; the point of a coordinate;
+/// the joint of a transmission angle; the points or links of a measure.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ListedSummary<'a> {
@@ -192,7 +192,7 @@ pub(crate) struct ListedSummary<'a> {
     )]
     pub(crate) what: &'static str,
     pub(crate) of: Vec<&'a str>,
-    /// The number that denotes the angle.
+    /// The number that denotes the read-out, if it is an angle.
     pub(crate) number: Option<&'a str>,
     pub(crate) role: &'static str,
 }
@@ -202,7 +202,7 @@ pub(crate) struct ListedSummary<'a> {
 pub(crate) struct HandleSummary<'a> {
     pub(crate) name: &'a str,
     pub(crate) role: &'static str,
-    /// Whether pressing it without a drag has an effect.
+    /// Whether pressing the handle without a drag has an effect.
     pub(crate) pressed: bool,
 }
 
@@ -279,7 +279,7 @@ impl<'a> MotionSummary<'a> {
             pressed: false,
         });
         let plotted = moving.plotted().iter();
-        // The first plotted quantity is usually an output: its motion is then searched only once.
+        // The first plotted quantity is usually an output; its motion is then searched only once.
         let outputs = moving.outputs();
         let profiles = outputs.iter().map(|one| {
             let name = one.name(mechanism, 0);

@@ -1,4 +1,4 @@
-//! Tables of a motion, in the names of the page, also of two motions at the same inputs.
+//! Tables of a motion, or of two motions at the same inputs, in the form that the page expects.
 
 use assur::curvature::CircleOfCurvature;
 use assur::mechanism::{Mechanism, PointId};
@@ -20,24 +20,24 @@ pub(crate) struct SweepTable {
     pub(crate) compared: Option<Box<SweepTable>>,
 }
 
-/// A dimension of the linkage: the distance of two points of a link, or a coordinate of a point of the frame.
+/// A dimension of the linkage: the distance between two points of a link, or a coordinate of a frame point.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepDimension {
     #[cfg_attr(test, ts(type = "\"length\" | \"x\" | \"y\""))]
     kind: &'static str,
-    /// Names of two points, as in `A-B`, or of one.
+    /// Names of the two points, as in `A-B`, or of the single point.
     of: String,
     value: f64,
 }
 
-/// A quantity of a link or a point, or its derivative of an order by the input.
+/// A quantity of a link or a point, or its derivative of an order with respect to the input.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepColumn {
-    /// Name as in all tables: `rocker.dangle`.
+    /// Name of the column, as in all tables: `rocker.dangle`.
     name: String,
-    /// None if the name is sufficient.
+    /// The quantity in parts; none if the name is sufficient.
     quantity: Option<SweepQuantity>,
 }
 
@@ -58,7 +58,7 @@ pub(crate) struct SweepQuantity {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepRow {
-    /// Degrees of a crank, otherwise in the unit of the lengths.
+    /// Input of the row: degrees for a crank, seconds for a gear train, otherwise in the unit of the lengths.
     pub(crate) input: f64,
     pub(crate) values: Vec<Option<f64>>,
     #[cfg_attr(test, ts(type = "{ readonly code: string } | null"))]
@@ -66,13 +66,13 @@ pub(crate) struct SweepRow {
 }
 
 impl SweepTable {
-    /// The motion as a table with this many steps per turn of the crank, or per range of a driven
-    /// slide, and where it turns back.
+    /// Tabulates the motion, with this many steps per turn of the crank or per range of a driven slide, and where it
+    /// turns back.
     pub(crate) fn of(moving: &Moving, steps: u32) -> Self {
         Self::at(moving, &places(moving, steps))
     }
 
-    /// The same table, with that of another mechanism at the same inputs.
+    /// The same table, with a table of another mechanism at the same inputs.
     pub(crate) fn beside(moving: &Moving, steps: u32, other: &Moving) -> Self {
         let places = places(moving, steps);
         Self {
@@ -81,7 +81,7 @@ impl SweepTable {
         }
     }
 
-    /// The motion at these inputs: all quantities, measured and plotted ones, and the drawn circles of curvature.
+    /// Tabulates the motion at these inputs: all quantities, measures, plotted values, and drawn circles of curvature.
     fn at(moving: &Moving, places: &[At]) -> Self {
         let (motion, mechanism) = (moving.motion(), moving.mechanism());
         let mut columns = Column::all(mechanism);
@@ -149,7 +149,7 @@ fn places(moving: &Moving, steps: u32) -> Vec<At> {
     motion.rows(grid).collect()
 }
 
-/// The columns of a circle of curvature: its radius with two derivatives, its centre.
+/// Columns of a circle of curvature: the radius with two derivatives, then the centre.
 const OF_CIRCLE: [(&str, usize); 5] = [
     ("radius", 0),
     ("radius", 1),
@@ -158,7 +158,7 @@ const OF_CIRCLE: [(&str, usize); 5] = [
     ("centre_y", 0),
 ];
 
-/// The values of these columns.
+/// Values of a circle of curvature, in the order of [`OF_CIRCLE`].
 fn circle_values(circle: Option<CircleOfCurvature>) -> [Option<f64>; OF_CIRCLE.len()] {
     circle.map_or(
         [None; OF_CIRCLE.len()],

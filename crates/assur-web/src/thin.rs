@@ -1,10 +1,9 @@
-//! Lines with fewer points: most samples half a pixel apart add nothing, and each one takes time on
-//! a canvas.
+//! Lines with fewer points. Most samples half a pixel apart add nothing, and each takes time to draw on a canvas.
 
-/// Maximum number of consecutive points that are left out.
+/// Maximum number of consecutive points that are omitted.
 const ROW: usize = 60;
 
-/// The points of a line without those closer than `unseen` to the line through the remaining ones.
+/// Omits the points of a line that are closer than `unseen` to the line through the remaining points.
 pub(crate) fn thinned(points: &[(f64, f64)], unseen: f64) -> Vec<(f64, f64)> {
     let straight = |row: &[(f64, f64)]| {
         let [from, between @ .., to] = row else {
@@ -48,7 +47,7 @@ mod tests {
             let after = kept.partition_point(|point| point.0 < x).max(1);
             let [(x0, y0), (x1, y1)] = [kept[after - 1], kept[after]];
             let off = (y0 + (y1 - y0) * (x - x0) / (x1 - x0) - y).abs();
-            // The vertical error is up to √(1 + 1.5²) times the distance across the line.
+            // The vertical error is up to √(1 + 1.5²) times the distance from the line.
             assert!(off <= 1.81 * unseen, "{x}: {off}");
         }
     }
@@ -62,7 +61,7 @@ mod tests {
         assert_eq!(thinned(&corner, 0.1), expected);
         assert_eq!(thinned(&corner[..2], 0.1), corner[..2]);
         assert_eq!(thinned(&[], 0.1), []);
-        // A path there and back differs from the line between its ends.
+        // A path that turns back differs from the line between its ends.
         for end in [0.0, 1.0] {
             let back = [(0.0, 0.0), (5.0, 0.0), (end, 0.0)];
             assert_eq!(thinned(&back, 0.1), back);

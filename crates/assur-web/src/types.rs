@@ -1,5 +1,5 @@
-//! TypeScript types of the values exchanged with the scripts of the page: this test writes
-//! `types.d.ts` of this crate if `ASSUR_WRITE_TYPES` is set, and otherwise compares it.
+//! TypeScript types of the values exchanged with the scripts of the page. The test writes this
+//! crate's `types.d.ts` if `ASSUR_WRITE_TYPES` is set; otherwise it compares the file.
 
 use assur_tests::types::assert_declared;
 

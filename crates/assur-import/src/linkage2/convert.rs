@@ -1,4 +1,4 @@
-//! Conversion of connectors and links to joints and bars.
+//! Conversion of Linkage's connectors and links to the joints and bars of a sketch.
 
 use std::f64::consts::TAU;
 
@@ -7,14 +7,14 @@ use super::wheels;
 use crate::LeftOut;
 use crate::sketch::{Body, Driver, Joint, Moves, Sketch, distance, letter};
 
-/// Length of an actuator's cylinder, as a share of the drawn length, at which rod and cylinder are both visible.
+/// Length of an actuator's cylinder, as a fraction of the actuator's drawn length. Both rod and cylinder are visible.
 const CYLINDER: f64 = 0.6;
 
 /// A file during its conversion to a sketch.
 pub(super) struct Conversion<'a> {
     pub(super) parts: &'a Parts,
     pub(super) sketch: Sketch,
-    /// The bar of each link; none for links that are not bars.
+    /// For each link of the file, the index of its bar, if it became one.
     pub(super) bars: Vec<Option<usize>>,
 }
 
@@ -48,7 +48,7 @@ pub(super) fn sketch(parts: &Parts) -> Sketch {
 }
 
 impl Conversion<'_> {
-    /// The joint with a connector's number.
+    /// Finds the joint made from the connector with this number.
     pub(super) fn joint(&self, id: i64) -> Option<usize> {
         self.parts
             .connectors
@@ -56,12 +56,12 @@ impl Conversion<'_> {
             .position(|connector| connector.id == id)
     }
 
-    /// The first link with a number.
+    /// Finds the first link with this number.
     pub(super) fn link(&self, id: i64) -> Option<usize> {
         self.parts.links.iter().position(|link| link.id == id)
     }
 
-    /// Links with their bars.
+    /// Links that became bars, each with the index of its bar.
     fn made(&self) -> impl Iterator<Item = (&Link, usize)> {
         let all = self.parts.links.iter().zip(&self.bars);
         all.filter_map(|(link, bar)| Some((link, (*bar)?)))
@@ -92,7 +92,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Makes a bar of each link with points at fixed distances, and of each wheel.
+    /// Adds a bar for each wheel and for each link whose points keep their distances.
     fn links(&mut self) {
         for (k, link) in self.parts.links.iter().enumerate() {
             let joints: Vec<usize> = link
@@ -137,7 +137,7 @@ impl Conversion<'_> {
             let to_link = link
                 .fastened
                 .map(|id| self.link(id).and_then(|link| self.bars[link]));
-            // A part fastened to an anchor stays in place.
+            // A part fastened to an anchor is fixed to the frame.
             let anchor = |id: i64| {
                 self.joint(id)
                     .filter(|joint| self.sketch.joints[*joint].fixed)
@@ -162,7 +162,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// The body that has both joints.
+    /// Finds the body to which both joints belong.
     pub(super) fn shared(&self, ends: [usize; 2]) -> Option<Body> {
         let has = |bar: usize| {
             ends.iter()
@@ -174,7 +174,7 @@ impl Conversion<'_> {
             .or(anchored.then_some(Body::Frame))
     }
 
-    /// Makes slides of pins in slots.
+    /// Converts pins in straight slots to slides, and pins in curved slots to links.
     fn slots(&mut self) {
         let mut names = Vec::new();
         for (pin, connector) in self
@@ -189,7 +189,7 @@ impl Conversion<'_> {
                 .and_then(|[from, to]| Some([self.joint(from)?, self.joint(to)?]));
             let ends = ends.filter(|ends| !ends.contains(&pin));
             let place = |joint: usize| self.sketch.joints[joint].at;
-            // Half of the smallest positive number rounds to zero.
+            // Half of the smallest positive floating-point number rounds to zero.
             let ends = ends.filter(|[from, to]| distance(place(*from), place(*to)) / 2.0 > 0.0);
             let Some((line, on)) = ends.and_then(|ends| Some((ends, self.shared(ends)?))) else {
                 let point = self.sketch.joints[pin].name.clone();
@@ -207,12 +207,12 @@ impl Conversion<'_> {
         }
     }
 
-    /// Replaces a slot along an arc by a link from the arc's centre, and returns the name of its pin.
+    /// Replaces a pin in a circular slot by a link from the slot's centre to the pin. Returns the name of the pin.
     fn curved(&mut self, pin: usize, on: Body, line: [usize; 2], radius: f64) -> String {
         let [from, to] = line.map(|joint| self.sketch.joints[joint].at);
         let half = distance(from, to) / 2.0;
         let at = self.sketch.joints[pin].at;
-        // An arc is at least half a circle over its chord.
+        // The radius of an arc is at least half its chord.
         let radius = radius.max(half);
         let rise = (radius * radius - half * half).max(0.0).sqrt();
         let [x, y] = [
@@ -223,7 +223,7 @@ impl Conversion<'_> {
             let middle = [(from[0] + to[0]) / 2.0, (from[1] + to[1]) / 2.0];
             [middle[0] - side * rise * y, middle[1] + side * rise * x]
         };
-        // The arc is on the side on which its pin is drawn.
+        // Of the two possible centres, the slot has the one that fits the drawn pin better.
         let off = |centre: [f64; 2]| (distance(centre, at) - radius).abs();
         let [left, right] = [centre(1.0), centre(-1.0)];
         let centre = if off(left) <= off(right) { left } else { right };
@@ -239,7 +239,7 @@ impl Conversion<'_> {
         point
     }
 
-    /// Makes all links at an input turn with it.
+    /// Makes a link at each input the crank, and fixes the other links at that input to it.
     fn cranks(&mut self) {
         for (joint, connector) in self
             .parts
@@ -251,7 +251,7 @@ impl Conversion<'_> {
             let here = self
                 .made()
                 .filter(|(_, bar)| self.sketch.bars[*bar].joints.contains(&joint));
-            // It has no fixed points except the input, since otherwise it would not turn.
+            // A bar can turn only if the input is its only fixed point.
             let turns = |bar: usize| {
                 let mut others = self.sketch.bars[bar]
                     .joints
@@ -301,7 +301,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Makes a cylinder with a rod of a link that changes its length; the rod ends at the second hinge.
+    /// Converts each actuator, a link of variable length, to a cylinder and a rod that ends at the second hinge.
     fn actuators(&mut self) {
         for link in &self.parts.links {
             let Some([throw, cpm]) = link.stroke else {
@@ -328,7 +328,7 @@ impl Conversion<'_> {
             } else {
                 drawn - link.start
             };
-            // The length of a cylinder cannot be negative.
+            // An actuator's length must stay positive.
             let range = [least.max(0.01 * drawn), least + throw];
             if range[0] > least {
                 let [min, max] = range;
@@ -342,7 +342,7 @@ impl Conversion<'_> {
                 cycles: cpm.abs(),
             });
             let moves = Moves::Slide { slide, range };
-            // One cycle goes there and back.
+            // A cycle is two strokes, out and back.
             self.drive(moves, 2.0 * throw * cpm / 60.0, link.by_hand, name);
         }
         if self.sketch.drivers.len() > 1 {
@@ -357,7 +357,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Notes the speed of the first driver, by the code of its kind.
+    /// Lists a driver moved by hand as left out; otherwise lists the first driver's speed, in an entry made by `told`.
     fn driven(&mut self, link: &str, speed: f64, by_hand: bool, told: impl Fn(String) -> LeftOut) {
         let link = link.to_owned();
         if by_hand {

@@ -1,9 +1,9 @@
-//! Tags with attributes, as Linkage writes and reads them: texts in quotes are verbatim, without entities, and
-//! attributes may follow each other without a space, so that a strict XML parser would refuse files that Linkage opens.
+//! Tags with attributes, as Linkage writes and reads them. Quoted texts are verbatim, without entities, and attributes
+//! may follow each other without a space. A strict XML parser would refuse files that Linkage opens.
 
 use crate::ImportProblem;
 
-/// Maximum depth of tags: no file has deeper ones.
+/// Maximum nesting depth of tags; no Linkage file exceeds it.
 const DEEPEST: usize = 8;
 
 /// A tag with its contents.
@@ -15,7 +15,7 @@ pub(super) struct Tag<'a> {
 }
 
 impl<'a> Tag<'a> {
-    /// The text of an attribute; empty without it.
+    /// Text of an attribute; empty if the attribute is absent.
     pub(super) fn text(&self, name: &str) -> &'a str {
         let found = self.attributes.iter().find(|(key, _)| *key == name);
         found.map_or("", |(_, value)| value)
@@ -25,7 +25,7 @@ impl<'a> Tag<'a> {
         self.text(name) == "true"
     }
 
-    /// A number; none without such an attribute.
+    /// Value of an attribute as a number; none if the attribute is absent.
     ///
     /// # Errors
     /// A value that is not a number.
@@ -33,7 +33,7 @@ impl<'a> Tag<'a> {
         self.value(name, crate::number)
     }
 
-    /// A whole number; none without such an attribute.
+    /// Value of an attribute as a whole number; none if the attribute is absent.
     ///
     /// # Errors
     /// A value that is not a whole number.
@@ -56,28 +56,28 @@ impl<'a> Tag<'a> {
         }
     }
 
-    /// The problem of an invalid value of an attribute.
+    /// Problem that reports an invalid value of an attribute.
     pub(super) fn refused(&self, name: &str) -> ImportProblem {
         let [tag, id] = [self.name, self.text("id")].map(crate::quoted);
         ImportProblem::number(&format!("{tag} {id}, {name}"), self.text(name))
     }
 
-    /// The number of tags within its own tags, at any depth.
+    /// Number of tags below the direct inner tags, at any depth.
     pub(super) fn mentions(&self) -> usize {
         let inner = self.tags.iter();
         inner.map(|tag| tag.tags.len() + tag.mentions()).sum()
     }
 
-    /// The inner tags with a name.
+    /// The direct inner tags with this name.
     pub(super) fn all<'t>(&'t self, name: &'t str) -> impl Iterator<Item = &'t Tag<'a>> {
         self.tags.iter().filter(move |tag| tag.name == name)
     }
 }
 
-/// The outermost tag.
+/// Parses a text and returns its outermost tag.
 ///
 /// # Errors
-/// The line of the first tag that does not end or does not belong there.
+/// The line of the first tag that does not end or is out of place.
 pub(super) fn parse(text: &str) -> Result<Tag<'_>, ImportProblem> {
     let broken = |rest: &str| {
         let line = 1 + text[..text.len() - rest.len()].matches('\n').count();
@@ -94,7 +94,7 @@ pub(super) fn parse(text: &str) -> Result<Tag<'_>, ImportProblem> {
         let skipped = match rest.as_bytes().first() {
             Some(b'?') => Some("?>"),
             Some(b'!') if rest.starts_with("!--") => Some("-->"),
-            // Declarations could define entities, which no such file contains.
+            // Declarations are refused: they could define entities, and no Linkage file contains any.
             Some(b'!') | None => return Err(broken(here)),
             _ => None,
         };
@@ -132,7 +132,7 @@ pub(super) fn parse(text: &str) -> Result<Tag<'_>, ImportProblem> {
     }
 }
 
-/// The contents of a tag, up to the `>` outside quotes, and the text after it.
+/// Contents of a tag, up to the first `>` outside quotes, and the text after the tag.
 fn tag(text: &str) -> Option<(&str, &str)> {
     let mut quoted = false;
     let end = text.find(|c| {
@@ -142,7 +142,7 @@ fn tag(text: &str) -> Option<(&str, &str)> {
     Some((&text[..end], &text[end + 1..]))
 }
 
-/// The name of a tag, followed by any number of `key="value"`.
+/// Parses the contents of a tag: its name, then any number of attributes `key="value"`.
 fn attributes(text: &str) -> Option<Tag<'_>> {
     let text = text.trim_end();
     let end = text.find(char::is_whitespace).unwrap_or(text.len());

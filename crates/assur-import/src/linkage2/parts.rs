@@ -1,4 +1,4 @@
-//! Parts of a file: connectors, links, ratios of wheels.
+//! Parts of a Linkage file: connectors, links, ratios of wheels.
 
 use assur_file::LengthUnit;
 
@@ -6,14 +6,14 @@ use super::markup::Tag;
 use crate::ImportProblem;
 use assur::mechanism::FARTHEST;
 
-/// Layers of moving parts; the others are for drawings.
+/// Bit mask of the layers with moving parts; the other layers hold only drawings.
 const MECHANISM: i64 = 0xFFFF_FFF0;
 
-/// Units of a file per inch.
+/// Units of length in a file, per inch.
 const TO_AN_INCH: f64 = 96.0;
 const MM_TO_AN_INCH: f64 = 25.4;
 
-/// A point.
+/// A point of the mechanism.
 #[derive(Debug, Default)]
 pub(super) struct Connector {
     pub(super) id: i64,
@@ -25,13 +25,14 @@ pub(super) struct Connector {
     pub(super) by_hand: bool,
     /// Revolutions per minute, positive clockwise.
     pub(super) rpm: f64,
-    /// Amplitude of its oscillation, degrees; 0 if it turns.
+    /// Angle through which an input oscillates, degrees; 0 if the input keeps rotating.
     pub(super) swing: f64,
-    /// The connectors between which it slides, and the radius of the slot, 0 if straight.
+    /// The two connectors between which a pin slides.
     pub(super) slot: Option<[i64; 2]>,
     pub(super) slider: bool,
+    /// Radius of the slot; 0 for a straight slot.
     pub(super) radius: f64,
-    /// The link that carries it.
+    /// Number of the link to which the connector is fastened.
     pub(super) carried: Option<i64>,
 }
 
@@ -42,16 +43,16 @@ pub(super) struct Link {
     pub(super) name: String,
     pub(super) connectors: Vec<i64>,
     pub(super) wheel: bool,
-    /// Stroke of an actuator, and its cycles per minute; negative if it shrinks first.
+    /// Stroke of an actuator and its cycles per minute, which are negative if the actuator shortens first.
     pub(super) stroke: Option<[f64; 2]>,
-    /// Drawn extension within its stroke.
+    /// Displacement within the stroke at which the actuator is drawn.
     pub(super) start: f64,
     pub(super) by_hand: bool,
     pub(super) fastened: Option<i64>,
     pub(super) fastened_to_connector: Option<i64>,
 }
 
-/// Two wheels and their sizes.
+/// Two wheels, in mesh or with a chain, and their sizes.
 #[derive(Debug)]
 pub(super) struct Ratio {
     pub(super) links: [i64; 2],
@@ -59,7 +60,7 @@ pub(super) struct Ratio {
     pub(super) chain: bool,
 }
 
-/// All parts of a file, lengths in its unit.
+/// All parts of a file. Lengths are in the unit of the file.
 #[derive(Debug, Default)]
 pub(super) struct Parts {
     pub(super) unit: Option<LengthUnit>,
@@ -67,13 +68,13 @@ pub(super) struct Parts {
     pub(super) connectors: Vec<Connector>,
     pub(super) links: Vec<Link>,
     pub(super) ratios: Vec<Ratio>,
-    /// Number of parts that are only drawn.
+    /// Number of parts that are drawn but do not belong to the mechanism.
     pub(super) drawn: usize,
 }
 
 impl Parts {
     /// # Errors
-    /// Numbers that are invalid or out of range; connectors with the same number; too many parts.
+    /// Numbers that are invalid or out of range; two connectors with the same number; too many parts.
     pub(super) fn read(root: &Tag<'_>) -> Result<Self, ImportProblem> {
         let program = root.all("program").next();
         let inches =
@@ -124,7 +125,7 @@ impl Parts {
         Ok(parts)
     }
 
-    /// The name of a link, in the form of Linkage if it has none.
+    /// Name of a link; for a link without one, the number that Linkage shows instead.
     pub(super) fn called(link: &Link) -> String {
         let name = link.name.trim();
         if name.is_empty() {
@@ -144,7 +145,7 @@ fn id(tag: &Tag<'_>, name: &str) -> Result<Option<i64>, ImportProblem> {
     tag.whole(name)
 }
 
-/// Factor of a file's lengths.
+/// Factor that converts the lengths of a file to its unit.
 struct Length(f64);
 
 impl Length {
@@ -228,7 +229,7 @@ impl Length {
     }
 }
 
-/// The ratio of two wheels; none for a tag with fewer wheels.
+/// Reads the ratio of two wheels; none if the tag has fewer than two.
 fn ratio(tag: &Tag<'_>) -> Result<Option<Ratio>, ImportProblem> {
     let wheels = tag
         .all("link")
@@ -244,7 +245,7 @@ fn ratio(tag: &Tag<'_>) -> Result<Option<Ratio>, ImportProblem> {
     })
 }
 
-/// A number within range.
+/// Reads a number, which must not exceed [`FARTHEST`] in absolute value.
 fn finite(tag: &Tag<'_>, name: &str) -> Result<Option<f64>, ImportProblem> {
     let value = tag.number(name)?;
     match value {

@@ -1,4 +1,4 @@
-//! Wheels in mesh, or with a chain around them.
+//! Two wheels in mesh, or with a chain around them.
 
 use assur_file::MeshDocument;
 
@@ -7,10 +7,10 @@ use super::parts::{Parts, Ratio};
 use crate::LeftOut;
 use crate::sketch::{Body, Gear};
 
-/// Possible numbers of teeth (docs/file-format.md).
+/// Permitted numbers of teeth (docs/file-format.md).
 const TEETH: std::ops::RangeInclusive<u32> = 3..=1000;
 
-/// Least number of teeth that looks like a wheel; used if the ratio allows it.
+/// Preferred minimum number of teeth, for a wheel that looks like one. The ratio may require fewer.
 const SEEMLY: u32 = 12;
 
 pub(super) fn mesh(conversion: &mut Conversion<'_>, ratio: &Ratio) {
@@ -51,7 +51,7 @@ pub(super) fn mesh(conversion: &mut Conversion<'_>, ratio: &Ratio) {
     });
 }
 
-/// The bars of two wheels and their common carrier.
+/// Finds the bars of two wheels and the wheels' common carrier.
 fn joined(conversion: &Conversion<'_>, links: [Option<usize>; 2]) -> Option<([usize; 2], Body)> {
     let [Some(a), Some(b)] = links.map(|link| conversion.bars[link?]) else {
         return None;
@@ -64,8 +64,8 @@ fn joined(conversion: &Conversion<'_>, links: [Option<usize>; 2]) -> Option<([us
     Some(([a, b], conversion.shared(axes)?))
 }
 
-/// Whole numbers of teeth in the ratio of the sizes, or in the nearest one, and whether it is
-/// exact. None if no numbers of teeth have such a ratio.
+/// Finds numbers of teeth in the ratio of the sizes, or in the nearest possible ratio, and whether
+/// the ratio is exact. None if the ratio is beyond that of any permitted numbers.
 fn teeth(sizes: [f64; 2]) -> Option<([f64; 2], bool)> {
     let ratio = sizes[0] / sizes[1];
     let within = f64::from(*TEETH.start()) / f64::from(*TEETH.end());
@@ -79,7 +79,7 @@ fn teeth(sizes: [f64; 2]) -> Option<([f64; 2], bool)> {
     let off = |second: u32| (other(second) / f64::from(second) / ratio - 1.0).abs();
     let all = || TEETH.filter(fits);
     let least = all().map(off).fold(f64::INFINITY, f64::min);
-    // Sizes are given to six decimals.
+    // Ratios this close count as equal: sizes are given to six decimals only.
     let near = |second: &u32| off(*second) <= least + 1e-9;
     let seemly = |second: &u32| *second >= SEEMLY && other(*second) >= f64::from(SEEMLY);
     let second = all()

@@ -1,7 +1,7 @@
 //! Links of the first PMKS (Silverlight, <https://designengrlab.github.io/PMKS>): `?set=s50&mech=ground,input,R,0,0,0,tfft|…`.
-//! Joints alone, each with the links that meet there, its kind (R, P, RP), its place, the direction of its slide in
-//! degrees, and four letters: whether its position, velocity and acceleration are shown, and whether it is driven. The
-//! slot of a sliding pair is on the first link, its block or pin on the second.
+//! A link lists only joints. A joint has the names of its links, a kind (R, P, RP), coordinates, the direction of its
+//! slide in degrees, and four letters. The letters state whether the joint's position, velocity and acceleration are
+//! shown and whether it is driven. The first link of a sliding pair has the slot, the second the block or pin.
 
 use std::f64::consts::TAU;
 
@@ -11,13 +11,13 @@ use super::decoded;
 use crate::sketch::{Body, Driver, Joint, Moves, Sketch, letter};
 use crate::{ImportProblem, LeftOut};
 
-/// The name of the parameter that holds the joints.
+/// Name of the parameter that lists the joints.
 const JOINTS: &str = "mech";
-/// Names of the ground, besides all that begin with [`GROUND`].
+/// Names of the ground, besides those that begin with [`GROUND`].
 const GROUNDS: [&str; 6] = ["0", "gnd", "grnd", "grond", "gound", "groud"];
 const GROUND: &str = "ground";
 
-/// The kind of a joint between the teeth of two wheels: not read, since it gives neither their centres nor their carrier.
+/// Kind of a joint between the teeth of two wheels. Not read: it gives neither the wheels' centres nor the carrier.
 const GEARS: &str = "G";
 
 /// The kinds of joints that are read.
@@ -28,7 +28,7 @@ enum Kind {
     PinInSlot,
 }
 
-/// A joint in its written form.
+/// Fields of a joint, as written in the URL.
 #[derive(Debug)]
 struct Row<'a> {
     links: Vec<&'a str>,
@@ -49,7 +49,7 @@ fn parameter<'a>(query: &'a str, name: &str) -> Option<&'a str> {
     all.find_map(|one| one.strip_prefix(name)?.strip_prefix('='))
 }
 
-/// The mechanism of a link.
+/// Reads the mechanism that a query describes.
 ///
 /// # Errors
 /// A joint that cannot be read, such as a mesh of gears; too many parts.
@@ -90,7 +90,7 @@ pub(super) fn sketch(query: &str, source: String) -> Result<Sketch, ImportProble
     Ok(reading.sketch)
 }
 
-/// One joint: `link,link,…,kind,x,y[,direction][,letters]`, with commas or blanks.
+/// Reads one joint: `link,link,…,kind,x,y[,direction][,letters]`, separated by commas or blanks.
 fn row<'a>(name: &str, line: &'a str) -> Result<Row<'a>, ImportProblem> {
     let broken = || ImportProblem::part(line.trim());
     let words = line.split([',', ' ']).map(str::trim);
@@ -102,7 +102,7 @@ fn row<'a>(name: &str, line: &'a str) -> Result<Row<'a>, ImportProblem> {
         _ => None,
     };
     let gears = |word: &&str| word.eq_ignore_ascii_case(GEARS);
-    // A link may have the name R, too.
+    // The last such word is the kind: a link may also be called R.
     let at = words
         .iter()
         .rposition(|word| gears(word) || kind(word).is_some());
@@ -132,14 +132,14 @@ fn row<'a>(name: &str, line: &'a str) -> Result<Row<'a>, ImportProblem> {
     };
     let fits = match (row.kind, row.links.len()) {
         (_, 0) => false,
-        // A joint of only one link is a point of it.
+        // A joint of a single link is a point of that link.
         (_, 1) | (Kind::Hinge | Kind::PinInSlot, _) => true,
         (Kind::Slide, links) => links == 2,
     };
     if fits { Ok(row) } else { Err(broken()) }
 }
 
-/// Position, velocity, acceleration, driven: in letters, `tfff` or `+---`, or in words.
+/// Reads the flags for position, velocity, acceleration and driving: as letters, `tfff` or `+---`, or as words.
 fn flags(words: &[&str]) -> Option<[bool; 4]> {
     let letters = |word: &str| word.chars().map(|letter| letter.to_string()).collect();
     let told: Vec<String> = match words {
@@ -165,12 +165,12 @@ fn is_ground(link: &str) -> bool {
     link.starts_with(GROUND) || GROUNDS.contains(&link.as_str())
 }
 
-/// A mechanism during reading.
+/// A mechanism that is being read.
 struct Reading<'a> {
     sketch: Sketch,
-    /// The names of the links, by their bars.
+    /// Name of each bar's link.
     links: Vec<&'a str>,
-    /// The size of the drawing.
+    /// Size of the drawing, as [`Sketch::size`] defines it.
     size: f64,
 }
 
@@ -200,7 +200,7 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// Adds a point for each joint. PMKS gives joints no names.
+    /// Adds a point for each joint, named by a letter: PMKS joints have no names.
     fn joints(&mut self, rows: &[Row<'a>]) {
         let joints = rows.iter().enumerate().map(|(number, row)| Joint {
             name: letter(number),
@@ -213,13 +213,13 @@ impl<'a> Reading<'a> {
         self.size = self.sketch.size();
     }
 
-    /// Adds the pairs; returns the slide of each joint that is one.
+    /// Adds the pairs. Returns, for each joint that is a slide, the index of the slide.
     fn pairs(&mut self, rows: &[Row<'a>]) -> Vec<Option<usize>> {
         let mut slides = vec![None; rows.len()];
         for (joint, row) in rows.iter().enumerate() {
             let bodies: Vec<Body> = row.links.iter().map(|link| self.body(link)).collect();
             let (slot, riders) = match (row.kind, &bodies[..]) {
-                // Neither link turns relative to the other, so either may have the line; the ground is preferred.
+                // Neither link turns relative to the other: either may carry the line. The ground is preferred.
                 (Kind::Slide, [first, Body::Frame]) => (Some(Body::Frame), vec![*first]),
                 (Kind::Slide | Kind::PinInSlot, [first, rest @ ..]) if !rest.is_empty() => {
                     (Some(*first), rest.to_vec())
@@ -245,7 +245,7 @@ impl<'a> Reading<'a> {
         slides
     }
 
-    /// Adds the driver: the last joint marked as driven, otherwise the first hinge or slide of two links, as in PMKS.
+    /// Adds the driver: the last joint marked as driven or else, as in PMKS, the first hinge or slide of two links.
     fn drive(&mut self, rows: &[Row<'a>], slides: &[Option<usize>], rpm: f64) {
         let usual = |row: &Row<'_>| row.links.len() > 1 && row.kind != Kind::PinInSlot;
         let told = rows.iter().rposition(|row| row.driven);

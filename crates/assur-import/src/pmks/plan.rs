@@ -1,4 +1,4 @@
-//! Contents of a PMKS+ link in either form, and the mechanism that it describes.
+//! Contents of a PMKS+ link (URL) in either form, and the mechanism that they describe.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,7 +9,7 @@ use assur::mechanism::FARTHEST;
 use crate::sketch::{Bar, Body, Driver, Joint, Moves, Sketch};
 use crate::{ImportProblem, LeftOut};
 
-/// Resolution of angles: thousandths of a radian.
+/// Resolution of angles in a PMKS+ link, radians.
 const ANGLE_STEP: f64 = 0.001;
 
 /// A joint: a hinge or a prismatic pair.
@@ -25,9 +25,9 @@ pub(super) struct Pin {
     pub(super) traced: bool,
     /// Direction of a prismatic pair on the ground, radians.
     pub(super) angle: f64,
-    /// For a prismatic pair on a link, that link and two of its joints on the line.
+    /// For a prismatic pair on a link: that link, and two of its joints, which define the line.
     pub(super) slot: Option<[String; 3]>,
-    /// Speed of its own, revolutions per minute.
+    /// Speed of this joint as a driver, if it has its own, revolutions per minute.
     pub(super) rpm: Option<f64>,
 }
 
@@ -37,18 +37,18 @@ pub(super) struct Member {
     pub(super) id: String,
     pub(super) name: String,
     pub(super) block: bool,
-    /// Whether it is not part of another one.
+    /// Whether the link is not part of another link.
     pub(super) root: bool,
     pub(super) mass: f64,
     pub(super) joints: Vec<String>,
     pub(super) parts: Vec<String>,
 }
 
-/// All parts of a link.
+/// All parts of a mechanism.
 #[derive(Debug, Default)]
 pub(super) struct Plan {
     pub(super) unit: Option<LengthUnit>,
-    /// Revolutions per minute, positive counter-clockwise.
+    /// Speed of the drivers, revolutions per minute, positive counter-clockwise.
     pub(super) rpm: f64,
     pub(super) pins: Vec<Pin>,
     pub(super) members: Vec<Member>,
@@ -57,10 +57,10 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Refuses more parts, or more mentions of parts, than are read.
+    /// Limits the number of parts, and the number of references to parts.
     ///
     /// # Errors
-    /// More than are read.
+    /// Too many parts or references.
     pub(super) fn bounded(&self) -> Result<(), ImportProblem> {
         let told = self.forces.len() + self.unknown.len();
         crate::bounded(self.pins.len() + self.members.len() + told)?;
@@ -68,10 +68,10 @@ impl Plan {
         crate::bounded(self.members.iter().map(mentions).sum())
     }
 
-    /// The mechanism that is described.
+    /// Converts the parts to a mechanism.
     ///
     /// # Errors
-    /// Duplicate or unknown names; places out of range; too many parts.
+    /// Duplicate or unknown names; coordinates out of range; too many parts.
     pub(super) fn sketch(self, source: String) -> Result<Sketch, ImportProblem> {
         self.bounded()?;
         let mut sketch = Sketch {
@@ -98,7 +98,7 @@ impl Plan {
         let size = sketch.size();
         let blocks = self.blocks(&mut sketch)?;
         let bars = self.bars(&mut sketch, &blocks)?;
-        // The slide of each PMKS+ joint.
+        // For each joint that is a slide, the index of the slide.
         let mut slides = vec![None; self.pins.len()];
         for Block { pair, pin } in &blocks {
             slides[*pair] = Some(self.slide(&mut sketch, &bars, *pair, *pin, size)?);
@@ -109,13 +109,13 @@ impl Plan {
         Ok(sketch)
     }
 
-    /// The index of a joint.
+    /// Finds the index of the joint with this id.
     fn pin(&self, id: &str) -> Result<usize, ImportProblem> {
         let found = self.pins.iter().position(|pin| pin.id == id);
         found.ok_or_else(|| ImportProblem::part(id))
     }
 
-    /// Each prismatic pair with the pin that it guides. A pair without a block guides itself.
+    /// Pairs each prismatic joint with the pin that it guides. Without a block, the joint itself is that pin.
     fn blocks(&self, sketch: &mut Sketch) -> Result<Vec<Block>, ImportProblem> {
         let mut blocks: Vec<Block> = Vec::new();
         for member in self.members.iter().filter(|member| member.block) {
@@ -155,7 +155,8 @@ impl Plan {
         Ok(blocks)
     }
 
-    /// The links that are neither blocks nor parts, with the indices of their bars.
+    /// Adds a bar for each link that is neither a block nor part of another link. Returns each
+    /// bar's index with its link.
     fn bars(
         &self,
         sketch: &mut Sketch,
@@ -170,7 +171,7 @@ impl Plan {
             let mut joints = Vec::new();
             for id in &member.joints {
                 let joint = self.pin(id)?;
-                // A pair placed on a link beside its pin is identified with the pin.
+                // A link that contains a prismatic joint gets the pin that this joint guides.
                 let guided = blocks.iter().find(|block| block.pair == joint);
                 let joint = guided.map_or(joint, |block| block.pin);
                 if !joints.contains(&joint) {
@@ -185,7 +186,7 @@ impl Plan {
         Ok(bars)
     }
 
-    /// Adds a prismatic pair: of a block hinged at the pin, or of the link welded to it.
+    /// Adds a slide for a prismatic joint: of a block hinged at the pin, or of the link welded to that block.
     fn slide(
         &self,
         sketch: &mut Sketch,
@@ -210,7 +211,7 @@ impl Plan {
         };
         let mut riders = bars.iter().map(|(bar, _)| *bar);
         let rides = |bar: &usize| Body::Bar(*bar) != on && sketch.bars[*bar].joints.contains(&pin);
-        // Where two parts of a link meet, older links mean a weld between these, not with the block.
+        // Where two parts of a link meet, older URLs mean a weld of these parts to each other, not to the block.
         let id = &self.pins[pin].id;
         let meet = self
             .members
@@ -224,15 +225,15 @@ impl Plan {
         })
     }
 
-    /// Adds two points of the ground on the line of a pair.
+    /// Adds two points of the ground, which define the line of a prismatic pair.
     fn ground(&self, sketch: &mut Sketch, pair: &Pin, size: f64) -> [usize; 2] {
         let names = [pair.name.clone(), format!("{}′", pair.name)];
         sketch.guide(names, pair.at, whole_degrees(pair.angle), size, Body::Frame)
     }
 
-    /// Makes one body of the links at each welded joint. If a link there names the welded parts,
-    /// only these are one body, and the other links are hinged. On the ground the body turns about
-    /// the joint, like a bell crank; a single link there is welded to the ground itself.
+    /// Joins the links at each welded joint to one body. If a link lists two or more parts that meet at the joint,
+    /// these are already one body, and the other links stay hinged. At a grounded joint the body turns about the joint,
+    /// like a bell crank; a single link is welded to the ground.
     fn weld(&self, sketch: &mut Sketch, bars: &[(usize, &Member)]) {
         for (k, pin) in self.pins.iter().enumerate().filter(|(_, pin)| pin.welded) {
             let here = bars
@@ -252,7 +253,7 @@ impl Plan {
         }
     }
 
-    /// The number of parts of a link at a joint.
+    /// Number of parts of a link that meet at a joint.
     fn parts_at(&self, member: &Member, pin: &Pin) -> usize {
         let parts = self.members.iter();
         let parts = parts.filter(|part| !part.root && member.parts.contains(&part.id));
@@ -276,7 +277,7 @@ impl Plan {
             let moves = match slides[k] {
                 Some(slide) => {
                     let [way, length] = sketch.way(slide);
-                    // The ends of a slot; a guide on the ground has none.
+                    // A slot ends at its two joints; a guide on the ground has no ends.
                     let range = match pin.slot {
                         Some(_) => [way.min(0.0), way.max(length)],
                         None => [way - size, way + size],
@@ -333,7 +334,7 @@ impl Plan {
                 parts: member.parts.iter().map(called).collect(),
             });
         }
-        // Every new link has a mass of 1.
+        // PMKS+ gives every new link a mass of 1.
         let heavy = self
             .members
             .iter()
@@ -354,14 +355,14 @@ impl Plan {
     }
 }
 
-/// A prismatic pair and the pin that it guides, as indices of joints.
+/// A prismatic joint and the pin that it guides, as indices of joints.
 struct Block {
     pair: usize,
     pin: usize,
 }
 
-/// An angle rounded to whole degrees if its digits allow: they are too few to distinguish a guide
-/// at 90° from one that is a hundredth of a degree off.
+/// Rounds an angle to whole degrees if the difference is within the resolution. The digits in a
+/// link cannot distinguish a guide at 90° from one that is a hundredth of a degree off.
 fn whole_degrees(angle: f64) -> f64 {
     let whole = angle.to_degrees().round() * PI / 180.0;
     if (whole - angle).abs() <= 0.5 * ANGLE_STEP + 1e-12 {

@@ -1,5 +1,6 @@
-//! The first form: `?j=A,-3.74,-2.41,AB,R,t,0,0.1,t,%0A…&l=AB,1,1,…,A|B,,…&f=…&s=10,false,false,cm`. Joints, links
-//! and forces, one in a line. Links have a kind, R or P, only in later ones; these also have one field of joints less.
+//! The first form, one joint, link or force per line:
+//! `?j=A,-3.74,-2.41,AB,R,t,0,0.1,t,%0A…&l=AB,1,1,…,A|B,,…&f=…&s=10,false,false,cm`. Later versions add a link's kind,
+//! R or P, and omit a joint's friction.
 
 use assur_file::LengthUnit;
 
@@ -48,7 +49,7 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
         unknown: Vec::new(),
     };
     plan.bounded()?;
-    // The form does not contain the drawn paths: those of points that join nothing are taken.
+    // This form does not list traced points: those on fewer than two links are traced.
     for pin in &mut plan.pins {
         let links = plan
             .members
@@ -59,7 +60,8 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
     Ok(plan)
 }
 
-/// `id,x,y,links,kind,ground,angle,friction,input,`, in later ones `id,x,y,links,kind,ground,angle,input`.
+/// Reads a joint: `id,x,y,links,kind,ground,angle,friction,input,`, in later versions
+/// `id,x,y,links,kind,ground,angle,input`.
 fn pin(line: &str) -> Result<Pin, ImportProblem> {
     let broken = || ImportProblem::part(line);
     let fields: Vec<&str> = line.split(',').collect();
@@ -88,7 +90,7 @@ fn pin(line: &str) -> Result<Pin, ImportProblem> {
     })
 }
 
-/// `id,mass,inertia,x,y,joints,…`, in later ones `id,kind,mass,inertia,x,y,joints,…`.
+/// Reads a link: `id,mass,inertia,x,y,joints,…`, in later versions `id,kind,mass,inertia,x,y,joints,…`.
 fn member(line: &str) -> Result<Member, ImportProblem> {
     let broken = || ImportProblem::part(line);
     let fields: Vec<&str> = line.split(',').collect();

@@ -1,20 +1,20 @@
-//! The second form: `?2P.Ay.K,0.1011.MA,A,0,0,0.…`. Sections are separated by dots, fields by
-//! commas; numbers are in base 64, in thousandths, with a leading 0 if negative, and booleans are
-//! the bits of one digit. The last character is the length of the rest modulo 62.
+//! The second form: `?2P.Ay.K,0.1011.MA,A,0,0,0.…`. Dots separate sections, commas separate fields.
+//! Numbers are in base 64, in thousandths, with a leading 0 if negative. Booleans are the bits of
+//! one digit. The last character encodes the length of the text before it, modulo 62.
 
 use assur_file::LengthUnit;
 
 use super::plan::{Member, Pin, Plan};
 use crate::ImportProblem;
 
-/// The digits; the check character is one of the first 62.
+/// The digits of base 64. The first 62 are also the check characters.
 const DIGITS: &[u8; 64] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
 const CHECKS: usize = 62;
 
 /// Maximum number of digits of a number: more could not be represented exactly.
 const MOST_DIGITS: usize = 8;
 
-/// Sections before the joints: boolean, decimal, integer and enumerated settings.
+/// Number of sections before the joints: boolean, decimal, integer and enumerated settings.
 const SETTINGS: usize = 4;
 
 pub(super) fn begins(query: &str) -> bool {
@@ -49,13 +49,13 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
     for section in sections.by_ref().take_while(|section| !section.is_empty()) {
         plan.forces.push(force(section)?);
     }
-    // The first one is the selection; later ones were added to the format afterwards.
+    // The first remaining section is the selection; later versions of the format added the others.
     let rest = sections.skip(1).filter(|section| !section.is_empty());
     plan.unknown = rest.map(crate::quoted).collect();
     Ok(plan)
 }
 
-/// The text without its check character, if that matches.
+/// Removes the check character; none if that does not match the length.
 fn checked(query: &str) -> Option<&str> {
     let last = query.chars().next_back()?;
     let text = &query[..query.len() - last.len_utf8()];
@@ -69,7 +69,7 @@ fn digit(byte: u8) -> Option<i64> {
     found.map(|value| value as i64)
 }
 
-/// A whole number.
+/// Parses a whole number in base 64.
 fn number(text: &str) -> Result<i64, ImportProblem> {
     let broken = || ImportProblem::part(text);
     let (sign, digits) = match text.strip_prefix('0') {
@@ -88,7 +88,7 @@ fn thousandths(text: &str) -> Result<f64, ImportProblem> {
     Ok(number(text)? as f64 / 1000.0)
 }
 
-/// The fields of a section, with the flags at its beginning.
+/// Splits a section into its flags, which are its first character, and its fields.
 fn fields(section: &str) -> Result<(i64, Vec<&str>), ImportProblem> {
     let broken = || ImportProblem::part(section);
     let mut letters = section.chars();
@@ -102,7 +102,7 @@ fn fields(section: &str) -> Result<(i64, Vec<&str>), ImportProblem> {
     ))
 }
 
-/// `[flags]id,name,x,y,angle`, for a pin on a link also `carrier,from,to`, then a speed of its own.
+/// Reads a joint: `[flags]id,name,x,y,angle`, for a pin on a link also `carrier,from,to`, then the joint's own speed.
 fn pin(section: &str) -> Result<Pin, ImportProblem> {
     let (flags, fields) = fields(section)?;
     let is = |bit: i64| flags >> bit & 1 == 1;
@@ -135,7 +135,7 @@ fn pin(section: &str) -> Result<Pin, ImportProblem> {
     })
 }
 
-/// `[root][kind]id,name,mass,inertia,x,y,colour,joint,joint,…,,part,part,…`
+/// Reads a link: `[root][kind]id,name,mass,inertia,x,y,colour,joint,joint,…,,part,part,…`.
 fn member(section: &str) -> Result<Member, ImportProblem> {
     let broken = || ImportProblem::part(section);
     let mut letters = section.chars();
@@ -149,7 +149,7 @@ fn member(section: &str) -> Result<Member, ImportProblem> {
     Ok(Member {
         id: id.to_owned(),
         name: crate::quoted(name),
-        // The fields of mass and inertia that are chosen are encoded in the same digit.
+        // The same letter also encodes which of the fields of mass and inertia are chosen.
         root: match root.ok_or_else(broken)? {
             'Y' | 'A' | 'M' | 'G' => true,
             'N' | 'a' | 'm' | 'g' => false,
@@ -166,7 +166,7 @@ fn member(section: &str) -> Result<Member, ImportProblem> {
     })
 }
 
-/// `[flags]id,link,name,…`: its name.
+/// Reads the name of a force: `[flags]id,link,name,…`.
 fn force(section: &str) -> Result<String, ImportProblem> {
     let (_, fields) = fields(section)?;
     let [_, _, name, ..] = fields[..] else {

@@ -1,4 +1,4 @@
-//! The linkage of a sketch, with names.
+//! Conversion of a sketch to a linkage with names.
 
 use assur_file::{
     DriverDocument, GearDocument, LinkDocument, LinkageDocument, PointDocument, SlideDocument,
@@ -11,7 +11,7 @@ use crate::{ImportProblem, Imported, LeftOut};
 /// Maximum number of drawn paths.
 const MOST_TRACES: usize = 32;
 
-/// The linkage, with the parts that could not be imported unchanged.
+/// Makes the linkage, and lists the parts that could not be imported unchanged.
 ///
 /// # Errors
 /// A mechanism without links.
@@ -45,7 +45,7 @@ pub(super) fn imported(mut sketch: Sketch) -> Result<Imported, ImportProblem> {
     Ok(Imported { document, left_out })
 }
 
-/// A sketch with the final bodies of its bars, and with valid names.
+/// A sketch with the final body of each bar, and with valid names.
 struct Named<'a> {
     sketch: &'a Sketch,
     bodies: Vec<Body>,
@@ -67,7 +67,7 @@ impl<'a> Named<'a> {
         let bars = (0..sketch.bars.len()).filter(|bar| named.stays(*bar));
         let bars: Vec<usize> = bars.collect();
         let slides = sketch.slides.iter().filter(|slide| named.moves(slide));
-        // Including the joint that slides: its bar may be fixed to the frame.
+        // The sliding joint is included: its bar may be fixed to the frame.
         let of_slides = slides.flat_map(|slide| [slide.joint, slide.line[0], slide.line[1]]);
         let of_slides: Vec<usize> = of_slides.collect();
         let of_bars = bars.iter().flat_map(|bar| sketch.bars[*bar].joints.clone());
@@ -102,7 +102,7 @@ impl<'a> Named<'a> {
         self.bodies[bar] == Body::Bar(bar)
     }
 
-    /// Whether a slide moves: one within a single body or the frame does not.
+    /// Whether a slide can move: the bodies that it connects are different.
     fn moves(&self, slide: &Slide) -> bool {
         self.bodies[slide.bar] != self.body(slide.on)
     }
@@ -132,7 +132,7 @@ impl<'a> Named<'a> {
     fn links(&self) -> impl Iterator<Item = LinkDocument> {
         let all = self.sketch.bars.iter().enumerate();
         all.filter(|(k, _)| self.stays(*k)).map(|(k, bar)| {
-            // The angle of a link is measured from its hinge on the frame.
+            // The angle of a link is measured from its hinge to the frame, which therefore comes first.
             let first = |joint: &&usize| bar.wheel || self.sketch.joints[**joint].fixed;
             let (first, others): (Vec<usize>, Vec<usize>) = bar.joints.iter().partition(first);
             let joints = first.into_iter().chain(others);
@@ -155,7 +155,7 @@ impl<'a> Named<'a> {
         })
     }
 
-    /// The index of a slide among those of the linkage.
+    /// Index of a slide among the slides that remain in the linkage.
     fn number(&self, slide: usize) -> usize {
         let before = self.sketch.slides[..slide].iter();
         before.filter(|slide| self.moves(slide)).count()
@@ -170,7 +170,7 @@ impl<'a> Named<'a> {
         })
     }
 
-    /// The drivers of moving parts, with their rates.
+    /// The drivers that move something, with their rates; the others are listed in `left_out`.
     fn drivers(&self, all: Vec<Driver>, left_out: &mut Vec<LeftOut>) -> Vec<DriverDocument> {
         let (moving, idle): (Vec<Driver>, Vec<Driver>) =
             all.into_iter().partition(|driver| match driver.moves {

@@ -3,17 +3,17 @@
 /// Maximum number of characters of a name.
 const LONGEST: usize = 40;
 
-/// The names that are taken.
+/// Names already in use.
 #[derive(Default)]
 pub(super) struct Names(Vec<String>);
 
 impl Names {
-    /// Names of links, including the frame.
+    /// Makes an empty list of link names, in which only the frame's name is in use.
     pub(super) fn links() -> Self {
         Self(vec![super::FRAME.to_owned()])
     }
 
-    /// A unique name close to the wish; without a wish, a letter by a number.
+    /// Returns an unused name close to the wanted one. If that is empty, the name is a letter for the number.
     pub(super) fn take(&mut self, wished: &str, number: usize) -> String {
         let plain: String = wished.chars().filter(|c| !c.is_control()).collect();
         let mut plain = plain.trim().to_owned();
@@ -33,7 +33,7 @@ impl Names {
     }
 }
 
-/// A, B, …, Z, A1, …
+/// Letter for a number: A, B, …, Z, A1, …
 pub(crate) fn letter(number: usize) -> String {
     let letter = char::from(b'A' + (number % 26) as u8);
     match number / 26 {

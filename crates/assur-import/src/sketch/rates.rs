@@ -1,15 +1,15 @@
-//! Rates of several drivers relative to the first.
+//! Rates of the drivers relative to the first driver.
 
 use super::{Driver, Moves};
 use crate::LeftOut;
 
-/// Maximum number of turns of the first crank after which all are back (docs/file-format.md).
+/// Maximum number of turns of the first crank before all cranks are back at their start (docs/file-format.md).
 const MOST_TURNS: u32 = 24;
 
-/// Speed relative to the fastest driver below which a driver stands still.
+/// Speed, as a fraction of the fastest driver's, below which a driver counts as at rest.
 const STILL: f64 = 1e-9;
 
-/// The drivers, beginning with one that moves, each further one with its rate.
+/// Reorders the drivers so that the first one moves, and finds the rate of each further driver.
 pub(super) fn of(
     mut drivers: Vec<Driver>,
     left_out: &mut Vec<LeftOut>,
@@ -34,7 +34,7 @@ pub(super) fn of(
         let offs = cranks().map(|rate| (near(rate, turns) - rate).abs());
         offs.fold(0.0, f64::max)
     };
-    // The fewest turns among those with the best approximation.
+    // The smallest number of turns that approximates the rates best.
     let least = (1..=MOST_TURNS).map(off).fold(f64::INFINITY, f64::min);
     let round = (1..=MOST_TURNS)
         .find(|turns| off(*turns) <= least + 1e-12)
@@ -86,12 +86,12 @@ mod tests {
             cranks(&[15.0, 15.0, -15.0]),
             (vec![None, None, Some(-1.0)], 0)
         );
-        // A driver at rest is not the first.
+        // A driver at rest does not become the first.
         assert_eq!(cranks(&[0.0, 4.0]), (vec![None, Some(0.0)], 0));
-        // 15.7 to 15 would repeat only after 150 turns.
+        // With 15.7 to 15 the motion would repeat only after 150 turns.
         assert_eq!(cranks(&[15.0, 15.7]), (vec![None, Some(22.0 / 21.0)], 1));
         assert_eq!(cranks(&[0.0, 0.0]), (vec![None, None], 0));
-        // Nor is one that is far slower than the others, whose rates would then be infinite.
+        // Nor does one that is far slower than the others: their rates would be infinite.
         assert_eq!(cranks(&[1e-308, 1e9]), (vec![None, Some(0.0)], 0));
     }
 }

@@ -15,10 +15,10 @@ use crate::convert::to_js;
 use crate::here::Here;
 use crate::summary::HandleSummary;
 
-/// A drawing with advice on its motion.
+/// A drawing, with advice on its motion.
 pub(crate) struct Drawing {
     document: LinkageDocument,
-    /// The reasons why it does not move; none if it could move.
+    /// The reasons why the drawing does not move; none if it could move.
     advice: Option<Advice>,
     sketch: Sketch,
 }
@@ -33,10 +33,10 @@ pub(crate) struct DraftSummary<'a> {
     bounds: [f64; 4],
     handles: Vec<HandleSummary<'a>>,
     roles: BTreeMap<&'a str, &'static str>,
-    /// Mobility W by count; none if a named part does not exist.
+    /// Mobility W by count; none if the drawing refers to a part that does not exist.
     mobility: Option<isize>,
     drivers: usize,
-    /// Every reason why it does not move.
+    /// Every reason why the drawing does not move.
     #[cfg_attr(
         test,
         ts(type = "readonly import(\"assur/core/problem.js\").Problem[]")
@@ -51,14 +51,14 @@ pub(crate) struct DraftSummary<'a> {
 /// A drawing after an edit.
 #[derive(Serialize)]
 struct Drawn {
-    /// The document, of the kind linkage if it moves.
+    /// The document; its kind is linkage if it moves.
     #[serde(flatten)]
     document: Document,
     /// The point that was added last.
     point: Option<String>,
     /// The link that was added last.
     link: Option<String>,
-    /// Whether locks kept something from reaching its target.
+    /// Whether locks stopped the edit short of its target.
     held: bool,
 }
 
@@ -158,10 +158,10 @@ impl Edited for Drawing {
     }
 }
 
-/// A document after an edit, from the pose at an input.
+/// Applies an edit to the open document in its pose at an input.
 ///
 /// # Errors
-/// A document that cannot be drawn on; the reason why the edit is impossible.
+/// A document that cannot be edited as a drawing; the reason why the edit is impossible.
 pub(crate) fn edit(
     open: &dyn Capabilities,
     edit: &Edit,
@@ -177,10 +177,10 @@ pub(crate) fn edit(
     }))
 }
 
-/// Links and points of the open document, at an input, as a drawing of their own.
+/// Makes a separate drawing of links and points of the open document, in its pose at an input.
 ///
 /// # Errors
-/// A document that cannot be drawn on.
+/// A document that cannot be edited as a drawing.
 pub(crate) fn part(
     open: &dyn Capabilities,
     points: &[String],

@@ -1,4 +1,4 @@
-//! A differential driven by time on the page: without slip, or under load.
+//! Differential gear train on the page, with time as the input: without slip, or under load.
 
 pub(crate) mod course;
 mod quantity;
@@ -81,11 +81,11 @@ impl Capabilities for GearTrain {
     }
 }
 
-/// Parts of the span at which a load is put on where there is none yet: it begins, it is all there, it is lifted, it is off.
+/// Default times of a load, as fractions of the span: it begins, is full, begins to fall, is gone.
 const LOADED: [f64; 4] = [0.15, 0.5, 0.7, 0.75];
 
 impl Edited for GearTrain {
-    /// The greatest torque of the load is the only dimension; its times do not change.
+    /// The greatest torque of the load is the only dimension. A new value keeps the times of the load.
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         if field != "load" {
             return Err(vec![unknown(field)]);

@@ -1,4 +1,4 @@
-//! Any linkage on the page.
+//! A linkage on the page.
 
 use assur::mechanism::{Dimension, LinkageSpec, Mechanism, Quantity};
 use assur::motion::Changed;
@@ -23,11 +23,11 @@ use crate::summary::MotionSummary;
 /// A linkage with its drawing.
 pub(crate) struct Linkage {
     moving: Moving,
-    /// The paper on this mechanism of the catalogue, whatever its lengths, if it has one.
+    /// The linkage in terms of the paper on the combined method, if it is the paper's mechanism, with any lengths.
     of_paper: Option<CombinedMethod>,
 }
 
-/// The mechanism of the catalogue that the paper on the combined method is about.
+/// Id of the mechanism in the catalogue that the paper on the combined method describes.
 const COMBINED_METHOD: &str = "class4-dwell";
 
 impl Linkage {
@@ -55,8 +55,8 @@ impl Linkage {
     }
 }
 
-/// The fields of a linkage that change when it is redrawn. The drawing determines the assembly, so
-/// its number is removed.
+/// Fields of a linkage document that change when the linkage is redrawn. The drawing itself
+/// determines the assembly, so the assembly's number is removed.
 #[derive(Serialize)]
 pub(crate) struct Redrawn {
     points: Vec<PointDocument>,
@@ -86,12 +86,12 @@ pub(crate) struct LinkageSummary<'a> {
     #[serde(flatten)]
     motion: MotionSummary<'a>,
     dimensions: Vec<DimensionSummary<'a>>,
-    /// The links that can drive it, by turning or sliding.
+    /// Links that can drive the linkage, by rotating or sliding.
     drivers: Vec<&'a str>,
     rates: Vec<RateSummary<'a>>,
 }
 
-/// Rate of a further driver's coordinate relative to that of the first.
+/// Rate of a further driver relative to the first driver.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct RateSummary<'a> {
@@ -188,7 +188,7 @@ impl Edited for Linkage {
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
         let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
-        // A refusal then reports the same value.
+        // Among equivalent values of an angle, the nearest is set, and reported in a refusal.
         let value = mechanism.nearest(dimension, of_field(dimension, value));
         let changed = self.moving.motion().changed(dimension, value, input);
         let changed = changed

@@ -31,15 +31,15 @@ pub(crate) struct Mixer {
 pub(crate) struct MixerSummary<'a> {
     #[serde(flatten)]
     motion: MotionSummary<'a>,
-    /// The ratios of the peripheral wheels to the rocker.
+    /// Speed ratios of the peripheral wheels to the rocker.
     ratios: Vec<f64>,
     /// Pairs of peripheral wheels that would overlap.
     overlaps: Vec<[usize; 2]>,
-    /// The direction from wheel 4 with the most room.
+    /// Direction from wheel 4 in which there is most room.
     free_direction: f64,
 }
 
-/// The lengths that a dragged joint changes.
+/// Lengths that change when a joint is dragged.
 #[derive(Serialize)]
 struct Lengths {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -50,7 +50,7 @@ struct Lengths {
     assembly: u8,
 }
 
-/// The traced points, where one of them was put somewhere.
+/// The traced points, after one of them was added or moved.
 fn retraced(tracers: &[Tracer]) -> Change {
     let tracers = tracers.iter().map(Into::into);
     let tracers: Vec<MixerTracerDocument> = tracers.collect();
@@ -63,7 +63,7 @@ impl Mixer {
         let parameters = document.mixer()?;
         let linkage = parameters.linkage;
         let assembly = parameters.assembly;
-        // For a four-bar the reason can be more precise than that two links do not meet.
+        // For a four-bar, the reason can be more precise than "two links do not meet".
         let explain = move |mechanism: &Mechanism, unsolved: &Unsolved| match linkage
             .pose::<3>(assembly, unsolved.input)
         {
@@ -96,7 +96,7 @@ impl Mixer {
     }
 }
 
-/// An assembly as the document numbers it.
+/// Number of an assembly in the document.
 fn number_of(assembly: Assembly) -> u8 {
     match assembly {
         Assembly::First => 1,
@@ -104,8 +104,8 @@ fn number_of(assembly: Assembly) -> u8 {
     }
 }
 
-/// The read-outs of a mixer: all quantities except the input itself, links at rest, and links fixed
-/// to another link.
+/// Read-outs of a mixer: all quantities except the angles of the crank and of links fixed to
+/// another link, and the coordinates of frame points.
 fn readouts(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
     let driven = document
         .drivers
@@ -186,7 +186,7 @@ impl Edited for Mixer {
     fn assemblies(&self, input: f64) -> Option<AssembliesHere> {
         let mut here = self.moving.assemblies(input);
         let drawn = usize::from(number_of(self.parameters.assembly));
-        // A dyad has two assemblies.
+        // A dyad has only two assemblies, numbered 1 and 2.
         if let Some(shown) = here.shown {
             for (k, one) in here.all.iter_mut().enumerate() {
                 one.number = if k == shown { drawn } else { 3 - drawn };

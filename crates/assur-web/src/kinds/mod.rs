@@ -1,5 +1,4 @@
-//! The kinds of document, a module for each. A kind is added by its module and its line in
-//! the registry below.
+//! The kinds of document, one module each. A new kind needs a module and a line in the registry below.
 
 pub(crate) mod draft;
 pub(crate) mod gear_train;
@@ -16,7 +15,7 @@ use assur_file::{Document, Problem, State};
 use crate::capabilities::{Capabilities, unknown};
 use crate::moving::Moving;
 
-/// The document of a state with its drawing.
+/// Opens the document of a state, with its drawing.
 ///
 /// # Errors
 /// Every problem of the state.
@@ -31,13 +30,13 @@ pub(crate) fn open(state: &State) -> Result<Box<dyn Capabilities>, Vec<Problem>>
     })
 }
 
-/// The kinds of document into which anything that moves can be converted.
+/// Kinds of document into which any moving linkage can be converted.
 pub(crate) const BECOMES: [&str; 1] = ["scheme"];
 
-/// A moving linkage, at an input, as a document of another kind.
+/// Converts a moving linkage, in the pose at an input, to a document of another kind.
 ///
 /// # Errors
-/// An unknown kind, or one that is not made from what moves; no pose.
+/// An unknown kind, or one that cannot be made from a moving linkage; no pose at this input.
 pub(crate) fn as_kind(kind: &str, moving: &Moving, input: f64) -> Result<Document, Problem> {
     match kind {
         "scheme" => scheme::of(moving, input).map(Document::Scheme),

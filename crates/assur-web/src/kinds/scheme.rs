@@ -1,5 +1,4 @@
-//! Links and pairs on the page: the drawing, whole or cut open, and their mobility by count and by
-//! geometry.
+//! A scheme of links and pairs on the page: its drawing, whole or cut open, and its mobility by count and by geometry.
 
 pub(crate) mod summary;
 
@@ -21,7 +20,7 @@ use summary::SchemeSummary;
 pub(crate) struct Scheme {
     document: SchemeDocument,
     scheme: assur::mobility::Scheme,
-    /// What the cuts come to, or why they are not all that is needed, or too many.
+    /// Counts after the cuts, or the reason why the cuts are too few or too many.
     sections: Result<Sections, CutError>,
     figure: SchemeFigure,
     handles: Vec<SchemeHandle>,
@@ -62,10 +61,10 @@ impl Scheme {
     }
 }
 
-/// A moving linkage, at an input, as links and pairs.
+/// Converts a moving linkage, in the pose at an input, to a scheme of links and pairs.
 ///
 /// # Errors
-/// No pose there.
+/// No pose at this input.
 pub(crate) fn of(moving: &Moving, input: f64) -> Result<SchemeDocument, Problem> {
     let pose = moving.pose(input)?;
     let draft = SchemeSpec::of(moving.mechanism(), &pose);
@@ -76,7 +75,7 @@ pub(crate) fn of(moving: &Moving, input: f64) -> Result<SchemeDocument, Problem>
     Ok(document)
 }
 
-/// A task for practice, by its number.
+/// Makes a task for practice, by its number.
 pub(crate) fn task(number: u32) -> SchemeDocument {
     let mut document = SchemeDocument::new(&generated(number));
     document.task = Some(number);
@@ -91,7 +90,7 @@ impl Capabilities for Scheme {
     fn rigid(&self) -> Rigid<'_> {
         Rigid {
             names: self.figure.names(),
-            // Nothing is rigid, since all of it may open.
+            // Nothing is rigid: any link may move when a cut opens.
             list: &[],
         }
     }
@@ -111,7 +110,7 @@ impl Capabilities for Scheme {
 }
 
 impl Edited for Scheme {
-    /// A pair can be moved only without cuts: in an open chain it is not drawn in its place.
+    /// Moves a pair of two links, if nothing is cut: in an open chain a pair is not drawn in its place.
     fn drag(&self, point: &str, _input: f64, to: Point) -> Result<Change, Problem> {
         let handle = self.handles.iter().find(|handle| handle.name == point);
         let handle = handle.ok_or_else(|| unknown(point))?;
@@ -139,7 +138,7 @@ impl Edited for Scheme {
         Ok(Change::document(&json!({ "cut": cut })))
     }
 
-    /// The pairs after one of the replacements, by its number from 1.
+    /// Makes one of the listed replacements of pairs; `value` is its number, from 1.
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         let mended = self.scheme.replacements(summary::MENDED);
         let mended = mended.map_err(|_| vec![unknown(field)])?;

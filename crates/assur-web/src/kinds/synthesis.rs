@@ -1,4 +1,4 @@
-//! A four-bar for given positions on the page: the positions, drawn under one of the solutions.
+//! Synthesis of a four-bar for given positions on the page. The positions are drawn under one of the solutions.
 
 pub(crate) mod options;
 pub(crate) mod plane;
@@ -22,14 +22,15 @@ use crate::handle::{Handle, HandlePlace};
 use crate::moving::Moving;
 use summary::SynthesisSummary;
 
-/// Distances of the handles of directions from their pivots: the least one relative to the frame,
-/// and one relative to their links, whose joints stay free.
+/// Minimum distance of a direction's handle from its pivot, as a fraction of the frame and of the link. The joint of
+/// the link then stays free.
 const REACH: [f64; 2] = [0.62, 1.25];
 
-/// Distances of the handle of a coupler's direction from its joint with the input, clear of both ends of the coupler.
+/// Minimum distance of a coupler's handle from the coupler's joint with the input, as a fraction of the frame and of
+/// the coupler. Both ends of the coupler then stay free.
 const REACH_OF_COUPLER: [f64; 2] = [0.25, 0.6];
 
-/// Step of a dragged direction, degrees: as precise as a hand can be.
+/// Step of a dragged direction, degrees; a hand is no more precise.
 const STEP_DEG: f64 = 0.1;
 
 /// The links and their colours.
@@ -39,19 +40,19 @@ const ROLES: [(&str, Role); 3] = [
     ("rocker", Role::Rocker),
 ];
 
-/// The numbers of their angles in the paper.
+/// The links, and the numbers of their angles in the paper.
 const NUMBERS: [(&str, &str); 3] = [("crank", "3"), ("coupler", "1"), ("rocker", "2")];
 
 /// A synthesis with its drawing.
 pub(crate) struct Synthesis {
     document: SynthesisDocument,
     solved: assur_file::Synthesis,
-    /// The shown solution, as a document for the simulator.
+    /// The shown solution, as a linkage document for the simulator.
     linkage: Document,
     moving: Moving,
 }
 
-/// A direction that can be dragged: the index of its position, and its link.
+/// A direction that can be dragged: its link, and the index of its position.
 #[derive(Clone, Copy)]
 enum Direction {
     Output(usize),
@@ -60,7 +61,7 @@ enum Direction {
 }
 
 impl Direction {
-    /// The given directions, with their pivots and handles; of couplers only those that the document gives.
+    /// All given directions, each with its pivot and handle. A coupler has a direction only if the document gives it.
     fn all<'a>(
         document: &'a SynthesisDocument,
         solved: &'a assur_file::Synthesis,
@@ -147,7 +148,7 @@ impl Synthesis {
     }
 }
 
-/// The given positions as drawn: the shown solution in each of them, with its gap at the coupler.
+/// Draws the shown solution in each given position, with its gap at the coupler.
 fn given(document: &SynthesisDocument, solved: &assur_file::Synthesis) -> Vec<GivenPosition> {
     let (task, shown) = (&solved.task, &solved.shown);
     let drawn = (0..task.positions().len()).filter_map(|k| shown.drawn(task, k));
@@ -213,7 +214,7 @@ impl Edited for Synthesis {
         Ok(Change::document(&json!({ "positions": positions })))
     }
 
-    /// The output's length is the only dimension of a member of a family.
+    /// Sets the output's length, which is the only dimension and selects a member of a family.
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         let Options::Family(family) = &self.solved.options else {
             return Err(vec![unknown(field)]);
@@ -238,7 +239,7 @@ impl Edited for Synthesis {
     }
 }
 
-/// An angle as precise as a hand can be, from 0° to 360°.
+/// Converts an angle to degrees from 0° to 360°, rounded to the step of a drag.
 fn degrees(angle: f64) -> f64 {
     let steps = (angle.to_degrees().rem_euclid(360.0) / STEP_DEG).round();
     (steps / STEP_DEG.recip()).rem_euclid(360.0)

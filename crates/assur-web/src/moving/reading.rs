@@ -16,7 +16,7 @@ use crate::pair::{INPUT, Pair};
 use crate::table::SweepTable;
 
 impl Moving {
-    /// Value and two derivatives of each quantity, with the input rate of the axes.
+    /// Value and first two derivatives of each quantity, with the input rate chosen for the axes.
     fn rates<'a>(
         &'a self,
         quantities: &'a [Quantity],
@@ -40,7 +40,7 @@ impl Moving {
         }
     }
 
-    /// The frame in a pose, with the other assemblies if they are shown.
+    /// Frame of the animation in a pose, with the other assemblies if they are shown.
     fn frame<const N: usize>(&self, input: f64, pose: &Pose<N>) -> Vec<f32> {
         let mut others = Vec::new();
         if self.others {
@@ -53,7 +53,7 @@ impl Moving {
         self.figure.frame_beside(pose, &others)
     }
 
-    /// The position of a point.
+    /// Position of a point in a pose.
     fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> Point {
         self.mechanism().place(pose, point).place()
     }

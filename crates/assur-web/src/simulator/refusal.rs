@@ -1,8 +1,8 @@
-//! Bad arguments as problems.
+//! Invalid arguments as problems.
 
 use super::*;
 
-/// A finite point of the drawing.
+/// Makes a point of the drawing, whose coordinates must be finite.
 pub(super) fn place(x: f64, y: f64) -> Result<Point, JsValue> {
     let place = Point::new(x, y);
     let finite = place.coords.iter().all(|x| x.is_finite());

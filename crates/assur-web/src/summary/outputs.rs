@@ -1,9 +1,9 @@
-//! Swings and cycles in a summary.
+//! Output profiles and cycles in a summary.
 
 use super::*;
 
 impl OutputSummary {
-    /// The summary of a profile; without a search, the name alone.
+    /// Makes the summary of a profile; without a search, the name alone.
     pub(super) fn new(name: &str, profile: Option<&OutputProfile<'_>>) -> Self {
         let limits = profile.map(OutputProfile::limits).unwrap_or_default();
         let swings = profile.map(OutputProfile::swings).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Kennedy's theorem: from the centres given by pairs to all others, line by line.
+//! Instant centres by Kennedy's theorem: from those given by pairs to all others, line by line.
 
 use super::projective::{Place, at, towards};
 use super::{InstantCentre, Source};
@@ -7,7 +7,7 @@ use crate::mechanism::{Joint, Mechanism, Pose};
 use crate::perpendicular;
 use crate::tolerance;
 
-/// A known centre, of length 1, with a bound on its error.
+/// A known centre or line as a triple of length 1, with a bound on its error.
 #[derive(Clone, Copy)]
 struct Known {
     place: Place,
@@ -15,12 +15,12 @@ struct Known {
 }
 
 impl Known {
-    /// The line through two points, or the intersection of two lines; none if they coincide, to their errors.
+    /// The line through two points, or the intersection of two lines; none if they coincide within their errors.
     fn joined(self, other: Self) -> Option<Self> {
         let product = self.place.cross(&other.place);
         let sine = product.norm();
         let off = (self.off + other.off + tolerance::EXACT) / sine;
-        // Beyond, the lines are nearly parallel and are not used.
+        // With a larger error the lines are nearly parallel, and are not used.
         (off < tolerance::DOUBLE_ROOT).then(|| Self {
             place: product / sine,
             off,
@@ -28,14 +28,14 @@ impl Known {
     }
 }
 
-/// Known centres of all pairs of bodies.
+/// The centres known so far, for all pairs of bodies.
 struct Table<'a> {
     mechanism: &'a Mechanism,
     known: Vec<Option<Known>>,
     found: Vec<InstantCentre>,
 }
 
-/// The centres of a pose in the order in which they are found.
+/// Finds the centres of a pose, and lists them in the order in which they are found.
 pub(super) fn centres<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>) -> Vec<InstantCentre> {
     let bodies = mechanism.bodies().len();
     let mut table = Table {
@@ -106,7 +106,7 @@ impl Table<'_> {
         };
         let mut tell = |bodies: [BodyId; 2], place: Place| {
             let place = place.normalize();
-            // For bodies with two joints the first one counts.
+            // If two bodies share two joints, the first joint counts.
             if place.norm_squared().is_finite() && self.of(bodies).is_none() {
                 self.add(
                     bodies,
@@ -139,7 +139,7 @@ impl Table<'_> {
             } => {
                 let axes = bodies.map(|wheel| mechanism.shared_by([wheel, *carrier]));
                 if let [Some(first), Some(second)] = axes {
-                    // Relative to the carrier their angular velocities are as z₂ to −z₁.
+                    // Relative to the carrier, the angular velocities of wheels with z₁ and z₂ teeth are as z₂ to −z₁.
                     let pitch = hinge(first) * teeth[1] + hinge(second) * teeth[0];
                     tell(*bodies, pitch);
                 }
@@ -147,8 +147,8 @@ impl Table<'_> {
         }
     }
 
-    /// Intersection of two of Kennedy's lines for two bodies: by the first two links with an accurate intersection, or
-    /// by those with the most accurate one.
+    /// Intersects two of Kennedy's lines for two bodies. The lines are those of the first two other bodies with an
+    /// accurate intersection or, if there are none, of the two with the most accurate one.
     fn crossing(&self, [first, second]: [BodyId; 2]) -> Option<([BodyId; 2], Known)> {
         let lines = self.mechanism.bodies().filter_map(|by| {
             let line = self.of([first, by])?.joined(self.of([by, second])?)?;

@@ -1,14 +1,14 @@
-//! Instant centres: the point of any two links at which both have the same velocity, so that one turns about it
-//! relative to the other at this instant.
+//! Instant centres. The instant centre of two links is the point at which both have the same velocity: at this instant,
+//! one link turns about it relative to the other.
 //!
-//! For joined links the pair determines it, for all others the theorem of Aronhold (*Grundzüge der kinematischen
-//! Geometrie*, 1872) and Kennedy (*The Mechanics of Machinery*, 1886): the three centres of any three links are on one
-//! line. Two such lines intersect in the wanted centre, and only positions are needed. If no two known lines lead to a
-//! centre, as in many linkages with groups of Class III and higher, it follows only from velocities. See Hall,
-//! *Kinematics and Linkage Design*, ch. 4.
+//! For joined links the pair determines the centre. All others follow from the theorem of Aronhold (*Grundzüge der
+//! kinematischen Geometrie*, 1872) and Kennedy (*The Mechanics of Machinery*, 1886): the three centres of any three
+//! links are on one line. Two such lines intersect in the wanted centre, so only positions are needed. In many linkages
+//! with groups of Class III and higher, no two known lines lead to a centre, which then follows only from velocities.
+//! See Hall, *Kinematics and Linkage Design*, ch. 4.
 //!
-//! A centre is at (X/w, Y/w), with w = 0 for one at infinity. The difference of two links' velocities is such a triple
-//! (−y′, x′, θ′) at the origin; the theorem says that the three triples of three links sum up to zero.
+//! A centre is a triple (X, Y, w) at (X/w, Y/w), with w = 0 at infinity. The difference of two links' velocities at the
+//! origin, (−y′, x′, θ′), is such a triple. By the theorem, the three triples of three links sum to zero.
 
 mod kennedy;
 mod projective;
@@ -24,8 +24,8 @@ use projective::Place;
 pub enum Centre {
     /// At a point of the drawing.
     At(Point),
-    /// At infinity, in this direction or the opposite one, of length 1: the links have the same angular velocity, and
-    /// slide relative to each other perpendicular to it.
+    /// At infinity along this unit vector, in either sense. The links have the same angular velocity, and slide
+    /// relative to each other perpendicular to the vector.
     Infinity(Vector),
     /// Anywhere: the links do not move relative to each other at this instant.
     Anywhere,
@@ -34,13 +34,13 @@ pub enum Centre {
 /// Derivation of an instant centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// The links are joined: at their hinge, at infinity perpendicular to their slide, at the pitch point of wheels in
-    /// mesh.
+    /// The links are joined. The centre is at their hinge, at infinity perpendicular to their slide, or at the pitch
+    /// point of wheels in mesh.
     Joint,
-    /// Intersection of two of Kennedy's lines: for the links i and j, by the links k and l, the lines `P_ik P_kj` and
-    /// `P_il P_lj`.
+    /// Intersection of two of Kennedy's lines through centres `P`. For the links i and j, by the links k and l, these
+    /// are the lines `P_ik P_kj` and `P_il P_lj`.
     Kennedy([BodyId; 2]),
-    /// By the velocities of the links: no two lines lead to it, or they are nearly parallel.
+    /// From the velocities of the links: no two lines lead to the centre, or the lines are nearly parallel.
     Velocities,
 }
 
@@ -59,7 +59,7 @@ pub enum Source {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InstantCentre {
-    /// The bodies, ascending.
+    /// The two bodies, in ascending order.
     pub bodies: [BodyId; 2],
     /// Position of the instant centre.
     pub centre: Centre,
@@ -68,8 +68,8 @@ pub struct InstantCentre {
 }
 
 impl Mechanism {
-    /// The instant centres of all pairs of bodies in a pose with at least one derivative, in the order of derivation:
-    /// those of joined bodies, then by Kennedy's lines, each from earlier ones, then the rest.
+    /// Lists the instant centres of all pairs of bodies in a pose with at least one derivative. The order is that of
+    /// derivation: first those of joined bodies, then those by Kennedy's lines, each from earlier ones, then the rest.
     pub fn instant_centres<const N: usize>(&self, pose: &Pose<N>) -> Vec<InstantCentre> {
         let mut centres = self.kennedy(pose);
         let by_velocities = self.centres_by_velocities(pose).into_iter();
@@ -85,13 +85,13 @@ impl Mechanism {
         centres
     }
 
-    /// The instant centres given by pairs and Kennedy's theorem, in the order of derivation. Only positions are used,
-    /// so it works at a dead point, where there are no derivatives.
+    /// Lists the instant centres given by pairs and by Kennedy's theorem, in the order of derivation. Only positions
+    /// are used, so this also works at a dead point, where there are no derivatives.
     pub fn kennedy<const N: usize>(&self, pose: &Pose<N>) -> Vec<InstantCentre> {
         kennedy::centres(self, pose)
     }
 
-    /// All instant centres by the velocities of the bodies, of a pose with at least one derivative.
+    /// Lists all instant centres from the velocities of the bodies, in a pose with at least one derivative.
     pub fn centres_by_velocities<const N: usize>(&self, pose: &Pose<N>) -> Vec<InstantCentre> {
         let twists: Vec<Place> = self
             .bodies()
@@ -120,7 +120,7 @@ impl Mechanism {
         centres
     }
 
-    /// The centre at a point in the coordinates of [`Self::scaled`].
+    /// Converts a triple in the coordinates of [`Self::scaled`] to a centre.
     fn centre_at(&self, place: Place) -> Centre {
         match projective::affine(place) {
             Ok(at) => Centre::At(self.unscaled(at)),

@@ -1,4 +1,4 @@
-//! Domain of the input over which assemblies are searched, and its periodicity.
+//! Domain of the input in which assemblies are searched, and the period of the assemblies.
 
 use std::f64::consts::TAU;
 
@@ -9,12 +9,12 @@ use crate::motion::{MAX_TURNS, Motion};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Domain {
     pub(super) ends: [f64; 2],
-    /// Period of the set of assemblies.
+    /// Period of the set of assemblies, if there is one.
     pub(super) period: Option<f64>,
 }
 
 impl Domain {
-    /// Domain of a mechanism, up to a maximum number of turns, and whether the domain is searched completely.
+    /// Finds the domain of a mechanism, at most `max_turns` turns long, and whether all of it is searched.
     pub(super) fn of(mechanism: &Mechanism, max_turns: usize) -> (Self, bool) {
         match mechanism.turns_of_assemblies() {
             Some(turns) => {
@@ -45,7 +45,7 @@ impl Domain {
         self.ends[1] - self.ends[0]
     }
 
-    /// The input reduced by whole periods to the first period.
+    /// Reduces an input by whole periods to the first period.
     pub(super) fn wrap(&self, input: f64) -> f64 {
         let from = self.ends[0];
         self.period
@@ -87,7 +87,7 @@ impl Domain {
         visits.take(MAX_TURNS).map(image).collect()
     }
 
-    /// Wrapped inputs at the ends of a motion.
+    /// Inputs at the ends of a motion, reduced to the first period.
     pub(super) fn ends(&self, motion: &Motion) -> Vec<f64> {
         let cycle = motion.cycle();
         if cycle.is_full() {
@@ -97,7 +97,7 @@ impl Domain {
         ends.map(|end| self.wrap(*end)).collect()
     }
 
-    /// Minimum wrapped input of a motion.
+    /// Minimum input of a motion, reduced to the first period.
     pub(super) fn min_input(&self, motion: &Motion) -> f64 {
         let from = self.ends[0];
         if !self.visits(motion, from).is_empty() {

@@ -1,4 +1,4 @@
-//! Meetings of branches in a common dead point or change point, and the circuits formed by them.
+//! Meetings of branches in a common dead point or change point, and the circuits that they form.
 
 use super::domain::Domain;
 use super::{Circuits, Meeting, MeetingKind, Reach};
@@ -7,31 +7,31 @@ use crate::motion::{DeadPoint, DeadPointKind, Motion};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Tolerance of the poses at a fold, relative to the size: ten times the square root of the tolerance of the input.
+/// Tolerance of poses at a fold, relative to the linkage's size: ten times the square root of the input's tolerance.
 const FOLD_TOLERANCE: f64 = 1e-2;
-/// Maximum offset from an unmatched end, relative to the domain, in the search for the other branch; then it shrinks.
+/// Maximum offset from an unmatched end, relative to the domain, at which the search for the other branch begins.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
 /// The meetings of all branches.
 #[derive(Default)]
 pub(super) struct Meetings {
     pub(super) list: Vec<Meeting>,
-    /// True if links on which others depend swing freely while the driver is at rest: the branches connected by this
-    /// swing are not determined.
+    /// True if links on which others depend can swing freely with the driver at rest. The branches that this swing
+    /// connects are then not determined.
     pub(super) incomplete: bool,
-    /// Dead points at which only one branch was found to end: the input, and an offset along this branch.
+    /// Dead points at which only one branch is known to end: the input, and an offset inwards along that branch.
     pub(super) unmatched: Vec<[f64; 2]>,
 }
 
-/// End of a branch.
+/// End of a branch at a fold.
 struct End {
     branch: usize,
     dead: DeadPoint,
     /// Index of the end in its arc: 0 or 1.
     side: usize,
-    /// A small offset back along the branch.
+    /// A small offset from the end back along the branch.
     back: f64,
-    /// Wrapped input at the end.
+    /// Input at the end, reduced to the first period.
     wrapped: f64,
     pose: Option<Pose<1>>,
 }
@@ -58,7 +58,7 @@ impl Meetings {
         found
     }
 
-    /// Adds the folds: pairs of ends of branches, nearest first.
+    /// Adds the folds: pairs of ends of branches, matched nearest first.
     fn add_folds(&mut self, mechanism: &Mechanism, ends: &[End], domain: &Domain) {
         let mut near: Vec<(f64, [usize; 2])> = Vec::new();
         for (k, one) in ends.iter().enumerate() {
@@ -93,7 +93,7 @@ impl Meetings {
             .extend(unmatched.map(|(end, _)| [end.wrapped, end.back]));
     }
 
-    /// Adds the crossings: common change points of two branches.
+    /// Adds the crossings: change points common to two branches.
     fn add_crossings(&mut self, mechanism: &Mechanism, motions: &[Motion], domain: &Domain) {
         let change_points = motions.iter().enumerate().flat_map(|(branch, motion)| {
             let inputs = motion.change_points().iter();
@@ -170,7 +170,7 @@ fn ends_of<'a>(
     })
 }
 
-/// The circuit of each branch, as connected components; their numbers have no order.
+/// Finds the circuit of each branch, as a connected component. The numbers of the circuits are in no particular order.
 pub(super) fn circuits(branches: usize, meetings: &[Meeting]) -> Vec<usize> {
     let mut circuits: Vec<usize> = (0..branches).collect();
     for meeting in meetings {
@@ -185,7 +185,7 @@ pub(super) fn circuits(branches: usize, meetings: &[Meeting]) -> Vec<usize> {
 }
 
 impl Circuits {
-    /// Reachability of one branch from another, with the shortest sequence of meetings, by breadth-first search.
+    /// Finds whether one branch can be reached from another, by breadth-first search for the fewest meetings.
     pub fn reach(&self, from: usize, to: usize) -> Reach {
         if from == to {
             return Reach::SameBranch;

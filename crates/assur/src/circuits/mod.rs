@@ -1,5 +1,5 @@
-//! Circuits and branches of a linkage: the motions of all its assemblies, their meetings, and the branches that can be
-//! reached from each other without disassembly.
+//! Circuits and branches of a linkage: the motions of all its assemblies, the meetings of these motions, and the
+//! branches that can be reached from each other without disassembly.
 //!
 //! A *branch* is a motion between two folds, or a full cycle. A *fold* is a dead point in which two branches meet: the
 //! driver must turn back, and the links may continue on the other branch. At a *crossing*, a change point, two branches
@@ -57,9 +57,9 @@ pub struct Meeting {
     pub kind: MeetingKind,
     /// Indices of the two branches, from 0; equal if a branch crosses itself.
     pub branches: [usize; 2],
-    /// Input of the meeting on each branch, with its whole turns.
+    /// Input of the meeting on each branch, with whole turns counted.
     pub inputs: [f64; 2],
-    /// Dead point of a fold, with the input on the first branch.
+    /// Dead point of a fold; its input is the one on the first branch.
     pub dead_point: Option<DeadPoint>,
 }
 
@@ -87,9 +87,9 @@ impl MeetingKind {
 pub struct Assembled {
     /// Index of the branch of the assembly, from 0.
     pub branch: usize,
-    /// Input on this branch, with its whole turns.
+    /// Input on this branch, with whole turns counted.
     pub input: f64,
-    /// The pose.
+    /// Pose of the assembly.
     pub pose: Pose<1>,
 }
 
@@ -105,12 +105,12 @@ pub enum Reach {
 }
 
 impl Circuits {
-    /// All motions of a linkage. Assemblies are numbered by the angle of the link `output`.
+    /// Finds all motions of a linkage. Assemblies are numbered by the angle of the link `output`.
     pub fn of(mechanism: &Mechanism, output: LinkId) -> Self {
         Self::searched(mechanism, output, Thoroughness::default())
     }
 
-    /// All motions of a linkage, from a finer or a coarser search.
+    /// Finds all motions of a linkage in a finer or a coarser search.
     pub fn searched(mechanism: &Mechanism, output: LinkId, thoroughness: Thoroughness) -> Self {
         let mut search = Search::new(mechanism, thoroughness);
         search.find_all();
@@ -141,12 +141,12 @@ impl Circuits {
         found
     }
 
-    /// Branches in ascending order of their minimum inputs; for equal inputs, of their assembly numbers.
+    /// Branches in ascending order of their minimum inputs or, for equal inputs, of their assembly numbers.
     pub fn branches(&self) -> &[Branch] {
         &self.branches
     }
 
-    /// The meetings, in ascending inputs.
+    /// The meetings, in ascending order of their inputs.
     pub fn meetings(&self) -> &[Meeting] {
         &self.meetings
     }
@@ -156,11 +156,11 @@ impl Circuits {
         self.circuits
     }
 
-    /// True if all branches are found and each is followed to its ends: at every sampled input the numbers of
-    /// assemblies and of branches agree, and between the samples no pair of complex assemblies can become real.
+    /// True if all branches were found and each was followed to its ends. At every sampled input the numbers of
+    /// assemblies and of branches then agree, and between the samples no pair of complex assemblies can become real.
     ///
-    /// False with wheels in mesh within a group, if a motion comes too close to a singular pose or is too long to be
-    /// followed, or at a limit of work. A branch shorter than a millionth of a turn may be missed.
+    /// False if a group contains wheels in mesh, if a motion comes too close to a singular pose or is too long to
+    /// follow, or if a limit of work is reached. A branch shorter than a millionth of a turn may be missed.
     pub fn is_whole(&self) -> bool {
         self.whole
     }
@@ -170,7 +170,7 @@ impl Circuits {
         self.output
     }
 
-    /// Input reduced to the first period of the set of assemblies; for a crank the period is a whole number of turns.
+    /// Reduces an input to the first period of the set of assemblies, which is a whole number of turns for a crank.
     pub fn wrapped(&self, input: f64) -> f64 {
         self.domain.wrap(input)
     }

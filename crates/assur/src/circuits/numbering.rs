@@ -1,5 +1,5 @@
-//! Numbering of assemblies, branches and circuits by the angle of the output from 0 to 2π, independent of the names and
-//! the order of links and points in the drawing.
+//! Numbering of assemblies, branches and circuits by the angle of the output, from 0 to 2π. The numbers do not depend
+//! on the names or the order of links and points in the drawing.
 
 use std::f64::consts::TAU;
 
@@ -12,10 +12,10 @@ use crate::motion::Motion;
 use crate::sorting::{permute, sort_by, sort_by_key};
 use crate::tolerance;
 
-/// Sort key of an assembly: the angle of the output, then all angles in ascending order, then all coordinates relative
-/// to the size in ascending order.
+/// Sort key of an assembly: first the angle of the output, then all angles in ascending order, then all coordinates,
+/// relative to the linkage's size, in ascending order.
 fn key<const N: usize>(mechanism: &Mechanism, output: LinkId, pose: &Pose<N>) -> Vec<f64> {
-    // A whole turn to rounding counts as 0.
+    // An angle that is a whole turn within rounding counts as 0.
     let angle = |link: LinkId| {
         let folded = mechanism.folded_angle(pose, link);
         if TAU - folded <= tolerance::COINCIDENT {
@@ -37,7 +37,7 @@ fn key<const N: usize>(mechanism: &Mechanism, output: LinkId, pose: &Pose<N>) ->
     key
 }
 
-/// Sorts items by the assembly of their poses.
+/// Sorts items by the assembly numbers of their poses.
 pub(super) fn sort_assemblies<T, const N: usize>(
     mechanism: &Mechanism,
     output: LinkId,
@@ -51,12 +51,12 @@ pub(super) fn sort_assemblies<T, const N: usize>(
     permute(all, ascending(&keys));
 }
 
-/// Error of an assembly number without assembly.
+/// Error for a number that no assembly has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoAssembly {
     /// Number of assemblies at the input.
     pub of: usize,
-    /// True if these are all assemblies at the input.
+    /// True if all assemblies at the input were found.
     pub whole: bool,
 }
 
@@ -68,13 +68,13 @@ impl Mechanism {
         if angle < TAU { angle } else { 0.0 }
     }
 
-    /// Default link whose angle determines the numbers of assemblies: the link solved last.
+    /// The link whose angle numbers the assemblies by default: the link solved last.
     pub fn output(&self) -> Option<LinkId> {
         let bodies = self.steps().iter().flat_map(|step| step.bodies());
         bodies.filter_map(|body| self.link_of(body)).next_back()
     }
 
-    /// Index of a pose among all, from 0.
+    /// Finds the index of a pose in a list of all poses, from 0.
     pub fn number_of(&self, pose: &Pose<1>, all: &[Pose<1>]) -> Option<usize> {
         all.iter()
             .position(|one| self.distance(one, pose) < tolerance::TRIPLE_ROOT)
@@ -82,16 +82,16 @@ impl Mechanism {
 }
 
 impl Motion {
-    /// All assemblies at an input in ascending order of their numbers, by the angle of a link from 0 to 2π.
+    /// Finds all assemblies at an input, in ascending order of their numbers, by the angle of a link from 0 to 2π.
     ///
-    /// The list includes the poses of this motion at the input. If one of these poses was found only here, the list may
-    /// be incomplete, unless assemblies meet in this pose.
+    /// The list includes the poses of this motion at the input. If the general search missed one of these poses, the
+    /// list may be incomplete, unless assemblies meet in that pose.
     pub fn assemblies_at(&self, input: f64, output: LinkId) -> Assemblies {
         let found = self.mechanism().assemblies_at(input, Method::Usual);
         self.numbered(found, input, output)
     }
 
-    /// The linkage drawn in the assembly with a given number, from 0, at an input.
+    /// Draws the linkage in the assembly with a given number, from 0, at an input.
     ///
     /// # Errors
     /// No assembly has this number.
@@ -139,7 +139,7 @@ impl Motion {
         }
     }
 
-    /// The assemblies found at an input and the poses of this motion there, in ascending order of their numbers.
+    /// Combines assemblies found at an input with the poses of this motion there, in ascending order of their numbers.
     fn numbered(&self, mut found: Assemblies, input: f64, output: LinkId) -> Assemblies {
         let mechanism = self.mechanism();
         for visit in self.visits(input) {
@@ -163,7 +163,7 @@ impl Motion {
 }
 
 impl Following {
-    /// All assemblies at an input in ascending order of their numbers, as [`Motion::assemblies_at`].
+    /// Finds all assemblies at an input, in ascending order of their numbers, as [`Motion::assemblies_at`] does.
     pub fn numbered(&mut self, motion: &Motion, input: f64, output: LinkId) -> Assemblies {
         let found = self.at(input);
         motion.numbered(found, input, output)
@@ -204,7 +204,7 @@ impl Circuits {
         self.circuits = named.len();
     }
 
-    /// Sort keys of the branches: the start, the assembly at the start (except at a fold, which branches share), and
+    /// Sort keys of the branches: the start, the assembly at the start (none at a fold, which two branches share), and
     /// the assembly just after the start.
     fn branch_keys(&self) -> Vec<Vec<f64>> {
         let start = |branch: &Branch| self.domain.min_input(&branch.motion);
@@ -232,7 +232,7 @@ impl Circuits {
             let is_end = self.domain.ends(motion).contains(&start);
             let at_start = if is_end { Vec::new() } else { key_at(start) };
             let just_after = key_at(start + 0.01 * (next - start));
-            // A flag for an empty key precedes it, so that the columns of equal rows correspond.
+            // A flag before each key shows whether the key is empty, so that the columns of two rows correspond.
             let mut row = vec![number(start) as f64];
             for key in [at_start, just_after] {
                 row.push(f64::from(u8::from(!key.is_empty())));

@@ -1,9 +1,9 @@
-//! Lexicographic order of rows of values, with equality to rounding.
+//! Lexicographic order of rows of values, in which values that differ only by rounding are equal.
 
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Indices of the rows in ascending order. Equal rows keep their order, and a row precedes its continuations.
+/// Sorts rows; returns their indices in ascending order. Equal rows keep their order; a row precedes its continuations.
 ///
 /// Values are compared with each other and not rounded to a grid, so values that differ by rounding are always equal.
 pub(super) fn ascending(rows: &[Vec<f64>]) -> Vec<usize> {
@@ -12,7 +12,7 @@ pub(super) fn ascending(rows: &[Vec<f64>]) -> Vec<usize> {
     order
 }
 
-/// Appends rows that are equal before a given column, in ascending order.
+/// Appends rows that are equal in all columns before a given one, in ascending order.
 fn split(rows: &[Vec<f64>], mut equal: Vec<usize>, column: usize, order: &mut Vec<usize>) {
     let more = equal.iter().any(|row| rows[*row].len() > column);
     if equal.len() < 2 || !more {

@@ -1,10 +1,10 @@
-//! Search for all motions: all assemblies are found at sample inputs, assemblies on no known branch are followed, and
-//! samples are inserted where a branch may have been missed.
+//! Search for all motions. All assemblies are found at sample inputs, and assemblies on no known branch are followed.
+//! Samples are added where a branch may have been missed.
 //!
-//! Completeness: between two neighbouring ends of branches the number of assemblies is constant, unless a branch inside
-//! was missed: a conjugate pair of complex assemblies becomes real there, and complex again. Outside, the squared
-//! distance of the pair goes to zero about linearly, so that its value and slope at a sample predict the input of the
-//! fold. The interval to the next sample is divided until the fold is found or the pair is seen to recede.
+//! Completeness: between two neighbouring ends of branches, the number of assemblies is constant unless a branch was
+//! missed. On a missed branch, a conjugate pair of complex assemblies becomes real, and then complex again. Outside
+//! that branch, the squared distance of the pair goes to zero about linearly: its value and slope at a sample predict
+//! the input of the fold. The interval to the next sample is divided until the fold is found or the pair recedes.
 
 use std::f64::consts::TAU;
 
@@ -16,29 +16,29 @@ use crate::position::{ComplexPair, Group, Step};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Position of a new sample in an interval, away from the special poses in which linkages are often drawn.
+/// Position of a new sample, as a fraction of an interval. Avoids special poses, in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// Limit, in gaps, of the linear extrapolation to zero at which a complex pair counts as about to become real.
+/// Distance of the extrapolated zero, in gaps, below which a complex pair counts as about to become real.
 const EXTRAPOLATION: f64 = 1.5;
-/// Fraction of a gap before which a pair must become real to count as other than a known branch at the end of the gap.
+/// Fraction of a gap. A pair that becomes real earlier belongs to a new branch, not to a known one at the gap's end.
 const EARLY: f64 = 0.8;
 
 /// Density of the search for all motions of a linkage, and the limits of its work. The default finds all motions in the
-/// tests of this engine; a denser search takes longer and finds branches over shorter intervals at once.
+/// tests of this engine. A denser search takes longer, and finds branches over shorter intervals without extra samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Thoroughness {
-    /// Number of initial samples per turn, or over the range of a slide, for dyads alone: 144. Such a sample is cheap,
-    /// and with many dimensions pairs may become real over a short interval.
+    /// Number of initial samples per turn, or over the range of a slide, for linkages of dyads alone: 144. Such samples
+    /// are cheap, and for many sets of dimensions pairs become real only over a short interval.
     pub samples_of_dyads: usize,
-    /// Number of initial samples per turn, or over the range of a slide, with other groups: 24.
+    /// Number of initial samples per turn, or over the range of a slide, for linkages with other groups: 24.
     pub samples_of_groups: usize,
-    /// Maximum number of turns of a linkage with wheels: 24.
+    /// Maximum number of turns over which a linkage with wheels is searched: 24.
     pub max_turns: usize,
     /// Maximum number of samples: 2,000.
     pub max_samples: usize,
     /// Maximum number of branches: 512.
     pub max_branches: usize,
-    /// Maximum number of knots times bodies: 500,000. If one link is millions of times as long as the others, each
+    /// Maximum number of knots times bodies: 500,000. If one link is millions of times longer than the others, each
     /// motion has thousands of knots.
     pub max_knots: usize,
 }
@@ -61,15 +61,15 @@ struct Sample {
     input: f64,
     assemblies: usize,
     complex: Vec<ComplexPair>,
-    /// Squares of sines between guides; at their zeros links go to infinity.
+    /// Squared sines of the angles between guides; where one is zero, links go to infinity.
     parallel: Vec<ComplexPair>,
 }
 
-/// An end of the intervals of the search: a sample, or an end of branches.
+/// A boundary between the intervals of the search: a sample, an end of branches, or an end of the domain.
 struct Division<'a> {
     input: f64,
     sample: Option<&'a Sample>,
-    /// Number of branches that start at a fold at this input, towards greater and towards smaller inputs.
+    /// Numbers of branches that start at a fold at this input: towards greater inputs, and towards smaller inputs.
     starts: [usize; 2],
 }
 
@@ -79,7 +79,7 @@ pub(super) struct Search<'a> {
     thoroughness: Thoroughness,
     pub(super) branches: Vec<Motion>,
     pub(super) domain: Domain,
-    /// True while no branch can have been missed.
+    /// True as long as no branch can have been missed.
     pub(super) whole: bool,
     samples: Vec<Sample>,
     /// Number of knots times bodies of all motions.
@@ -256,7 +256,7 @@ impl<'a> Search<'a> {
         divisions
     }
 
-    /// New inputs in the gaps between divisions in which a branch may have been missed.
+    /// Inputs for new samples in the gaps between divisions in which a branch may have been missed.
     fn inputs_in_gaps(&self) -> Vec<f64> {
         let divisions = self.divisions();
         let span = self.domain.span();
@@ -272,7 +272,7 @@ impl<'a> Search<'a> {
                 (None, None) => true,
                 _ if gap < tolerance::TRIPLE_ROOT * span => false,
                 _ => {
-                    // For links that go to infinity, shorter intervals are not divided: a shorter branch is missed.
+                    // For links that go to infinity, narrower gaps are not divided: a shorter branch is missed.
                     let is_wide = gap > tolerance::NEAR * span;
                     let may_miss = |sample: Option<&Sample>, sense, known| {
                         sample.is_some_and(|sample| {
@@ -291,8 +291,8 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// New inputs near the dead points at which only one branch is known to end, at eight distances, because the other
-    /// branch may be short.
+    /// Inputs for new samples near the dead points at which only one branch is known to end. Eight distances are tried,
+    /// because the other branch may be short.
     fn inputs_near_ends(&self) -> Vec<f64> {
         let unmatched = Meetings::of(&self.branches, &self.domain).unmatched;
         let inputs = unmatched.into_iter().filter_map(|[end, back]| {
@@ -309,7 +309,7 @@ impl<'a> Search<'a> {
 }
 
 impl Sample {
-    /// True if more complex pairs may become real within a gap than the `known` branches that start at its end.
+    /// True if more complex pairs may become real within a gap than `known` branches start at its end.
     fn may_become_real(&self, sense: f64, gap: f64, known: usize) -> bool {
         let mut expected = 0;
         for distance in zeros(&self.complex, sense, EXTRAPOLATION * gap) {
@@ -330,7 +330,7 @@ impl Sample {
     }
 }
 
-/// Distances in a given sense, below a limit, at which the linear extrapolations of squares are zero.
+/// Distances, in a given direction and below a limit, at which the linear extrapolations of squares are zero.
 fn zeros(squares: &[ComplexPair], sense: f64, limit: f64) -> impl Iterator<Item = f64> {
     let zero = move |pair: &ComplexPair| -pair.square / (pair.slope * sense);
     let distances = squares.iter().map(zero);

@@ -19,10 +19,10 @@ use crate::here::Here;
 use crate::pair::Pair;
 use crate::table::{SweepColumn, SweepRow, SweepTable};
 
-/// Number of samples of a curve without load.
+/// Number of intervals between the samples of a curve without load.
 const SAMPLES: usize = 240;
 
-/// Marks of derivatives in the names of read-outs.
+/// Suffixes that mark derivatives in the names of read-outs.
 const STROKES: [&str; 3] = ["", "′", "″"];
 
 /// A differential over time, with its plots.
@@ -30,15 +30,15 @@ pub(crate) struct Course {
     pub(crate) train: assur_file::GearTrain,
     observer: Option<Shaft>,
     span: f64,
-    /// The run, under load.
+    /// The recorded run of a train under load.
     recording: Option<Recording>,
-    /// The peak torques of the fields, under load.
+    /// Peak torques of the magnetic field in each mesh, under load.
     peaks: Option<[f64; 2]>,
     plotted: Vec<Quantity>,
-    /// Quantities plotted against each other instead.
+    /// Two quantities plotted against each other, in place of the plots over time.
     pair: Option<Pair<Column>>,
     numbers: BTreeMap<String, String>,
-    /// The plots of a run, which has an end.
+    /// Plots of a run under load; none for the endless motion without load.
     chart: Option<Chart>,
     against: Option<Against>,
 }
@@ -89,7 +89,7 @@ impl Course {
         Ok(course)
     }
 
-    /// Whether it runs under load.
+    /// Whether the train runs under load.
     pub(crate) fn loaded(&self) -> bool {
         self.recording.is_some()
     }
@@ -105,7 +105,7 @@ impl Course {
         Some(recording.at(recording.end()).reading())
     }
 
-    /// The end of the time axis if it begins at 0.
+    /// End of a time axis that begins at 0.
     pub(crate) fn end(&self) -> f64 {
         self.recording.as_ref().map_or(self.span, Recording::end)
     }
@@ -123,7 +123,7 @@ impl Course {
         Quantity::all(self.loaded())
     }
 
-    /// The names of further read-outs under load.
+    /// Names of the additional read-outs under load.
     fn names_of_run(&self) -> impl Iterator<Item = String> {
         let names = OF_RUN.iter().filter(|_| self.loaded());
         names.map(|name| (*name).to_owned())
@@ -200,7 +200,7 @@ impl Course {
         series.collect()
     }
 
-    /// Plots a run once.
+    /// Makes the plots of a run under load, once for all times.
     fn plot_run(&mut self) {
         let Some(recording) = &self.recording else {
             return;
@@ -218,7 +218,7 @@ impl Course {
         self.chart = Some(Chart::by_time(span, Kind::Angle, self.series(), samples));
     }
 
-    /// The start of the span around a time of an endless motion, and samples over that span.
+    /// Start of the span that contains a time of an endless motion, and samples over that span.
     fn around(&self, time: f64) -> (f64, Vec<(f64, Known)>) {
         let start = self.span * (on_axis(time) / self.span).floor();
         let known = (0..=SAMPLES).map(|step| {
@@ -228,7 +228,7 @@ impl Course {
         (start, known.collect())
     }
 
-    /// The plots over the span around a time.
+    /// The plots over the span that contains a time.
     fn plotted_around(&self, time: f64) -> Chart {
         let (start, known) = self.around(time);
         let samples = known.iter().map(|(time, known)| self.sample(*time, known));
@@ -274,13 +274,13 @@ impl Course {
     }
 }
 
-/// A time within its limits; NaN becomes 0.
+/// Clamps a time to its limits; NaN becomes 0.
 fn on_axis(time: f64) -> f64 {
     time.clamp(0.0, Turning::LONGEST).max(0.0)
 }
 
 impl Known {
-    /// A quantity with two derivatives with respect to time.
+    /// A quantity and its first two derivatives with respect to time.
     fn rates(&self, quantity: Quantity) -> [f64; 3] {
         match quantity {
             Quantity::Angle(body) => {
@@ -292,7 +292,7 @@ impl Known {
                 } = &self.turned;
                 [angles[body].radians(), speeds[body], accelerations[body]]
             }
-            // Read only under load.
+            // Load angles are read only under load.
             Quantity::LoadAngle(mesh) => self.reading.as_ref().map_or([0.0; 3], |reading| {
                 let one = &reading.meshes[mesh];
                 [one.advance, one.slip_speed, one.slip_acceleration]
@@ -301,7 +301,7 @@ impl Known {
     }
 }
 
-/// The names of the read-outs of a run beyond angles, with its energy balance.
+/// Names of the read-outs of a run besides angles: torques and the energy balance.
 const OF_RUN: [&str; 11] = [
     "sun.field",
     "ring.field",
@@ -316,7 +316,7 @@ const OF_RUN: [&str; 11] = [
     "imbalance",
 ];
 
-/// The values of these read-outs, in the order of the names.
+/// Values of these read-outs, in the order of [`OF_RUN`].
 fn of_run(reading: &Reading) -> [f64; OF_RUN.len()] {
     let drive = |body| reading.body(body).drive_torque.unwrap_or(0.0);
     let energy = &reading.energy;

@@ -3,23 +3,24 @@
 use assur::dynamics::Mesh;
 use assur_draw::{Role, TrainFigure};
 
-/// The names of the bodies, in the order of [`Body::ALL`](assur::dynamics::Body::ALL), and their numbers.
+/// Names of the bodies, in the order of [`Body::ALL`](assur::dynamics::Body::ALL).
 pub(crate) const BODIES: [&str; 4] = ["sun", "satellite", "carrier", "ring"];
+/// Numbers of the bodies, in the same order.
 pub(crate) const NUMBERS: [&str; 4] = ["1", "2", "3", "4"];
 
-/// The names of the meshes, in the order of [`Mesh::ALL`]: those of their central wheels.
+/// Names of the meshes, in the order of [`Mesh::ALL`]: a mesh has the name of its central wheel.
 pub(crate) const MESHES: [&str; 2] = ["sun", "ring"];
 
-/// A quantity with two derivatives.
+/// A quantity with its first two derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Quantity {
     /// The angle of a body, by its index in [`Body::ALL`](assur::dynamics::Body::ALL), relative to the observer.
     Angle(usize),
-    /// The load angle of a mesh, by its index in [`Mesh::ALL`], including all slips.
+    /// The load angle of a mesh, by its index in [`Mesh::ALL`], with all slips counted.
     LoadAngle(usize),
 }
 
-/// The quantities plotted for a choice of the page; none for an unknown one.
+/// Finds the quantities plotted for a choice of the page; none for an unknown choice.
 pub(crate) fn plotted(plot: &str, loaded: bool) -> Option<Vec<Quantity>> {
     match plot {
         "angles" => Some(Quantity::angles().collect()),
@@ -31,7 +32,7 @@ pub(crate) fn plotted(plot: &str, loaded: bool) -> Option<Vec<Quantity>> {
     }
 }
 
-/// A quantity, or its derivative of an order.
+/// A quantity or one of its derivatives, by order.
 #[derive(Clone, Copy)]
 pub(crate) struct Column {
     pub(crate) quantity: Quantity,
@@ -39,7 +40,7 @@ pub(crate) struct Column {
 }
 
 impl Column {
-    /// The column with this name in tables.
+    /// Finds the column with this name in tables.
     pub(crate) fn named(name: &str, loaded: bool) -> Option<Self> {
         Quantity::all(loaded).find_map(|quantity| {
             let mut columns = quantity.columns().into_iter();
@@ -58,18 +59,18 @@ impl Quantity {
         (0..MESHES.len()).map(Self::LoadAngle)
     }
 
-    /// All quantities with read-outs, load angles only under load.
+    /// All quantities with read-outs; load angles are read out only under load.
     pub(crate) fn all(loaded: bool) -> impl Iterator<Item = Self> {
         Self::angles().chain(Self::load_angles().filter(move |_| loaded))
     }
 
-    /// Its name among read-outs and plots.
+    /// Name of the quantity among read-outs and plots.
     pub(crate) fn name(self) -> String {
         let [name, _, _] = self.columns();
         name
     }
 
-    /// The names of it and its derivatives in tables, in the form used for linkages.
+    /// Column headings of the quantity and its first two derivatives in tables, in the form used for linkages.
     pub(crate) fn columns(self) -> [String; 3] {
         let (of, what) = match self {
             Self::Angle(body) => (BODIES[body], "angle"),
@@ -78,7 +79,7 @@ impl Quantity {
         ["", "d", "dd"].map(|rate| format!("{of}.{rate}{what}"))
     }
 
-    /// The index of the body to which it belongs.
+    /// Index of the body to which the quantity belongs; for a mesh, its central wheel.
     pub(crate) fn body(self) -> usize {
         match self {
             Self::Angle(body) => body,

@@ -18,10 +18,10 @@ use crate::summary::{CourseSummary, CycleSummary, ListedSummary};
 /// Maximum number of suggested trains.
 const SUGGESTED: usize = 5;
 
-/// Maximum load, as a multiple of the torque that the magnets hold.
+/// Upper limit of the load, as a multiple of the torque that the magnets hold.
 const OVERLOAD: f64 = 1.5;
 
-/// Summary of a differential. Speeds are in revolutions per minute after the rise of all drives.
+/// Summary of a differential. Speeds are in revolutions per minute, after all drives have reached full speed.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct GearTrainSummary<'a> {
@@ -32,7 +32,7 @@ pub(crate) struct GearTrainSummary<'a> {
     /// The shaft that is not driven.
     free: &'static str,
     speeds: BodyNumbers,
-    /// a and b of a ω₁ + b ω₄ = (a + b) ω₃.
+    /// Weights a and b in Willis's equation, a ω₁ + b ω₄ = (a + b) ω₃.
     weights: [i64; 2],
     ratios: Vec<RatioSummary>,
     identities: Vec<IdentitySummary>,
@@ -41,28 +41,29 @@ pub(crate) struct GearTrainSummary<'a> {
     builds: bool,
     /// Similar trains that can be built, if this one cannot.
     suggestions: Vec<SuggestionSummary>,
-    /// z₂ with which gears of these z₁ and z₄ are in contact, if there is one.
+    /// Number of satellite teeth, z₂, with which gears of these z₁ (sun) and z₄ (ring) are in contact, if there is one.
     in_contact: Option<u32>,
     mobility: MobilitySummary,
-    /// Gaps of magnets at sun and ring, mm.
+    /// Gaps between the magnets at sun and ring, mm.
     gaps: Option<[f64; 2]>,
     axis_distance: f64,
-    /// Velocities at the last speeds, mm and mm/s.
+    /// Velocities at the final speeds: distances in mm, velocities in mm/s.
     velocities: Option<VelocitySummary>,
-    /// Torques from outside without losses, relative to the sun's, and what each shaft takes in of the power.
+    /// External torques without losses, relative to the sun's.
     #[serde(with = "ShaftNumbers")]
     #[cfg_attr(test, ts(as = "ShaftNumbers"))]
     torques: Shafts,
+    /// Power that each shaft takes in.
     #[serde(with = "ShaftNumbers")]
     #[cfg_attr(test, ts(as = "ShaftNumbers"))]
     powers: Shafts,
-    /// The torques that the magnets hold, N·m, each with the other shafts held.
+    /// Greatest static torque on each body that the magnets can hold, N·m, with the other shafts held.
     limits: Option<BodyNumbers>,
     /// Natural frequencies of the meshes with sun and ring, Hz.
     swings: Option<[f64; 2]>,
     /// The greatest torque of the load, and its upper limit, N·m.
     load: Option<PullSummary>,
-    /// Slips of the meshes with sun and ring at the end of a run, in periods.
+    /// Slips of the meshes with sun and ring at the end of a run, in periods of the field.
     slips: Option<[i64; 2]>,
     halt: Option<HaltSummary>,
 }
@@ -87,7 +88,7 @@ pub(crate) struct ShaftNumbers {
     ring: f64,
 }
 
-/// u = numerator/denominator: link `of` relative to link `to`, link `held` being held.
+/// Ratio u = numerator/denominator of the speeds of links `of` and `to`, with link `held` held.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct RatioSummary {
@@ -98,11 +99,11 @@ pub(crate) struct RatioSummary {
     numerator: i64,
     denominator: i64,
     value: f64,
-    /// Whether it is the largest positive one.
+    /// Whether this is the largest positive ratio.
     largest: bool,
 }
 
-/// Two ratios whose sum is 1, by their names.
+/// Two ratios, by their names, whose sum is 1.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct IdentitySummary {
@@ -118,7 +119,7 @@ pub(crate) struct TrainConditionSummary {
     relation: &'static str,
     right: f64,
     met: bool,
-    /// Whether gears with profile shift may still be built.
+    /// Whether gears with profile shift could still meet the condition.
     shifted: bool,
 }
 
@@ -131,7 +132,7 @@ pub(crate) struct SuggestionSummary {
     z4: u32,
 }
 
-/// n, P₁, P₂, W by the count, and the number of passive constraints.
+/// Numbers of links n and of pairs P₁ and P₂ with one and two freedoms, W by count, and number of passive constraints.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MobilitySummary {
@@ -142,7 +143,7 @@ pub(crate) struct MobilitySummary {
     passive: i64,
 }
 
-/// Points of the first satellite on the line from the main axis: distance from the axis and velocity.
+/// Points of the first satellite on the radius through its centre: distance from the main axis, and velocity.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct VelocitySummary {

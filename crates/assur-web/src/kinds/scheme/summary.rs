@@ -1,4 +1,4 @@
-//! Summary of a scheme: the counts, the result of its cuts, the result of its geometry.
+//! Summary of a scheme: its counts, the result of its cuts, and the result of its geometry.
 
 use std::collections::BTreeMap;
 
@@ -12,10 +12,10 @@ use crate::summary::HandleSummary;
 /// Maximum number of replacements in the summary.
 pub(crate) const MENDED: usize = 200;
 
-/// Maximum number of pairs of a scheme for which a nearby pose is sought.
+/// Maximum number of pairs in a scheme for which a nearby pose is sought.
 const FOLLOWED: usize = 60;
 
-/// Summary of a scheme. W and q are counted in its own space.
+/// Summary of a scheme. W and q are counted in the scheme's own space: in the plane, if it is planar.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SchemeSummary<'a> {
@@ -32,24 +32,24 @@ pub(crate) struct SchemeSummary<'a> {
     counts: CountSummary,
     mobility: isize,
     redundant: isize,
-    /// q by (6), if it applies.
+    /// Redundant constraints q by equation (6) of the mobility paper, if it applies.
     redundant_by_plane: Option<isize>,
     /// The result of the cuts, if they open every contour.
     sections: Option<SectionsSummary<'a>>,
-    /// The pairs of a contour that is still closed.
+    /// The pairs of a contour that is still closed after the cuts.
     closed: &'a [String],
-    /// Links joined to nothing after the cuts.
+    /// Links that the cuts disconnect.
     apart: &'a [String],
     /// Cuts that open every contour.
     automatic: Vec<String>,
     plane: Option<JudgedSummary<'a>>,
     space: Option<JudgedSummary<'a>>,
-    /// A pair with too few data for the rank.
+    /// The first pair with too few data for the rank.
     missing: Option<String>,
     mended: Option<MendedSummary<'a>>,
 }
 
-/// A pair. Freedoms and constraints are those in the scheme's own space.
+/// A pair. `freedoms` and `constraints` are those in the scheme's own space.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PairSummary<'a> {
@@ -57,17 +57,18 @@ pub(crate) struct PairSummary<'a> {
     freedoms: u8,
     constraints: u8,
     spatial_freedoms: u8,
-    /// The cuts of this pair if it is cut: itself, or one link of a compound hinge.
+    /// Names of the possible cuts of this pair: one cut, or one for each link of a compound hinge.
     cuts: Vec<String>,
 }
 
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CountSummary {
-    /// n: moving links.
+    /// Number of moving links, n.
     links: usize,
-    /// Pᵢ in the scheme's own space, and in space.
+    /// Numbers Pᵢ of pairs with i freedoms, in the scheme's own space.
     pairs: Vec<ClassSummary>,
+    /// Numbers Pᵢ of pairs with i freedoms, in three-dimensional space.
     spatial_pairs: Vec<ClassSummary>,
     planar: Option<isize>,
     spatial: isize,
@@ -80,12 +81,12 @@ pub(crate) struct ClassSummary {
     count: usize,
 }
 
-/// Counts of the open chain.
+/// Counts of the open chain, after the cuts.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SectionsSummary<'a> {
     cuts: Vec<String>,
-    /// Remaining pairs: i, and their number.
+    /// Numbers of remaining pairs with i freedoms.
     left: Vec<ClassSummary>,
     open: usize,
     removed: usize,
@@ -108,7 +109,7 @@ pub(crate) struct LoopSummary<'a> {
     redundant: u8,
 }
 
-/// Result of the rank of the constraints in the plane, or in space.
+/// Mobility by the rank of the constraints, in the plane or in space.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct JudgedSummary<'a> {
@@ -117,9 +118,9 @@ pub(crate) struct JudgedSummary<'a> {
     redundant: usize,
     redundancies: Vec<RedundancySummary<'a>>,
     idle: Vec<Vec<&'a str>>,
-    /// W in a nearby pose.
+    /// W in a nearby pose, if one was found.
     generic: Option<usize>,
-    /// Whether there is no nearby pose, though W is not 0.
+    /// Whether the scheme moves only for an instant: W is not 0, but there is no nearby pose.
     instantaneous: bool,
 }
 
@@ -216,7 +217,7 @@ impl<'a> SchemeSummary<'a> {
     }
 }
 
-/// The pair with missing data.
+/// The pair with missing data, if that is the reason.
 fn lacking(why: &NoRank) -> Option<String> {
     match why {
         NoRank::NoPlace(pair) | NoRank::NoAxis(pair) | NoRank::NoForm(pair) => Some(pair.clone()),

@@ -1,4 +1,4 @@
-//! The solutions to choose from: the family of two positions, or the results of a search.
+//! The solutions to choose from: the family for two positions, or the results of a search.
 
 use std::f64::consts::TAU;
 
@@ -10,23 +10,23 @@ use serde::Serialize;
 use super::plane::PlaneSummary;
 use super::summary::lengths;
 
-/// Number of members on the curve of a family.
+/// Number of members sampled for the curve of a family.
 const MEMBERS: usize = 240;
 
 /// The family of linkages for two positions.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FamilySummary {
-    /// Minimum and maximum of l₁, l₂, l₃; null if there is none.
+    /// Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); null if there is none.
     lengths: [[Option<f64>; 2]; 3],
     /// Range of the coupler's angle in each position, radians.
     couplers: [[f64; 2]; 2],
     curve: FamilyCurve,
-    /// l₁, l₂, l₃ where the class changes.
+    /// l₁, l₂, l₃ at each change of the Grashof type.
     changes: Vec<[f64; 3]>,
 }
 
-/// Members of the family from one end to the other, within the lengths of the search.
+/// Members of the family from one end to the other, within the lengths that are searched.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FamilyCurve {
@@ -39,11 +39,11 @@ pub(crate) struct FamilyCurve {
     verdicts: Vec<&'static str>,
 }
 
-/// A search for the least ΣJ.
+/// A search for the least ΣJ, the sum of the squared gaps over all positions.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FoundSummary {
-    /// Number of its starts.
+    /// Number of starting points.
     starts: usize,
     /// Number of starts that ended in the solution shown first.
     best: usize,

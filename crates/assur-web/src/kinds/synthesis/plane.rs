@@ -1,4 +1,4 @@
-//! The plane of two lengths, both on logarithmic scales, in equal cells.
+//! Values over the plane of two lengths, in equal cells on logarithmic scales.
 
 use assur::synthesis::four_bar::{Surface, Task};
 use serde::Serialize;
@@ -6,21 +6,21 @@ use serde::Serialize;
 /// Number of cells along each length.
 const PARTS: usize = 40;
 
-/// The least ΣJ that counts as greater than zero, in squares of the frame's length.
+/// Lower bound of ΣJ before its logarithm is taken, in squares of the frame's length.
 const LEAST: f64 = 1e-9;
 
-/// Values at the centres of cells equal in the logarithms of two lengths: a row over the second
-/// length for each value of the first.
+/// Values at the centres of cells. All cells have the same size in the logarithms of two lengths.
+/// Each row belongs to one value of the first length and runs over the second.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PlaneSummary {
-    /// Minimum and maximum of both lengths.
+    /// Minimum and maximum, the same for both lengths.
     bounds: [f64; 2],
     values: Vec<Vec<f64>>,
 }
 
 impl PlaneSummary {
-    /// Values over the ratios within which a task is searched.
+    /// Evaluates a function over the range of length ratios in which a task is searched.
     fn new(task: &Task, value: impl Fn(f64, f64) -> f64) -> Self {
         let [least, most] = task.ratios();
         let ratio = |part: usize| least * (most / least).powf((part as f64 + 0.5) / PARTS as f64);
@@ -34,7 +34,7 @@ impl PlaneSummary {
         }
     }
 
-    /// The decimal logarithm of ΣJ over l₂ and l₃.
+    /// Decimal logarithm of ΣJ over l₂ (output) and l₃ (input).
     pub(super) fn sum(task: &Task) -> Self {
         let surface = Surface::new(task);
         Self::new(task, |output, input| {
@@ -43,8 +43,8 @@ impl PlaneSummary {
         })
     }
 
-    /// Over l₁ and l₂, the number of positions that some l₃ closes: theorems 1 and 2 hold in the
-    /// region where it is all of them.
+    /// Number of positions that some l₃ closes, over l₁ (coupler) and l₂ (output). Theorems 1 and 2
+    /// hold where this is the number of all positions.
     pub(super) fn closed(task: &Task) -> Self {
         let positions = 0..task.positions().len();
         Self::new(task, |coupler, output| {

@@ -18,21 +18,21 @@ pub(crate) struct SynthesisSummary<'a> {
     /// Source of the solutions.
     #[cfg_attr(test, ts(type = "\"family\" | \"exact\" | \"found\" | \"trial\""))]
     from: &'static str,
-    /// The numbered solutions in the order of their numbers.
+    /// The numbered solutions, in the order of their numbers.
     solutions: Vec<SolutionSummary>,
-    /// Their numbers, from 1, in the order in which they are shown.
+    /// Numbers of the solutions, from 1, in the order in which they are shown.
     shown: Vec<usize>,
-    /// Whether the output's angles are probably given in the opposite sense.
+    /// Whether the output's angles were probably given for the opposite direction, turned through 180°.
     turned: bool,
     /// Number of the drawn solution, from 1.
     number: Option<usize>,
     drawn: SolutionSummary,
-    /// l₀.
+    /// Length of the frame, l₀.
     frame: f64,
     family: Option<FamilySummary>,
     found: Option<FoundSummary>,
     wanted: Vec<WantedSummary>,
-    /// Number of positions that can be closed, over l₁ and l₂.
+    /// Number of positions that can be closed, over l₁ (coupler) and l₂ (output).
     closed: PlaneSummary,
     /// Result of the paper's method, if the document gives every coupler angle.
     printed: Option<PrintedSummary>,
@@ -49,11 +49,11 @@ pub(crate) struct SynthesisSummary<'a> {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FunctionSummary {
-    /// x in even steps, with the error of the linkage's y; null beyond its reach.
+    /// Values of x at equal steps, each with the error of y; null if the linkage does not reach x.
     curve: Vec<(f64, Option<f64>)>,
-    /// x and error at the greatest error; none if the linkage reaches nothing of the interval.
+    /// x and the error where the error is greatest; none if the linkage reaches no part of the interval.
     greatest: Option<(f64, f64)>,
-    /// Whether it covers the whole interval without a break.
+    /// Whether the linkage covers the whole interval without a break.
     complete: bool,
 }
 
@@ -61,13 +61,13 @@ pub(crate) struct FunctionSummary {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SolutionSummary {
-    /// l₁, l₂, l₃.
+    /// Lengths l₁ (coupler), l₂ (output) and l₃ (input).
     lengths: [f64; 3],
-    /// φ₂₀ and φ₃₀, radians.
+    /// Starting angles φ₂₀ of the output and φ₃₀ of the input, radians.
     starts: [f64; 2],
-    /// The greatest gap at the coupler over the positions.
+    /// The greatest gap at the coupler over all positions.
     gap: f64,
-    /// l₀²ΣJ, in squares of the unit of lengths.
+    /// Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths.
     sum: f64,
     /// Maximum error of the output angle, radians; none if a position is not reached.
     output_error: Option<f64>,
@@ -90,7 +90,7 @@ pub(crate) struct VerdictSummary {
     order: &'static str,
     grashof: &'static str,
     turns: bool,
-    /// Radians.
+    /// Minimum transmission angle over the whole motion, radians.
     transmission: f64,
     transmission_between: Option<f64>,
     size_ratio: f64,
@@ -154,7 +154,7 @@ impl<'a> SynthesisSummary<'a> {
     }
 }
 
-/// l₁, l₂, l₃.
+/// Lengths l₁ (coupler), l₂ (output) and l₃ (input).
 pub(super) fn lengths(task: &Task, proportions: Proportions) -> [f64; 3] {
     let [l3, l1, l2, _] = proportions.lengths(task.frame().length);
     [l1, l2, l3]

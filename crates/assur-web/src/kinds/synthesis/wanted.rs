@@ -11,55 +11,59 @@ use serde::Serialize;
 
 use super::summary::lengths;
 
-/// Minimum and maximum of a length, the latter if there is one.
+/// Minimum of a length, and its maximum, if there is one.
 type Range = (f64, Option<f64>);
 
 /// Values at a wanted position.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct WantedSummary {
-    /// φ₂ and φ₃ with their starts, and φ₁ of the drawn linkage, radians.
+    /// Angle φ₂ of the output, including its starting angle, radians.
     output: f64,
+    /// Angle φ₃ of the input, including its starting angle, radians.
     input: f64,
+    /// Angle φ₁ of the coupler of the drawn linkage, radians.
     coupler: f64,
     /// Gap of the contour at the coupler.
     error: f64,
-    /// The main equation: its left side, Z, e₀·e₂/z₃ and e₀·e₃/z₂.
+    /// Terms of the main equation: left side, Z, e₀·e₂/z₃, e₀·e₃/z₂. Links have unit vectors eᵢ and zᵢ = lᵢ/l₀.
     equation: [f64; 4],
-    /// φ₁ at which the conditions are evaluated, and the gap of the contour with the coupler at
-    /// this angle.
+    /// Coupler angle φ₁ at which the conditions are evaluated, radians.
     at: f64,
+    /// Gap of the contour if the coupler has this angle.
     open: f64,
     conditions: Vec<ConditionSummary>,
     theorems: Vec<TheoremSummary>,
-    /// The condition that theorem 5 leaves out.
+    /// The condition omitted by theorem 5.
     pair: Option<LeftOutSummary>,
-    /// Ranges of l₁ in which l₂ and l₃ are positive: null if there is none, or no maximum; null
-    /// altogether where (13) fails.
+    /// Ranges of l₁ for which l₂ and for which l₃ is positive. A null range is empty; a null maximum means no limit.
+    /// Null altogether if condition (13) fails.
     ranges: Option<[Option<Range>; 2]>,
-    /// Range of l₁ in which all lengths are positive: null if there is none, or no maximum.
+    /// Range of l₁ for which all lengths are positive; null if it is empty. A null maximum means no limit.
     interval: Option<Range>,
 }
 
-/// The least ΣJ over positive lengths with the coupler angles given.
+/// The least ΣJ over positive lengths, with the coupler angles given.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PrintedSummary {
-    /// l₁, l₂, l₃.
+    /// Lengths l₁ (coupler), l₂ (output) and l₃ (input).
     lengths: [f64; 3],
-    /// ΣJ of these lengths and of the drawn linkage: dimensionless, since J is of zᵢ = lᵢ/l₀.
+    /// ΣJ of these lengths; dimensionless, since J is computed from zᵢ = lᵢ/l₀.
     least: f64,
+    /// ΣJ of the drawn linkage.
     drawn: f64,
 }
 
-/// The least squares of the weighted difference.
+/// The least-squares fit of Levitsky's weighted difference.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct WeightedSummary {
-    /// l₁, l₂, l₃.
+    /// Lengths l₁ (coupler), l₂ (output) and l₃ (input).
     lengths: [f64; 3],
-    /// ΣJ of these lengths, with the best coupler angles, and of the drawn linkage: dimensionless.
+    /// ΣJ of these lengths with the best coupler angles; dimensionless.
     sum: f64,
+    /// ΣJ of the drawn linkage.
     drawn: f64,
 }
 
@@ -67,14 +71,15 @@ pub(crate) struct WeightedSummary {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ConditionSummary {
-    /// Its number in the paper.
+    /// Number of the condition in the paper.
     number: u8,
-    /// The length that it concerns.
+    /// The length that the condition concerns.
     about: Option<&'static str>,
-    /// The two numbers whose signs it compares; null where one is infinite.
+    /// The two numbers whose signs are compared; null for an infinite one.
     values: [Option<f64>; 2],
-    /// Whether it holds as printed, and whether its conclusion is true.
+    /// Whether the condition holds as printed.
     holds: bool,
+    /// Whether the conclusion of the condition is true.
     truth: bool,
 }
 
@@ -87,7 +92,7 @@ pub(crate) struct TheoremSummary {
     truth: bool,
 }
 
-/// The condition that theorem 5 leaves out: two numbers that must not both be positive.
+/// The condition omitted by theorem 5: two numbers that must not both be positive.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct LeftOutSummary {
@@ -135,8 +140,8 @@ impl From<Condition> for ConditionSummary {
     }
 }
 
-/// The angles of all links in each position: the coupler's as given by the document, otherwise that
-/// of the drawn linkage.
+/// The angles of all links in each position. The coupler's angle is that of the document or, if none is given, that of
+/// the drawn linkage.
 pub(super) fn angles(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Vec<Angles> {
     let positions = task.positions().iter().zip(&document.positions);
     let all = positions.zip(&shown.closures);
@@ -215,7 +220,7 @@ impl PrintedSummary {
 }
 
 impl WeightedSummary {
-    /// For three positions or more with angles from the frame; none if the approximation has no lengths.
+    /// Makes the summary for at least three positions with angles from the frame; none if the fit has no lengths.
     pub(super) fn new(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Option<Self> {
         let enough = task.positions().len() >= 3 && !document.free;
         let found = enough.then(|| weighted_difference(task)).flatten()?;
@@ -227,7 +232,7 @@ impl WeightedSummary {
     }
 }
 
-/// The formulas of the paper in numbers, at each position.
+/// The formulas of the paper with their values at each position.
 pub(super) fn formulas(
     document: &SynthesisDocument,
     task: &Task,

@@ -1,4 +1,4 @@
-//! A train as a document that moves with time.
+//! A gear train as a document that moves with time.
 
 use super::*;
 
@@ -40,13 +40,13 @@ impl Moves for GearTrain {
             .collect()
     }
 
-    /// A run begins again after its end; otherwise time goes on.
+    /// A run under load begins again after its end; without load, time goes on.
     fn advance(&self, input: f64, by: f64) -> (f64, f64) {
         let next = input + by;
         if !next.is_finite() {
             (0.0, 1.0)
         } else if self.course.loaded() {
-            // A run that halts at once has no length to repeat.
+            // A run that halts at its start has no length to repeat.
             let end = self.course.end();
             (if end > 0.0 { next.rem_euclid(end) } else { 0.0 }, 1.0)
         } else if next < 0.0 {
