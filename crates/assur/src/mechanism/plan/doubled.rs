@@ -138,6 +138,8 @@ impl Resolved<'_> {
 impl Doubling {
     /// Doubling of a base by a body; None unless two shared points are apart and all are at equal places on both.
     fn of(bodies: &Bodies, [body, base]: [BodyId; 2]) -> Option<Self> {
+        let is_shared = |(point, _): &&(PointId, Vector)| bodies.local(base, *point).is_some();
+        bodies.of(body).iter().filter(is_shared).nth(1)?;
         let closest = COINCIDENT * extent(bodies.of(body).iter().map(|(_, own)| *own));
         let (mut shared, mut others) = (Vec::new(), Vec::new());
         for (point, own) in bodies.of(body) {
