@@ -4,7 +4,8 @@ use super::pebbles::{BODY, Pebbles, Surplus};
 use super::{Driver, Fault, Graph, Pair};
 use crate::numeric::graph::Partition;
 
-/// The freedoms, all spent except those of the whole in the plane, and the parts with surplus constraints.
+/// The freedoms, all spent except those of the whole in the plane, which stay on the ground, and the parts with surplus
+/// constraints.
 ///
 /// # Errors
 /// All faults: of single pairs and drivers, or else of the count. Surplus constraints are a fault unless they are
@@ -28,8 +29,9 @@ pub(super) fn check(
     if !whole {
         faults.push(Fault::Apart { links: apart });
     }
+    pebbles.gather(&[graph.ground], BODY);
     let undriven = (0..graph.links).filter(|&link| {
-        link != graph.ground && with_ground[link] && !pebbles.locked(graph.ground, link)
+        link != graph.ground && with_ground[link] && pebbles.moves(link, graph.ground)
     });
     let undriven: Vec<usize> = undriven.collect();
     if drivers.is_empty() {

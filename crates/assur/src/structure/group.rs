@@ -4,7 +4,6 @@ use super::pebbles::Pebbles;
 use super::{Depends, Driver, Fault, Graph, Pair, contour};
 use crate::numeric::graph::Partition;
 use crate::sorting::sort;
-use std::collections::BTreeMap;
 
 /// An Assur group.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -90,36 +89,38 @@ impl Group {
         // For the class: bodies, with substitutes of higher pairs, and joints.
         let mut count = group.bodies.len();
         let mut joints: Vec<Vec<usize>> = vec![];
+        // The bodies that meet in a pair, each with the first of its links there.
+        let mut here: Vec<(usize, usize)> = vec![];
         for (index, pair) in graph.pairs.iter().enumerate() {
-            let mut here = BTreeMap::new();
-            for &link in pair.links() {
-                if let Some(body) = group.body_of(link) {
-                    // The first link of a body represents it.
-                    let first = here.entry(body).or_insert(link);
-                    *first = link.min(*first);
-                }
+            let links = pair.links().iter();
+            here.clear();
+            here.extend(links.filter_map(|&link| Some((group.body_of(link)?, link))));
+            if here.is_empty() {
+                continue;
             }
+            sort(&mut here);
+            here.dedup_by_key(|(body, _)| *body);
             // A pair is an inner one if none of its links is solved before.
             let base = depends.base(pair.links());
             let outer = group.body_of(base).is_none();
             if outer {
-                group.outer.extend(here.values().map(|&link| Outer {
+                group.outer.extend(here.iter().map(|&(_, link)| Outer {
                     pair: index,
                     link,
                     base,
                 }));
             } else {
-                group.inner.extend(vec![index; here.len() - 1]);
+                group.inner.extend(here.iter().skip(1).map(|_| index));
             }
-            let joint: Vec<usize> = here.into_keys().collect();
+            let joined = here.iter().map(|(body, _)| *body);
             if matches!(pair, Pair::Gear(_)) {
                 // Except if the other wheel comes later.
-                if outer && joint.len() == 1 || joint.len() == 2 {
-                    joints.extend(joint.iter().map(|&body| vec![body, count]));
+                if outer && here.len() == 1 || here.len() == 2 {
+                    joints.extend(joined.map(|body| vec![body, count]));
                     count += 1;
                 }
             } else if !outer {
-                joints.push(joint);
+                joints.push(joined.collect());
             }
         }
         if surplus == 0 {
@@ -192,6 +193,9 @@ impl Group {
 
 /// The links in sets without relative motion, by the pairs and drivers between them.
 fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>> {
+    if let [link] = links {
+        return vec![vec![*link]];
+    }
     let (mut pebbles, _) = Pebbles::count(graph, drivers, |link| links.contains(&link));
     let mut bodies: Vec<Vec<usize>> = vec![];
     for &link in links {

@@ -72,7 +72,7 @@ pub(crate) use formula::subscript;
 pub use group::{Dyad, Group, Outer};
 pub use passive::with_passive_links;
 
-use crate::sorting::sort_by_key;
+use crate::sorting::{sort, sort_by_key};
 use pebbles::{BODY, Pebbles, Surplus};
 use std::collections::BTreeSet;
 
@@ -310,8 +310,8 @@ fn taken_apart(
 /// Dependence of the places of links on each other.
 struct Depends {
     ground: usize,
-    /// For each link, all links on which it depends, itself included.
-    on: Vec<BTreeSet<usize>>,
+    /// For each link, all links on which it depends, itself included; ascending.
+    on: Vec<Vec<usize>>,
 }
 
 impl Depends {
@@ -320,34 +320,42 @@ impl Depends {
         // The frame determines others and is not determined: its freedoms stay free.
         pebbles.gather(&[ground], BODY);
         let on = (0..links).map(|link| {
-            let nodes = pebbles.reach(&[link]).into_iter();
-            nodes.filter(|&node| node < links).collect()
+            let mut on = pebbles.reach(&[link]);
+            on.retain(|&node| node < links);
+            on
         });
         let on = on.collect();
         Self { ground, on }
+    }
+
+    /// True if a link depends on another, or is the same.
+    fn depends(&self, link: usize, on: usize) -> bool {
+        self.on[link].binary_search(&on).is_ok()
     }
 
     /// Makes links depend on each other, and on all on which any of them depends.
     fn join(&mut self, links: &BTreeSet<usize>) {
         let of = links.iter().flat_map(|link| self.on[*link].iter().copied());
         let all: BTreeSet<usize> = of.collect();
-        for on in &mut self.on {
-            if !on.is_disjoint(links) {
+        for link in 0..self.on.len() {
+            if links.iter().any(|other| self.depends(link, *other)) {
+                let on = &mut self.on[link];
                 on.extend(&all);
+                sort(on);
+                on.dedup();
             }
         }
     }
 
     /// The links that depend on the ground, in blocks that depend on each other; each block depends on earlier blocks.
     fn blocks(&self) -> Vec<Vec<usize>> {
-        let depends = |&link: &usize| link != self.ground && self.on[link].contains(&self.ground);
-        let moving = (0..self.on.len()).filter(depends);
+        let depends = |&link: &usize| link != self.ground && self.depends(link, self.ground);
         let mut blocks: Vec<Vec<usize>> = vec![];
-        for link in moving {
+        for link in (0..self.on.len()).filter(depends) {
             let on = self.on[link].iter().copied();
-            let block: Vec<usize> = on.filter(|&i| self.on[i].contains(&link)).collect();
-            if block[0] == link {
-                blocks.push(block);
+            let mut block = on.filter(|&other| self.depends(other, link)).peekable();
+            if block.peek() == Some(&link) {
+                blocks.push(block.collect());
             }
         }
         sort_by_key(&mut blocks, |block| self.on[block[0]].len());

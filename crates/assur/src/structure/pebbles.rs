@@ -16,9 +16,59 @@ const POINT: usize = 2;
 /// 2008). With the points of hinges as nodes this is independence in the plane for bodies in general position
 /// (Whiteley, *A matroid on hypergraphs*, 1989).
 pub(super) struct Pebbles {
-    free: Vec<usize>,
-    /// For each node, the other ends of the constraints that it pays for.
-    spent: Vec<Vec<usize>>,
+    nodes: Vec<Node>,
+    /// Nodes reached by the last search, and for each node the one before it.
+    found: Vec<usize>,
+    from: Vec<Before>,
+}
+
+/// A link, or the point of a hinge.
+#[derive(Clone, Copy)]
+struct Node {
+    /// Number of free pebbles.
+    free: usize,
+    /// Number of constraints that it pays for.
+    spent: usize,
+    /// Other ends of these constraints.
+    ends: [usize; BODY],
+}
+
+/// How a search reached a node.
+#[derive(Clone, Copy, PartialEq)]
+enum Before {
+    Unseen,
+    Start,
+    Node(usize),
+}
+
+impl Node {
+    fn new(freedoms: usize) -> Self {
+        Self {
+            free: freedoms,
+            spent: 0,
+            ends: [0; BODY],
+        }
+    }
+
+    fn ends(&self) -> &[usize] {
+        &self.ends[..self.spent]
+    }
+
+    /// Spends a pebble on a constraint with another node.
+    fn pay(&mut self, end: usize) {
+        self.ends[self.spent] = end;
+        self.spent += 1;
+        self.free -= 1;
+    }
+
+    /// Takes back the pebble spent on a constraint with another node.
+    fn take_back(&mut self, end: usize) {
+        if let Some(i) = self.ends().iter().position(|&other| other == end) {
+            self.spent -= 1;
+            self.ends[i] = self.ends[self.spent];
+            self.free += 1;
+        }
+    }
 }
 
 /// Nodes with more constraints than are independent.
@@ -38,50 +88,61 @@ impl Pebbles {
         drivers: &[Driver],
         keep: impl Fn(usize) -> bool,
     ) -> (Self, Vec<Surplus>) {
-        let points = graph.links..graph.links + graph.pairs.len();
+        let size = graph.links + graph.pairs.len();
+        let mut nodes = vec![Node::new(BODY); graph.links];
+        nodes.resize(size, Node::new(POINT));
         let mut pebbles = Self {
-            free: [vec![BODY; graph.links], vec![POINT; graph.pairs.len()]].concat(),
-            spent: vec![vec![]; points.end],
+            nodes,
+            found: Vec::with_capacity(size),
+            from: vec![Before::Unseen; size],
+        };
+        let mut surplus = vec![];
+        let mut constrain = |[a, b]: [usize; 2]| {
+            let kept = |node: usize| node >= graph.links || keep(node);
+            if kept(a) && kept(b) {
+                pebbles.constrain([a, b], &mut surplus);
+            }
         };
         // Drivers and their pairs come first: of dependent constraints another one is surplus.
-        let driven = drivers.iter().map(|driver| driver.links);
-        let mut constraints: Vec<(usize, usize)> = driven.map(|[a, b]| (a, b)).collect();
-        let is_driven = |pair: usize| drivers.iter().any(|driver| driver.pair == pair);
-        let (first, others): (Vec<usize>, Vec<usize>) =
-            (0..graph.pairs.len()).partition(|pair| is_driven(*pair));
-        for pair in first.into_iter().chain(others) {
-            let (point, pair) = (points.start + pair, &graph.pairs[pair]);
-            match pair {
-                Pair::Revolute(links) => {
-                    let ends = links.iter().map(|&link| (link, point));
-                    constraints.extend(ends.flat_map(|ends| [ends; 2]));
+        drivers.iter().for_each(|driver| constrain(driver.links));
+        for driven in [true, false] {
+            for (pair, joined) in graph.pairs.iter().enumerate() {
+                if drivers.iter().any(|driver| driver.pair == pair) != driven {
+                    continue;
                 }
-                Pair::Prismatic([a, b]) => constraints.extend([(*a, *b); 2]),
-                Pair::Gear([a, b]) => constraints.push((*a, *b)),
-            }
-        }
-        let kept = |node: usize| node >= graph.links || keep(node);
-        constraints.retain(|&(a, b)| kept(a) && kept(b));
-
-        let mut surplus: Vec<Surplus> = vec![];
-        for (a, b) in constraints {
-            if pebbles.locked(a, b) {
-                let mut new = Surplus {
-                    nodes: pebbles.reach(&[a, b]),
-                    excess: 1,
-                };
-                // A joined part may share nodes with further parts.
-                while let Some(i) = surplus.iter().position(|part| part.shares_two(&new)) {
-                    new.join(surplus.swap_remove(i));
+                match joined {
+                    Pair::Revolute(links) => {
+                        let ends = links.iter().map(|&link| [link, graph.links + pair]);
+                        ends.flat_map(|ends| [ends; 2]).for_each(&mut constrain);
+                    }
+                    Pair::Prismatic(links) => [*links; 2].into_iter().for_each(&mut constrain),
+                    Pair::Gear(links) => constrain(*links),
                 }
-                surplus.push(new);
-            } else {
-                let (from, to) = if pebbles.free[a] > 0 { (a, b) } else { (b, a) };
-                pebbles.free[from] -= 1;
-                pebbles.spent[from].push(to);
             }
         }
         (pebbles, surplus)
+    }
+
+    /// Adds a constraint between two nodes; a dependent one is surplus.
+    fn constrain(&mut self, [a, b]: [usize; 2], surplus: &mut Vec<Surplus>) {
+        if !self.locked(a, b) {
+            let [from, to] = if self.nodes[a].free > 0 {
+                [a, b]
+            } else {
+                [b, a]
+            };
+            self.nodes[from].pay(to);
+            return;
+        }
+        let mut new = Surplus {
+            nodes: self.reach(&[a, b]),
+            excess: 1,
+        };
+        // A joined part may share nodes with further parts.
+        while let Some(i) = surplus.iter().position(|part| part.shares_two(&new)) {
+            new.join(surplus.swap_remove(i));
+        }
+        surplus.push(new);
     }
 
     /// True if the constraints leave two nodes no relative motion.
@@ -91,58 +152,67 @@ impl Pebbles {
 
     /// Gathers free pebbles on the nodes until they have the `wanted` number together; false if that is impossible.
     pub(super) fn gather(&mut self, nodes: &[usize], wanted: usize) -> bool {
-        while nodes.iter().map(|&node| self.free[node]).sum::<usize>() < wanted {
-            let (found, from) = self.search(nodes);
-            let giver = found
-                .into_iter()
-                .find(|node| self.free[*node] > 0 && !nodes.contains(node));
-            let Some(mut node) = giver else {
+        while self.free_on(nodes) < wanted {
+            let giver = |node: usize, free: usize| free > 0 && !nodes.contains(&node);
+            let Some(mut node) = self.search(nodes, giver) else {
                 return false;
             };
-            self.free[node] -= 1;
             // Each node on the path takes over the constraint that the one before it paid for.
-            while let Some(before) = from[node] {
-                if let Some(i) = self.spent[before].iter().position(|&to| to == node) {
-                    self.spent[before].swap_remove(i);
-                }
-                self.spent[node].push(before);
+            while let Before::Node(before) = self.from[node] {
+                self.nodes[before].take_back(node);
+                self.nodes[node].pay(before);
                 node = before;
             }
-            self.free[node] += 1;
         }
         true
     }
 
+    /// True if a link can move although three pebbles are gathered on the ground.
+    pub(super) fn moves(&mut self, link: usize, ground: usize) -> bool {
+        self.search(&[link], |node, free| free > 0 && node != ground)
+            .is_some()
+    }
+
     /// All nodes on which these depend, themselves included, ascending.
-    pub(super) fn reach(&self, nodes: &[usize]) -> Vec<usize> {
-        let mut reach = self.search(nodes).0;
+    pub(super) fn reach(&mut self, nodes: &[usize]) -> Vec<usize> {
+        self.search(nodes, |_, _| false);
+        let mut reach = self.found.clone();
         sort(&mut reach);
         reach
     }
 
     /// Free pebbles on these nodes.
     pub(super) fn free_on(&self, nodes: &[usize]) -> usize {
-        nodes.iter().map(|&node| self.free[node]).sum()
+        nodes.iter().map(|&node| self.nodes[node].free).sum()
     }
 
-    /// The nodes reached from these, and for each node the one before it.
-    fn search(&self, nodes: &[usize]) -> (Vec<usize>, Vec<Option<usize>>) {
-        let mut found = nodes.to_vec();
-        let mut seen = vec![false; self.free.len()];
-        nodes.iter().for_each(|&node| seen[node] = true);
-        let mut from = vec![None; self.free.len()];
+    /// Breadth-first search from nodes along the constraints that each pays for, up to the first node wanted. The
+    /// predicate is asked with the node and the number of its free pebbles.
+    fn search(
+        &mut self,
+        nodes: &[usize],
+        is_wanted: impl Fn(usize, usize) -> bool,
+    ) -> Option<usize> {
+        self.from.fill(Before::Unseen);
+        self.found.clear();
+        for &node in nodes {
+            self.from[node] = Before::Start;
+            self.found.push(node);
+        }
         let mut next = 0;
-        while let Some(&node) = found.get(next) {
-            for &to in &self.spent[node] {
-                if !seen[to] {
-                    seen[to] = true;
-                    from[to] = Some(node);
-                    found.push(to);
+        while let Some(&node) = self.found.get(next) {
+            if is_wanted(node, self.nodes[node].free) {
+                return Some(node);
+            }
+            for &to in self.nodes[node].ends() {
+                if self.from[to] == Before::Unseen {
+                    self.from[to] = Before::Node(node);
+                    self.found.push(to);
                 }
             }
             next += 1;
         }
-        (found, from)
+        None
     }
 }
 

@@ -139,6 +139,8 @@ impl Doubling {
     /// Doubling of a base by another body. None unless two shared points are apart, and all shared points have the same
     /// positions on both bodies.
     fn of(bodies: &Bodies, [body, base]: [BodyId; 2]) -> Option<Self> {
+        let is_shared = |(point, _): &&(PointId, Vector)| bodies.local(base, *point).is_some();
+        bodies.of(body).iter().filter(is_shared).nth(1)?;
         let closest = COINCIDENT * extent(bodies.of(body).iter().map(|(_, own)| *own));
         let (mut shared, mut others) = (Vec::new(), Vec::new());
         for (point, own) in bodies.of(body) {

@@ -79,7 +79,7 @@ pub(in crate::mechanism) fn plan(
     let first = spec.drivers.first();
     let drawn_input = first.map_or(0.0, |first| placed.drawn_input(spec, first, known));
     let mut plan = Plan {
-        steps: List::default(),
+        steps: Vec::with_capacity(structure.steps.len()).into(),
         drawn_input,
         range: None,
         natural: Vec::new(),

@@ -152,7 +152,7 @@ impl<'a> Continuation<'a> {
         let mut successes = STEPS_BEFORE_LONGER;
         // The search for a singular pose of a group is expensive. It begins when steps become short, and is repeated
         // only at shorter steps.
-        let short = tolerance::COINCIDENT * self.mechanism.span();
+        let short = tolerance::NEGLIGIBLE * self.mechanism.span();
         let mut searched_at = short;
         while (target - self.input) * sense > 0.0 {
             let left = (target - self.input).abs();
