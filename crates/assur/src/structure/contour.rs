@@ -20,9 +20,14 @@ pub(super) fn longest(bodies: usize, joints: &[Vec<usize>]) -> usize {
     let nodes = bodies + joints.len();
     let independent = (edges.len() + 1).saturating_sub(nodes);
 
+    let mut at = vec![vec![]; nodes];
+    for (i, &(a, b)) in edges.iter().enumerate() {
+        at[a].push((i, b));
+        at[b].push((i, a));
+    }
     let mut walks: Vec<(usize, Cycle)> = vec![];
     for body in 0..bodies {
-        let paths = shortest_paths(nodes, &edges, body);
+        let paths = shortest_paths(&at, edges.len(), body);
         for (i, &(a, b)) in edges.iter().enumerate() {
             let (Some((to_a, path_a)), Some((to_b, path_b))) = (&paths[a], &paths[b]) else {
                 continue;
@@ -56,19 +61,15 @@ pub(super) fn longest(bodies: usize, joints: &[Vec<usize>]) -> usize {
     longest
 }
 
-/// Length and edges of the shortest path from one node to each.
+/// Length and edges of the shortest path from one node to each. For each node its edges are given, with their other
+/// ends.
 fn shortest_paths(
-    nodes: usize,
-    edges: &[(usize, usize)],
+    at: &[Vec<(usize, usize)>],
+    edges: usize,
     start: usize,
 ) -> Vec<Option<(usize, Cycle)>> {
-    let mut at = vec![vec![]; nodes];
-    for (i, &(a, b)) in edges.iter().enumerate() {
-        at[a].push((i, b));
-        at[b].push((i, a));
-    }
-    let mut paths = vec![None; nodes];
-    paths[start] = Some((0, Cycle::empty(edges.len())));
+    let mut paths = vec![None; at.len()];
+    paths[start] = Some((0, Cycle::empty(edges)));
     let mut queue = VecDeque::from([start]);
     while let Some(node) = queue.pop_front() {
         for &(i, to) in &at[node] {

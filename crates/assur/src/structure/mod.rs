@@ -320,9 +320,8 @@ impl Depends {
         // The frame determines others and is not determined: its freedoms stay free.
         pebbles.gather(&[ground], BODY);
         let on = (0..links).map(|link| {
-            let mut on = pebbles.reach(&[link]);
-            on.retain(|&node| node < links);
-            on
+            let nodes = pebbles.reach(&[link]);
+            nodes.take_while(|&node| node < links).collect()
         });
         let on = on.collect();
         Self { ground, on }

@@ -135,7 +135,7 @@ impl Pebbles {
             return;
         }
         let mut new = Surplus {
-            nodes: self.reach(&[a, b]),
+            nodes: self.reach(&[a, b]).collect(),
             excess: 1,
         };
         // A joined part may share nodes with further parts.
@@ -174,11 +174,14 @@ impl Pebbles {
     }
 
     /// All nodes on which these depend, themselves included, ascending.
-    pub(super) fn reach(&mut self, nodes: &[usize]) -> Vec<usize> {
+    pub(super) fn reach<'a>(
+        &'a mut self,
+        nodes: &[usize],
+    ) -> impl Iterator<Item = usize> + use<'a> {
         self.search(nodes, |_, _| false);
-        let mut reach = self.found.clone();
-        sort(&mut reach);
-        reach
+        let from = self.from.iter().enumerate();
+        from.filter(|(_, from)| **from != Before::Unseen)
+            .map(|(node, _)| node)
     }
 
     /// Free pebbles on these nodes.
