@@ -120,7 +120,10 @@ fn coupled_cranks() {
     let motion = moved("coupled-cranks");
     assert!(motion.change_points().is_empty() && motion.dead_points().is_empty());
     let mobility = motion.mechanism().mobility();
-    assert_eq!((mobility.count, mobility.rank, mobility.q()), (0, 1, 1));
+    assert_eq!(
+        (mobility.by_count, mobility.by_rank, mobility.q()),
+        (0, 1, 1)
+    );
     // Without its passive link it is a parallelogram, whose rod and cranks are in line twice a turn.
     let [four_bar] = &motion.mechanism().four_bars()[..] else {
         panic!("{:?}", motion.mechanism().four_bars());

@@ -123,7 +123,10 @@ fn cardan_trammel() {
     let motion = moved("cardan-trammel");
     assert!(motion.change_points().is_empty() && motion.dead_points().is_empty());
     let mobility = motion.mechanism().mobility();
-    assert_eq!((mobility.count, mobility.rank, mobility.q()), (0, 1, 1));
+    assert_eq!(
+        (mobility.by_count, mobility.by_rank, mobility.q()),
+        (0, 1, 1)
+    );
     for degrees in (0..=360).map(f64::from) {
         let (sin, cos) = degrees.to_radians().sin_cos();
         for (name, exact) in [

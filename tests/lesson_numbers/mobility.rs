@@ -355,9 +355,9 @@ fn redundant_constraints_in_motion() {
         assert!(Motion::new(mechanism.clone()).cycle().is_full(), "{name}");
         let counts =
             [mechanism.counts().links, mechanism.counts().lower_pairs].map(|count| count as f64);
-        let count = mechanism.mobility().count as f64;
+        let count = mechanism.mobility().by_count as f64;
         tells("moves.text", &[&counts[..], &[count]].concat());
-        let rank = mechanism.mobility().rank as f64;
+        let rank = mechanism.mobility().by_rank as f64;
         tells("moves.hint", &[rank]);
         tells("moves.right", &[rank, count]);
 

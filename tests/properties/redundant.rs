@@ -305,7 +305,11 @@ fn they_move_and_all_constraints_hold() {
                 .unwrap_or_else(|defects| panic!("{name} {seed}: {defects:?}"));
             assert_eq!(mechanism.counts().mobility, family.count, "{name}");
             let mobility = mechanism.mobility();
-            assert_eq!((mobility.count, mobility.rank), (family.count, 1), "{name}");
+            assert_eq!(
+                (mobility.by_count, mobility.by_rank),
+                (family.count, 1),
+                "{name}"
+            );
             assert_eq!(
                 mobility.redundant.len() as isize,
                 1 - family.count,

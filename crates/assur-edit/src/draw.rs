@@ -1,5 +1,6 @@
 //! Additions to a drawing: points, links, slides, traced points and centres of mass.
 
+use assur::linkage::COINCIDENT;
 use assur::mechanism::{Defect, FRAME};
 use assur::{Point, Vector, nearest};
 use assur_file::{
@@ -9,8 +10,6 @@ use assur_file::{
 use crate::edit::{Edit, End, Line};
 use crate::{dyads, names};
 
-/// Distance, relative to the size of the drawing, up to which two places coincide.
-const CLOSEST: f64 = 1e-9;
 /// Smallest size assumed for a drawing. New parts are placed at distances relative to it.
 const LEAST: f64 = 1e-6;
 
@@ -200,7 +199,7 @@ impl Drawing {
     /// Checks that two points do not coincide.
     fn apart(&self, ends: &[String; 2]) -> Done {
         let [from, to] = ends;
-        let near = (self.at(to)? - self.at(from)?).norm() <= CLOSEST * self.size();
+        let near = (self.at(to)? - self.at(from)?).norm() <= COINCIDENT * self.size();
         let points = ends.clone();
         if from == to || near {
             Err(LinkageProblem::OnePlace { points })

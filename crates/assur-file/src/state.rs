@@ -1,4 +1,4 @@
-//! The whole state of the page, as contained in a URL, a file or an undo step.
+//! The whole state of the page, as contained in a URL, a file or an undo step. States of older versions are read, too.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;

@@ -218,8 +218,8 @@ impl<'a> StructureSummary<'a> {
                 links: counts.links,
                 lower: counts.lower_pairs,
                 higher: counts.higher_pairs,
-                mobility: mobility.rank,
-                by_count: mobility.count,
+                mobility: mobility.by_rank,
+                by_count: mobility.by_count,
             },
             redundant: if counts.passive == 0 {
                 mobility.redundant

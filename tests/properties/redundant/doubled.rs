@@ -60,7 +60,7 @@ fn a_body_is_doubled_by_a_link_on_two_of_its_links() {
                 });
                 let mobility = doubled.mechanism().mobility();
                 let q = if is_welded { 1 } else { 2 };
-                assert_eq!((mobility.rank, mobility.q()), (1, q), "{at}");
+                assert_eq!((mobility.by_rank, mobility.q()), (1, q), "{at}");
                 assert_eq!(mobility.redundant.len() as isize, q, "{at}");
                 let formula = doubled.mechanism().formula();
                 assert_eq!(

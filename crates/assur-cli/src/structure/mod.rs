@@ -190,8 +190,8 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "drivers": drivers(mechanism),
         // The number of drivers equals the degree of freedom.
         "mobility": driving,
-        "w_count": mobility.count,
-        "w_rank": mobility.rank,
+        "w_count": mobility.by_count,
+        "w_rank": mobility.by_rank,
         "q": mobility.q(),
         // Names of the pairs with a redundant constraint: first points, then slides, then gears.
         "redundant": mobility.redundant,

@@ -4,6 +4,6 @@ pub(crate) mod check;
 pub(crate) mod spec;
 mod tracer;
 
-pub use crate::tolerance::FARTHEST;
+pub use crate::tolerance::{COINCIDENT, FARTHEST};
 pub use spec::{Defect, DriverSpec, FRAME, GearSpec, LinkSpec, LinkageSpec, PointSpec, SlideSpec};
 pub use tracer::TracerSpec;

@@ -31,9 +31,9 @@ const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mobility {
     /// Mobility by count, W = 3n − 2P₁ − P₂, by Chebyshev and Grübler: n moving links, P₁ lower pairs, P₂ higher pairs.
-    pub count: isize,
+    pub by_count: isize,
     /// Mobility by rank, W = 3n − r: r is the rank of the constraints of the pairs in a general pose.
-    pub rank: isize,
+    pub by_rank: isize,
     /// Names of the pairs with redundant constraints, one for each constraint, in the order of points, slides and
     /// gears. A hinge or slide is named by its point, a mesh by both wheels. Of several dependent constraints the last
     /// in this order is taken as redundant.
@@ -43,7 +43,7 @@ pub struct Mobility {
 impl Mobility {
     /// Number of redundant constraints in the plane, q.
     pub fn q(&self) -> isize {
-        self.rank - self.count
+        self.by_rank - self.by_count
     }
 }
 
@@ -95,8 +95,8 @@ impl Mechanism {
             PairName::Mesh(wheels) => wheels.map(|link| self.spec.name_of(link)).join(" "),
         });
         Mobility {
-            count: layout.counts.mobility,
-            rank: layout.counts.mobility + redundant.len() as isize,
+            by_count: layout.counts.mobility,
+            by_rank: layout.counts.mobility + redundant.len() as isize,
             redundant: names.collect(),
         }
     }

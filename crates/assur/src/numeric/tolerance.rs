@@ -12,9 +12,10 @@ pub(crate) const CONVERGED: f64 = 1e-14;
 /// counts as zero, and so does the sine of the angle between directions, which are then parallel.
 pub(crate) const NEGLIGIBLE: f64 = 1e-12;
 
-/// Finer than any dimension is known or drawn. Points this close together, relative to the size of the drawing,
-/// coincide; so do inputs this close together, relative to a turn.
-pub(crate) const COINCIDENT: f64 = 1e-9;
+/// Relative distance up to which points of a drawing coincide, or inputs in a turn: a thousandth of the finest relative
+/// tolerance to which parts are made, 1e-6, and a thousand times [`NEGLIGIBLE`]. Elsewhere a number that is zero in
+/// exact arithmetic, after a computation that may lose six digits.
+pub const COINCIDENT: f64 = 1e-9;
 
 /// Half of the digits, √ε rounded down: the accuracy to which a double root is known.
 pub(crate) const DOUBLE_ROOT: f64 = 1e-8;

@@ -15,7 +15,7 @@ pub struct Group {
     pub inner: Vec<usize>,
     /// The pairs that join its bodies to links solved before.
     pub outer: Vec<Outer>,
-    /// The class by the highest contour: 2, 3, 4 and so on.
+    /// Class by the highest contour: 2, 3, 4 and so on; 1 for a passive link, which has no class.
     pub class: usize,
     /// The form, if it is a dyad of two bodies and three one-freedom pairs.
     pub dyad: Option<Dyad>,

@@ -21,9 +21,9 @@
 //! After Artobolevsky (*Theory of mechanisms and machines*). The order is the
 //! number of outer pairs. The class is that of the highest contour:
 //!
-//! - II, the dyad: two links;
-//! - III, if the only closed contours are rigid: links with three pairs;
-//! - k > III, if the inner pairs close a contour of k pairs whose angles change.
+//! - II: two links, the dyad;
+//! - III: more links, whose inner pairs close no contour of more than three pairs;
+//! - k > III: the inner pairs close a contour of k pairs, whose angles change.
 //!
 //! If several contours are closed, those of a shortest basis count: contours none of which is a sum of shorter ones.
 //! Their lengths depend neither on the basis nor on the drawing, in which a contour around two others would be higher

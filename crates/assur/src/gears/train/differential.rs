@@ -1,4 +1,4 @@
-//! Willis's equation of the three coaxial shafts; [`Differential::solve`] solves it.
+//! Willis's equation of the three coaxial shafts. It is solved in `inputs.rs`; ratios of speeds are in `ratios.rs`.
 
 use super::{TrainError, planar_shafts};
 use crate::Fault;
