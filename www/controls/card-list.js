@@ -45,8 +45,9 @@ import { edited } from "assur/state/state.js";
  *   another: (snapshot: Snapshot<K>) => E,
  *   without?: (index: number, document: Documents<K>) => Partial<Documents<K>>,
  * }>} ListKind
- * A list in documents of one kind: number of the first entry for readers, the written form of a number, limits of the number of entries,
- * keys of the buttons' names; `without`: the fields of the document changed by the removal of an entry, if they are more than the list.
+ * A list in the documents of one kind. `first`: the number shown on the first entry (wheels of a mixer start at 5). `least`, `most`:
+ * limits of the number of entries. `written`: a number as it is shown. `words`: keys of the names of the buttons. `without`: fields of
+ * the document that the removal of an entry changes, if not the list alone.
  */
 
 /**

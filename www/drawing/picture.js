@@ -19,7 +19,7 @@ const LARGEST = 64e6;
 const SHARE = 0.85;
 const OPACITY = 0.5;
 
-/** Limit of coordinates and size. */
+/** Limit on the coordinates and the size of the picture. */
 const FARTHEST = 1e9;
 
 export class BackPicture {

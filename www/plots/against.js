@@ -13,7 +13,7 @@ import { inDegrees, power, unitOf, written } from "assur/plots/units.js";
  * @typedef {{ x: number, y: number, input: number, off: number }} Near a place of the curve, with its distance from the pointer in pixels
  */
 
-/** Radius of the dot and height of its numbers, at the usual size of text. */
+/** Radius of the dot, and height of the label beside it, at the usual size of text. */
 const DOT = 4.5;
 const TAG = 17;
 

@@ -11,7 +11,8 @@ use crate::edit::{End, Inner, Line, Outer};
 const OFF: f64 = 0.6;
 /// Length of a new line, relative to the distance from its start to the point that slides on it.
 const BEYOND: f64 = 1.4;
-/// Distance of a new plate's corners from its centre, relative to the distances of the bars' other ends.
+/// Distance of each corner of a new triad's plate from the plate's centre, relative to the distance from the centre to
+/// the far end of the bar hinged at this corner.
 const PLATE: f64 = 0.4;
 /// Angle through which the corners are rotated, radians, so that no bar points at the plate's centre.
 const TURNED: f64 = 0.5;

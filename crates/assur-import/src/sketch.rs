@@ -33,7 +33,7 @@ pub(crate) struct Joint {
 pub(crate) struct Bar {
     pub(crate) name: String,
     pub(crate) joints: Vec<usize>,
-    /// The body to which a wheel is fixed, in the drawn position.
+    /// The body to which a wheel is fixed as drawn.
     pub(crate) fixed_to: Option<Body>,
     /// Whether the bar is a wheel. A wheel remains a link even on a shaft at rest.
     pub(crate) wheel: bool,

@@ -47,9 +47,8 @@ const CHROMIUM: Facts = Facts {
     name: "chromium",
     program: Program {
         variable: "CHROME",
-        // The headless shell has the same engine without a window, and starts sooner. Its full path comes first:
-        // Debian's script of the same name does not pass the driver's signal to terminate on to the browser, which
-        // would keep running.
+        // The headless shell has the same engine without a window, and starts sooner. Its full path comes first: when
+        // the driver ends Debian's script of the same name, the script does not end the browser.
         names: &[
             "/usr/lib/chromium/chromium-headless-shell",
             "chromium-headless-shell",

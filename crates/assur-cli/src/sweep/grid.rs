@@ -26,7 +26,7 @@ fn unit(turns: bool) -> f64 {
 /// Checks and converts an input given by an option.
 ///
 /// # Errors
-/// Not a number, or one too great.
+/// The value is not a number, or is too large.
 pub(crate) fn asked_for(option: &str, value: f64, turns: bool) -> Result<At, Failure> {
     let greatest = if turns {
         GREATEST_ANGLE
@@ -129,7 +129,7 @@ fn stretches(motion: &Motion, asked: &Asked) -> Result<Vec<[At; 2]>, Failure> {
 /// Checks a speed or an acceleration given by an option.
 ///
 /// # Errors
-/// Not a number, or one too great.
+/// The value is not a number, or is too large.
 pub(super) fn rate(option: &str, value: f64) -> Result<f64, Failure> {
     within(option, value, GREATEST_RATE)
 }

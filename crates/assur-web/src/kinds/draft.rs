@@ -51,7 +51,7 @@ pub(crate) struct DraftSummary<'a> {
 /// A drawing after an edit.
 #[derive(Serialize)]
 struct Drawn {
-    /// The document; its kind is linkage if it moves.
+    /// The document: a `linkage` if it can move, otherwise a `draft`.
     #[serde(flatten)]
     document: Document,
     /// The point that was added last.

@@ -12,7 +12,7 @@ const PLACES: Sampling = Sampling {
     shown: Shown::First,
 };
 
-/// Samples a curve at ascending inputs and divides it into continuous pieces. With each value `at` returns a number
+/// Samples a curve at ascending inputs and divides it into continuous pieces. With each value, `at` also returns a number
 /// that changes sign where the curve passes through infinity. A new piece begins at a change of sign, and after a pose
 /// without a value.
 pub(super) fn along<const N: usize, T>(

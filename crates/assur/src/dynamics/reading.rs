@@ -62,8 +62,8 @@ pub struct MeshReading {
     pub synchronous: bool,
 }
 
-/// Energies and works, J. Works are counted from the opening of the energy balance: at the start of the run or at a
-/// change of its differential.
+/// Energies and works, J. Works are counted from the start of the energy balance: from the start of the run, or from the
+/// last change of the parameters of the differential gear.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy {
     /// Kinetic energy.

@@ -36,7 +36,7 @@ impl Scheme {
     /// closed again.
     ///
     /// # Errors
-    /// The data missing for the rank.
+    /// The data that the rank needs and the scheme lacks.
     pub fn generic(&self, space: Space) -> Result<Generic, NoRank> {
         let verdict = self.rank_report(space)?;
         let mut contacts: Vec<usize> = verdict

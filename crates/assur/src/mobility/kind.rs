@@ -29,7 +29,7 @@ pub enum PairKind {
     CylinderOnPlane,
     /// A ball on a plane, or any two surfaces in point contact.
     SphereOnPlane,
-    /// A pair given only by its number of freedoms: it can be counted, but has no rank.
+    /// A pair given only by its number of freedoms. It enters the mobility by count, but not the rank.
     Class(u8),
 }
 

@@ -181,7 +181,7 @@ pub(crate) enum Step {
     Group(Group),
 }
 
-/// Evaluates an expression for the data of a step, of whatever kind.
+/// Evaluates an expression on the data of a step, whatever its kind.
 macro_rules! ask {
     ($step:expr, $kind:ident => $answer:expr) => {
         match $step {

@@ -81,8 +81,9 @@ impl Layout {
         }
     }
 
-    /// Positions of all satellites after the shafts have turned through these angles, starting with the first satellite
-    /// on the right. None for bevel wheels. The teeth of each satellite meet the gaps of the sun.
+    /// Positions of all satellites after the shafts have turned through these angles from the initial position, in which
+    /// the first satellite is to the right of the central axis. None for bevel wheels. The teeth of each satellite meet
+    /// the gaps of the sun.
     pub fn places(&self, coupling: Coupling, angles: &Shafts) -> Option<Vec<Place>> {
         if self.train().kind() == Kind::Bevel {
             return None;

@@ -65,8 +65,8 @@ impl Placed<'_> {
             .fold(0.0, |sum, term| sum + term)
     }
 
-    /// Step of a group that is a train: each body has only a hinge, and the numbers of meshes and bodies are equal.
-    /// None for any other group.
+    /// Step of a group that is a train: its bodies have hinges and meshes but no slides, and it has as many meshes as
+    /// bodies. None for any other group.
     ///
     /// # Errors
     /// The numbers of teeth do not determine the angles of the train.

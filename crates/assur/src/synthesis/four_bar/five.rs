@@ -1,7 +1,8 @@
 //! Five positions with free starting angles: at most three linkages, in closed form.
 //!
-//! Let w₂ = z₂e^{iφ₂₀} and w₃ = z₃e^{iφ₃₀}, and let A = e^{iφ₂} and B = e^{iφ₃} be the given turns from the frame. Then
-//! |w₂A + w₃B − 1|² = z₁² reads
+//! Let the frame have the length 1, and let z₁, z₂ and z₃ be the lengths of coupler, output and input link. Let w₂ =
+//! z₂e^{iφ₂₀} and w₃ = z₃e^{iφ₃₀} with the unknown starting angles φ₂₀ and φ₃₀, and let A = e^{iφ₂} and B = e^{iφ₃} be
+//! the given rotations from these angles. Then |w₂A + w₃B − 1|² = z₁² reads
 //!
 //! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃.
 //!
