@@ -10,11 +10,11 @@ import { withSubscripts } from "assur/core/subscripts.js";
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/engine.js").Relation} Relation
- * @typedef {Readonly<{ item: string, step: string, verdict: string, printed: readonly string[], instead: readonly string[] }>} Item
- * item of `paper.json`, as made by the build: formulas are elements of MathML
+ * @typedef {Readonly<{ item: string, step: string, verdict: string, printed: readonly string[], instead: readonly string[], shown: boolean }>} Item
+ * item of `paper.json`, as made by the build: formulas are elements of MathML; `shown`: its numbers do not give the answer away
  * @typedef {Readonly<{ items: readonly Item[], main: ReadonlyMap<string, readonly string[]> }>} Printed all items of a paper, and the items
  * in the main line, by the ids of steps
- * @typedef {{ item: string, place: HTMLElement }} Numbers place for the numbers of an item
+ * @typedef {{ item: string, shown: boolean, place: HTMLElement }} Numbers place for the numbers of an item
  */
 
 /** Relative difference below which values count as equal. */
@@ -93,12 +93,13 @@ export class Paper {
   /** @param {Snapshot} snapshot */
   render({ summary, input, stale, problems, withheld }) {
     if (this.#numbers.length === 0 || this.#written.same(summary, input, stale, problems.length, withheld)) return;
-    // Numbers would give the answer away.
-    const asked = stale || withheld.size > 0 ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
+    const told = stale ? [] : known(this.#numbers, withheld);
+    const asked = told.length === 0 ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
     const words = this.#words;
     if (!words) return;
-    for (const { item, place } of this.#numbers) {
-      const relations = (asked ?? []).filter((relation) => relation.item === item);
+    for (const one of this.#numbers) {
+      const { item, place } = one;
+      const relations = told.includes(one) ? (asked ?? []).filter((relation) => relation.item === item) : [];
       place.replaceChildren(...relations.map((relation) => make("p", {}, withSubscripts(compared(relation, words)))));
     }
   }
@@ -109,9 +110,19 @@ export class Paper {
    */
   #row(item, further = []) {
     const numbers = make("div", { class: "paper-numbers" });
-    this.#numbers.push({ item: item.item, place: numbers });
+    this.#numbers.push({ item: item.item, shown: item.shown, place: numbers });
     return make("div", { "data-item": item.item }, [...head(item), numbers, ...further]);
   }
+}
+
+/**
+ * @template {{ shown: boolean }} T
+ * @param {readonly T[]} items
+ * @param {ReadonlySet<string>} withheld read-outs that give the answer away
+ * @returns {readonly T[]} those whose numbers are seen: all, or before the answer those that do not give it away
+ */
+export function known(items, withheld) {
+  return withheld.size === 0 ? items : items.filter(({ shown }) => shown);
 }
 
 /**
@@ -156,7 +167,9 @@ function verdict(item, words) {
  * @param {Words} words
  * @returns {Node[]} whether it holds, and the correct formulas
  */
-function holds({ verdict: held, instead }, words) {
+function holds({ verdict: held, printed, instead }, words) {
+  // A formula that the paper does not print is ours.
+  if (held === "right" && printed.length === 0 && instead.length > 0) return instead.map(math);
   const said = [`lesson.printed.${held}`, ...(instead.length > 0 ? [`lesson.instead.${held}`] : [])].filter((key) => words.has(key));
   return [make("p", { class: "paper-verdict", "data-verdict": held }, [said.map((key) => words.text(key)).join(" ")]), ...instead.map(math)];
 }

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Words } from "assur/core/words.js";
-import { compared, labelled } from "assur/lesson/paper.js";
+import { compared, known, labelled } from "assur/lesson/paper.js";
 import { tableOf } from "assur/tests/words.js";
 
 const [en, ru] = ["en", "ru"].map((lang) => new Words(lang, tableOf(lang)));
@@ -55,6 +55,12 @@ test("an item may have words of its own for its numbers", () => {
 test("the number of an equation is that after the paper, and no other number in brackets", () => {
   assert.deepEqual(["002.(16)y", "003.(2).CD", "004.(10)"].map(labelled), ["(16)", "(2)", "(10)"]);
   assert.deepEqual(["004.ratio.U1/3(4)", "002.u", "004.tab.4"].map(labelled), ["", "", ""]);
+});
+
+test("before the answer only those numbers are seen that do not give it away", () => {
+  const [hidden, shown] = [false, true].map((one) => ({ shown: one }));
+  assert.deepEqual(known([hidden, shown], new Set(["ratio"])), [shown]);
+  assert.deepEqual(known([hidden, shown], new Set()), [hidden, shown]);
 });
 
 test("what is counted has no decimals", () => {

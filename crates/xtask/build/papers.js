@@ -4,10 +4,10 @@ import temml from "temml";
 /**
  * @typedef {"right" | "misprint" | "scan" | "false" | "unprovable"} Verdict whether an item holds; a misprint may be the scan's
  * @typedef {Readonly<{
- *   item: string, step: string, printed?: readonly string[], instead?: readonly string[], verdict?: Verdict, engine?: string, test?: string,
+ *   item: string, step: string, printed?: readonly string[], instead?: readonly string[], verdict?: Verdict, shown?: boolean, engine?: string, test?: string,
  * }>} Item
  * An item of a paper by its id: the step of the lesson that it belongs to, `end` for what closes the lesson; its formulas in LaTeX and those that hold
- * instead; `right` where there is no verdict; a file and a symbol of the engine, a file and a test.
+ * instead; `right` where there is no verdict; `shown` where its numbers do not give the answer to the question of the step away; a file and a symbol of the engine, a file and a test.
  */
 
 /**
@@ -27,7 +27,7 @@ export function mathml(latex) {
  */
 export function built(text) {
   const items = /** @type {Item[]} */ (JSON.parse(text));
-  return JSON.stringify(items.map(({ item, step, printed = [], instead = [], verdict = "right" }) => ({ item, step, verdict, printed: printed.map(mathml), instead: instead.map(mathml) })));
+  return JSON.stringify(items.map(({ item, step, printed = [], instead = [], verdict = "right", shown = false }) => ({ item, step, verdict, printed: printed.map(mathml), instead: instead.map(mathml), shown })));
 }
 
 /**

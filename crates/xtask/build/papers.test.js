@@ -69,7 +69,7 @@ test("the document has the table", () => {
 
 test("the page is given formulas as MathML, without styles, and nothing of where an item stands in the sources", () => {
   const [row] = JSON.parse(built(JSON.stringify([{ item: "1", step: "end", printed: ["\\bar{l}_1=\\overline{AB}"], engine: "a b", test: "c d" }])));
-  assert.deepEqual(Object.keys(row), ["item", "step", "verdict", "printed", "instead"]);
+  assert.deepEqual(Object.keys(row), ["item", "step", "verdict", "printed", "instead", "shown"]);
   assert.match(row.printed[0], /<mover>.*<mo[^>]*>.<\/mo><\/mover>/);
   assert.doesNotMatch(row.printed[0], /style=|class=|menclose/);
   assert.throws(() => built(JSON.stringify([{ item: "1", step: "end", printed: ["\\nothing"] }])), /nothing/);
