@@ -54,6 +54,10 @@ fn mixer_3_quotient_of_sines_fails_in_line() {
         -l1 * crank.sin() / diagonal.sin()
     };
     let right = |crank: f64| (l4 - l1 * crank.cos()).hypot(l1 * crank.sin());
+    let cosines = |crank: f64| (l1 * l1 + l4 * l4 - 2.0 * l1 * l4 * crank.cos()).sqrt();
+    for crank in cranks() {
+        assert_near(cosines(crank), right(crank), 1e-14, "the law of cosines");
+    }
     assert!(printed(0.0).is_nan());
     assert_eq!(right(0.0), l4 - l1);
     assert_near(printed(1.0), right(1.0), 1e-14, "the quotient elsewhere");
@@ -161,15 +165,17 @@ fn mixer_26_is_apart_by_more_than_a_turn() {
     assert_near(off, 368.0, 0.01, "difference");
 }
 
-/// Where the printed relations divide by zero they have no value: (3) at φ₁ = 0.
+/// Where the printed relations divide by zero they have no value: (3) at φ₁ = 0 and φ₁ = π.
 #[test]
 fn mixer_relations_without_a_value() {
     let mixer = Mixer::new(&Case::A.dimensions()).unwrap();
-    let relations = mixer.relations(0.0).unwrap();
-    let missing = relations.iter().filter(|one| one.printed.is_none());
-    let missing: Vec<&str> = missing.map(|one| one.item).collect();
-    assert_eq!(missing, ["002.(3)l5"]);
-    assert!(relations.iter().all(|one| one.value.is_finite()));
+    for crank in [0.0, std::f64::consts::PI] {
+        let relations = mixer.relations(crank).unwrap();
+        let missing = relations.iter().filter(|one| one.printed.is_none());
+        let missing: Vec<&str> = missing.map(|one| one.item).collect();
+        assert_eq!(missing, ["002.(3)l5"], "{crank}");
+        assert!(relations.iter().all(|one| one.value.is_finite()));
+    }
 }
 
 /// (26) takes +u for wheels drawn in external mesh, which turn against each

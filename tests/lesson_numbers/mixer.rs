@@ -159,6 +159,9 @@ fn what_case_b_gains() {
 /// The swings that stand beside the cases of fig. 4 in what is said of the paper.
 #[test]
 fn items_have_the_swings_of_fig_4() {
+    for case in Case::ALL {
+        assert_eq!(mixer(case).linkage.grashof(), Grashof::CrankRocker);
+    }
     let [a, b] = [Case::A, Case::B].map(|case| swing(&mixer(case).linkage));
     let [a5, b5, c5] = Case::ALL.map(|case| ratio(case).abs() * swing(&mixer(case).linkage));
     for lang in LANGUAGES {
@@ -260,7 +263,7 @@ fn the_document_for_teachers_has_the_numbers_of_the_engine() {
     says(format!("ω₁ = 2π = {TAU:.3} rad/s"));
     let signed = |value: f64, digits: usize| format!("{value:.digits$}").replace('-', "−");
     says(format!(
-        "The plot of φ′ shows {} at {:.1}°, so ω₃ = {} rad/s, and wheel 5 (external, u = 2) has +{} rad/s",
+        "The plot of φ′ shows {} at {:.1}°, so ω₃ = {} rad/s, and wheel 5 (external, |u| = 2) has +{} rad/s",
         signed(velocity.value, 3),
         velocity.input.to_degrees(),
         signed(velocity.value * TAU, 3),

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use assur::mixer::{Case, Mixer};
 use assur_tests::files::source;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::browser::Page;
 use crate::host::home;
@@ -135,6 +135,23 @@ async fn numbers_follow_the_crank() {
             assert_eq!(text.contains("as printed"), wrong, "{text}");
         }
     }
+    page.close().await;
+}
+
+/// Before the answer only those numbers of a step are seen that do not give it away: those of the wheels, not their ratio.
+#[tokio::test]
+async fn numbers_before_the_answer() {
+    let page = open("mixer", "mixer-a", "en-US", 2).await;
+    page.ask("document.querySelector('#lesson-paper > summary').click()")
+        .await;
+    page.settle().await;
+    let seen = "return [...document.querySelectorAll('#lesson-paper [data-item]')]
+        .filter((one) => one.querySelector('.paper-numbers p')).map((one) => one.dataset.item);";
+    assert_eq!(page.ask(seen).await, json!(["002.(25)", "002.(26)"]));
+    page.click("lesson-reveal").await;
+    page.settle().await;
+    let all = json!(["002.(25)", "002.(26)", "002.u"]);
+    assert_eq!(page.ask(seen).await, all);
     page.close().await;
 }
 

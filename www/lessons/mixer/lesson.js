@@ -50,7 +50,7 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
   },
   {
     id: "transmission",
-    formula: "cos μ =\n(l₂² + l₃² − BD²) / (2l₂l₃)",
+    formula: "cos μ =\n|l₂² + l₃² − BD²| / (2l₂l₃)",
     shows: [{ name: "a", preset: "mixer-a", ...COMPARED }, { name: "b", preset: "mixer-b", ...COMPARED }],
     readouts: ["C.transmission", "rocker.angle″"],
     question: { choices: ["in_line", "on_frame", "dead_point"], answer: leastTransmission },

@@ -4,6 +4,7 @@
 use std::f64::consts::TAU;
 
 use super::Mixer;
+use crate::tolerance::NEGLIGIBLE;
 use crate::relation::Relation;
 use crate::{Assembly, FourBar, Link, Offset, Pose, Unsolved, Vector};
 
@@ -30,6 +31,12 @@ impl Mixer {
         let (sin, cos) = crank.sin_cos();
         let l5 = (l4 - l1 * cos).hypot(l1 * sin);
         let phi5 = (-l1 * sin).atan2(l4 - l1 * cos);
+        // In line the quotient of sines is 0/0; rounded, sin π is not zero.
+        let quotient = if sin.abs() > NEGLIGIBLE {
+            -l1 * sin / phi5.sin()
+        } else {
+            f64::NAN
+        };
         let sum = along(l1, crank) + along(l5, phi5) - along(l4, 0.0);
         let mut all = Vec::from(closed("002.(1)", sum));
         all.extend([
@@ -41,7 +48,7 @@ impl Mixer {
                 phi5,
                 (-l1 * sin / (l4 - l1 * cos)).atan(),
             ),
-            Relation::of("002.(3)l5", "l₅", l5, -l1 * sin / phi5.sin()),
+            Relation::of("002.(3)l5", "l₅", l5, quotient),
         ]);
         let here = pose.rocker.value() - phi5;
         let at_b = pose.coupler.value() - phi5;
