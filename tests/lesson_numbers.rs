@@ -227,6 +227,7 @@ fn what_the_regulator_does() {
         let expected = [
             longer,
             percent(longer / drawn_fk()),
+            tolerance,
             length_deg(&drawn, tolerance),
             length_deg(&motion, tolerance),
             percent(stroke(&motion) / stroke(&drawn) - 1.0),

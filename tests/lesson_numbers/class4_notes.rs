@@ -8,7 +8,9 @@ use assur::{CombinedMethod, Relation};
 use nalgebra::SMatrix;
 use serde_json::{Value, json};
 
-use super::{LESSON, document, drawn_fk, dwell, length_deg, lengthened, numbers, stroke};
+use super::{
+    LANGUAGES, LESSON, document, drawn_fk, dwell, length_deg, lengthened, numbers, stroke,
+};
 
 fn drawn() -> Motion {
     document().motion().unwrap()
@@ -34,6 +36,17 @@ fn relation<'a>(all: &'a [Relation], item: &str, name: &str) -> &'a Relation {
     let mut found = all.iter();
     let found = found.find(|one| one.item == format!("003.{item}") && one.name == name);
     found.unwrap_or_else(|| panic!("{item} {name}"))
+}
+
+/// A square is never negative, d₁₅ as printed is.
+#[test]
+fn a_square_as_printed_is_negative() {
+    let all = relations(&drawn(), 290.0);
+    let printed = relation(&all, "d15", "d_15").printed.unwrap();
+    assert!(printed < 0.0);
+    for lang in LANGUAGES {
+        LESSON.tells(lang, "squares.text", &[290.0, -printed, 180.0]);
+    }
 }
 
 /// As the notes write a number.
