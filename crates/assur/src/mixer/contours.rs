@@ -4,8 +4,8 @@
 use std::f64::consts::TAU;
 
 use super::Mixer;
-use crate::tolerance::NEGLIGIBLE;
 use crate::relation::Relation;
+use crate::tolerance::NEGLIGIBLE;
 use crate::{Assembly, FourBar, Link, Offset, Pose, Unsolved, Vector};
 
 impl Mixer {
