@@ -88,8 +88,8 @@ fn counterexamples_with_parallel_links() {
         [by.constant[k], by.slope[k]]
     };
     let of = |degrees: [f64; 3], number: u8| {
-        let all = conditions(&angles(degrees)).into_iter();
-        let one = all.filter(|one| one.number == number).last().unwrap();
+        let all = conditions(&angles(degrees));
+        let one = all.iter().find(|one| one.number == number).unwrap();
         (one.holds, one.truth)
     };
     // Q = 0 and P < 0: (14) and (25) hold, and no z₁ makes the length positive; nor does a case hold.

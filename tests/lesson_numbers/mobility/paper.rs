@@ -36,9 +36,9 @@ fn kinds_of_pairs_in_both_layouts() {
     let kinds = ["mobility-3", "layout"].map(|name| {
         let scheme = scheme(name);
         let pairs = scheme.pairs().iter();
-        let kinds: BTreeMap<String, PairKind> =
-            pairs.map(|pair| (pair.name.clone(), pair.kind)).collect();
-        kinds
+        pairs
+            .map(|pair| (pair.name.clone(), pair.kind))
+            .collect::<BTreeMap<String, PairKind>>()
     });
     let [ours, other] = &kinds;
     let changed = ours.iter().filter(|(name, kind)| other[*name] != **kind);
