@@ -110,7 +110,7 @@ number: number,
  */
 about: string | null, 
 /**
- * The two numbers whose signs are compared; null for an infinite one.
+ * The two numbers whose signs are compared; null if they divide by zero.
  */
 values: [number | null, number | null], 
 /**
@@ -883,7 +883,7 @@ pair: LeftOutSummary | null,
  */
 ranges: [[number, number | null] | null, [number, number | null] | null] | null, 
 /**
- * Range of l₁ for which all lengths are positive; null if it is empty. A null maximum means no limit.
+ * Range of l₁ for which all lengths are positive; null if it is empty. A null maximum means no limit; equal ends a single l₁.
  */
 interval: [number, number | null] | null, };
 export type WeightedSummary = { 

@@ -1,6 +1,7 @@
 //! The lesson on mobility by sections: its numbers, and what it claims of its mechanisms.
 
 mod notes;
+mod paper;
 
 use assur::Point;
 use assur::mechanism::{LinkageSpec, Mechanism};

@@ -1,6 +1,7 @@
 //! The lesson on synthesis from positions: its numbers, and what it claims of linkages.
 
 mod notes;
+mod paper;
 
 use assur::motion::Motion;
 use assur::synthesis::four_bar::theorems::{

@@ -9,6 +9,7 @@ mod function;
 mod least;
 mod motion;
 mod options;
+mod parallel;
 mod ranges;
 mod ranking;
 mod recovered;

@@ -68,11 +68,13 @@ fn parallel_links() {
     assert!(same.holds(), "{same:?}");
     assert_eq!(
         truth(&angles([0.0, 180.0, 0.0])),
-        Some(Truth::InLine { closes: true })
+        Some(Truth::InLine {
+            range: Some((0.0, None))
+        })
     );
     assert_eq!(
         truth(&angles([10.0, 10.0, 190.0])),
-        Some(Truth::InLine { closes: false })
+        Some(Truth::InLine { range: None })
     );
     let nan = Angles {
         coupler: f64::NAN,

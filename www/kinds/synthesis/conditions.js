@@ -76,7 +76,7 @@ function table({ at, conditions, theorems, pair, ranges, interval }, k, words) {
     make("thead", {}, [make("tr", {}, [make("td", { colspan: "2" }), ...heads])]),
     make("tbody", {}, [
       ...rows, ...left, ...judged, ...between,
-      whole(words.text("conditions.truth"), interval ? ends("conditions.interval", interval, words) : words.text("conditions.empty"), "truth"),
+      whole(words.text("conditions.truth"), interval ? ends(interval[0] === interval[1] ? "conditions.single" : "conditions.interval", interval, words) : words.text("conditions.empty"), "truth"),
     ]),
   ]);
 }
@@ -124,7 +124,7 @@ function whole(name, said, kind = "range") {
  * @returns {string} the numbers whose signs decide a condition
  */
 function valued(number, about, values, words) {
-  const [one, other] = values.map((value) => (value === null ? "∞" : words.numbers.short(value)));
+  const [one, other] = values.map((value) => (value === null ? "—" : words.numbers.short(value)));
   if (about === null) return one;
   // (33) to (38) judge two fractions, the others P and Q.
   const k = subscript(about.slice(1));

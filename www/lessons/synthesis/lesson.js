@@ -50,7 +50,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     id: "choose",
     formula: "(14): P₂Q₂ ≤ 0\n(25): P₃Q₃ ≤ 0",
     shows: [{ preset: "choose", at: first }],
-    controls: ["positions", "conditions", "trial"],
+    controls: ["positions", "conditions", "trial", "equation"],
     readouts: ["synthesis-gap"],
     question: { unit: "°", round: true, within: 0.5, answer: ({ wanted: [one] }) => degrees(one.input) },
   },

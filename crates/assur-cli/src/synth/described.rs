@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use assur::synthesis::four_bar::theorems::{
-    Angles, Truth, Unknown, alternative, conditions, functional, theorems, truth,
+    Angles, Unknown, alternative, conditions, functional, theorems, truth,
 };
 use assur::synthesis::four_bar::{ChangeKind, Family, Proportions, Range, Solution, Task};
 use assur_file::Wanted;
@@ -213,10 +213,7 @@ pub(super) fn printed(task: &Task, couplers: &[f64], lengths: Option<Proportions
             };
             let mut told = json!({
                 "phi1_deg": coupler.to_degrees(),
-                "l1_range": match truth(&angles) {
-                    Some(Truth::Between { from, to }) => range((from, to)),
-                    _ => Value::Null,
-                },
+                "l1_range": truth(&angles).and_then(|truth| truth.range()).map(range),
             });
             if let Some(by) = angles.subsystem(Unknown::Coupler) {
                 for (k, name) in ["l2", "l3"].into_iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Scheme, Sections, Space};
+use super::{PairKind, Scheme, Sections, Space};
 use crate::relation::Relation;
 
 impl Scheme {
@@ -16,6 +16,7 @@ impl Scheme {
         let whole = space
             .as_ref()
             .map_or(counts.mobility(), |verdict| verdict.mobility as isize);
+        let hinges = (self.pairs().iter()).all(|pair| pair.kind == PairKind::Revolute);
         let mut all = Vec::new();
         let mut relation = |item, name, value: isize, printed: isize| {
             all.push(Relation::count(item, name, value, printed));
@@ -45,8 +46,8 @@ impl Scheme {
             if counts.planar.is_some() {
                 let printed = of_space - in_space;
                 relation("001.fig4.Wspace", "W_пр", counts.spatial, printed);
-            } else {
-                // The same relation for a mechanism with W = 1.
+            } else if hinges && (links, counts.pairs.get(&1)) == (3, Some(&4)) {
+                // The paper takes W = 1 for the contour of four hinges with axes that are not parallel.
                 relation("001.fig2a.q.meaning", "W", open.mobility, 1);
                 let printed = in_space + 1 - of_space;
                 relation("001.fig2a.q.meaning", "q", open.redundant, printed);
@@ -61,7 +62,11 @@ impl Scheme {
             }
         }
         if let (Some(planar), Some(verdict)) = (counts.planar, plane) {
-            relation("001.planarW", "W", verdict.mobility as isize, planar);
+            let mobility = verdict.mobility as isize;
+            // A number helps only where the count fails.
+            if mobility != planar {
+                relation("001.planarW", "W", mobility, planar);
+            }
         }
         all
     }

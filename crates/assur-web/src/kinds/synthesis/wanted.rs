@@ -2,8 +2,8 @@
 
 use assur::Relation;
 use assur::synthesis::four_bar::theorems::{
-    Angles, Condition, System, Theorem, ThirdPair, Truth, Unknown, alternative, conditions,
-    functional, relations, theorems, third_pair, truth,
+    Angles, Condition, System, Theorem, ThirdPair, Unknown, alternative, conditions, functional,
+    relations, theorems, third_pair, truth,
 };
 use assur::synthesis::four_bar::{Solution, Task, weighted_difference};
 use assur_file::SynthesisDocument;
@@ -39,7 +39,7 @@ pub(crate) struct WantedSummary {
     /// Ranges of l₁ for which l₂ and for which l₃ is positive. A null range is empty; a null maximum means no limit.
     /// Null altogether if condition (13) fails.
     ranges: Option<[Option<Range>; 2]>,
-    /// Range of l₁ for which all lengths are positive; null if it is empty. A null maximum means no limit.
+    /// Range of l₁ for which all lengths are positive; null if it is empty. A null maximum means no limit; equal ends a single l₁.
     interval: Option<Range>,
 }
 
@@ -75,7 +75,7 @@ pub(crate) struct ConditionSummary {
     number: u8,
     /// The length that the condition concerns.
     about: Option<&'static str>,
-    /// The two numbers whose signs are compared; null for an infinite one.
+    /// The two numbers whose signs are compared; null if they divide by zero.
     values: [Option<f64>; 2],
     /// Whether the condition holds as printed.
     holds: bool,
@@ -186,12 +186,9 @@ impl WantedSummary {
                     Some((from * length, to.map(|to| to * length)))
                 })
             }),
-            interval: match truth(angles) {
-                Some(Truth::Between { from, to }) => {
-                    Some((from * length, to.map(|to| to * length)))
-                }
-                _ => None,
-            },
+            interval: truth(angles)
+                .and_then(|truth| truth.range())
+                .map(|(from, to)| (from * length, to.map(|to| to * length))),
         })
         .collect()
     }

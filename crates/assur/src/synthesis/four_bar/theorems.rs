@@ -86,8 +86,8 @@ impl Angles {
             Unknown::Input => [Unknown::Coupler, Unknown::Output],
         };
         let [i, j] = of.map(|unknown| self.of(unknown));
-        let across = (j - i).sin();
-        if across.abs() < tolerance::NEGLIGIBLE || !self.is_finite() {
+        let across = sine(j - i);
+        if across == 0.0 || !self.is_finite() {
             return None;
         }
         let k = self.of(third);
@@ -95,10 +95,20 @@ impl Angles {
             third,
             of,
             constant: [
-                (j - self.frame).sin() / across,
-                -(i - self.frame).sin() / across,
+                sine(j - self.frame) / across,
+                -sine(i - self.frame) / across,
             ],
-            slope: [(k - j).sin() / across, -(k - i).sin() / across],
+            slope: [sine(k - j) / across, -sine(k - i) / across],
         })
+    }
+}
+
+/// The sine of the angle between two links, zero if they are parallel: then P and Q have no sign from rounding.
+fn sine(turn: f64) -> f64 {
+    let sine = turn.sin();
+    if sine.abs() < tolerance::NEGLIGIBLE {
+        0.0
+    } else {
+        sine
     }
 }

@@ -2,7 +2,7 @@
 //! Each comes with the exact result.
 
 use super::truth::non_negative;
-use super::{Angles, Subsystem, Truth, Unknown, truth};
+use super::{Angles, Subsystem, Truth, Unknown, sine, truth};
 use crate::tolerance;
 
 /// Cases of P and Q, with the z₁ for which z = P + Q z₁ is positive.
@@ -58,10 +58,11 @@ pub struct Condition {
     pub number: u8,
     /// The unknown concerned, z₂ or z₃ as a function of z₁; none for (13).
     pub about: Option<Unknown>,
-    /// The two numbers whose signs are compared: P and Q; in (33) to (38) the two fractions in the printed order; in
-    /// (13) sin(φ₃ − φ₂) twice. A fraction may be infinite if e₁ is parallel to e₂ or e₃.
+    /// The two numbers whose signs are compared: P and Q; in (33) to (38) the two fractions in the printed order,
+    /// infinite if they divide by zero; in (13) √(1 − (e₂e₃)²) twice.
     pub values: [f64; 2],
-    /// True if the condition holds as printed.
+    /// True if the condition holds as printed. Where the fractions of (33) to (38) divide by zero, Q is zero, which has
+    /// either sign: the cases with P ≥ 0 hold if P ≥ 0, the others do not.
     pub holds: bool,
     /// True if its intended conclusion holds. (13): z₁ determines z₂ and z₃. (29), (30): the length is positive for
     /// some z₁ > 0. Others: it is not negative for some z₁ ≥ 0.
@@ -81,8 +82,8 @@ pub struct Theorem {
     pub truth: bool,
 }
 
-/// The printed conditions at given angles, by number; empty if an angle is not finite. If (13) fails, it is the only
-/// one listed, because the others concern z₂ and z₃ as functions of z₁.
+/// The printed conditions at given angles, by number; empty if an angle is not finite. If (13) fails, only (33) to (38)
+/// are listed with it, because the others concern z₂ and z₃ as functions of z₁.
 pub fn conditions(angles: &Angles) -> Vec<Condition> {
     if !angles.is_finite() {
         return Vec::new();
@@ -92,15 +93,15 @@ pub fn conditions(angles: &Angles) -> Vec<Condition> {
     let mut all = vec![Condition {
         number: 13,
         about: None,
-        values: [across; 2],
+        values: [across.abs(); 2],
         holds: by.is_some(),
         truth: by.is_some(),
     }];
     if let Some(by) = by {
         all.extend((0..2).flat_map(|k| of_signs(&by, k)));
-        all.extend(of_cases(angles, &by));
-        all.sort_by_key(|condition| condition.number);
     }
+    all.extend(of_cases(angles));
+    all.sort_by_key(|condition| condition.number);
     all
 }
 
@@ -124,26 +125,47 @@ fn of_signs(by: &Subsystem, k: usize) -> [Condition; 2] {
 
 /// Conditions (33) to (35) for z₂ and (36) to (38) for z₃, on the signs of the two fractions of (31) and (32). Zero
 /// counts as either sign.
-fn of_cases(angles: &Angles, by: &Subsystem) -> [Condition; 6] {
-    let [f0, f1, f2, f3] = [angles.frame, angles.coupler, angles.output, angles.input];
-    let second = [(f0 - f3).sin(), (f3 - f2).sin()].map(|one| one / (f3 - f1).sin());
-    // For z₃ the fraction of the slope is printed first.
-    let third = [(f2 - f3).sin(), (f0 - f2).sin()].map(|one| one / (f2 - f1).sin());
-    let not_negative = [0, 1].map(|k| by.constant[k] >= 0.0 || by.slope[k] > 0.0);
-    let condition = |number, k: usize, values: [f64; 2], signs: [f64; 2]| Condition {
-        number,
-        about: Some(by.of[k]),
-        values,
-        holds: values[0] * signs[0] >= 0.0 && values[1] * signs[1] >= 0.0,
-        truth: not_negative[k],
+fn of_cases(angles: &Angles) -> [Condition; 6] {
+    let Angles {
+        frame,
+        coupler,
+        output,
+        input,
+    } = *angles;
+    let case = |number, about, signs: [f64; 2]| {
+        let (of, other) = match about {
+            Unknown::Output => (output, input),
+            _ => (input, output),
+        };
+        // The product of the contour with the other link: a z₁ + b z = c, that is P = c/b and Q = −a/b.
+        let [a, b, c] = [coupler, of, frame].map(|turn| sine(other - turn));
+        let not_negative = c == 0.0 || b * c > 0.0;
+        let (mut values, holds) = if a == 0.0 {
+            ([f64::INFINITY; 2], not_negative && signs != [-1.0; 2])
+        } else {
+            let values = [-c / a, b / a];
+            let hold = (0..2).all(|k| values[k] * signs[k] >= 0.0);
+            (values, hold)
+        };
+        // For z₃ the fraction of the slope is printed first.
+        if about == Unknown::Input {
+            values.reverse();
+        }
+        Condition {
+            number,
+            about: Some(about),
+            values,
+            holds,
+            truth: not_negative || a * c > 0.0,
+        }
     };
     [
-        condition(33, 0, second, [-1.0, -1.0]),
-        condition(34, 0, second, [1.0, -1.0]),
-        condition(35, 0, second, [-1.0, 1.0]),
-        condition(36, 1, third, [-1.0, -1.0]),
-        condition(37, 1, third, [1.0, -1.0]),
-        condition(38, 1, third, [-1.0, 1.0]),
+        case(33, Unknown::Output, [-1.0, -1.0]),
+        case(34, Unknown::Output, [1.0, -1.0]),
+        case(35, Unknown::Output, [-1.0, 1.0]),
+        case(36, Unknown::Input, [-1.0, -1.0]),
+        case(37, Unknown::Input, [-1.0, 1.0]),
+        case(38, Unknown::Input, [1.0, -1.0]),
     ]
 }
 
@@ -159,12 +181,12 @@ pub struct ThirdPair {
 
 /// The condition of [`ThirdPair`] at given angles; none if an angle is not finite or e₁ is parallel to e₂.
 pub fn third_pair(angles: &Angles) -> Option<ThirdPair> {
-    let across = (angles.output - angles.coupler).sin();
-    if across.abs() < tolerance::NEGLIGIBLE || !angles.is_finite() {
+    let across = sine(angles.output - angles.coupler);
+    if across == 0.0 || !angles.is_finite() {
         return None;
     }
     let values = [angles.coupler - angles.frame, angles.input - angles.coupler];
-    let values = values.map(|turn| turn.sin() / across);
+    let values = values.map(|turn| sine(turn) / across);
     Some(ThirdPair {
         values,
         holds: values.iter().any(|value| *value <= 0.0),

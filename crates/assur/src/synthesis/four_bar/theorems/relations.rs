@@ -1,8 +1,6 @@
 //! The formulas of the paper, evaluated as corrected and as printed (Sinchev and Mukhanova, (3) to (38)).
 
-use super::{
-    Alternative, Angles, Subsystem, System, Unknown, alternative, functional, opening, third_pair,
-};
+use super::{Angles, Subsystem, System, Unknown, functional, opening, sine, third_pair};
 use crate::relation::Relation;
 
 /// Evaluates the relations of the paper at each position, in the order of the paper. Their names include the number of
@@ -43,8 +41,8 @@ pub fn relations(
         if let Some(by) = angles.subsystem(Unknown::Coupler) {
             collected.closed(&by, z[0]);
             collected.ranges(&by, z[0]);
-            collected.cases();
         }
+        collected.cases();
         let open = functional(angles, z).sqrt() * length;
         collected.angle("000.ex.phi1", "φ₁", angles.coupler);
         collected.same("000.ex.lengths", "l₀√J", open);
@@ -108,7 +106,7 @@ impl<'a> Collected<'a> {
 
     /// sin(φᵢ − φⱼ).
     fn sin(&self, i: usize, j: usize) -> f64 {
-        (self.turn(i) - self.turn(j)).sin()
+        sine(self.turn(i) - self.turn(j))
     }
 
     fn turn(&self, i: usize) -> f64 {
@@ -321,11 +319,11 @@ impl<'a> Collected<'a> {
         if q2 != 0.0 {
             self.same("000.(20).cut", "z₁(z₂ = 0)", -p2 / q2);
         }
-        // The applicable one of the two ranges, if any.
-        match alternative(p2, q2) {
-            Alternative::First { below } => self.of("000.(21)", "z₁(z₂ = 0)", below, p2 / q2),
-            Alternative::Second { above } => self.of("000.(23)", "z₁(z₂ = 0)", above, p2 / q2),
-            Alternative::Always | Alternative::Never => {}
+        // The range of the case that occurs, if any.
+        if p2 >= 0.0 && q2 < 0.0 {
+            self.of("000.(21)", "z₁(z₂ = 0)", -p2 / q2, p2 / q2);
+        } else if p2 <= 0.0 && q2 > 0.0 {
+            self.of("000.(23)", "z₁(z₂ = 0)", -p2 / q2, p2 / q2);
         }
     }
 

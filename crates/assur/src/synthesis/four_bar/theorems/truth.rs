@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Angles, Unknown};
+use super::{Angles, Unknown, sine};
 use crate::angle::nearest_to;
 use crate::tolerance;
 
@@ -23,29 +23,37 @@ pub enum Truth {
         /// This z₁, if there is one.
         coupler: Option<f64>,
     },
-    /// Coupler, output and input are parallel to each other: z₁ is not unique, or no z₁ closes the loop.
+    /// Coupler, output and input are parallel to each other: a range of z₁ closes the loop, or none.
     InLine {
-        /// True if positive lengths close the loop.
-        closes: bool,
+        /// The lower bound, at least zero, and the upper bound, if there is one.
+        range: Option<(f64, Option<f64>)>,
     },
 }
 
 impl Truth {
     /// True if positive lengths close the loop.
     pub fn holds(&self) -> bool {
+        self.range().is_some()
+    }
+
+    /// Range of z₁: the minimum, or zero, and the maximum, if there is one; both are the same for `Parallel`.
+    pub fn range(&self) -> Option<(f64, Option<f64>)> {
         match *self {
-            Self::Between { .. } => true,
-            Self::None => false,
-            Self::Parallel { coupler } => coupler.is_some(),
-            Self::InLine { closes } => closes,
+            Self::Between { from, to } => Some((from, to)),
+            Self::None => None,
+            Self::Parallel { coupler } => coupler.map(|z| (z, Some(z))),
+            Self::InLine { range } => range,
         }
     }
 }
 
-/// Angle δ₊ − δ₋, radians, between the two of e₁, e₂, e₃ that are nearest to e₀ on its right and on its left. If it is
-/// less than π, e₀ lies strictly inside the cone of the three vectors, and positive lengths close the loop. None if all
-/// three are on one side, or an angle is not finite.
+/// Angle δ₊ − δ₋, radians, between the two of e₁, e₂, e₃ that are nearest to e₀ on its right and on its left. Positive
+/// lengths close the loop exactly if it is less than π: then e₀ lies strictly inside the cone of the three vectors. None
+/// if one of them points along e₀, all three are on one side, or an angle is not finite.
 pub fn opening(angles: &Angles) -> Option<f64> {
+    if angles.is_along() {
+        return None;
+    }
     let turns = angles.off_frame();
     let left = turns.into_iter().filter(|turn| *turn > 0.0);
     let right = turns.into_iter().filter(|turn| *turn < 0.0);
@@ -59,11 +67,8 @@ pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
     if !angles.is_finite() {
         return None;
     }
-    let along = angles
-        .off_frame()
-        .into_iter()
-        .any(|turn| turn.abs() < tolerance::NEGLIGIBLE);
-    Some(along || opening(angles).is_some_and(|opening| opening <= PI + tolerance::NEGLIGIBLE))
+    let inside = opening(angles).is_some_and(|opening| opening < PI - tolerance::NEGLIGIBLE);
+    Some(angles.is_along() || inside)
 }
 
 impl Angles {
@@ -71,6 +76,12 @@ impl Angles {
     fn off_frame(&self) -> [f64; 3] {
         let turns = [self.coupler, self.output, self.input];
         turns.map(|turn| nearest_to(turn, self.frame) - self.frame)
+    }
+
+    /// True if one of coupler, output and input points along the frame.
+    fn is_along(&self) -> bool {
+        let mut turns = self.off_frame().into_iter();
+        turns.any(|turn| turn.abs() < tolerance::NEGLIGIBLE)
     }
 }
 
@@ -94,32 +105,40 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
             return Some(Truth::None);
         }
     }
-    Some(if to.is_none_or(|to| from < to) {
-        Truth::Between { from, to }
-    } else {
-        Truth::None
-    })
+    // Both ends are 1 if e₁ points along e₀.
+    Some(
+        if to.is_none_or(|to| from < to * (1.0 - tolerance::NEGLIGIBLE)) {
+            Truth::Between { from, to }
+        } else {
+            Truth::None
+        },
+    )
 }
 
 /// Result for e₃ = ±e₂. The vector product of the loop equation and e₂ gives e₀ × e₂ = z₁ e₁ × e₂. The lengths z₂ and
 /// ±z₃ make up the rest along e₂: any amount if e₂ and e₃ are opposite, otherwise only a positive one.
 fn parallel(angles: &Angles) -> Truth {
     let [frame, coupler] = [angles.frame, angles.coupler].map(|angle| {
-        let (sin, cos) = (angles.output - angle).sin_cos();
-        [sin, cos]
+        let turn = angles.output - angle;
+        [sine(turn), turn.cos()]
     });
     let opposite = (angles.input - angles.output).cos() < 0.0;
-    if coupler[0].abs() < tolerance::NEGLIGIBLE {
-        // The coupler is parallel as well, so the loop closes only if the frame is parallel too.
-        let in_line = frame[0].abs() < tolerance::NEGLIGIBLE;
-        let along = opposite || frame[1] > 0.0 || coupler[1] < 0.0;
+    if coupler[0] == 0.0 {
+        // The coupler is parallel as well, so the loop closes only if the frame is parallel too: z₂ ± z₃ = e₀e₂ − e₁e₂z₁.
+        let range = match (frame[1] > 0.0, coupler[1] < 0.0) {
+            _ if opposite => Some((0.0, None)),
+            (true, true) => Some((0.0, None)),
+            (true, false) => Some((0.0, Some(1.0))),
+            (false, true) => Some((1.0, None)),
+            (false, false) => None,
+        };
         return Truth::InLine {
-            closes: in_line && along,
+            range: range.filter(|_| frame[0] == 0.0),
         };
     }
     let z = frame[0] / coupler[0];
     let rest = frame[1] - z * coupler[1];
-    let closes = z > 0.0 && (opposite || rest > 0.0);
+    let closes = z > 0.0 && (opposite || rest > tolerance::NEGLIGIBLE);
     Truth::Parallel {
         coupler: closes.then_some(z),
     }
