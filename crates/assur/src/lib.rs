@@ -5,10 +5,10 @@
 //! velocity, φ″ of the acceleration. Angles are continuous along a motion and are not reduced to (−π, π]. Only
 //! [`dynamics`] and [`gears::train`] follow a motion over time.
 //!
-//! The crate is pure: no screen, clock, I/O or randomness. An invalid dimension returns an [`Invalid`], which names it.
-//! A crank angle without a pose returns an [`Unsolved`], which gives the reason. Nothing panics or returns NaN. Ids of
-//! links and points come from a [`mechanism::Mechanism`] and are valid only with it: an id from another mechanism may
-//! be out of range.
+//! The crate is pure: no screen, clock, I/O or randomness. An invalid dimension returns an [`Invalid`], which names
+//! that dimension. A crank angle without a pose returns an [`Unsolved`], which gives the reason. Nothing panics or
+//! returns NaN. Ids of links and points come from a [`mechanism::Mechanism`] and are valid only with it: an id from
+//! another mechanism may be out of range.
 //!
 //! | module | subject |
 //! |---|---|
