@@ -119,8 +119,8 @@ fn driven(graph: &Graph, drivers: &[Driver]) -> Vec<Fault> {
     faults
 }
 
-/// For each link, true if pairs connect it to the ground; then all connected nodes: these links and the points of their
-/// hinges.
+/// First, for each link, true if pairs connect it to the ground; second, the nodes so connected: these links and the
+/// points of their hinges.
 fn joined_to_ground(graph: &Graph) -> (Vec<bool>, Vec<usize>) {
     let mut parts = Partition::new(graph.links);
     for pair in &graph.pairs {

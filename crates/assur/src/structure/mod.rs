@@ -151,8 +151,8 @@ pub struct Driver {
 /// The decomposition of a linkage.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
-    /// The steps in order, each joined to earlier ones. A step that can be added earlier comes first. Steps that
-    /// are equal in this are sorted: drivers first, then by lowest link.
+    /// The steps, each joined to earlier ones. They are sorted by level, one more than the highest level to which the
+    /// step is joined; at one level drivers come first, then the step with the lowest link.
     pub steps: Vec<Step>,
     /// For each link, the index of the step that adds it; None for the ground.
     pub step_of: Vec<Option<usize>>,
@@ -163,10 +163,10 @@ pub struct Structure {
 pub enum Step {
     /// A driver, which is a mechanism of Class I.
     Driver {
-        /// Index of the driver in the list that was given.
+        /// Index of the driver in the given list of drivers.
         driver: usize,
-        /// The base link and the driven link. If both belong to one group, as a cylinder and its piston do, the group
-        /// adds both: it is the next step after its drivers.
+        /// The base link and the driven link. If both belong to one group, as a cylinder and its piston may, the group
+        /// adds both; its step follows those of its drivers.
         links: [usize; 2],
     },
     /// An Assur group.

@@ -104,7 +104,7 @@ impl Pebbles {
                 pebbles.constrain([a, b], &mut surplus);
             }
         };
-        // Drivers and driven pairs are counted first: of dependent constraints, one counted later is the surplus one.
+        // Drivers and driven pairs are counted first: of dependent constraints, the one counted last is surplus.
         drivers.iter().for_each(|driver| constrain(driver.links));
         for driven in [true, false] {
             for (pair, joined) in graph.pairs.iter().enumerate() {
