@@ -1,4 +1,4 @@
-//! Several satellites: one of them drives the train, and the others are passive.
+//! Several satellites: one of them determines the train, and the others are passive.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! The paper's conditions and theorems, against what is true.
+//! The paper's conditions and theorems, against exact answers.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};

@@ -4,8 +4,8 @@ use super::pebbles::{BODY, Pebbles, Surplus};
 use super::{Driver, Fault, Graph, Pair};
 use crate::numeric::graph::Partition;
 
-/// Counts the freedoms of a graph with its drivers fixed. Returns the pebbles, three of them free on the ground, and the
-/// parts with surplus constraints.
+/// Counts the freedoms of a graph with its drivers fixed. Returns the pebbles, three of them free on the ground, and
+/// the parts with surplus constraints.
 ///
 /// # Errors
 /// All faults of single pairs and drivers; if there are none, all faults of the count. Surplus constraints are a fault
