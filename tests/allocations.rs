@@ -1,4 +1,4 @@
-//! Samples of a motion allocate nothing, and the whole of it little.
+//! Memory: sampling a motion allocates nothing, and a whole motion with its drawing takes little.
 
 use std::fs;
 use std::hint::black_box;

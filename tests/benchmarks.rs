@@ -1,5 +1,5 @@
-//! Benchmarks of multibody dynamics, as far as kinematics goes: places, velocities, and the energy that velocities carry.
-//! docs/reference-data.md says where the tables come from.
+//! Benchmarks of multibody dynamics, as far as kinematics goes: positions, velocities and kinetic energy.
+//! docs/reference-data.md gives the sources of the tables.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,6 +1,5 @@
-//! Dimensions of linkages set from the pose at hand: what comes of it is closed, is the
-//! same assembly, and goes back; what cannot be is refused with the last value that
-//! works.
+//! Changes of dimensions in the current pose. The changed linkage closes, keeps its assembly and can be changed back;
+//! an impossible value is refused with the last value that works.
 
 mod pivots;
 

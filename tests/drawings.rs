@@ -1,4 +1,4 @@
-//! Drawings of which an earlier engine told something wrong, or never came to an end: what is right of each.
+//! Drawings for which an earlier engine gave a wrong result or never finished, with the right result for each.
 
 use std::f64::consts::TAU;
 use std::fs;

@@ -1,4 +1,4 @@
-//! Linkages of more freedoms than one: each further driver goes at a rate to the first.
+//! Linkages with several freedoms: each further driver moves at a given rate relative to the first.
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 

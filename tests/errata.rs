@@ -1,5 +1,5 @@
-//! The misprints of the papers, listed in docs/errata.md: what is printed is
-//! wrong, what we use is right. One test for each, named after it.
+//! The misprints of the papers, listed in docs/errata.md. Each test, named after its misprint, shows that the printed
+//! version is wrong and the version in use is right.
 
 mod class4;
 mod differential;

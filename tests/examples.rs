@@ -1,4 +1,4 @@
-//! The examples of the crates run to their end.
+//! The examples of the crates, run to their end.
 #![allow(unreachable_pub)] // `main` of an example is called from here alone.
 
 #[path = "../crates/assur-file/examples/assemblies.rs"]

@@ -1,4 +1,4 @@
-//! The engine against tables computed in 40-digit arithmetic, on both targets.
+//! The engine against tables computed in 40-digit arithmetic, natively and in WebAssembly.
 
 use assur::mixer::{Case, Mixer};
 use assur::motion::Column;

@@ -1,5 +1,5 @@
-//! No script of the page branches on a lesson, a mechanism or a kind of document: their names
-//! stand in their own folders only, which the build finds.
+//! Names of lessons, mechanisms and kinds of document: they occur only in folders of their own, which the build finds.
+//! No script of the page branches on them.
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,5 +1,4 @@
-//! The numbers that lessons write in their texts, in every language, are those that the
-//! engine computes.
+//! Numbers in the texts of the lessons, in every language: the engine computes the same.
 
 mod assemblies;
 mod class4_notes;

@@ -1,5 +1,4 @@
-//! The presets that lessons have of their own are documents that the engine takes, and
-//! what a lesson is about is there.
+//! Presets that belong to a lesson: the engine accepts them as documents, and they contain the subject of the lesson.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
-//! The mixer's numbers that the paper's conclusions rest on, to the digits of
-//! 40-digit arithmetic, and extrema and classes of known linkages.
+//! Numbers of the mixer on which the paper's conclusions rest, against 40-digit arithmetic; extrema and Grashof classes
+//! of known linkages.
 
 use assur::gears::Mesh;
 use assur::mechanism::Quantity;

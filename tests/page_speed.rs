@@ -1,6 +1,5 @@
-//! How fast the page is in a real browser: printed by `cargo xtask bench`, never
-//! asserted. A figure is a line `page: NAME = FIGURE`. `ASSUR_MINUTES` is how long it is
-//! played and dragged with an eye on memory.
+//! Speed of the page in a real browser, printed by `cargo xtask bench` and never asserted. A result is a line `page:
+//! NAME = FIGURE`. `ASSUR_MINUTES` is the time for which the page plays and is dragged while its memory is measured.
 #![cfg(not(target_family = "wasm"))]
 #![allow(
     dead_code,

@@ -1,6 +1,6 @@
-//! Readers of what comes from outside, given damaged texts: each text is refused by problems with codes, or accepted, and
-//! then what is written of it opens as the same. No reader panics or hangs. The terminal's targets are beside it
-//! (`crates/assur-cli/tests/damaged.rs`), those of the page's addresses in `www/app/damage.test.js`.
+//! Readers of external texts, given damaged texts. A reader refuses each text with problems that have codes, or accepts
+//! it; an accepted text, written and read again, is the same. No reader panics or hangs. Tests of the same kind for the
+//! terminal are in `crates/assur-cli/tests/damaged.rs`, for addresses of the page in `www/app/damage.test.js`.
 
 use assur_file::{Document, FORMAT, State, catalogue, document, document_of, schemes, trains};
 use assur_import::{read, recognised};

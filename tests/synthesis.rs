@@ -1,4 +1,4 @@
-//! Dimensions for a wanted motion: what a search reaches is judged anew.
+//! Dimensions for a wanted motion: the result of each search is checked independently.
 
 use assur::Point;
 use assur::mechanism::{Dimension, LinkageSpec, Mechanism, Quantity};

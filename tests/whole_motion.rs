@@ -1,4 +1,4 @@
-//! What is read off a whole motion: of many turns as finely as of one, of a small part as of a large one.
+//! Readings of a whole motion: as fine over many turns as over one, as exact for a small part as for a large one.
 
 mod extrema;
 mod turns;

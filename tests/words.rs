@@ -1,5 +1,5 @@
-//! The string tables: every language says everything, in every form its nouns need;
-//! every problem of the engine has its words; no key is missing, none is left over.
+//! The string tables: every language has every text, in every form that its nouns need; every problem of the engine has
+//! a text; no key is missing or unused.
 
 mod keys;
 mod kinds;

@@ -1,4 +1,4 @@
-//! How far a pose is determined by the equations of its linkage, to first order: the inverse of their
+//! Condition of a pose: how well the equations of the linkage determine it, to first order, from the inverse of their
 //! Jacobian.
 
 use assur::Vector;

@@ -1,5 +1,5 @@
-//! The equations of a linkage, of its draft alone, with a body of three coordinates for each link:
-//! what a pose leaves of them, with two derivatives.
+//! The equations of a linkage, from its specification alone, with three coordinates for each link: residuals in a pose,
+//! with two derivatives.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! What does not hold: counted by kind, told with its seed, and the smallest linkage of each kind kept.
+//! Failures of random linkages: counted by kind and reported with the seed. The smallest linkage of each kind is kept.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;

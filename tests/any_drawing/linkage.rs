@@ -1,5 +1,4 @@
-//! Random linkages of every class, joined at random to what is there already, and drawn near
-//! degenerate on purpose.
+//! Random linkages of every class, each part joined at random to earlier ones, and drawn nearly degenerate on purpose.
 
 use assur::Point;
 use assur::gears::Mesh;

@@ -1,4 +1,4 @@
-//! A motion is the linkage's, not the drawing's: properties of random linkages of every class.
+//! Properties of random linkages of every class: a motion depends on the linkage, not on its drawing.
 
 mod condition;
 mod equations;

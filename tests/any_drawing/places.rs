@@ -1,4 +1,4 @@
-//! Where points are drawn: anywhere, or so that something is nearly degenerate.
+//! Positions at which points are drawn: anywhere, or so that the drawing is nearly degenerate.
 
 use std::f64::consts::TAU;
 

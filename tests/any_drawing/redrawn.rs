@@ -1,5 +1,5 @@
-//! The same linkage drawn otherwise: in another pose, moved, turned, mirrored, scaled, with
-//! other names in another order.
+//! Other drawings of the same linkage: in another pose, moved, turned, mirrored, scaled, or with the parts renamed and
+//! in another order.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,5 @@
-//! What holds of the rows of one motion: the row at the drawn input is the drawing, rows fulfil the
-//! equations of the linkage, neighbours follow from each other, and it ends in singular poses only.
+//! Properties of the rows of one motion: the row at the drawn input is the drawing, every row fulfils the equations of
+//! the linkage, neighbouring rows follow from each other, and the motion ends only in singular poses.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,5 @@
-//! The same linkage drawn otherwise has the same motion: range, dead points with kind and group,
-//! period, and every quantity with two derivatives.
+//! Comparison of the motions of one linkage in two drawings: range, dead points with kind and group, period, and every
+//! quantity with two derivatives.
 
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;

@@ -1,4 +1,4 @@
-//! What is read off a pose.
+//! Readings of a pose: positions of points and angles of links, with derivatives.
 
 use assur::Vector;
 use assur::mechanism::{Mechanism, Pose};

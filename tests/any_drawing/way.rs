@@ -1,4 +1,4 @@
-//! What is met on the way from one pose of a motion to another.
+//! Events between two poses of a motion: poses that are not determined, and sign changes of the determinant.
 
 use assur::motion::Motion;
 

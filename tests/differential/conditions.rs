@@ -1,4 +1,4 @@
-//! The conditions against geometry.
+//! The conditions for building a train, against geometry.
 
 use assur::gears::train::{
     Condition, ConditionKind, Coupling, Kind, Layout, Member, Relation, Train,

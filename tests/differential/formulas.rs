@@ -1,4 +1,4 @@
-//! The paper's formulas and identities, over random numbers.
+//! The paper's formulas and identities, for random numbers.
 
 use assur::gears::train::{Counts, Differential, Shaft, Train};
 use proptest::prelude::*;

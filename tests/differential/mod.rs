@@ -1,5 +1,5 @@
-//! Epicyclic trains of two freedoms: the paper's formulas over random numbers, the satellite
-//! against integrated rolling, conditions against geometry, refusals.
+//! Epicyclic trains with two freedoms: the paper's formulas for random numbers, the satellite against integrated
+//! rolling, conditions against geometry, refusals.
 
 mod conditions;
 mod draw;

@@ -1,4 +1,4 @@
-//! The satellite against integration of rolling without slip.
+//! The motion of the satellite against integration of rolling without slip.
 
 use std::f64::consts::{PI, TAU};
 

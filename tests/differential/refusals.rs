@@ -1,4 +1,4 @@
-//! Every reason for which there is no train, or no motion of it.
+//! Every reason why a train does not exist, or its motion is not determined.
 
 use assur::Fault;
 use assur::gears::train::{

@@ -1,4 +1,4 @@
-//! Trains near by that can be built.
+//! Suggested trains: each can be built, and those that differ least from the given train come first.
 
 use assur::gears::train::{Coupling, Layout, Member, Train};
 

@@ -1,4 +1,4 @@
-//! Trains turned by time: angles that keep their digits, rates, and what cannot be.
+//! Trains in motion over time: angles that keep their digits, rates, and drives that are refused.
 
 mod bounds;
 

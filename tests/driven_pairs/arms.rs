@@ -1,4 +1,4 @@
-//! Links turned or moved on links that are placed before them, and wheels on a carrier.
+//! Drivers that turn or slide a link relative to an earlier link, and wheels on a carrier.
 
 use std::f64::consts::{PI, TAU};
 

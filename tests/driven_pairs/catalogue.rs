@@ -1,4 +1,4 @@
-//! The linkages of the catalogue, driven by each of their pairs.
+//! The linkages of the catalogue, driven by each of their pairs in turn.
 
 use assur::mechanism::{Defect, FRAME, LinkageSpec, Mechanism};
 use assur::motion::Motion;

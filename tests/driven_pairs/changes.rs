@@ -1,4 +1,4 @@
-//! Dimensions and drivers that are changed, and drivers that cannot be.
+//! Changes of dimensions and of drivers, and drivers that are refused.
 
 use assur::Point;
 use assur::mechanism::{Defect, Dimension, LinkageSpec, Mechanism};

@@ -1,4 +1,4 @@
-//! A driven pair within a dyad, by the law of cosines.
+//! A driven pair within a dyad, checked by the law of cosines.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! Several driven pairs, of random excavators and of a platform.
+//! Several driven pairs at once: random excavators, and a platform.
 
 use assur::mechanism::LinkageSpec;
 

@@ -1,4 +1,4 @@
-//! Drivers between links that both move: arms of robots, hydraulic cylinders, platforms.
+//! Drivers between two moving links: robot arms, hydraulic cylinders, platforms.
 
 mod arms;
 mod catalogue;

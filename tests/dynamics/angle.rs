@@ -1,4 +1,4 @@
-//! Angles as whole turns and the rest.
+//! Angles as whole turns and a remainder.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! What cannot be is told by name; what is near to it gives numbers or a reason, never a panic and no NaN.
+//! Bad input: an impossible value is named; an extreme one gives numbers or a reason, never a panic or NaN.
 
 use assur::Fault;
 use assur::dynamics::{

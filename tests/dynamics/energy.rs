@@ -1,4 +1,4 @@
-//! The account of energies, and angles after many turns.
+//! The energy balance, and angles after many turns.
 
 use std::f64::consts::TAU;
 

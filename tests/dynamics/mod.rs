@@ -1,5 +1,5 @@
-//! The differential with magnetic couplings in motion: against an independent integration, closed forms and the
-//! account of energies.
+//! The differential with magnetic couplings in motion: against an independent integration, closed forms and the energy
+//! balance.
 
 mod angle;
 mod bad_input;

@@ -1,4 +1,4 @@
-//! Pull-out, slip and being caught again: all from the equations of motion.
+//! Pull-out, slip and re-engagement of a magnetic coupling, all from the equations of motion.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

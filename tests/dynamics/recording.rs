@@ -1,4 +1,4 @@
-//! A run that is kept is the run itself, at any time of it.
+//! A recorded run equals the run itself at every time.
 
 use assur::dynamics::{Body, Halt, Mesh, Parameters, Reading, Recording, Run, TICKS_PER_SECOND};
 

@@ -1,9 +1,9 @@
-//! Five cases against another program's integration.
+//! Five cases against an integration by another program.
 //!
-//! `tests/data/dynamics.csv` was made in 45-digit arithmetic (mpmath) by extrapolation of the midpoint rule (Gragg,
-//! Bulirsch, Stoer: 18 columns, steps of 2 ms or less, cut at the knots of the drives), with the torques written body by
-//! body: those of a mesh from the relative angle of the central wheel and the ratio of the wheels, not from a
-//! potential. Angles in radians, speeds in rad/s, 20 digits.
+//! `tests/data/dynamics.csv` was computed in 45-digit arithmetic (mpmath) by extrapolation of the midpoint rule (Gragg,
+//! Bulirsch, Stoer) with 18 columns and steps of 2 ms or less, split at the knots of the drives. The torques are
+//! written for each body; those of a mesh come from the relative angle of the central wheel and the ratio of the
+//! wheels, not from a potential. Angles are in radians and speeds in rad/s, with 20 digits.
 
 use assur::dynamics::{
     Body, Differential, Drive, Load, Parameters, Plates, Poles, Profile, Run, Shaft, Start,

@@ -1,4 +1,4 @@
-//! The differential that most tests change.
+//! The sample differential, which most tests modify.
 
 use assur::dynamics::{
     Coupling, Differential, Drive, Driven, Load, Parameters, Plates, Poles, Profile, Run,

@@ -1,5 +1,5 @@
-//! The combined method of the Class IV linkage with dwell (Sakhabutdinova): every equation and coefficient as printed and as
-//! it is, the chain of substitutions with its misprints mended against the constraint equations and against a table.
+//! The combined method of the Class IV linkage with dwell (Sakhabutdinova): every equation and coefficient as printed
+//! and as corrected; the corrected chain of substitutions against the constraint equations and against a table.
 
 use std::collections::BTreeMap;
 

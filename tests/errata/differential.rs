@@ -1,4 +1,5 @@
-//! The differential paper: its relations, a misprint in its conditions, what they do not ask for, and what its field does.
+//! The differential paper: its relations, a misprint in its conditions, what these conditions omit, and the energy that
+//! the magnetic field does not supply.
 
 use assur::dynamics::{
     Coupling as Magnets, Differential, Drive, Driven, Load, Mesh, Parameters, Plates, Poles,

@@ -1,4 +1,4 @@
-//! Four-bars and double sliders: what each is known for.
+//! Four-bars and double sliders, each with its best-known property.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! Places of the groups of higher classes.
+//! Positions of the points of groups of higher classes after a quarter turn.
 
 use std::f64::consts::PI;
 

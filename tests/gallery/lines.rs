@@ -1,4 +1,4 @@
-//! Points that are led along straight lines, exactly or nearly, and what copies them.
+//! Points guided along exact or approximate straight lines, and a linkage that copies paths.
 
 use assur::motion::Motion;
 use assur_tests::assert_near;

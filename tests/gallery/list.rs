@@ -1,4 +1,4 @@
-//! The linkages of the gallery.
+//! The list of the linkages of the gallery.
 
 /// Name, structural formula, and whether its crank turns fully.
 pub(super) const GALLERY: [(&str, &str, bool); 45] = [

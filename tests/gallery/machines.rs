@@ -1,4 +1,4 @@
-//! Machines of six links: what each is known for.
+//! Six-link machines, each with its best-known property.
 
 use std::f64::consts::PI;
 

@@ -1,5 +1,5 @@
-//! The mechanisms of the catalogue: each is decomposed as it should be, moves and
-//! closes, and has a number that is published or follows exactly.
+//! The mechanisms of the catalogue. Each decomposes into the expected groups, moves and closes, and reproduces a number
+//! that is published or follows exactly.
 
 mod four_bars;
 mod groups;

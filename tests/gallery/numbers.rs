@@ -1,4 +1,4 @@
-//! A number of each mechanism of dyads.
+//! Known numbers, one or more for each mechanism of dyads.
 
 use std::f64::consts::{PI, TAU};
 

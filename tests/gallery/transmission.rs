@@ -1,4 +1,4 @@
-//! How well dyads transmit: plotted angles against the cosine rule and the triangle of a slider-crank.
+//! Transmission in dyads: plotted angles against the cosine rule and the triangle of a slider-crank.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

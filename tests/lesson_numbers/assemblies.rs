@@ -1,4 +1,5 @@
-//! The lesson on assemblies: its numbers, what it claims of its mechanisms, and that those of its own are the catalogue's.
+//! The lesson on assemblies: its numbers, its claims about mechanisms, and that its own presets redraw linkages of the
+//! catalogue.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! The numbers of the notes for teachers on the Class IV mechanism with dwell: every one comes from the engine.
+//! The numbers in the notes for teachers on the Class IV mechanism with dwell, all computed by the engine.
 
 use std::f64::consts::TAU;
 

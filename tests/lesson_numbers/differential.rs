@@ -1,4 +1,4 @@
-//! The lesson on the differential: its numbers, and what it claims of its trains.
+//! The lesson on the differential: its numbers, and its claims about trains.
 
 mod notes;
 

@@ -1,4 +1,4 @@
-//! The lesson on the mixer and its document for teachers: what they claim of the cases of fig. 4, and the numbers.
+//! The lesson on the mixer and its document for teachers: their numbers, and their claims about the cases of fig. 4.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

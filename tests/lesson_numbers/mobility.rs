@@ -1,4 +1,4 @@
-//! The lesson on mobility by sections: its numbers, and what it claims of its mechanisms.
+//! The lesson on mobility by sections: its numbers, and its claims about mechanisms.
 
 mod notes;
 mod paper;

@@ -1,4 +1,4 @@
-//! The lesson on synthesis from positions: its numbers, and what it claims of linkages.
+//! The lesson on synthesis from positions: its numbers, and its claims about linkages.
 
 mod notes;
 mod paper;

@@ -1,4 +1,4 @@
-//! Drawings: singular ones, kites, dimensions alone.
+//! Special drawings: singular poses, kites, and linkages assembled from dimensions alone.
 
 use super::*;
 

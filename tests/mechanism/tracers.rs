@@ -1,4 +1,4 @@
-//! Points that links carry.
+//! Traced points on links.
 
 use super::*;
 

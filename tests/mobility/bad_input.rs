@@ -1,4 +1,4 @@
-//! What is no scheme, and cuts that open none: reasons with names.
+//! Faulty schemes, and cuts that do not open a scheme: the reasons, with names.
 
 use assur::mobility::PairKind::{Class, Prismatic, Revolute, Screw, Spherical, Universal};
 use assur::mobility::{CutError, Scheme, SchemeDefect, SchemeSpec, Vector3};

@@ -1,4 +1,4 @@
-//! Random graphs: every set of cuts that opens one gives one W, that of the formulas.
+//! Random graphs: every set of cuts that opens a graph gives the same mobility W, equal to that of the formulas.
 
 use assur::mobility::{Cut, CutError, Scheme};
 use nalgebra::DMatrix;

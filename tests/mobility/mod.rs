@@ -1,5 +1,5 @@
-//! Mobility and redundant constraints: the paper's table, the formulas against each other and the rank against
-//! the formulas.
+//! Mobility and redundant constraints: the paper's table, the formulas against each other, and the rank against the
+//! formulas.
 
 mod bad_input;
 mod graphs;

@@ -1,4 +1,4 @@
-//! What is told by names does not depend on the order in which a scheme is written; nothing panics.
+//! Names in answers do not depend on the order in which a scheme is written, and nothing panics.
 
 use assur::mobility::{Generic, Scheme, SchemeSpec, Space};
 

@@ -1,5 +1,4 @@
-//! The rank another way: the twists of links and the rates of pairs together, by the singular values of one dense
-//! matrix.
+//! The rank by another method: singular values of one dense matrix for the twists of links and the rates of pairs.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,5 @@
-//! Tasks for students: sound, such as can be drawn, and told apart from the rank where they differ.
+//! Tasks for students: the schemes are sound and can be drawn, and their count differs from the rank only by redundant
+//! constraints.
 
 use std::collections::BTreeMap;
 

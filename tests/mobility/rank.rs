@@ -1,4 +1,4 @@
-//! The rank as the referee: where it agrees with the count, and the known cases where it does not.
+//! The rank as the referee: cases in which it agrees with the count, and the known cases in which it does not.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Pairs raised until nothing is redundant.
+//! Pairs replaced by pairs with more freedoms until no constraint is redundant.
 
 use assur::mobility::PairKind::{CylinderOnPlane, Cylindrical, SphereInCylinder, Spherical};
 use assur::mobility::{Scheme, SchemeSpec, Space};

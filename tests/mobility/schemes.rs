@@ -1,4 +1,4 @@
-//! Schemes written down shortly.
+//! Short notation for schemes.
 
 use assur::mobility::{PairKind, PairSpec, Point3, SchemeSpec, Vector3};
 

@@ -1,4 +1,4 @@
-//! Planetary sets, drawn.
+//! Drawings of planetary sets.
 
 use std::f64::consts::TAU;
 

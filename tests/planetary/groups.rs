@@ -1,4 +1,4 @@
-//! Meshes within groups of higher classes, both wheels or one of them on links of the group.
+//! Meshes within groups of higher classes: one wheel or both wheels are on links of the group.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! What cannot be: named, never a panic, never a number that is none.
+//! Impossible trains: the fault is named, without a panic or a result that is not a number.
 
 use assur::gears::Mesh;
 use assur::mechanism::{Defect, LinkageSpec, Mechanism};

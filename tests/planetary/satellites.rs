@@ -1,4 +1,4 @@
-//! Several satellites: one of them makes the train, the others repeat it.
+//! Several satellites: one of them determines the train, and the others are passive.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Watt's sun-and-planet gear: a wheel on a link of a group of Class III, its mate outside of it.
+//! Watt's sun-and-planet gear: one wheel is on a link of a group of Class III, the other outside the group.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -1,4 +1,4 @@
-//! Sun, carrier and ring in any combination of driven, held and free.
+//! Sun, carrier and ring, each driven, held or free, in all combinations.
 
 use std::f64::consts::TAU;
 

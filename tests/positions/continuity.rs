@@ -1,4 +1,4 @@
-//! Whether exact crank-rockers of two positions pass from one to the other.
+//! Exact crank-rockers for two positions: whether they pass from one to the other.
 
 use assur::Grashof;
 use assur::synthesis::four_bar::{Family, Passage, Position, Solution, TwoPositions};

@@ -1,4 +1,4 @@
-//! Random tasks and linkages, the same ones every time.
+//! Random tasks and linkages from a fixed seed.
 
 use std::f64::consts::TAU;
 

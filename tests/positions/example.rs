@@ -1,5 +1,4 @@
-//! The paper's worked example, checked against numbers computed in 40 digits; exact members of its
-//! family are in `golden.rs`.
+//! The paper's worked example against numbers computed to 40 digits. Exact members of its family are in `golden.rs`.
 
 use assur::Grashof;
 use assur::synthesis::four_bar::{ChangeKind, Passage, theorems};

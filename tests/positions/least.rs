@@ -1,5 +1,5 @@
-//! The least ΣJ against an optimiser that knows nothing of ours: a grid of all three lengths, and
-//! from its lowest places the simplex of Nelder and Mead (1965).
+//! The least ΣJ against an independent optimiser: a grid of all three lengths, then the simplex of Nelder and Mead
+//! (1965) from the lowest points of the grid.
 
 use std::f64::consts::PI;
 

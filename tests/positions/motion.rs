@@ -1,4 +1,4 @@
-//! What a verdict says, against the motion of the same linkage as the simulator follows it.
+//! Verdicts on a solution, against the motion of the same linkage in the simulator.
 
 use std::f64::consts::PI;
 

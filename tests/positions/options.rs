@@ -1,4 +1,4 @@
-//! What there is to choose from, by how many positions are given, and the main equation.
+//! The options for each number of given positions, and the main equation.
 
 use assur::synthesis::four_bar::{NoOptions, Options, Position, Proportions, Solution, Task};
 

@@ -1,4 +1,4 @@
-//! The ranges of z₁ that the paper prints for a positive length, at random angles.
+//! The ranges of z₁ that the paper prints for a positive length, checked at random angles.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 

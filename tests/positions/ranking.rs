@@ -1,4 +1,4 @@
-//! Solutions picked and put in order by their verdicts.
+//! Solutions selected and ranked by their verdicts.
 
 use assur::Grashof;
 use assur::synthesis::four_bar::{

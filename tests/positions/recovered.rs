@@ -1,6 +1,6 @@
-//! Known linkages are found again from the positions that they take up. Draws are not picked: of
-//! linkages with lengths up to ten times the frame's, at random inputs, all are recovered; how many
-//! digits are left is bounded by the worst of them.
+//! Known linkages, recovered from positions that they pass through. The random linkages are not selected: all with
+//! lengths up to ten times that of the frame, at random inputs, are recovered. The worst of them sets the bound on the
+//! digits left.
 
 use assur::synthesis::four_bar::{
     Position, Proportions, ThreePositions, TwoPositions, five_positions,

@@ -1,4 +1,4 @@
-//! What is no task, and tasks that have no linkage or too many.
+//! Faulty tasks, and tasks without a linkage or with too many.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! Two lengths as functions of the third, and what holds where links are parallel.
+//! Two lengths as functions of the third, and the case of parallel links.
 
 use assur::synthesis::four_bar::theorems::{
     Angles, Truth, Unknown, conditions, functional, theorems, truth,

@@ -1,4 +1,4 @@
-//! The linear system of the paper, and where the functional is least.
+//! The linear system of the paper, and the minimum of the functional.
 
 use assur::synthesis::four_bar::theorems::{Angles, System, functional, truth};
 use assur::synthesis::four_bar::{Position, TwoPositions};

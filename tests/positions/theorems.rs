@@ -1,4 +1,4 @@
-//! The paper's conditions and theorems, and the truth beside them.
+//! The paper's conditions and theorems, against exact answers.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};

@@ -1,5 +1,5 @@
-//! What holds of the instant centres of every linkage: Kennedy's lines and velocities agree, the centres of three links
-//! are in line, and the points of two links that are at their centre go with one velocity.
+//! Properties of the instant centres of every linkage: Kennedy's lines and velocities agree, the centres of three links
+//! are in line, and two links have the same velocity at their centre.
 
 use assur::centres::{Centre, InstantCentre, Source};
 use assur::gears::Mesh;

@@ -1,4 +1,4 @@
-//! At change points of dyads, wherever they stand, a motion has the derivatives of the smooth branch.
+//! Change points of dyads, wherever they occur: a motion has the derivatives of the smooth branch there.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,5 +1,5 @@
-//! All assemblies followed over the turn: every one is on just one branch, wherever it is looked for, and folds are those
-//! of the closed form.
+//! All assemblies, followed over the turn: at every input each is on exactly one branch, and folds are those of the
+//! closed form.
 
 use std::f64::consts::TAU;
 

@@ -1,6 +1,5 @@
-//! Another way to the motion of a group, apart from the engine's: distances and
-//! offsets of points as quadratic equations in all their coordinates, followed in
-//! small steps by Newton's method; and its dead points by an extended system.
+//! The motion of a group by another method than the engine's. Distances and offsets of points are quadratic equations
+//! in all coordinates; Newton's method follows them in small steps. Dead points come from an extended system.
 
 use assur::Point;
 use assur::mechanism::LinkageSpec;

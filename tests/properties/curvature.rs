@@ -1,5 +1,5 @@
-//! What holds of curvature in every linkage: Euler and Savary against the derivatives of points, the inflection circle,
-//! Ball's point, the evolute, centrodes that roll; and closed forms: the ellipses of a trammel, Cardan's circles.
+//! Properties of curvature in every linkage. Euler–Savary against the derivatives of points, the inflection circle,
+//! Ball's point, the evolute, centrodes that roll; closed forms for the ellipses of a trammel and Cardan's circles.
 
 use std::f64::consts::TAU;
 

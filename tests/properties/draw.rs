@@ -1,6 +1,5 @@
-//! Four-bars and crank angles drawn near degenerate on purpose: change points
-//! and what lies a few roundings beside them, dead points, vanishing diagonals,
-//! tiny and huge ratios.
+//! Four-bars and crank angles, drawn nearly degenerate on purpose: change points and poses a few roundings away from
+//! them, dead points, vanishing diagonals, tiny and huge ratios.
 
 use std::f64::consts::{PI, TAU};
 

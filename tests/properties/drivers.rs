@@ -1,5 +1,4 @@
-//! What holds of every chain of dyads and of every higher group if another pair of it is driven, of which both links
-//! move.
+//! Properties of every chain of dyads and every higher group when the driver is a pair between two moving links.
 
 use assur::mechanism::{DriverSpec, LinkageSpec, Mechanism, Pose};
 use assur::motion::Motion;

@@ -1,4 +1,4 @@
-//! What holds of every chain of dyads, however they are joined.
+//! Properties of every chain of dyads, however the dyads are joined.
 
 use assur::mechanism::{LinkageSpec, Mechanism, PointSpec};
 use assur::motion::Motion;

@@ -1,5 +1,4 @@
-//! What holds of every motion, shared by the properties of dyads and of higher
-//! groups.
+//! Properties of every motion, shared by the tests of chains of dyads and of higher groups.
 
 use assur::JetPoint;
 use assur::mechanism::{LinkageSpec, Mechanism, Pose};

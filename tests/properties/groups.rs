@@ -1,4 +1,4 @@
-//! What holds of every group of Class III to V, whatever its dimensions.
+//! Properties of every group of Class III to V, whatever its dimensions.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! A mixer as a linkage like any other moves as its four-bar's closed form says.
+//! The mixer as an ordinary linkage: it moves as the closed form of its four-bar predicts.
 
 use std::f64::consts::TAU;
 

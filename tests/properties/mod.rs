@@ -1,5 +1,4 @@
-//! Properties that hold for every four-bar, chain of dyads, higher group and structure, drawn
-//! near degenerate on purpose.
+//! Properties of every four-bar, chain of dyads, higher group and structure, drawn nearly degenerate on purpose.
 
 mod assemblies;
 mod centres;

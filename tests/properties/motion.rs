@@ -1,4 +1,4 @@
-//! What holds of whole motions.
+//! Properties of whole motions.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,5 +1,5 @@
-//! What holds of the polygons of every linkage: they close, their points are the derivatives, what is said of their
-//! directions is so, two directions cross where the point is, and the image of a link is similar to it.
+//! Properties of the polygons of every linkage: they close, their points are the derivatives, stated directions are
+//! right, two directions cross at their point, and the image of a link is similar to the link.
 
 use assur::mechanism::{BodyId, Mechanism, Pose};
 use assur::motion::{InputRate, Motion};

@@ -1,4 +1,4 @@
-//! What holds of every single pose.
+//! Properties of single poses.
 
 use assur::{FourBar, Pose, Unsolved};
 use assur_tests::{Rocker, scaled};

@@ -1,4 +1,4 @@
-//! Chance with a fixed seed.
+//! Random numbers from a fixed seed.
 
 use proptest::prelude::RngExt;
 use proptest::test_runner::{RngAlgorithm, TestRng};

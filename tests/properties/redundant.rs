@@ -1,4 +1,4 @@
-//! Mechanisms with redundant constraints that move: random sizes, random poses.
+//! Mechanisms with redundant constraints that move, of random sizes and in random poses.
 
 mod doubled;
 mod nearly;

@@ -1,7 +1,6 @@
-//! What holds of the structure of every linkage: linkages built of known groups
-//! come apart into them, under any names and in any order; a linkage comes
-//! apart exactly where its Jacobian, with random dimensions, can be inverted;
-//! the groups are the smallest there are.
+//! Properties of the structure of every linkage. A linkage built of known groups decomposes into them, under any names
+//! and in any order. A linkage decomposes if and only if its Jacobian, for random dimensions, can be inverted. The
+//! groups are the smallest possible.
 
 mod draw;
 mod oracle;

@@ -1,4 +1,4 @@
-//! Damage done to texts, alike in every run, and readers that are given the damaged texts.
+//! Damage to texts, the same in every run, and a trial of readers with damaged texts.
 
 use std::fmt::Debug;
 use std::sync::mpsc;

@@ -1,4 +1,4 @@
-//! Files of the project, as tests of its words and names read them.
+//! Files of the project, as the tests of its texts and names read them.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,5 +1,5 @@
-//! What several tests share: golden tables and how to compare with them, files of the project, damage
-//! done to texts, counts of random input.
+//! Tools shared by several tests: golden tables and comparison with them, files of the project, damage to texts,
+//! amounts of random input.
 
 #[cfg(not(target_family = "wasm"))]
 pub mod damage;

@@ -1,4 +1,4 @@
-//! Swing, travel and time ratio of a four-bar's rocker from its limit positions, to compare with motions.
+//! Swing, travel and time ratio of the rocker of a four-bar, from its limit positions, for comparison with motions.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! How much the tests with random input look at, and from which seed on.
+//! Amount of random input in tests, and its first seed.
 
 use std::env;
 use std::ops::Mul;

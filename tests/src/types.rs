@@ -1,4 +1,4 @@
-//! Declarations of types in TypeScript, written from the Rust.
+//! TypeScript declarations, written from the Rust types.
 
 use std::collections::BTreeMap;
 use std::{env, fs};

@@ -1,4 +1,4 @@
-//! What is wrong with linkages that do not come apart.
+//! Faults of linkages that cannot be decomposed.
 
 use assur::structure::{Fault, Graph, Pair};
 

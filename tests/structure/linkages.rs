@@ -1,4 +1,4 @@
-//! Known linkages with each of their drivers.
+//! Known linkages, with each of their possible drivers.
 
 use assur::structure::{Dyad, Pair};
 

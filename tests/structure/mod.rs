@@ -1,5 +1,5 @@
-//! The structure of known linkages, driver by driver: groups, class, order and
-//! formula; and what is wrong with those that have none.
+//! The structure of known linkages with each driver: groups, class, order and formula; and the faults of those without
+//! a structure.
 
 mod faults;
 mod groups;

@@ -1,4 +1,4 @@
-//! Angles over whole turns, groups in any unit.
+//! Angles over whole turns, and changes of groups in any unit.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! Keys that scripts build, and the sources of what they are built from.
+//! Keys that scripts compose, and the sources of their parts.
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.

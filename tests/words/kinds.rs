@@ -1,5 +1,4 @@
-//! The tables of words that kinds of document have in their own folders: a kind that comes
-//! needs no line here.
+//! String tables in the folders of the kinds of document: a new kind needs no change here.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -1,4 +1,4 @@
-//! The limits that problems tell are those at which documents are refused, in every language.
+//! Limits in the messages, in every language: documents are refused at exactly these limits.
 
 use assur_file::{PictureDocument, Problem, document_of, from_text};
 use assur_tests::files::source;

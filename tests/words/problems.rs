@@ -1,4 +1,4 @@
-//! Problems of the engine and of other programs have words.
+//! Problems of the engine and of other programs: each has a message.
 
 use super::*;
 

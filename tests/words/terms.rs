@@ -1,4 +1,4 @@
-//! One notion has one term throughout a language; numbers and apostrophes are written as the language has them.
+//! Terms of each language: one term for one concept, and the numbers and apostrophes of that language.
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,4 +1,4 @@
-//! All assemblies of a Class IV group at one input, by the angle of the output link.
+//! All assemblies of a Class IV group at one input, in order of the angle of the output link.
 //!
 //! `cargo run -p assur-file --example assemblies`
 

@@ -1,4 +1,4 @@
-//! Any linkage from JSON: its structure, and a traced point over a turn.
+//! A linkage read from JSON: its structure, and the positions of a point over a turn.
 //!
 //! `cargo run -p assur-file --example linkage`
 
@@ -15,7 +15,7 @@ const SLIDER_CRANK: &str = r#"{
     "drivers": [{ "crank": "crank" }]
 }"#;
 
-/// Prints the structural formula and twelve positions of C.
+/// Prints the structural formula, the mobility and twelve positions of C.
 pub fn main() {
     let motion = match from_text(SLIDER_CRANK).and_then(|document| document.motion()) {
         Ok(motion) => motion,

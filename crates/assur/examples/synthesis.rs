@@ -1,4 +1,4 @@
-//! Four-bars that take up two positions of output and input: a family with one free length.
+//! Four-bars that pass through two given positions of output and input: a family with one free length.
 //!
 //! `cargo run -p assur --example synthesis`
 
@@ -6,7 +6,7 @@ use assur::synthesis::four_bar::{Frame, Position, Task, TwoPositions};
 
 /// Prints members of the family with their verdicts.
 pub fn main() {
-    // φ₂ and φ₃ from the frame, as the source paper has them.
+    // Angles φ₂ of the output and φ₃ of the input, measured from the frame as in the source paper.
     let positions = [[240.0, 45.0], [253.0, 60.0]]
         .map(|[output, input]: [f64; 2]| Position::new(output.to_radians(), input.to_radians()));
     let frame = Frame {

@@ -1,12 +1,12 @@
-//! A planetary train with two driven shafts: the third speed, the six ratios, torques and powers.
+//! A planetary train with two driven shafts: the speed of the third shaft, the sum of the powers and the six ratios.
 //!
 //! `cargo run -p assur --example train`
 
 use assur::gears::train::{Differential, Drive, Input, Shaft};
 
-/// Prints speeds, ratios and powers.
+/// Prints the speed, the sum of the powers and the ratios.
 pub fn main() {
-    // Teeth of sun and ring: the satellites have 20.
+    // Numbers of teeth of the sun and the ring; each satellite has 20.
     let differential = match Differential::planar([20.0, 60.0]) {
         Ok(differential) => differential,
         Err(faults) => return println!("no train: {faults:?}"),

@@ -5,10 +5,10 @@
 //! velocity, φ″ of the acceleration. Angles are continuous along a motion and are not reduced to (−π, π]. Only
 //! [`dynamics`] and [`gears::train`] follow a motion over time.
 //!
-//! The crate is pure: no screen, clock, I/O or randomness. An invalid dimension returns an [`Invalid`], which names it.
-//! A crank angle without a pose returns an [`Unsolved`], which gives the reason. Nothing panics or returns NaN. Ids of
-//! links and points come from a [`mechanism::Mechanism`] and are valid only with it: an id from another mechanism may
-//! be out of range.
+//! The crate is pure: no screen, clock, I/O or randomness. An invalid dimension returns an [`Invalid`], which names
+//! that dimension. A crank angle without a pose returns an [`Unsolved`], which gives the reason. Nothing panics or
+//! returns NaN. Ids of links and points come from a [`mechanism::Mechanism`] and are valid only with it: an id from
+//! another mechanism may be out of range.
 //!
 //! | module | subject |
 //! |---|---|
@@ -16,8 +16,8 @@
 //! | `position` | dyads in closed form, groups by Newton's method, certified steps, all assemblies of a group |
 //! | [`circuits`], [`polygons`], [`centres`], [`curvature`] | branches over a turn; velocity and acceleration polygons; instant centres; circles of curvature |
 //! | `four_bar` ([`FourBar`]), [`gears`], [`mixer`] | four-bars in closed form; gear pairs and epicyclic trains; the mixer |
-//! | [`mobility`], [`synthesis`], [`dynamics`] | mobility and redundant constraints; four-bars from positions, dwell; a differential with magnetic couplings under load |
-//! | `combined_method`, `relation` | the equations of the source papers in numbers, as printed and as they hold |
+//! | [`mobility`], [`synthesis`], [`dynamics`] | mobility and redundant constraints; four-bars from given positions, linkages with a dwell; a differential with magnetic couplings under load |
+//! | `combined_method`, `relation` | equations of the source papers, evaluated as printed and as corrected |
 //! | `jet`, `geometry`, `index`, `numeric` | derivatives; points and vectors; typed ids; roots, linear equations, whole turns, levels of tolerance |
 //!
 //! ```

@@ -1,4 +1,4 @@
-//! The worked example, and what is said of two and of three positions.
+//! The worked example of the paper, and its claims for two and for three positions.
 
 use assur::Grashof;
 use assur::synthesis::four_bar::theorems::{conditions, functional, truth};

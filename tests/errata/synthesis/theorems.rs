@@ -1,4 +1,4 @@
-//! The conditions and theorems, as they are printed.
+//! The conditions and theorems of the paper, as printed.
 
 use assur::synthesis::four_bar::theorems::{
     Angles, Truth, Unknown, conditions, functional, theorems, truth,

@@ -1,4 +1,4 @@
-//! The numbers of the notes for teachers on the differential, by the engine.
+//! The numbers in the notes for teachers on the differential, computed by the engine.
 
 use assur::dynamics::{Body, Mesh, Recording};
 use assur::gears::train::{ConditionKind, Shaft};

@@ -1,4 +1,4 @@
-//! The numbers of the notes for teachers on mobility.
+//! The numbers in the notes for teachers on mobility, computed by the engine.
 
 use assur::mobility::{PairKind, Scheme, Space, Vector3};
 

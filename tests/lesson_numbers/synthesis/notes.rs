@@ -1,4 +1,4 @@
-//! The numbers of the notes for teachers on synthesis, by the engine.
+//! The numbers in the notes for teachers on synthesis, computed by the engine.
 
 use assur::synthesis::four_bar::theorems::{
     Alternative, Angles, System, Truth, Unknown, alternative, conditions, functional, opening,

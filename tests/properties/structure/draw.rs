@@ -1,5 +1,4 @@
-//! Linkages to take apart: built of known groups, or of pairs at random; and the
-//! same linkage under other names.
+//! Linkages to decompose: built of known groups or of random pairs; and the same linkages under other names.
 
 use std::collections::BTreeSet;
 

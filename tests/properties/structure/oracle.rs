@@ -1,5 +1,4 @@
-//! The same questions answered another way: by the rank of a Jacobian, and by
-//! trying every set of links.
+//! Independent checks of a structure: the rank of a Jacobian, and a trial of every set of links.
 
 use assur::structure::{Driver, Graph, Pair};
 

@@ -4,12 +4,12 @@ use super::pebbles::{BODY, Pebbles, Surplus};
 use super::{Driver, Fault, Graph, Pair};
 use crate::numeric::graph::Partition;
 
-/// The freedoms, all spent except those of the whole in the plane, which stay on the ground, and the parts with surplus
-/// constraints.
+/// Counts the freedoms of a graph with its drivers fixed. Returns the pebbles, three of them free on the ground, and
+/// the parts with surplus constraints.
 ///
 /// # Errors
-/// All faults: of single pairs and drivers, or else of the count. Surplus constraints are a fault unless they are
-/// allowed.
+/// All faults of single pairs and drivers; if there are none, all faults of the count. Surplus constraints are a fault
+/// unless `surplus_allowed`.
 pub(super) fn check(
     graph: &Graph,
     drivers: &[Driver],
@@ -38,7 +38,7 @@ pub(super) fn check(
         let links: Vec<usize> = (0..graph.links)
             .filter(|&link| link != graph.ground && with_ground[link])
             .collect();
-        // A missing driver is reported only if something could be driven. Surplus constraints are a fault of their own.
+        // If all links are locked, no driver is missing: they are `Rigid`, or overconstrained (reported below).
         if !undriven.is_empty() || links.is_empty() || !whole {
             faults.push(Fault::NoDriver);
         } else if surplus_allowed || surplus.is_empty() {
@@ -119,7 +119,8 @@ fn driven(graph: &Graph, drivers: &[Driver]) -> Vec<Fault> {
     faults
 }
 
-/// For each link, true if pairs join it to the ground; and all nodes joined so: links, and the points of their pairs.
+/// First, for each link, true if pairs connect it to the ground; second, the nodes so connected: these links and the
+/// points of their hinges.
 fn joined_to_ground(graph: &Graph) -> (Vec<bool>, Vec<usize>) {
     let mut parts = Partition::new(graph.links);
     for pair in &graph.pairs {

@@ -1,17 +1,17 @@
-//! The highest contour of a group.
+//! The highest contour of a group: the one with the most pairs.
 
 use crate::sorting::sort_by_key;
 use std::collections::VecDeque;
 
-/// The number of pairs in the longest contour of a shortest basis of the contours; 0 if none is closed.
+/// Number of pairs in the longest contour of a minimum cycle basis; 0 if no contour is closed.
 ///
-/// `joints` gives the bodies joined by each joint, more than two by a compound hinge. The graph must be connected.
+/// `joints` lists the bodies that each joint connects: more than two for a compound hinge. The graph must be connected.
 ///
-/// A contour alternates between bodies and joints, so it is a cycle in the graph with both as nodes. The cycles of
-/// length up to k are sums of closed walks of length up to k from a body along its tree of shortest paths, over one
-/// more edge, and back: take a cycle, a body on it, and the walks for each of its edges; none is longer than the cycle,
-/// and in their sum the paths out and back cancel. So the longest contour is found when such walks, from all bodies and
-/// in order of length, first span all cycles.
+/// A contour alternates between bodies and joints: it is a cycle in the graph whose nodes are the bodies and the
+/// joints. A *walk* leaves a body along its tree of shortest paths, crosses one more edge, and returns along the tree.
+/// Every cycle is a sum of walks no longer than itself: take a body on the cycle and, for each edge of the cycle, the
+/// walk over that edge. In the sum of these walks the paths out and back cancel. So the walks of all bodies are tried
+/// in order of length until they span all cycles, and the last walk needed is the longest contour.
 pub(super) fn longest(bodies: usize, joints: &[Vec<usize>]) -> usize {
     let mut edges = vec![];
     for (i, joint) in joints.iter().enumerate() {
@@ -61,8 +61,8 @@ pub(super) fn longest(bodies: usize, joints: &[Vec<usize>]) -> usize {
     longest
 }
 
-/// Length and edges of the shortest path from one node to each. For each node its edges are given, with their other
-/// ends.
+/// Length and edges of the shortest path from `start` to each node; None if there is no path. `at` lists the edges at
+/// each node, with their other ends.
 fn shortest_paths(
     at: &[Vec<(usize, usize)>],
     edges: usize,
@@ -84,7 +84,7 @@ fn shortest_paths(
     paths
 }
 
-/// A set of edges, added modulo two.
+/// A set of edges. Sets are added modulo two: an edge in both cancels.
 #[derive(Clone)]
 struct Cycle(Vec<u64>);
 
@@ -145,12 +145,12 @@ mod tests {
     #[test]
     fn of_two_contours_the_higher() {
         let mut joints = ring(8);
-        joints.push(vec![0, 3]); // cuts the ring of 8 into a 4 and a 6
+        joints.push(vec![0, 3]); // divides the ring of 8 into contours of 4 and 6
         assert_eq!(longest(8, &joints), 6);
     }
 
-    /// Three paths of 2, 4 and 4 pairs between two bodies: drawn with the first outermost, one sees a contour of 8
-    /// pairs, but it is the sum of two of 6.
+    /// Three paths of 2, 4 and 4 pairs between two bodies. Drawn with the path of 2 outermost, they show a contour of 8
+    /// pairs; but this contour is the sum of two contours of 6.
     #[test]
     fn a_contour_made_of_lower_ones_does_not_count() {
         let joints = [

@@ -6,7 +6,7 @@ use std::fmt;
 /// order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// The ground is none of the links.
+    /// The ground is not one of the links.
     NoGround,
     /// There is no driver.
     NoDriver,
@@ -51,35 +51,35 @@ pub enum Fault {
         /// The earlier driver.
         earlier: usize,
     },
-    /// Links that no pairs join to the ground.
+    /// Links that no chain of pairs connects to the ground.
     Apart {
-        /// The links, all such.
+        /// All these links.
         links: Vec<usize>,
     },
-    /// Links still free to move while all drivers are fixed.
+    /// Links that can still move when all drivers are fixed.
     Undriven {
-        /// The links, all such.
+        /// All these links.
         links: Vec<usize>,
-        /// Number of their freedoms together, equal to that of missing drivers.
+        /// Degrees of freedom of all these links together: the number of missing drivers.
         freedoms: usize,
     },
-    /// Links with no freedom to drive, if no driver is given.
+    /// Links that cannot move, in a graph without a driver.
     Rigid {
-        /// The links, all but the ground.
+        /// All links except the ground.
         links: Vec<usize>,
     },
-    /// Links with more constraints than are needed to lock them. There may be several such parts.
+    /// A part of the linkage with more constraints than are needed to lock it. Each such part is a fault of its own.
     Overconstrained {
         /// The links of the part.
         links: Vec<usize>,
-        /// The drivers in it; without any, the pairs alone are too many.
+        /// The drivers within the part; if there is none, its pairs alone impose too many constraints.
         drivers: Vec<usize>,
-        /// Number of surplus constraints.
+        /// Number of surplus constraints in the part.
         excess: usize,
     },
-    /// Links of one group or body in which prismatic pairs alone determine an angle twice: in a ring of them, or in a
-    /// row of them between links of given angle. A translation stays free instead, though the count is right. Example:
-    /// a group of two links and three prismatic pairs.
+    /// Links of one group or body in which prismatic pairs alone determine an angle twice. These pairs form a ring, or
+    /// a chain between links whose angles are given. A translation stays free, although the count of freedoms is right.
+    /// Example: a group of two links and three prismatic pairs.
     Sliding {
         /// The links.
         links: Vec<usize>,
@@ -87,7 +87,7 @@ pub enum Fault {
 }
 
 impl fmt::Display for Fault {
-    /// Debug form, for the programmer's log; texts for the reader are in the string tables.
+    /// Writes the debug form, for a programmer's log. Messages for the user are in the string tables.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self:?}")
     }

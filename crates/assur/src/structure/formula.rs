@@ -1,16 +1,16 @@
-//! The structural formula, as I(0,1) → II₂(2,3).
+//! The structural formula, such as I(0,1) → II₂(2,3).
 
 use super::{Group, Step, Structure};
 use std::fmt::Display;
 
 impl Structure {
-    /// The structural formula in Artobolevsky's notation: [its terms](Self::terms) in turn.
+    /// The structural formula in Artobolevsky's notation: [its terms](Self::terms) with arrows between them.
     pub fn formula<N: Display>(&self, name: impl Fn(usize) -> N) -> String {
         self.terms(name).join(" → ")
     }
 
-    /// The terms of the structural formula: for each step the class, the order as a subscript, and the links, named by
-    /// the caller. Links of one body have a + between them.
+    /// The terms of the structural formula, one for each step: the class, for a group the order as a subscript, and the
+    /// links in brackets. `name` returns the name of a link. A + stands between the links of one body.
     pub fn terms<N: Display>(&self, name: impl Fn(usize) -> N) -> Vec<String> {
         let body = |links: &[usize]| {
             let names = links.iter().map(|&link| name(link).to_string());
@@ -28,7 +28,7 @@ impl Structure {
 }
 
 impl Group {
-    /// Class and order, as IV₃; q₁ of a passive link, which has one redundant constraint.
+    /// Class and order of the group, such as IV₃; q₁ for a passive link, which has one redundant constraint.
     pub fn symbol(&self) -> String {
         let is_passive = self.surplus > 0 && self.class == 1;
         let (letters, number) = if is_passive {
@@ -50,7 +50,7 @@ pub(crate) fn subscript(number: usize) -> String {
     digits.collect()
 }
 
-/// A class in Roman numerals: IV.
+/// A class in Roman numerals, such as IV.
 pub fn roman(mut number: usize) -> String {
     let mut roman = String::new();
     for (value, letters) in [

@@ -8,16 +8,16 @@ use crate::sorting::sort;
 /// An Assur group.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
-    /// Its bodies: each a link, or links without relative motion while the drivers are fixed. Ascending, as are the
-    /// links in each.
+    /// The bodies, in order of their lowest links. A body is one link, or several links (ascending) that have no
+    /// relative motion while the drivers are fixed.
     pub bodies: Vec<Vec<usize>>,
-    /// The pairs between its bodies; a hinge of k bodies k − 1 times.
+    /// The pairs between its bodies. A hinge of k bodies is listed k − 1 times.
     pub inner: Vec<usize>,
     /// The pairs that join its bodies to links solved before.
     pub outer: Vec<Outer>,
-    /// Class by the highest contour: 2, 3, 4 and so on; 1 for a passive link, which has no class.
+    /// Class, from the highest contour: 2, 3, 4 and so on. The value 1 marks a passive link, which has no class.
     pub class: usize,
-    /// The form, if it is a dyad of two bodies and three one-freedom pairs.
+    /// Form of a dyad of two bodies and three lower pairs; None for any other group.
     pub dyad: Option<Dyad>,
     /// Number of constraints in excess of the freedoms of its bodies; 0 for an Assur group.
     pub surplus: usize,
@@ -30,11 +30,11 @@ pub struct Outer {
     pub pair: usize,
     /// The link of the group.
     pub link: usize,
-    /// The link solved before. Of several in one hinge, the first solved.
+    /// The link solved before the group. If the hinge joins several such links, the one solved first.
     pub base: usize,
 }
 
-/// The five forms of a dyad: outer, inner, outer pair; R revolute, P prismatic.
+/// Form of a dyad. The letters are its outer, inner and other outer pair: R revolute, P prismatic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Dyad {
     /// Form 1.
@@ -50,7 +50,7 @@ pub enum Dyad {
 }
 
 impl Group {
-    /// Its links, ascending.
+    /// All links of its bodies, ascending.
     pub fn links(&self) -> Vec<usize> {
         let mut links = self.bodies.concat();
         sort(&mut links);
@@ -62,8 +62,7 @@ impl Group {
         self.outer.len()
     }
 
-    /// The group of these links, which depend on each other and on links solved
-    /// before.
+    /// Makes a group of links that depend on each other, and otherwise only on links solved before.
     pub(super) fn new(
         graph: &Graph,
         drivers: &[Driver],
@@ -86,10 +85,10 @@ impl Group {
             dyad: None,
             surplus,
         };
-        // For the class: bodies, with substitutes of higher pairs, and joints.
+        // For the class: the number of bodies, substitute links of higher pairs included, and the bodies at each joint.
         let mut count = group.bodies.len();
         let mut joints: Vec<Vec<usize>> = vec![];
-        // The bodies that meet in a pair, each with the first of its links there.
+        // The bodies of the group that meet in a pair, each with its lowest link in that pair.
         let mut here: Vec<(usize, usize)> = vec![];
         for (index, pair) in graph.pairs.iter().enumerate() {
             let links = pair.links().iter();
@@ -114,7 +113,7 @@ impl Group {
             }
             let joined = here.iter().map(|(body, _)| *body);
             if matches!(pair, Pair::Gear(_)) {
-                // Except if the other wheel comes later.
+                // A mesh with a wheel that is solved later needs no substitute link.
                 if outer && here.len() == 1 || here.len() == 2 {
                     joints.extend(joined.map(|body| vec![body, count]));
                     count += 1;
@@ -135,12 +134,12 @@ impl Group {
         Ok(group)
     }
 
-    /// Index of the body of a link.
+    /// Index of the body that contains a link.
     fn body_of(&self, link: usize) -> Option<usize> {
         self.bodies.iter().position(|body| body.contains(&link))
     }
 
-    /// The form of a dyad; None for other groups.
+    /// Finds the form of a dyad; None for other groups.
     fn form(&self, graph: &Graph) -> Option<Dyad> {
         let slides = |pair: usize| matches!(graph.pairs[pair], Pair::Prismatic(_));
         let outer = self.outer.iter().filter(|outer| slides(outer.pair)).count();
@@ -162,14 +161,14 @@ impl Group {
         let outer = self.outer.iter().map(|outer| outer.pair);
         let pairs = self.inner.iter().copied().chain(outer);
         let sliding = pairs.filter(|&pair| matches!(graph.pairs[pair], Pair::Prismatic(_)));
-        // Bodies of the group at the ends of each: one for an outer pair.
+        // For each prismatic pair, the bodies of the group at its ends: one body if the pair is an outer one.
         let sliding: Vec<Vec<usize>> = sliding
             .map(|pair| {
                 let links = graph.pairs[pair].links().iter();
                 links.filter_map(|&link| self.body_of(link)).collect()
             })
             .collect();
-        // Sets of bodies with a common angle.
+        // Sets of bodies that prismatic pairs hold at fixed angles to each other.
         let mut parts = Partition::new(self.bodies.len());
         for ends in &sliding {
             parts.join(ends.iter().copied());
@@ -191,7 +190,7 @@ impl Group {
     }
 }
 
-/// The links in sets without relative motion, by the pairs and drivers between them.
+/// Divides links into bodies. The pairs and drivers between the links of a body leave them no relative motion.
 fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>> {
     if let [link] = links {
         return vec![vec![*link]];
@@ -207,8 +206,8 @@ fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>>
     bodies
 }
 
-/// Checks that a body is locked in spite of prismatic pairs: with one of its links as ground it decomposes into groups,
-/// none of which is at fault.
+/// Checks that the links of a body are locked even if prismatic pairs join them: with one link as ground, the body must
+/// decompose into groups without faults.
 fn check_body(graph: &Graph, drivers: &[Driver], body: &[usize]) -> Result<(), Fault> {
     if body.len() == 1 {
         return Ok(());

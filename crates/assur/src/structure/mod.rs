@@ -1,45 +1,47 @@
-//! The structure of any planar linkage: driver and Assur groups, added in turn.
+//! The structure of any planar linkage: drivers and Assur groups, added one after another.
 //!
-//! It depends only on the [`Graph`], the pairs and the links they join: not on lengths, names or order. [`decompose`]
-//! gives the [`Structure`], with groups of any class, or all faults of the graph.
+//! The structure depends only on the [`Graph`], which lists the links that each pair joins, and on each [`Driver`]: not
+//! on lengths, names or order. [`decompose`] returns the [`Structure`], with groups of any class, or all faults of the
+//! graph.
 //!
 //! # Groups
 //!
-//! An *Assur group* is a chain that adds no freedom when its outer pairs join it to links already solved, 3n = 2P₁ +
-//! P₂, and that contains no smaller such chain. A link counts as three freedoms, a hinge as the two of its point, with
-//! two constraints for each link on the hinge. That is k − 1 pairs for a compound hinge of k links, without choosing
-//! the two links joined by each of them: a choice would change the groups.
+//! An *Assur group* is a chain of links that adds no freedom when its outer pairs join it to links already solved, and
+//! that contains no smaller such chain. Its n links, P₁ lower pairs and P₂ higher pairs satisfy 3n = 2P₁ + P₂. A link
+//! counts as three freedoms, a hinge as the two of its point, with two constraints for each link on the hinge. So a
+//! compound hinge of k links counts as k − 1 pairs, without a choice of the two links that each of them joins. Such a
+//! choice would change the groups.
 //!
-//! Assign each constraint to a freedom that it determines (`pebbles.rs`). Then a set of links that depends on nothing
-//! outside is solved on its own, and links that depend on each other in a ring are solved together: they are the
-//! groups, the same for every assignment (Servatius, Shai, Whiteley, *Combinatorial characterization of the Assur
-//! graphs from engineering*, 2010). A link is never divided: a prismatic pair that gives its angle before its place
-//! makes no smaller group.
+//! Each constraint is assigned to a freedom that it determines (`pebbles.rs`). The link with this freedom then depends
+//! on the other links of that pair. Links that depend on each other in a ring are solved together and form a group. The
+//! groups are the same for every assignment (Servatius, Shai, Whiteley, *Combinatorial characterization of the Assur
+//! graphs from engineering*, 2010). A link is never divided: if a prismatic pair determines the angle of a link before
+//! its position, this makes no smaller group.
 //!
 //! # Class and order
 //!
-//! After Artobolevsky (*Theory of mechanisms and machines*). The order is the
-//! number of outer pairs. The class is that of the highest contour:
+//! Both follow Artobolevsky (*Theory of mechanisms and machines*). The order is the number of outer pairs. The class is
+//! that of the highest contour:
 //!
 //! - II: two links, the dyad;
 //! - III: more links, whose inner pairs close no contour of more than three pairs;
-//! - k > III: the inner pairs close a contour of k pairs, whose angles change.
+//! - k ≥ IV: the inner pairs close a contour of k pairs, with variable angles.
 //!
-//! If several contours are closed, those of a shortest basis count: contours none of which is a sum of shorter ones.
-//! Their lengths depend neither on the basis nor on the drawing, in which a contour around two others would be higher
-//! than both.
+//! If several contours are closed, those of a minimum cycle basis count: none of them is a sum of shorter contours.
+//! Their lengths depend neither on the basis nor on the drawing. (In a drawing, a contour around two others would be
+//! higher than both.)
 //!
 //! Links without relative motion (a triangle of bars, or a cylinder and its driven piston) are one *body* and count as
-//! one link. A higher pair counts as its substitute, a link with two lower pairs; so a wheel hinged on solved links and
-//! in mesh with a solved wheel is of Class II, order 2.
+//! one link. A higher pair counts as its substitute, a link with two lower pairs. So a wheel that is hinged to a solved
+//! link and meshes with a solved wheel is a group of Class II, order 2.
 //!
 //! # Limits of counting
 //!
-//! Special dimensions. A parallelogram with a third rocker moves, though it counts as locked, and is refused as
-//! [`Fault::Overconstrained`]. So would be a second satellite between sun and ring, but [`crate::mechanism::Mechanism`]
-//! knows the numbers of teeth and omits its passive mesh. Links joined by prismatic pairs alone, which have the right
-//! count and yet no determined place, are [`Fault::Sliding`]. Everything else can be solved, except for special
-//! dimensions.
+//! A count ignores dimensions. A parallelogram with a third rocker moves, but it counts as locked and is refused as
+//! [`Fault::Overconstrained`]. A second satellite between sun and ring would be refused too, but
+//! [`crate::mechanism::Mechanism`] knows the numbers of teeth and omits the passive mesh of that satellite. Links that
+//! prismatic pairs alone join may have the right count but no definite position: they are refused as
+//! [`Fault::Sliding`]. Every linkage that is not refused can be solved, except at special dimensions.
 //!
 //! ```
 //! use assur::structure::{Driver, Graph, Pair, decompose};
@@ -76,16 +78,16 @@ use crate::sorting::{sort, sort_by_key};
 use pebbles::{BODY, Pebbles, Surplus};
 use std::collections::BTreeSet;
 
-/// A pair and the links it joins, by their indices.
+/// A pair and the indices of the links that it joins.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Pair {
-    /// A hinge, joining two links or more at one point. A compound hinge of k
-    /// links is one `Revolute` and counts as k − 1 pairs.
+    /// A hinge, which joins two or more links at one point. A compound hinge of k links is one `Revolute` and counts
+    /// as k − 1 pairs.
     Revolute(Vec<usize>),
-    /// A slider on its guide.
+    /// A slider and its guide.
     Prismatic([usize; 2]),
-    /// A higher pair, such as two gears in mesh: it takes one freedom. The
-    /// hinges that carry the wheels are pairs of their own.
+    /// A higher pair, such as two gears in mesh, which removes one freedom. The hinges that carry the gears are pairs
+    /// of their own.
     Gear([usize; 2]),
 }
 
@@ -111,7 +113,7 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// P₁: number of one-freedom pairs; a hinge of k links counts as k − 1.
+    /// Number of lower pairs, P₁, each with one freedom. A hinge of k links counts as k − 1 pairs.
     pub fn lower_pairs(&self) -> usize {
         let pairs = self.pairs.iter();
         pairs
@@ -123,13 +125,13 @@ impl Graph {
             .sum()
     }
 
-    /// P₂: number of two-freedom pairs.
+    /// Number of higher pairs, P₂, each with two freedoms.
     pub fn higher_pairs(&self) -> usize {
         let pairs = self.pairs.iter();
         pairs.filter(|pair| matches!(pair, Pair::Gear(_))).count()
     }
 
-    /// W = 3n − 2P₁ − P₂ by Chebyshev and Grübler, n without the ground.
+    /// Mobility by count, W = 3n − 2P₁ − P₂ (Chebyshev, Grübler), where n is the number of links without the ground.
     pub fn mobility(&self) -> isize {
         3 * (self.links as isize - 1)
             - 2 * self.lower_pairs() as isize
@@ -142,29 +144,29 @@ impl Graph {
 pub struct Driver {
     /// The pair, revolute or prismatic.
     pub pair: usize,
-    /// The two links of the pair that move relative to each other.
+    /// The two links of the pair whose relative motion is the input.
     pub links: [usize; 2],
 }
 
 /// The decomposition of a linkage.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
-    /// The steps in order, each joined to those before. Of several possible ones next comes the one that can be added
-    /// earliest, then a driver, then the lowest link.
+    /// The steps, each joined to earlier ones. They are sorted by level, one more than the highest level to which the
+    /// step is joined; at one level drivers come first, then the step with the lowest link.
     pub steps: Vec<Step>,
-    /// The step that adds each link; None for the ground.
+    /// For each link, the index of the step that adds it; None for the ground.
     pub step_of: Vec<Option<usize>>,
 }
 
 /// A step of the decomposition.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Step {
-    /// The mechanism of Class I: a driver.
+    /// A driver, which is a mechanism of Class I.
     Driver {
-        /// Index of the driver.
+        /// Index of the driver in the given list of drivers.
         driver: usize,
-        /// The base link and the driven link. If it drives two links of one group, as a piston in its cylinder, the
-        /// group is the next step, except for other drivers, and adds both links.
+        /// The base link and the driven link. If both belong to one group, as a cylinder and its piston may, the group
+        /// adds both; its step follows those of its drivers.
         links: [usize; 2],
     },
     /// An Assur group.
@@ -172,7 +174,7 @@ pub enum Step {
 }
 
 impl Structure {
-    /// The class of the mechanism: the highest of its groups', or I. Passive links have none.
+    /// Class of the mechanism: the highest class of its groups, or 1 if it has none. Passive links have no class.
     pub fn class(&self) -> usize {
         self.groups().map(|group| group.class).max().unwrap_or(1)
     }
@@ -185,17 +187,17 @@ impl Structure {
         })
     }
 
-    /// The same without its passive links.
+    /// Copies the structure without its passive links.
     pub(crate) fn without_passive_links(&self) -> Self {
         let mut steps = self.steps.clone();
-        // They come last: the others keep their numbers.
+        // Passive links come last, so the other steps keep their indices.
         steps.retain(|step| !matches!(step, Step::Group(group) if group.class == 1));
         let of = |step: &Option<usize>| step.filter(|step| *step < steps.len());
         let step_of = self.step_of.iter().map(of).collect();
         Self { steps, step_of }
     }
 
-    /// The steps on which a step depends directly, in order.
+    /// Indices of the steps on which a step depends directly, ascending.
     pub fn needs(&self, step: usize) -> Vec<usize> {
         let of = |link: usize| self.step_of.get(link).copied().flatten();
         let needs: BTreeSet<usize> = match self.steps.get(step) {
@@ -216,16 +218,16 @@ impl Structure {
 /// Decomposes a linkage into its drivers and Assur groups.
 ///
 /// # Errors
-/// All faults at once: those of single pairs and drivers or, if there are none, those of the count of freedoms.
+/// All faults of single pairs and drivers at once; if there are none, all faults of the count of freedoms.
 pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fault>> {
     taken_apart(graph, drivers, false)
 }
 
-/// The same with redundant constraints allowed: links with more constraints than are independent in general position
-/// are one group, whose constraints may still determine a motion.
+/// Decomposes a linkage as [`decompose`] does, with redundant constraints allowed. Links with more constraints than are
+/// independent in general position become one group, whose constraints may still determine a motion.
 ///
 /// # Errors
-/// All faults at once, except surplus constraints.
+/// As for [`decompose`], but surplus constraints are no fault.
 pub fn decompose_redundant(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fault>> {
     taken_apart(graph, drivers, true)
 }
@@ -260,7 +262,7 @@ fn taken_apart(
         surplus.iter().filter(inside).map(|part| part.excess).sum()
     };
 
-    // The level of a block is one more than the highest of those it is joined to.
+    // The level of a block is one more than the highest level of the blocks that carry it.
     let mut level = vec![0; graph.links];
     for block in &blocks {
         let joined = graph
@@ -272,7 +274,7 @@ fn taken_apart(
             level[link] = next.unwrap_or(0) + 1;
         }
     }
-    // A link that a driver moves relative to a solved one is a block of its own.
+    // A link that a driver moves relative to a solved link is a block of its own.
     let driven = |block: &[usize]| driven_alone(block, &depends);
     sort_by_key(&mut blocks, |block| {
         (level[block[0]], driven(block).is_none(), block[0])
@@ -307,7 +309,7 @@ fn taken_apart(
     }
 }
 
-/// Dependence of the places of links on each other.
+/// Dependence of the positions of links on each other.
 struct Depends {
     ground: usize,
     /// For each link, all links on which it depends, itself included; ascending.
@@ -317,7 +319,7 @@ struct Depends {
 impl Depends {
     fn of(graph: &Graph, mut pebbles: Pebbles) -> Self {
         let Graph { links, ground, .. } = *graph;
-        // The frame determines others and is not determined: its freedoms stay free.
+        // The ground determines other links and depends on none: its freedoms stay free.
         pebbles.gather(&[ground], BODY);
         let on = (0..links).map(|link| {
             let nodes = pebbles.reach(&[link]);
@@ -327,12 +329,12 @@ impl Depends {
         Self { ground, on }
     }
 
-    /// True if a link depends on another, or is the same.
+    /// Returns true if `link` depends on the link `on`, or is that link.
     fn depends(&self, link: usize, on: usize) -> bool {
         self.on[link].binary_search(&on).is_ok()
     }
 
-    /// Makes links depend on each other, and on all on which any of them depends.
+    /// Makes the given links, and those that depend on them, depend on every link on which a given link depends.
     fn join(&mut self, links: &BTreeSet<usize>) {
         let of = links.iter().flat_map(|link| self.on[*link].iter().copied());
         let all: BTreeSet<usize> = of.collect();
@@ -346,7 +348,8 @@ impl Depends {
         }
     }
 
-    /// The links that depend on the ground, in blocks that depend on each other; each block depends on earlier blocks.
+    /// Divides the links that depend on the ground into blocks. The links of a block depend on each other, and
+    /// otherwise only on the ground and earlier blocks.
     fn blocks(&self) -> Vec<Vec<usize>> {
         let depends = |&link: &usize| link != self.ground && self.depends(link, self.ground);
         let mut blocks: Vec<Vec<usize>> = vec![];
@@ -361,7 +364,7 @@ impl Depends {
         blocks
     }
 
-    /// Of links that share a constraint, the one solved first: the others depend on it, or all depend on each other.
+    /// Finds the link solved first of those that share a constraint: the others depend on it, or all on each other.
     fn base(&self, links: &[usize]) -> usize {
         let first = links.iter().copied().min_by_key(|&i| (self.on[i].len(), i));
         first.unwrap_or(self.ground)

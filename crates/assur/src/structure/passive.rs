@@ -1,13 +1,14 @@
-//! Passive links: without them a linkage moves the same and has fewer redundant constraints.
+//! Passive links: a linkage moves the same without them, and has fewer redundant constraints.
 
 use std::collections::BTreeSet;
 
 use super::check::check;
 use super::{Driver, Graph, Group, Outer, Pair, Step, Structure, decompose};
 
-/// The structure of a linkage without its passive links, followed by one step for each of these. A passive link has two
-/// pairs, and without it the linkage has one surplus constraint less; `moves` is true if the linkage moves the same
-/// without some links, which counting cannot decide. None if surplus constraints remain.
+/// Decomposes a linkage without its passive links, then adds one step for each passive link. A passive link has two
+/// pairs; without it the linkage has one surplus constraint less and moves the same. Counting cannot decide the latter:
+/// `moves` returns true if the linkage moves the same without a set of links. The result is None if surplus constraints
+/// remain or there is another fault.
 pub fn with_passive_links(
     graph: &Graph,
     drivers: &[Driver],
@@ -15,7 +16,7 @@ pub fn with_passive_links(
 ) -> Option<Structure> {
     let mut passive = BTreeSet::new();
     let mut surplus = surplus(graph, drivers, &passive)?;
-    // The last of several.
+    // If one link of several can be passive, the last is chosen.
     for link in (0..graph.links).rev().filter(|link| *link != graph.ground) {
         let joins = graph
             .pairs
@@ -57,14 +58,14 @@ pub fn with_passive_links(
     Some(structure)
 }
 
-/// The number of surplus constraints without some links; None if there is another fault.
+/// Number of surplus constraints of a linkage without the links `passive`; None if there is another fault.
 fn surplus(graph: &Graph, drivers: &[Driver], passive: &BTreeSet<usize>) -> Option<usize> {
     let without = Without::new(graph, drivers, passive);
     let (_, surplus) = check(&without.graph, &without.drivers, true).ok()?;
     Some(surplus.iter().map(|part| part.excess).sum())
 }
 
-/// A graph without some links, with the original indices of its links and pairs.
+/// A graph without some links, and the original indices of the links and pairs kept.
 struct Without {
     graph: Graph,
     drivers: Vec<Driver>,

@@ -1,24 +1,25 @@
-//! Counting freedoms against constraints, for every part of a linkage at once.
+//! Count of freedoms against constraints, for every part of a linkage at once: the pebble game.
 
 use super::{Driver, Graph, Pair};
 use crate::sorting::sort;
 
-/// The freedoms of a body in the plane.
+/// Number of freedoms of a body in the plane.
 pub(super) const BODY: usize = 3;
 const POINT: usize = 2;
 
-/// Freedoms, some of them spent on constraints.
+/// Freedoms of a linkage as pebbles, some of them spent on constraints.
 ///
-/// The nodes are the links, then a point for each pair (used by hinges only). Each starts with its freedoms as pebbles.
-/// A constraint between two nodes takes a pebble of one of them, which then *depends* on the other. It is independent
-/// of those before it if the two can gather four pebbles: three for moving as one body and one to spend. Pebbles are
-/// gathered by letting the other end pay for constraints (Lee, Streinu, *Pebble game algorithms and sparse graphs*,
-/// 2008). With the points of hinges as nodes this is independence in the plane for bodies in general position
-/// (Whiteley, *A matroid on hypergraphs*, 1989).
+/// The nodes are the links, then a point for each pair (used by hinges only). A node starts with one pebble for each of
+/// its freedoms. A constraint between two nodes takes a pebble from one node, which then *depends* on the other. The
+/// constraint is independent of earlier ones if its two nodes can gather four pebbles: three to move as one body and
+/// one to spend. A node gets a spent pebble back if the other end of the constraint can pay instead (Lee, Streinu,
+/// *Pebble game algorithms and sparse graphs*, 2008). As the points of hinges are nodes, this is independence in the
+/// plane for bodies in general position (Whiteley, *A matroid on hypergraphs*, 1989).
 pub(super) struct Pebbles {
     nodes: Vec<Node>,
-    /// Nodes reached by the last search, and for each node the one before it.
+    /// Nodes reached by the last search, in order.
     found: Vec<usize>,
+    /// For each node, how the last search reached it.
     from: Vec<Before>,
 }
 
@@ -27,9 +28,9 @@ pub(super) struct Pebbles {
 struct Node {
     /// Number of free pebbles.
     free: usize,
-    /// Number of constraints that it pays for.
+    /// Number of constraints that the node pays for.
     spent: usize,
-    /// Other ends of these constraints.
+    /// Other ends of these constraints: the first `spent` entries.
     ends: [usize; BODY],
 }
 
@@ -71,7 +72,7 @@ impl Node {
     }
 }
 
-/// Nodes with more constraints than are independent.
+/// Nodes with more constraints between them than are independent.
 pub(super) struct Surplus {
     /// The nodes, ascending.
     pub(super) nodes: Vec<usize>,
@@ -80,9 +81,9 @@ pub(super) struct Surplus {
 }
 
 impl Pebbles {
-    /// Counts the pairs and drivers within the kept links, and finds the parts in which they are not independent. These
-    /// are disjoint, whatever the order of the pairs: they are the connected components of the matroid (any two of its
-    /// circuits that share an element share two nodes, and conversely).
+    /// Counts the pairs and drivers between the links to keep, and finds the parts with surplus constraints. No two
+    /// parts share a constraint, and the order of the pairs does not change them: they are the connected components of
+    /// the matroid (any two of its circuits that share an element share two nodes, and conversely).
     pub(super) fn count(
         graph: &Graph,
         drivers: &[Driver],
@@ -103,7 +104,7 @@ impl Pebbles {
                 pebbles.constrain([a, b], &mut surplus);
             }
         };
-        // Drivers and their pairs come first: of dependent constraints another one is surplus.
+        // Drivers and driven pairs are counted first: of dependent constraints, the one counted last is surplus.
         drivers.iter().for_each(|driver| constrain(driver.links));
         for driven in [true, false] {
             for (pair, joined) in graph.pairs.iter().enumerate() {
@@ -123,7 +124,7 @@ impl Pebbles {
         (pebbles, surplus)
     }
 
-    /// Adds a constraint between two nodes; a dependent one is surplus.
+    /// Adds a constraint between two nodes; if it depends on earlier ones, it is added to the surplus.
     fn constrain(&mut self, [a, b]: [usize; 2], surplus: &mut Vec<Surplus>) {
         if !self.locked(a, b) {
             let [from, to] = if self.nodes[a].free > 0 {
@@ -138,26 +139,26 @@ impl Pebbles {
             nodes: self.reach(&[a, b]).collect(),
             excess: 1,
         };
-        // A joined part may share nodes with further parts.
+        // The union of two parts may share two nodes with a third part.
         while let Some(i) = surplus.iter().position(|part| part.shares_two(&new)) {
             new.join(surplus.swap_remove(i));
         }
         surplus.push(new);
     }
 
-    /// True if the constraints leave two nodes no relative motion.
+    /// Returns true if the constraints leave two nodes no relative motion.
     pub(super) fn locked(&mut self, a: usize, b: usize) -> bool {
         !self.gather(&[a, b], BODY + 1)
     }
 
-    /// Gathers free pebbles on the nodes until they have the `wanted` number together; false if that is impossible.
+    /// Gathers free pebbles on the nodes until these together hold the number `wanted`; false if that is impossible.
     pub(super) fn gather(&mut self, nodes: &[usize], wanted: usize) -> bool {
         while self.free_on(nodes) < wanted {
             let giver = |node: usize, free: usize| free > 0 && !nodes.contains(&node);
             let Some(mut node) = self.search(nodes, giver) else {
                 return false;
             };
-            // Each node on the path takes over the constraint that the one before it paid for.
+            // Each node on the path takes over the constraint that the node before it paid for.
             while let Before::Node(before) = self.from[node] {
                 self.nodes[before].take_back(node);
                 self.nodes[node].pay(before);
@@ -167,13 +168,13 @@ impl Pebbles {
         true
     }
 
-    /// True if a link can move although three pebbles are gathered on the ground.
+    /// Returns true if a link can move relative to the ground, on which three pebbles must be gathered beforehand.
     pub(super) fn moves(&mut self, link: usize, ground: usize) -> bool {
         self.search(&[link], |node, free| free > 0 && node != ground)
             .is_some()
     }
 
-    /// All nodes on which these depend, themselves included, ascending.
+    /// All nodes on which the given nodes depend, the given nodes included, ascending.
     pub(super) fn reach<'a>(
         &'a mut self,
         nodes: &[usize],
@@ -184,13 +185,13 @@ impl Pebbles {
             .map(|(node, _)| node)
     }
 
-    /// Free pebbles on these nodes.
+    /// Number of free pebbles on the nodes.
     pub(super) fn free_on(&self, nodes: &[usize]) -> usize {
         nodes.iter().map(|&node| self.nodes[node].free).sum()
     }
 
-    /// Breadth-first search from nodes along the constraints that each pays for, up to the first node wanted. The
-    /// predicate is asked with the node and the number of its free pebbles.
+    /// Searches breadth-first for a wanted node, starting from `nodes`, along the constraints that each node pays for.
+    /// `is_wanted` takes a node and the number of its free pebbles.
     fn search(
         &mut self,
         nodes: &[usize],
