@@ -1,4 +1,4 @@
-// The status line of a differential: speeds, largest ratio, slip.
+// The status line of a differential: speeds, largest ratio, mobility, assembly, slip.
 import { StatusLine } from "assur/controls/status.js";
 import { notation } from "assur/kinds/gear-train/ratios.js";
 
