@@ -97,7 +97,7 @@ export class Asking {
   }
 
   /**
-   * Writes the answer if the engine knows it.
+   * Writes the present answer to a question for a number, or that the engine cannot compute it.
    * @param {Written} lesson
    * @param {number} index
    * @param {string} sort
