@@ -24,9 +24,9 @@ import { holds, open } from "assur/lesson/show.js";
  *   name?: string, preset: string, set?: Readonly<Record<string, number>>, drive?: string, play?: boolean, overlays?: readonly string[], plot?: string,
  *   at?: (summary: Summaries[K]) => number | undefined,
  * }>} Show
- * A document that a button opens. `name`: last part of the key of the button's text, `ID.show.NAME`; by default the text is "Show it".
- * `preset`: the document. `set`: changed dimensions, by their names as in `controls`. `drive`: another link to drive. `play`: whether it
- * moves. `overlays`, `plot`: what is shown. `at`: angle of the crank.
+ * A document that a button opens. `name`: NAME in the key `ID.show.NAME` of the button's text, where ID is the step's id; without a name the
+ * text is "Show it". `preset`: the document. `set`: changed dimensions, by their names as in `controls`. `drive`: another link to drive.
+ * `play`: whether the mechanism moves. `overlays`, `plot`: what is shown. `at`: the input, such as the crank angle.
  */
 
 /**
@@ -37,7 +37,7 @@ import { holds, open } from "assur/lesson/show.js";
  *   places?: (summary: Summaries[K]) => Readonly<Record<string, number>>, hides?: readonly string[],
  * }>} Question
  * `answer`: the engine's answer for the current mechanism, a number or one of the `choices`; undefined if there is none. `within`:
- * tolerance of a number. `unit`: of the number. `round`: whether a difference of 360° is ignored. `whole`: whether the number is a
+ * tolerance of a number. `unit`: unit of the number. `round`: whether a difference of 360° is ignored. `whole`: whether the number is a
  * count, so that `ID.right` has plural forms. `places`: further numbers in `ID.right`. `hides`: ids of read-outs that give the answer
  * away. The page hides them until the question is answered or the answer is shown.
  */

@@ -19,7 +19,7 @@ const WEIGHED = 4;
 /** Field of a driven shaft. The factor counts only if the shaft's speed is a multiple of another's, other fields only if it is not. */
 const DRIVE = /^drives\[(\d)\]\.(\w+)$/;
 
-/** Keys of the words for a dimension, by its symbol, for points whose names cannot be subscripts. */
+/** Keys of the words for a dimension, by its symbol, used if the names of its points cannot be subscripts. */
 const BY_SYMBOL = Object.freeze({ l: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
 
 /** Decimals to which a number is rounded: it may come from a drawing and have many more. */

@@ -47,7 +47,7 @@ function first(subject) {
 
 /**
  * @param {Pick<State, "document">} state
- * @returns {string} id of the mechanism in the catalogue from which the document came; empty if there is none
+ * @returns {string} id of the catalogue's mechanism from which the document was made; empty if there is none
  */
 export function originOf({ document }) {
   return ("origin" in document && document.origin) || "";

@@ -14,12 +14,12 @@ export class OwnMechanism {
   #page;
   /** @type {readonly Shown[]} */
   #shows = [];
-  /** @type {WeakSet<State["document"]>} documents of the step. They can be kept as objects, because undo and redo bring back the same objects */
+  /** @type {WeakSet<State["document"]>} documents of the step, compared by identity: undo and redo bring back the same objects */
   #own = new WeakSet();
   /** @type {State | null} the last state with a document of the step */
   #last = null;
   #opening = false;
-  /** Whether the last act of the reader was on a control of the step. */
+  /** Whether the reader's last action was on a control of the step. */
   #acted = false;
   #ended = new AbortController();
 

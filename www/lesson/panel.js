@@ -33,13 +33,13 @@ import { withView } from "assur/state/state.js";
  * @typedef {Readonly<{
  *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], from: number | null, question: Question | null,
  *   tools: import("assur/lesson/tools.js").Wanted & { figure?: (engine: import("assur/engine.js").Engine) => Figure },
- * }>} Told a step in words. `id`: progress is kept under it. `from`: index of the step whose mechanism
+ * }>} Told a step in words. `id`: key of its progress. `from`: index of the step whose mechanism
  * this step shows, null if it shows none
  * @typedef {{
  *   readonly id: string, readonly name: string, readonly paper?: import("assur/lesson/paper.js").Printed, tell(words: Words): readonly Told[],
  *   frame?(step: HTMLElement[], progress: Progress, renew: () => Progress): HTMLElement[], answered?(): void,
  * }} Source
- * Source of a lesson. `id`: used in links. `name`: progress is kept under it. `paper`: items of its paper. `tell`: gives the steps. `frame`: puts
+ * Source of a lesson. `id`: used in links. `name`: key of its progress. `paper`: items of its paper. `tell`: gives the steps. `frame`: puts
  * further elements around a step; its `renew` takes over the progress kept under another name. `answered`: called whenever an answer may have changed.
  */
 

@@ -1,5 +1,5 @@
-// Drives of the train. Two of the three shafts are driven: each at a given speed, held, or at a multiple of the other's speed. The
-// third shaft follows.
+// Drives of the train. Two of the three shafts are driven: each runs at a given speed, is held, or runs at a multiple of the other's
+// speed. The third shaft follows.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";

@@ -1,5 +1,5 @@
-// Members 7, on the satellite, and 8, on the carrier, which do the work of the machine, such as stirrers, brushes or fans: their
-// kinds, their uses in the paper, and their torques.
+// Members 7 (on the satellite) and 8 (on the carrier), which do the work of the machine, such as stirrers, brushes or fans. The
+// section shows their kinds, their uses in the paper, and their torques.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";

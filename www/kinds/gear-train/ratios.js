@@ -71,8 +71,8 @@ function wide(label, content) {
 }
 
 /**
- * @param {string} name such as 3/1(4)
- * @returns {string} U₃₁⁽⁴⁾
+ * @param {string} name name of a ratio, such as 3/1(4)
+ * @returns {string} notation of the ratio, such as U₃₁⁽⁴⁾
  */
 export function notation(name) {
   const [, of, to, held] = /^(\d)\/(\d)\((\d)\)$/.exec(name) ?? [];

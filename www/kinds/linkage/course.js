@@ -32,7 +32,7 @@ const INSET = Object.freeze({ width: 0.42, height: 0.42 });
 const HEAD = 15;
 
 /**
- * Paints the dwell over the plots, if the document has a band and the plotted output is the one it applies to.
+ * Paints the dwell over the plots of the output, if the document has a band for this output.
  * @type {import("assur/plots/chart.js").Overlay}
  */
 export function paintCourse(context, panels, { kind, state, summary, words }, engine, theme) {

@@ -24,8 +24,8 @@ const USUAL = "5";
 const TOLD = 10;
 
 /**
- * Time for which an improvement is shown before the search continues, in milliseconds. It is long enough to see the improvement, and
- * for a smooth motion although redrawing takes some frames.
+ * Time for which an improvement is shown before the search continues, in milliseconds. This is long enough to see the improvement. It
+ * also keeps the motion smooth although redrawing takes some frames.
  */
 const SHOWN = 400;
 

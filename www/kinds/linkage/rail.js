@@ -32,7 +32,7 @@ export class LinkageRail {
   #source = make("p", { class: "source", "data-of": "linkage" });
   /** @type {NumberRow[]} */
   #rows = [];
-  /** @type {NumberRow[]} rows of further drivers */
+  /** @type {NumberRow[]} rows for the rates of further drivers */
   #further = [];
   #built = new Seen();
   #shown = new Seen();

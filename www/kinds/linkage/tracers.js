@@ -65,7 +65,7 @@ export class TracedPoints {
       ];
     }));
     words.fill(this.#section);
-    // The removed button had the focus, which moves to another button or to the box for traces.
+    // If the focus was in the old list, it moves to the first button of the new list, or to the box for traces.
     if (focused) (this.#list.querySelector("button") ?? byId("traces", HTMLInputElement)).focus();
   }
 

@@ -14,7 +14,7 @@ import { edited } from "assur/state/state.js";
  * `said`: the text. `answer`: the right answer. `opened`: whether the question can be answered only after every contour is cut open.
  */
 
-/** Number of tasks, small enough for short task numbers. */
+/** Number of different tasks, few enough for short task numbers. */
 const TASKS = 100000;
 
 /** @type {readonly Question[]} */

@@ -47,7 +47,7 @@ export class ConditionsView {
     this.#paint();
   }
 
-  /** Shades the lengths l₁ and l₂, the darker the more positions can be closed, and marks the drawn lengths. */
+  /** Shades the plane of l₁ and l₂, darker where more positions can be closed, and marks the drawn lengths. */
   #paint() {
     if (!this.#snapshot) return;
     const { summary: { frame, closed, wanted, drawn }, words } = this.#snapshot;
@@ -89,7 +89,7 @@ const JUDGED = Object.freeze(/** @type {Readonly<Record<string, string>>} */ ({
 /**
  * @param {string} name
  * @param {string} said
- * @param {readonly (boolean | null)[]} verdicts the printed condition and the true result; null if there is none
+ * @param {readonly (boolean | null)[]} verdicts whether the printed condition holds, and the true result; null if there is none
  * @param {Words} words
  * @param {boolean} [fails] whether the row shows a theorem that is false for this position
  */
@@ -126,7 +126,7 @@ function whole(name, said, kind = "range") {
 function valued(number, about, values, words) {
   const [one, other] = values.map((value) => (value === null ? "∞" : words.numbers.short(value)));
   if (about === null) return one;
-  // Conditions (33) to (38) compare two fractions, the others Pₖ and Qₖ.
+  // Conditions (33) to (38) of the paper concern two fractions, those before them the quantities Pₖ and Qₖ.
   const k = subscript(about.slice(1));
   // A line may break only between the two equations.
   return number < 33 ? `P${k}\u00a0=\u00a0${one}; Q${k}\u00a0=\u00a0${other}` : `${one}; ${other}`;

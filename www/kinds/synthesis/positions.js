@@ -93,7 +93,7 @@ export class PositionsView {
 
   /**
    * @param {Snapshot} snapshot
-   * @returns {Position} a position of the drawn linkage after the last one, or, if there is none, the last one with another input
+   * @returns {Position} a position of the drawn linkage after the last position; if none is found, the last position at another input
    */
   #another({ state: { document: { positions } }, summary: { drawn: { starts: [outputStart, inputStart] } } }) {
     const last = positions[positions.length - 1];
@@ -116,7 +116,7 @@ function areGiven({ positions }) {
 
 /**
  * @param {Snapshot} snapshot
- * @returns {Position[]} the positions, with the drawn linkage's coupler angles, rounded
+ * @returns {Position[]} the positions with the rounded coupler angles of the drawn linkage
  */
 function withCouplers({ state: { document: { positions } }, summary: { wanted } }) {
   return positions.map((position, k) => {

@@ -17,7 +17,7 @@ import { edited } from "assur/state/state.js";
 /** Keys of the texts on how the solutions were found. */
 const FROM = Object.freeze({ family: "solutions.family", exact: "solutions.exact", found: "solutions.found", trial: "solutions.trial" });
 
-/** Gap below which a contour is shown as closed, since the written digits could not show the gap. */
+/** Gap below which a contour is shown as closed: the written digits would not show the gap. */
 const EXACT = 5e-7;
 
 /** Columns of the file: lengths, starting angles, errors, verdict. */
