@@ -1,4 +1,5 @@
-// Exports of motion in the dialog: animations, and several poses in one picture. Modules that write files are loaded on demand.
+// The part of the export dialog for motion: animations, and several poses in one picture. The modules that write the files are
+// loaded on demand.
 import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";
 import { sentence } from "assur/controls/problems.js";
@@ -9,7 +10,10 @@ import { measured } from "assur/core/units.js";
 
 /** @typedef {import("assur/export/moments.js").Work} Work */
 
-/** Choices of width in pixels, moments of a period, seconds of a period, poses in one picture; the initial choices. */
+/**
+ * Choices in the dialog. `WIDTHS`: in pixels. `MOMENTS`: pictures per period. `SECONDS`: duration of a period. `POSES`: number of
+ * poses in one picture. `USUAL`: the initial choices.
+ */
 const WIDTHS = Object.freeze([320, 480, 640, 800]);
 const MOMENTS = Object.freeze([12, 24, 36, 48, 72]);
 const SECONDS = Object.freeze([2, 3, 4, 6, 12]);
@@ -19,7 +23,7 @@ const USUAL = Object.freeze({ width: 480, moments: 48, seconds: 4, poses: 8 });
 /**
  * @param {import("assur/app/page.js").Page} page
  * @param {import("assur/canvas/theme.js").Theme} theme
- * @param {string} name of the files
+ * @param {string} name first part of the file names
  * @param {() => string} title gives a description of the picture
  * @returns {{ rows: (Node | string)[], stop: () => void }}
  */
@@ -35,7 +39,7 @@ export function animations(page, theme, name, title) {
   const buttons = [];
 
   /**
-   * Writes one file at a time. The work can be cancelled, and then there is no file.
+   * Writes a file, unless another is being written. No file is saved if the work is cancelled.
    * @param {string} file
    * @param {(work: Work) => Promise<Blob>} make
    */
@@ -61,7 +65,7 @@ export function animations(page, theme, name, title) {
       }
     } finally {
       running = null;
-      // The focus is passed on before the focused button disappears.
+      // Moves the focus away before the cancel button disappears.
       if (document.activeElement === cancel) buttons[0]?.focus();
       working.hidden = true;
       for (const button of buttons) button.removeAttribute("aria-disabled");

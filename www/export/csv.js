@@ -1,4 +1,4 @@
-// The table of a sweep as CSV, with the fewest digits that read back as exactly the same number.
+// The table of a sweep as CSV. Each number has the fewest digits that read back as exactly the same number.
 import { degrees } from "assur/core/angles.js";
 import { called } from "assur/core/names.js";
 import { parseNumber } from "assur/core/numbers.js";
@@ -16,11 +16,11 @@ import { calledWhole, isLength } from "assur/core/symbols.js";
  * @typedef {object} Choices
  * @property {boolean} comma whether 0,5 is written for 0.5, with a semicolon between cells
  * @property {boolean} degrees whether angles are in degrees instead of radians; derivatives are always in radians and with respect to radians
- * @property {boolean} worded whether columns are named in words instead of as in the terminal
- * @property {boolean} dimensions whether the dimensions of the linkage come first, as comments
+ * @property {boolean} worded whether columns have headings in words instead of the short names of the command line
+ * @property {boolean} dimensions whether the file begins with the dimensions of the linkage, as comments
  */
 
-/** Names of columns in words, by the order of the derivative. */
+/** Keys of column headings in words, for each kind of quantity by the order of the derivative. */
 const COLUMNS = Object.freeze({
   angle: Object.freeze(["export.column.angle", "export.column.omega", "export.column.epsilon"]),
   x: Object.freeze(["export.column.x", "export.column.vx", "export.column.ax"]),
@@ -35,16 +35,16 @@ const COLUMNS = Object.freeze({
   centre_y: Object.freeze(["export.column.centre_y"]),
 });
 
-/** Prefix of names of the compared mechanism. */
+/** Prefix of the column headings and dimensions of the compared mechanism, A. */
 const OF_A = "A: ";
 
-/** Significant digits of a dimension: those it had before conversion to the drawing. */
+/** Significant digits of a dimension. Rounding to them restores the number given before conversion to the drawing. */
 const DIGITS = 12;
 
 const DIMENSIONS = Object.freeze({ length: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
 
 /**
- * The table of the mechanism, with that of the compared mechanism beside it.
+ * Writes the table of the mechanism, with the columns of the compared mechanism to its right.
  * @param {SweepTable} table
  * @param {Coordinate} coordinate unit and range of the input
  * @param {Choices} choices
@@ -69,7 +69,7 @@ export function toCsv(table, coordinate, choices, words) {
     return line([number(input), ...cells]);
   });
   const text = [...(choices.dimensions ? comments : []), line([inputName(coordinate, words), ...heads]), ...lines].join("");
-  // A spreadsheet misreads letters beyond ASCII without a byte order mark, which stands for UTF-8.
+  // Without a byte order mark, which announces UTF-8, a spreadsheet misreads letters beyond ASCII.
   const mark = /[^\0-\x7f]/.test(text) ? "\ufeff" : "";
   return new Blob([mark, text], { type: "text/csv" });
 }
@@ -79,7 +79,7 @@ export function toCsv(table, coordinate, choices, words) {
  * @param {Coordinate} coordinate
  * @param {Choices} choices
  * @param {Words} words
- * @returns {string} its name with its unit
+ * @returns {string} heading of the column, with its unit
  */
 function named({ name, quantity }, { moves }, choices, words) {
   if (!quantity) return name;
@@ -106,7 +106,7 @@ function named({ name, quantity }, { moves }, choices, words) {
 
 /**
  * @param {Words} words
- * @returns {string} the unit of lengths for programs
+ * @returns {string} unit of length in a short column name
  */
 function lengthName({ lengths }) {
   return lengths === "none" ? "length" : lengths;
@@ -129,7 +129,7 @@ function writtenInDegrees({ kind, order }, choices) {
   return choices.degrees && order === 0 && !isLength(kind);
 }
 
-/** Beginning of a cell that a spreadsheet takes for a formula. */
+/** Matches the first character of a cell that a spreadsheet takes for a formula. */
 const FORMULA = /^[=+\-@\t\r]/;
 
 /**

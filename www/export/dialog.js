@@ -1,4 +1,4 @@
-// The dialog of exports: table, drawing and plots as files. Loaded on demand.
+// The export dialog: table, drawing, plots and animations as files. Loaded on demand.
 import { byId, make } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { attempt } from "assur/core/problem.js";
@@ -8,12 +8,12 @@ import { paperTheme, toPng, toSvg, withCaption, withLegend } from "assur/export/
 
 /** @typedef {import("assur/app/page.js").Page} Page */
 
-/** Choices of rows for a turn of the crank: every 10° to every 0.1°. */
+/** Choices of the number of rows per turn of the crank: from one every 10° to one every 0.1°. */
 const STEPS = Object.freeze([36, 72, 180, 360, 720, 3600]);
 const USUAL = 360;
 
 /**
- * Shows the dialog in the language of the words.
+ * Shows the dialog in the page's language.
  * @param {Page} page
  */
 export function openExport(page) {
@@ -29,7 +29,7 @@ export function openExport(page) {
 }
 
 /**
- * Choices for the table. The decimal sign is by default that of the page's language.
+ * Makes the controls for the form of the table. The decimal sign is initially that of the page's language.
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
  */
@@ -50,7 +50,7 @@ function tableChoices({ moves }, words) {
     make("div", {}, [made]),
   ];
   const signs = row(decimal, "export.decimal");
-  // A motion over time is no linkage: its columns have units of their own.
+  // The table of a motion over time has units of its own: only the decimal sign can be chosen.
   const rows = moves === "time" ? signs : [
     ...signs,
     ...row(angles, "export.angles"),
@@ -70,7 +70,7 @@ function tableChoices({ moves }, words) {
  * @param {import("assur/state/model.js").Model} model
  * @param {import("assur/state/state.js").State} state
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} the drawn mechanism and its input
+ * @returns {string} name of the drawn mechanism, and the value of its input
  */
 function caption({ summary, coordinate }, state, words) {
   const name = byId("mechanism-name", HTMLElement).textContent ?? "";
@@ -109,7 +109,7 @@ function makeDialog(page) {
     if (value) download(toCsv(value, coordinate, choices.chosen(), words), `${name}.csv`);
   };
   const drawn = [head("export-drawing", "export.drawing"), pictures("drawing", "mechanism", drawing)];
-  // A document that does not move has neither table nor plots.
+  // A mechanism that cannot move has only a drawing to export.
   const exports = model.summary.moves === null ? drawn : [
     head("export-table", "export.table"),
     make("div", {}, [button("table", "csv", saveTable), head("export-step-name", "export.step"), step]),

@@ -1,26 +1,26 @@
-// Writer of a GIF (version 89a) in a worker: it receives the size, then all pictures, then writes one after another. The colours are
-// counted over all pictures, which share one table; of every picture after the first only the changed part is written.
+// A worker that writes a GIF (version 89a). It receives the size, then all pictures, and then writes one picture per message. All
+// pictures share one table of their most frequent colours. Of every picture after the first only the changed part is written.
 
-/** Number of colours in the table; the last entry stands for unchanged pixels. */
+/** `COLOURS`: number of colours in the table. `SAME`: the index after them, which stands for an unchanged pixel. */
 const COLOURS = 255;
 const SAME = 255;
 
 /** Number of bins of colours, with five bits each for red, green and blue. */
 const BINS = 1 << 15;
 
-/** @type {{ width: number, height: number, delay: number } | null} delay in hundredths of a second */
+/** @type {{ width: number, height: number, delay: number } | null} size of the pictures, and delay between them in hundredths of a second */
 let sheet = null;
-/** @type {Uint16Array[]} bins of the pixels of each picture */
+/** @type {Uint16Array[]} for each picture, the colour bins of its pixels */
 const pictures = [];
 const counts = new Float64Array(BINS);
-/** Sums of red, green and blue in each bin. */
+/** Sums of red, green and blue over the pixels in each bin. */
 const sums = new Float64Array(3 * BINS);
 /** @type {Uint8Array | null} index in the table for each bin */
 let indices = null;
 let written = 0;
-/** @type {Uint8Array | null} the previous picture */
+/** @type {Uint8Array | null} the previous picture, as indices in the table */
 let before = null;
-/** @type {(number | Uint8Array)[]} bytes, or lists of them */
+/** @type {(number | Uint8Array)[]} single bytes and lists of bytes */
 const file = [];
 
 addEventListener("message", ({ data }) => {
@@ -33,7 +33,7 @@ addEventListener("message", ({ data }) => {
   else postMessage({ file: null });
 });
 
-/** @param {Uint8ClampedArray} pixels red, green, blue, opacity */
+/** @param {Uint8ClampedArray} pixels red, green, blue and opacity of each pixel */
 function take(pixels) {
   const bins = new Uint16Array(pixels.length / 4);
   for (let i = 0, at = 0; i < bins.length; i++, at += 4) {
@@ -83,7 +83,7 @@ function begun({ width, height }) {
   const bytes = new Uint8Array(3 * 256);
   bytes.set(table.flat().map(Math.round));
   file.push(bytes);
-  // Endless repetition.
+  // The Netscape extension makes the animation repeat endlessly.
   file.push(0x21, 0xff, 11, ...[..."NETSCAPE2.0"].map((letter) => letter.charCodeAt(0)), 3, 1, 0, 0, 0);
   return nearest;
 }
@@ -118,7 +118,7 @@ function changed(now, then, width, height) {
 }
 
 /**
- * Packs the indices of a picture by the method of Lempel, Ziv and Welch as required by GIF, in blocks of at most 255 bytes.
+ * Compresses the indices of a picture by the Lempel–Ziv–Welch (LZW) method of GIF, in blocks of at most 255 bytes.
  * @param {Uint8Array} pixels
  */
 function pack(pixels) {

@@ -1,10 +1,10 @@
 // An animation as GIF: the page paints, a worker writes the file.
 import { inputs, moments, targetOn } from "assur/export/moments.js";
 
-/** Shortest delay in hundredths of a second, the unit of GIF: programs do not show pictures for less. */
+/** Shortest delay, in hundredths of a second, the unit of GIF. Programs do not show pictures for a shorter time. */
 const SHORTEST = 2;
 
-/** Share of painting in the work. */
+/** Share of painting in the whole work, for the progress bar. */
 const PAINTING = 1 / 3;
 
 /**
@@ -19,7 +19,7 @@ export async function toGif(page, theme, { moments: count, width, seconds }, { s
   const canvas = new OffscreenCanvas(1, 1);
   const target = targetOn(canvas, size, width, { alpha: false, willReadFrequently: true });
   const { ground, moment } = begin(theme);
-  // The moments belong to the present mechanism: the page may have another one when the worker answers.
+  // The moments are requested before the worker answers: by then the page may show another mechanism.
   const all = moments(page, inputs(page, count), { signal, tell: (share) => tell(PAINTING * share) });
   const worker = new Worker(import.meta.resolve("assur/export/gif-worker.js"), { type: "module" });
   const stop = () => worker.terminate();

@@ -1,20 +1,23 @@
-// Moments of a motion for an animation or for several poses in one picture: one whole period, so that it repeats without a jump.
+// Moments of a motion, for an animation or for several poses in one picture. They span a whole period, so that an animation
+// repeats without a jump.
 import { Refusal, attempt } from "assur/core/problem.js";
 
 /**
  * @typedef {import("assur/export/pictures.js").Moment} Moment
  * @typedef {import("assur/app/page.js").Page} Page
- * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number }} Wishes number of moments, width in pixels, seconds of a period
+ * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number }} Wishes number of moments, width in pixels, and duration of
+ * a period in seconds
  * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Work work that can be cancelled and reports its progress
  */
 
-/** Tolerance for a place at the end of an arc. */
+/** Tolerance within which an input at the end of an arc counts as on the arc. */
 const HAIR = 1e-9;
 
 /**
  * @param {Page} page
  * @param {number} count
- * @returns {number[]} inputs of the engine at equal steps over a period from the current one; a rocking crank and a slide go there and back
+ * @returns {number[]} inputs of the engine at equal steps over a period. A full turn starts at the current input; a rocking crank or a slide moves
+ * to and fro
  */
 export function inputs({ model: { summary, coordinate }, store }, count) {
   if (summary.moves === null) return [];
@@ -37,7 +40,7 @@ function modulo(value, period) {
 }
 
 /**
- * The same inputs without repeated poses and without the current one.
+ * Finds the inputs of `count` − 1 distinct poses over a period, to be shown together with the current pose.
  * @param {Page} page
  * @param {number} count
  * @returns {number[]}
@@ -51,7 +54,7 @@ export function others(page, count) {
 }
 
 /**
- * Gives each moment of the present mechanism in turn; between two of them the page may do other work.
+ * Yields the moments of the present mechanism in turn. Between two moments the page may do other work.
  * @param {Page} page
  * @param {readonly number[]} inputs of the engine
  * @param {Work} work
@@ -62,7 +65,7 @@ export function moments(page, inputs, work) {
 }
 
 /**
- * @param {Page["model"]["good"]["document"]} document document of the moments
+ * @param {Page["model"]["good"]["document"]} document of the mechanism
  * @param {Page} page
  * @param {readonly number[]} inputs
  * @param {Work} work
@@ -75,7 +78,7 @@ async function* momentsOf(document, page, inputs, { signal, tell }) {
   for (const [number, input] of inputs.entries()) {
     await breath();
     signal.throwIfAborted();
-    // Moments of another mechanism would not belong to this motion.
+    // If the mechanism has been replaced, further moments would not belong to this motion.
     if (page.model.good.document !== document) throw new DOMException("", "AbortError");
     const { value, problems } = attempt(() => page.engine.at(input));
     if (value) found = true;
@@ -107,7 +110,7 @@ function breath() {
  */
 export function targetOn(canvas, size, width, settings = { alpha: false }) {
   const ratio = width / size.width;
-  // Even numbers of pixels, which video formats require, and none beyond the sheet.
+  // Video formats require even numbers of pixels. They are rounded down, so that none lies outside the sheet.
   canvas.width = 2 * Math.floor(width / 2);
   canvas.height = 2 * Math.floor((size.height * ratio) / 2);
   const context = /** @type {CanvasRenderingContext2D | null} */ (canvas.getContext("2d", settings));

@@ -1,4 +1,4 @@
-// An animation as an SVG file that moves by itself, and several poses in one picture.
+// An animated SVG file, and several poses in one picture.
 import { inputs, moments, others, targetOn } from "assur/export/moments.js";
 import { Svg, SvgPath } from "assur/export/svg.js";
 
@@ -10,7 +10,7 @@ import { Svg, SvgPath } from "assur/export/svg.js";
 
 const SVG = "image/svg+xml";
 
-/** Opacity of the first of several poses, and of the last but one. */
+/** Opacities between which the poses other than the current one are painted, from the first to the last. */
 const FAINT = 0.12;
 const STRONG = 0.5;
 
@@ -42,7 +42,7 @@ export async function toMovingSvg(page, theme, { moments: count, width, seconds 
 }
 
 /**
- * Paints poses of one period over each other, and finally the current one with its labels.
+ * Paints poses of one period over one another, and finally the current pose with its labels.
  * @param {Page} page
  * @param {Theme} theme
  * @param {number} count
@@ -92,7 +92,7 @@ export async function posesAsPng(page, theme, count, work) {
 }
 
 /**
- * Gives all poses but the current one, with increasing opacity.
+ * Yields the poses other than the current one, each with its opacity, which increases.
  * @param {Page} page
  * @param {number} count
  * @param {Work} work

@@ -1,4 +1,4 @@
-// Drawing and plots as separate pictures: the content of the screen, painted by the same code on light paper.
+// Drawing and plots as separate pictures: what the screen shows, painted by the same code in the colours of light paper.
 import { textWidth } from "assur/canvas/text-width.js";
 import { Theme } from "assur/canvas/theme.js";
 import { make } from "assur/core/dom.js";
@@ -10,11 +10,11 @@ import { setChartFont } from "assur/plots/text.js";
  * @typedef {import("assur/stage/figure.js").Size} Size
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {{ readonly size: Size, paint: (target: Target, theme: Theme, newPath?: () => Path2D) => void }} Picture
- * @typedef {Pick<import("assur/stage/figure.js").Snapshot, "frame" | "frameInput" | "readouts" | "compared">} Moment state at a place of the motion
- * @typedef {object} Sheet picture for any places of a motion
+ * @typedef {Pick<import("assur/stage/figure.js").Snapshot, "frame" | "frameInput" | "readouts" | "compared">} Moment state of the mechanism at one input
+ * @typedef {object} Sheet picture of the mechanism that can be painted at any input
  * @property {Size} size
- * @property {(theme: Theme, newPath?: () => Path2D, places?: import("assur/canvas/places.js").Places) => Drawing} begin begins a series of paintings, whose labels keep
- * their places
+ * @property {(theme: Theme, newPath?: () => Path2D, places?: import("assur/canvas/places.js").Places) => Drawing} begin begins a series of paintings, in which the labels
+ * keep their places
  * @typedef {object} Drawing
  * @property {(target: Target) => void} ground paints the fixed shapes
  * @property {(target: Target, here?: Moment, labelled?: boolean) => void} moment paints the moving shapes, by default at the current input
@@ -25,7 +25,10 @@ const SVG = "image/svg+xml";
 /** Pixels of a PNG per CSS pixel: sharp in print and on a projector. */
 const SHARPNESS = 3;
 
-/** Legend over the plots, in pixels: height of a row, length of a sample of the curve, space beside it, left edge. */
+/**
+ * The legend above the plots, in pixels. `ROW`: height of a row. `SAMPLE`: length of the sample of a curve. `ROOM`: space between
+ * the sample and its text. `LEFT`: left edge.
+ */
 const ROW = 20;
 const SAMPLE = 22;
 const ROOM = 7;
@@ -38,7 +41,7 @@ const CAPTION = 14;
 let paper = null;
 
 /**
- * Colours and text of light paper for print, whatever theme the page has.
+ * Returns the theme of light paper for print, whatever the theme of the page.
  * @param {readonly string[]} roles
  */
 export function paperTheme(roles) {
@@ -60,7 +63,7 @@ export function toSvg(picture, theme, title) {
 }
 
 /**
- * The picture as an SVG element for a page.
+ * Makes an SVG element of the picture, to be inserted in a page.
  * @param {Picture} picture
  * @param {Theme} theme
  * @param {string} title description of the picture
@@ -97,7 +100,7 @@ export function toPng(picture, theme) {
 }
 
 /**
- * The drawing with a line of text below.
+ * Makes a picture of the drawing with a line of text below.
  * @param {import("assur/stage/view.js").MechanismView} mechanism
  * @param {Theme} theme
  * @param {string} text
@@ -124,7 +127,7 @@ export function withCaption(mechanism, theme, text) {
   return { size, paint: withText };
 }
 
-/** A context for measuring text. */
+/** Makes a context for measuring text. */
 function blank() {
   const context = new OffscreenCanvas(1, 1).getContext("2d");
   if (!context) throw new Error("no 2d context");
@@ -132,7 +135,7 @@ function blank() {
 }
 
 /**
- * The plots with a legend of their curves above, because exported plots have no table to explain the colours.
+ * Makes a picture of the plots with a legend of the curves above. Exported plots have no table to explain the colours.
  * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
  * @param {import("assur/core/words.js").Words} words

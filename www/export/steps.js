@@ -3,9 +3,9 @@ import { make } from "assur/core/dom.js";
 import { marked, withSubscripts } from "assur/core/subscripts.js";
 
 /**
- * @param {Readonly<{ title: string, text: string, formula: string, question: Readonly<{ text: string, options: readonly string[] }> | null }>} step `options`: those of a
- * choice; without any there are lines to write on
- * @param {readonly HTMLElement[]} [shown] elements between them
+ * @param {Readonly<{ title: string, text: string, formula: string, question: Readonly<{ text: string, options: readonly string[] }> | null }>} step `options`: the answers to
+ * choose from; if there are none, the sheet has lines to write on
+ * @param {readonly HTMLElement[]} [shown] elements between the formula and the question
  * @returns {HTMLElement}
  */
 export function stepOnPaper({ title, text, formula, question }, shown = []) {

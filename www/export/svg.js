@@ -1,9 +1,9 @@
-// A drawing context that writes SVG: paintings become elements of a document. It has only the parts of a canvas's context used
-// by the page's painting and by the engine's plotters.
+// A drawing context that writes SVG: what is painted becomes elements of a document. Of the members of a canvas context it has
+// only those that the page and the engine's plotters use.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
 
-/** Significant digits of lengths: a thousandth of a pixel on the largest sheet. */
+/** Significant digits of lengths: enough for a thousandth of a pixel on the largest sheet. */
 const DIGITS = 7;
 
 const ESCAPES = Object.freeze({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" });
@@ -34,8 +34,8 @@ export class SvgPath extends Path2D {
    * @param {number} x of the centre
    * @param {number} y
    * @param {number} radius
-   * @param {number} from radians
-   * @param {number} to end angle, at most a turn farther
+   * @param {number} from start angle in radians
+   * @param {number} to end angle, at most one turn after the start
    */
   arc(x, y, radius, from, to) {
     const point = (/** @type {number} */ angle) => `${short(x + radius * Math.cos(angle))} ${short(y + radius * Math.sin(angle))}`;
@@ -72,7 +72,7 @@ export class Svg {
   #size;
   #title;
   #scale;
-  /** Canvas that measures texts and converts colours. */
+  /** Context that measures texts and converts colours. */
   #canvas;
   /** @type {Map<string, [string, number]>} */
   #colours = new Map();
@@ -100,11 +100,11 @@ export class Svg {
   }
 
   /**
-   * Begins a moment: painting up to {@link end} is visible at one of several moments, repeated endlessly. Programs without animation show
-   * the first moment.
+   * Begins a moment of an endless animation: what is painted up to {@link end} is visible only at this moment. Programs without animation
+   * show the first moment.
    * @param {number} number of the moment, from 0
    * @param {number} count of moments
-   * @param {number} seconds duration of all moments
+   * @param {number} seconds duration of all moments together
    */
   moment(number, count, seconds) {
     const shown = { display: number === 0 ? "inline" : "none" };
@@ -227,7 +227,7 @@ export class Svg {
    * @param {number} y
    */
   strokeText(text, x, y) {
-    // This is the halo of the text that follows, which must not be read twice.
+    // The outline is the halo of the same text, filled next. Screen readers must not read it twice.
     this.#text(text, x, y, { fill: "none", ...this.#line(), "aria-hidden": "true" });
   }
 
@@ -287,7 +287,7 @@ export class Svg {
   }
 
   /**
-   * @param {string} css any colour of a style sheet; other programs know only plain ones
+   * @param {string} css colour in any notation of CSS; programs other than browsers know only #rrggbb
    * @returns {[string, number]} #rrggbb and opacity
    */
   #colour(css) {

@@ -58,7 +58,7 @@ function record(canvas) {
 }
 
 /**
- * @param {number} time time of the page to wait for
+ * @param {number} time moment to wait for, on the clock of `performance.now`
  * @param {AbortSignal} signal
  */
 async function until(time, signal) {

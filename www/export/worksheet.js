@@ -1,5 +1,5 @@
 // The worksheet that is printed instead of the page: drawing and plots, given numbers, values, the steps of the lesson with
-// lines for answers, and the address of the page. Loaded once the page is drawn, because printing does not wait.
+// lines for answers, and the address of the page. Loaded once the page is drawn, because printing does not wait for modules.
 import { byId, make, makeSvg } from "assur/core/dom.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 import { paperTheme, toSvgElement, withLegend } from "assur/export/pictures.js";
@@ -12,10 +12,10 @@ import { END } from "assur/lesson/panel.js";
  * @typedef {import("assur/app/page.js").Page} Page
  */
 
-/** Elements of other kinds of mechanism, and hidden ones. */
+/** Selector of elements for other kinds of mechanism and of hidden elements. */
 const ELSEWHERE = ".elsewhere, [hidden]";
 
-/** Size of a cell of the code, in millimetres, readable from paper by a telephone. */
+/** Side of a cell of the QR code, in millimetres: large enough for a telephone to read it from paper. */
 const CELL = 0.45;
 /** Quiet zone around the code, in cells. */
 const QUIET = 4;
@@ -78,7 +78,7 @@ function dimensions({ engine, model, words }) {
 }
 
 /**
- * @param {boolean} moves whether the mechanism moves, so that the table of values belongs to it
+ * @param {boolean} moves whether the mechanism can move; if not, it has no table of values
  * @returns {HTMLElement} read-outs and status line as on the page; values hidden by a lesson stay hidden
  */
 function values(moves) {
@@ -92,7 +92,7 @@ function values(moves) {
 
 /**
  * @param {Element} output
- * @returns {string} its text, or a question mark if it is withheld
+ * @returns {string} text of the element, or a question mark if a lesson withholds it
  */
 function read(output) {
   if (output instanceof HTMLElement && output.dataset.asked) return "?";
@@ -109,7 +109,7 @@ function foot(link, engine) {
   return make("footer", {}, [...parts, make("p", {}, [link])]);
 }
 
-/** @param {Uint8Array} cells of the code, row by row; 1 is dark */
+/** @param {Uint8Array} cells of the QR code, row by row; 1 is dark */
 function code(cells) {
   const side = Math.sqrt(cells.length);
   const whole = side + 2 * QUIET;

@@ -21,7 +21,7 @@ const GROUPS = Object.freeze(["four_bars", "six_bars", "guides", "geared", "high
 /**
  * @param {Page} page
  * @param {import("assur/gallery/pictures.js").Pictures} pictures
- * @param {Words} english words in English, in which mechanisms can also be found
+ * @param {Words} english words in English, by which cards can be found in every language of the page
  * @returns {Group[]}
  */
 export function groups(page, pictures, english) {
@@ -54,7 +54,7 @@ function mechanismCard({ id, class: highest }, group, page, pictures, english) {
   const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), line(words), about);
   if (engine.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
   button.addEventListener("click", () => page.choose(kind, document));
-  // The numeral in the name of a group does not apply to all its members.
+  // The class in the heading of a group, a Roman numeral, does not apply to all its mechanisms.
   const texts = [words, english].flatMap((table) =>
     [table.text(key), table.text(`about.${id}`), table.text(group).replace(/[IVX]+/, ""), line(table)]);
   return [{ button, words: findable(texts, highest ?? "") }];
@@ -89,7 +89,7 @@ function lessonCard(entry, page, pictures, english) {
  * @param {string} id
  * @param {HTMLCanvasElement} picture
  * @param {string} title
- * @param {string} line line below the title
+ * @param {string} line text below the title
  * @param {...HTMLElement} more
  */
 function card(id, picture, title, line, ...more) {

@@ -15,7 +15,7 @@ import "assur/gallery/style.js";
 const DARK = "(prefers-color-scheme: dark)";
 
 /**
- * Shows the dialog in the language of the words.
+ * Shows the dialog in the page's language.
  * @param {import("assur/app/page.js").Page} page
  */
 export async function openGallery(page) {
@@ -48,7 +48,7 @@ export async function openGallery(page) {
   });
   search.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" || search.value.trim() === "") return;
-    // Otherwise the button focused next would be pressed, too.
+    // Without this, Enter would also press the button focused next.
     event.preventDefault();
     // Enter chooses the first remaining card.
     shown()[0]?.click();
@@ -58,7 +58,7 @@ export async function openGallery(page) {
   dialog.addEventListener("click", ({ target }) => {
     if (target === dialog) dialog.close();
   });
-  // The theme must read its colours first.
+  // The theme must read its colours before the pictures are repainted.
   const repaint = () => requestAnimationFrame(() => pictures.repaint());
   matchMedia(DARK).addEventListener("change", repaint, { signal });
   addEventListener("resize", repaint, { signal });
@@ -99,7 +99,7 @@ function filter(sections, query) {
 }
 
 /**
- * Moves the focus by arrow keys from card to card on the screen, and from the search down to the first card.
+ * Moves the focus by arrow keys between visible cards, and from the search field down to the first card.
  * @param {KeyboardEvent} event
  * @param {HTMLElement} search
  * @param {readonly HTMLElement[]} cards visible cards

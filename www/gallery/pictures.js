@@ -20,12 +20,12 @@ export class Pictures {
   /** @type {Map<HTMLCanvasElement, Sketch>} drawn pictures */
   #drawn = new Map();
   #watch;
-  /** End of the last drawing in the queue: only one is drawn in a frame, so that the page stays responsive. */
+  /** Resolved when the last picture in the queue is drawn. Only one is drawn per frame, so that the page stays responsive. */
   #turn = Promise.resolve();
 
   /**
    * @param {import("assur/app/page.js").Page} page
-   * @param {HTMLElement} window area in which they scroll
+   * @param {HTMLElement} window area in which the pictures scroll
    */
   constructor(page, window) {
     this.#page = page;
@@ -48,7 +48,7 @@ export class Pictures {
     return canvas;
   }
 
-  /** Paints the drawn pictures again, in other colours or for another screen. */
+  /** Paints the drawn pictures again after a change of the colours or of the size. */
   repaint() {
     for (const [canvas, sketch] of this.#drawn) this.#paint(canvas, sketch);
   }

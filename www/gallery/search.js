@@ -1,12 +1,12 @@
 // Search for cards by words: names in the page's language and in English, groups, classes.
 
-/** Numerals of classes, indexed by their values: a class can also be typed as a digit. */
+/** Roman numerals of classes, indexed by their values: a class can also be typed as a digit. */
 const CLASSES = Object.freeze(["", "i", "ii", "iii", "iv", "v", "vi"]);
 
 /**
- * Search words of a card.
+ * Collects the search words of a card.
  * @param {readonly string[]} texts
- * @param {string} [highest] the class of its mechanism
+ * @param {string} [highest] class of the card's mechanism, as a Roman numeral
  * @returns {readonly string[]} search words
  */
 export function findable(texts, highest = "") {
@@ -15,7 +15,7 @@ export function findable(texts, highest = "") {
 }
 
 /**
- * Whether every word of a query is the beginning of a search word; the numeral of a class must match as a whole.
+ * Checks whether every word of a query begins a search word. The numeral of a class must match as a whole.
  * @param {readonly string[]} words
  * @param {string} query
  */

@@ -4,7 +4,7 @@ import { byId, make } from "assur/core/dom.js";
 import { notesOf, served } from "assur/core/served.js";
 import { LESSONS } from "assur/lessons/index.js";
 
-/** Gestures of the pointer, with their effects. */
+/** Keys of the texts for gestures of the pointer and for their effects. */
 const GESTURES = Object.freeze([
   ["gesture.hinge", "gesture.hinge.does"],
   ["gesture.plot", "gesture.plot.does"],
@@ -43,7 +43,7 @@ export function openHelp(words) {
 }
 
 /**
- * Links to the notes for teachers: those of lessons in the reader's language, misprints in English.
+ * Makes links to the notes for teachers, in the reader's language, and to the list of misprints, in English.
  * @param {import("assur/core/words.js").Words} words
  */
 function notes(words) {

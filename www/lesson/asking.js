@@ -97,7 +97,7 @@ export class Asking {
   }
 
   /**
-   * Writes the answer if the engine knows it.
+   * Writes the engine's answer to a question for a number, or a note that the engine has no answer.
    * @param {Written} lesson
    * @param {number} index
    * @param {string} sort

@@ -1,4 +1,4 @@
-// Start of a lesson from outside its tab, with the mechanism of its step; start of a lecturer's own lesson.
+// Start of a lesson from outside its tab, together with the mechanism of its step. Start of the form for a lecturer's lesson.
 import { OWN, readLesson } from "assur/lesson/offer.js";
 import { Progress } from "assur/lesson/progress.js";
 import { open } from "assur/lesson/show.js";
@@ -6,7 +6,7 @@ import { shownNow } from "assur/lesson/steps.js";
 import { withFurther, withView } from "assur/state/state.js";
 
 /**
- * Opens a lesson and the mechanism of its step.
+ * Opens a lesson at a step, with the mechanism of this step.
  * @param {import("assur/app/page.js").Page} page
  * @param {import("assur/lesson/offer.js").Entry} entry
  * @param {number} [step] number of the step, from 1; by default the first step still open
@@ -21,7 +21,7 @@ export async function begin(page, entry, step) {
 }
 
 /**
- * Opens the form for lecturers; without a lesson it begins one with a step that shows the present state.
+ * Opens the form for lecturers. If the state has no lesson yet, it starts with a single step that shows the present state.
  * @param {import("assur/app/page.js").Page} page
  */
 export function writeLesson(page) {

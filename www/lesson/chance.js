@@ -1,16 +1,16 @@
-// Pseudorandom numbers that depend on a name alone, in every browser and for ever: tests pin them.
+// Pseudorandom numbers that depend only on a given text. They are the same in every browser and must never change: tests pin them.
 
 /** Constants of the 32-bit hash FNV-1a. */
 const BASIS = 0x811c9dc5;
 const PRIME = 0x01000193;
 
-/** Significant digits of a value reached by steps. */
+/** Significant digits to which a value of a range is rounded. */
 const DIGITS = 12;
 
 /**
  * @param {string} text
  * @param {number} [seed]
- * @returns {number} a whole number with 32 bits
+ * @returns {number} an unsigned integer of 32 bits
  */
 export function hash(text, seed = 0) {
   let state = BASIS ^ seed;
@@ -31,7 +31,7 @@ function mixed(state) {
 
 /**
  * @param {number} seed
- * @returns {() => number} gives the next number, from 0 to below 1
+ * @returns {() => number} gives the next number, at least 0 and less than 1
  */
 export function generator(seed) {
   let state = seed;
@@ -42,8 +42,8 @@ export function generator(seed) {
 }
 
 /**
- * @param {string} name as it is typed
- * @returns {string} key of the name, equal for all ways to type it
+ * @param {string} name as typed
+ * @returns {string} key of the name, which ignores differences of case, spaces and Unicode form
  */
 export function nameKey(name) {
   return name.normalize("NFKC").trim().replace(/\s+/g, " ").toLowerCase();
@@ -60,18 +60,18 @@ export function ownNumbers(name, step) {
 
 /**
  * @param {{ readonly from: number, readonly to: number, readonly step: number }} range
- * @param {number} share from 0 to below 1
- * @returns {number} one of the values of the range
+ * @param {number} share position of the value in the range, at least 0 and less than 1
+ * @returns {number} a value of the range, which lies a whole number of steps from its start
  */
 export function valueIn({ from, to, step }, share) {
-  // The last value may be off by rounding.
+  // The allowance keeps the last value in the range despite rounding.
   const count = Math.floor((to - from) / step + 1e-9) + 1;
   return Number((from + Math.floor(share * count) * step).toPrecision(DIGITS));
 }
 
 /**
- * @param {unknown} value of JSON
- * @returns {string} sixteen characters that identify the value
+ * @param {unknown} value that JSON can express
+ * @returns {string} sixteen hexadecimal digits that identify the value
  */
 export function digest(value) {
   const text = canonical(value);

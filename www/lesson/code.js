@@ -1,13 +1,15 @@
-// The result of a lesson as a line of text: a name with its answers. Its check sum finds copying errors, but proves nothing.
+// The result of a lesson as a line of text with the reader's name and answers. Its check sum finds copying errors. It is no proof
+// that the result is genuine.
 import { hash } from "assur/lesson/chance.js";
 
 /**
- * @typedef {Readonly<{ given: string, tries: number, shown: boolean }>} Answer last answer, number of judged answers, whether the right one was shown
- * @typedef {Readonly<{ lesson: string, name: string, answers: readonly (Answer | null)[] }>} Result digest of the lesson, and the answers by step, null
- * for a step without a question
+ * @typedef {Readonly<{ given: string, tries: number, shown: boolean }>} Answer `given`: the last answer. `tries`: number of judged answers. `shown`:
+ * whether the page has shown the right answer
+ * @typedef {Readonly<{ lesson: string, name: string, answers: readonly (Answer | null)[] }>} Result `lesson`: digest of the lesson. `name`: of the
+ * reader. `answers`: one for each step, null for a step without a question
  */
 
-/** Versions of codes: with numbers of tries, and the older one without. */
+/** Versions of the code: the present one, and an older one that lacks the numbers of tries. */
 const [VERSION, WITHOUT_TRIES] = ["assur2", "assur1"];
 
 /** Limits of the length of a code and of an answer, in characters. */
@@ -32,7 +34,7 @@ function checkSum(packed) {
 
 /**
  * @param {string} text
- * @returns {Result | null} null if it is no code or damaged
+ * @returns {Result | null} null if the text is not a code or is damaged
  */
 export function fromCode(text) {
   const [version, packed, sum, ...more] = text.trim().split(".");
@@ -60,7 +62,7 @@ function isShort(value) {
 
 /**
  * @param {unknown} value
- * @returns {Answer | undefined} undefined if the value is no answer
+ * @returns {Answer | undefined} undefined if the value is not an answer
  */
 function answerIn(value) {
   if (!Array.isArray(value) || value.length !== 3) return undefined;

@@ -1,7 +1,7 @@
-// Fields of a document as lessons name them: a dimension by its link or point, a number by its place.
+// Names of a document's fields in lessons. A dimension is named by its link or point, other numbers by their path.
 
 /**
- * @param {string} name name of a field; a dimension goes by its link or point, such as `FK.length`, `H.x`
+ * @param {string} name name of a field in a lesson; that of a dimension begins with its link or point, such as `FK.length`, `H.x`
  * @param {import("assur/state/state.js").State["document"]} document
  * @returns {string} the field's name in the controls, such as `links[5].length`
  */
@@ -19,9 +19,9 @@ export function fieldOf(name, document) {
 /**
  * @template T
  * @param {T} document
- * @param {string} field field of a number in it, such as `wheels[0].z`
+ * @param {string} field path of a number in the document, such as `wheels[0].z`
  * @param {number} value
- * @returns {T} the document with that number
+ * @returns {T} the document with the value there
  */
 export function withNumber(document, field, value) {
   return /** @type {T} */ (put(document, field.split(/[.[\]]+/).filter((key) => key !== ""), value));
@@ -29,9 +29,9 @@ export function withNumber(document, field, value) {
 
 /**
  * @param {unknown} part of a document
- * @param {readonly string[]} path within it
+ * @param {readonly string[]} path within the part
  * @param {number} value
- * @returns {unknown} the part with the value there
+ * @returns {unknown} the part with the value at the path
  */
 function put(part, [key, ...path], value) {
   if (key === undefined) return value;

@@ -1,4 +1,4 @@
-// Fields of the form for a lecturer's lesson: the content of each, and the change made by typing into it.
+// Fields of the form for a lecturer's lesson: how each is read from the lesson, and how typing into it changes the lesson.
 import { parseNumber } from "assur/core/numbers.js";
 import { changed, withStep } from "assur/lesson/steps.js";
 
@@ -11,7 +11,8 @@ import { changed, withStep } from "assur/lesson/steps.js";
  *   get: (lesson: Written, step: Step) => string | number | null | undefined,
  *   put: (lesson: Written, index: number, value: any) => Written,
  * }>} Field
- * `sorts`: kinds of questions with the field; `rows`: lines of a longer text; `most`: limit of characters; `numeric`: whether it holds a number.
+ * `of`: what the field describes. `sorts`: kinds of question that have the field, by default all. `rows`: number of lines of a longer text.
+ * `most`: greatest number of characters. `numeric`: whether the field holds a number. `get`: reads the field. `put`: changes the lesson.
  */
 
 /**
@@ -70,7 +71,7 @@ export const FIELDS = Object.freeze(/** @type {Field[]} */ ([
 /**
  * @param {Field} field
  * @param {string} text typed text
- * @returns {{ value: string | number | undefined } | null} null if it should be a number but is not
+ * @returns {{ value: string | number | undefined } | null} null if the field holds a number but the text is not one
  */
 export function valueTyped({ id, numeric }, text) {
   if (!numeric) return { value: text };

@@ -1,4 +1,4 @@
-// A lesson of the page from its folder: its steps and questions in the reader's language.
+// A lesson that comes with the page, from its folder: its steps and questions in the reader's language.
 import { LOST } from "assur/app/notices.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { notesOf, served } from "assur/core/served.js";
@@ -24,8 +24,9 @@ import { holds, open } from "assur/lesson/show.js";
  *   name?: string, preset: string, set?: Readonly<Record<string, number>>, drive?: string, play?: boolean, overlays?: readonly string[], plot?: string,
  *   at?: (summary: Summaries[K]) => number | undefined,
  * }>} Show
- * Document opened by a button: a preset, with dimensions `set` (by their names, as in `controls`) or another link to `drive`, the
- * crank's angle `at` or its motion, the overlays and the plot. The text of the button is `ID.show.NAME`, or else "Show it".
+ * A document that a button opens. `name`: NAME in the key `ID.show.NAME` of the button's text, where ID is the step's id; without a name the
+ * text is "Show it". `preset`: the document. `set`: changed dimensions, by their names as in `controls`. `drive`: another link to drive.
+ * `play`: whether the mechanism moves. `overlays`, `plot`: what is shown. `at`: the input, such as the crank angle.
  */
 
 /**
@@ -35,9 +36,10 @@ import { holds, open } from "assur/lesson/show.js";
  *   within?: number, unit?: string, round?: boolean, whole?: boolean, choices?: readonly string[],
  *   places?: (summary: Summaries[K]) => Readonly<Record<string, number>>, hides?: readonly string[],
  * }>} Question
- * `answer`: the engine's answer for the current mechanism, undefined if it has none: one of the `choices`, or a number to be met
- * `within` a tolerance; `round`: a difference of 360° does not count; `whole`: it is a count, and `ID.right` has plural forms;
- * `hides`: ids of read-outs that give the answer away, hidden by the page until it is answered or shown.
+ * `answer`: the engine's answer for the current mechanism, a number or one of the `choices`; undefined if there is none. `within`:
+ * tolerance of a number. `unit`: unit of the number. `round`: whether a difference of 360° is ignored. `whole`: whether the number is a
+ * count, so that `ID.right` has plural forms. `places`: further numbers in `ID.right`. `hides`: ids of read-outs that give the answer
+ * away. The page hides them until the question is answered or the answer is shown.
  */
 
 /**
@@ -46,15 +48,15 @@ import { holds, open } from "assur/lesson/show.js";
  *   kind?: K, id: string, formula?: string | ((numbers: Numbers) => string), shows: readonly Show<K>[], question: Question<K>, relations?: readonly string[],
  *   controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[], figure?: (engine: Engine) => Figure,
  * }>} Step
- * `kind`: kind of the step's documents, if not the lesson's; `formula`: a function if it contains a number, which is written with the reader's
- * decimal sign; `relations`: items of the paper for the main line, in their valid form. The step contains its `controls`, by their fields, its
- * `readouts`, by their ids without `out-`, the parts of the page that it `lends`, by their ids, and a `figure` of its own.
+ * `kind`: kind of the step's documents, if not the lesson's. `formula`: a function if it contains a number, which is written with the reader's
+ * decimal sign. `relations`: ids of the paper's items shown in the step, in their valid form. The step also contains: `controls`, named by
+ * their fields; `readouts`, named by their ids without `out-`; parts of the page, named by their ids (`lends`); and a `figure` of its own.
  */
 
 /**
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{ kind: K, steps: readonly (Step<K> | { [J in Kind]: Step<J> & { kind: J } }[Kind])[] }>} Lesson
- * Export `LESSON` of a lesson's `lesson.js`. Progress is kept by the ids of steps.
+ * The export `LESSON` of a lesson's `lesson.js`. Progress is kept under the ids of its steps.
  */
 
 /**
@@ -79,7 +81,7 @@ export class FolderLesson {
    * @param {OwnPresets} presets
    * @param {import("assur/app/page.js").Page} page
    * @param {import("assur/lesson/offer.js").Entry} [next] the next lesson
-   * @param {readonly import("assur/lesson/paper.js").Item[]} [items] of its paper
+   * @param {readonly import("assur/lesson/paper.js").Item[]} [items] of the lesson's paper
    * @param {boolean} [notes] whether there are notes for teachers
    */
   constructor(id, lesson, presets, page, next, items = [], notes = false) {
@@ -101,7 +103,7 @@ export class FolderLesson {
   }
 
   /**
-   * The end of the lesson: a summary and the next lesson.
+   * Makes the end of the lesson: a summary, and a button for the next lesson or for the gallery.
    * @param {Words} words
    * @returns {Told}
    */
@@ -173,7 +175,7 @@ function right({ id, question }, { summary }, words) {
  * @param {Step} step
  * @param {Snapshot} snapshot of the step's mechanism
  * @param {Words} words
- * @returns {string | null} the right answer
+ * @returns {string | null} the right answer in words, null if there is none
  */
 function answered({ id, question }, { summary }, words) {
   const exact = question.answer(summary);
@@ -185,7 +187,7 @@ function answered({ id, question }, { summary }, words) {
  * @param {Question} question
  * @param {string} given
  * @param {Snapshot} snapshot
- * @param {Kind} asked kind of document in the question
+ * @param {Kind} asked kind of document that the question is about
  * @returns {Verdict}
  */
 function judge({ answer, choices, within = 0, round = false }, given, { summary, stale, kind }, asked) {
@@ -204,7 +206,7 @@ function judge({ answer, choices, within = 0, round = false }, given, { summary,
  * @param {number} exact
  * @param {number} within
  * @param {boolean} round whether a difference of 360° does not count
- * @returns {Verdict} verdict on a number as answer
+ * @returns {Verdict} verdict on an answer that is a number
  */
 export function judged(given, exact, within, round) {
   const value = parseNumber(given);

@@ -1,4 +1,4 @@
-// Numbers of a mechanism as printed beside its drawing; they suffice to solve it on paper.
+// Numbers of a mechanism, as printed beside its drawing. They suffice to solve the mechanism on paper.
 import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
@@ -10,26 +10,26 @@ import { lettered } from "assur/core/subscripts.js";
  * @typedef {Extract<State["document"], { links: readonly unknown[] }>} Linkage
  */
 
-/** Numbers of a gear train that matter only if it is loaded. */
+/** Fields of a gear train that matter only under load. */
 const LOADED = /^(magnets|bodies|members|load|span_s)\b/;
-/** Numbers of a linkage that its points already give, and the tolerance of its dwell, which is not part of it. */
+/** Fields of a linkage that follow from its points, and the band of its dwell, which does not describe the linkage. */
 const BY_POINTS = /^(links|points)\[|^band$/;
-/** Number of positions from which their weights matter: fewer positions are met exactly. */
+/** Least number of positions at which their weights matter: fewer positions are met exactly. */
 const WEIGHED = 4;
-/** A number of a shaft: a factor if the shaft is tied to another, a speed otherwise. */
+/** Field of a driven shaft. The factor counts only if the shaft's speed is a multiple of another's, other fields only if it is not. */
 const DRIVE = /^drives\[(\d)\]\.(\w+)$/;
 
-/** Words for numbers of points, by symbol. */
+/** Keys of the words for a dimension, by its symbol, used if the names of its points cannot be subscripts. */
 const BY_SYMBOL = Object.freeze({ l: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
 
-/** Decimals of a number, which may come from a drawing. */
+/** Decimals to which a number is rounded: it may come from a drawing and have many more. */
 const DECIMALS = 6;
 
 /**
  * @param {State} state
  * @param {import("assur/engine.js").Engine} engine
- * @param {Words} words words with the unit of its lengths
- * @returns {readonly string[]} every number with its name; letters after a _ are a subscript
+ * @param {Words} words words with the unit of the mechanism's lengths
+ * @returns {readonly string[]} every number with its name; the letters after a `_` are a subscript
  */
 export function given(state, engine, words) {
   const { document } = state;
@@ -42,7 +42,7 @@ export function given(state, engine, words) {
 /**
  * @param {string} field
  * @param {State["document"]} document
- * @returns {boolean} whether its number describes the mechanism
+ * @returns {boolean} whether the number in the field is printed
  */
 function isGiven(field, document) {
   if ("links" in document) return !BY_POINTS.test(field);
@@ -56,7 +56,7 @@ function isGiven(field, document) {
 /**
  * @param {Linkage} linkage
  * @param {Words} words
- * @returns {string[]} distances of the points of each link, places of frame points and traced points, numbers of teeth
+ * @returns {string[]} distances between the points of each link, coordinates of frame points and traced points, numbers of teeth
  */
 function ofPoints({ points, links, frame, gears = [], tracers = [] }, words) {
   const written = (/** @type {number} */ value) => words.numbers.upTo(value, DECIMALS);

@@ -1,4 +1,4 @@
-// The part of the page that shows either the settings or a lesson. Modules for lessons are loaded when one is first opened.
+// The part of the page that shows either the settings or a lesson. Modules for lessons are loaded when a lesson is first opened.
 import { awaited } from "assur/app/busy.js";
 import { byId, setData, write } from "assur/core/dom.js";
 import { Words } from "assur/core/words.js";
@@ -17,11 +17,11 @@ export class Lesson {
   #page;
   /** @type {import("assur/lesson/panel.js").LessonPanel | null} */
   #panel = null;
-  /** The wanted lesson with its language, loaded or still loading. */
+  /** Key of the wanted lesson with its form and language, loaded or still loading. */
   #wanted = "";
-  /** The lesson of the panel. */
+  /** Id of the lesson in the panel. */
   #shown = "";
-  /** @type {import("assur/state/state.js").Written | undefined} the lecturer's lesson of the panel */
+  /** @type {import("assur/state/state.js").Written | undefined} the lecturer's lesson in the panel */
   #written;
   /** @type {import("assur/lesson/writer.js").Writer | null} form for lecturers */
   #writer = null;
@@ -30,7 +30,7 @@ export class Lesson {
   #open = false;
   /** @type {import("assur/state/state.js").View["lesson"]} lesson and step to return to */
   #last = null;
-  /** Whether the reader has just opened the lesson, so that it is scrolled into view and, if opened by a key, focused. */
+  /** What to do with a lesson just opened. `seen`: scroll it into view. `focused`: focus it, for example if it was opened by a key. */
   #called = { seen: false, focused: false };
 
   /**
@@ -60,8 +60,8 @@ export class Lesson {
   }
 
   /**
-   * @param {string} step the id of one of these steps
-   * @returns {HTMLElement[]} the step's items of the lesson's paper
+   * @param {string} step id of a step
+   * @returns {HTMLElement[]} the items of the lesson's paper for this step
    */
   onPaper(step) {
     return this.#panel?.onPaper(step) ?? [];
@@ -114,7 +114,7 @@ export class Lesson {
     this.#place.hidden = !open;
     if (!open) this.#panel?.close();
     this.#tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(open === (i === 1))));
-    // A part that failed to load is requested again.
+    // Modules that failed to load are requested again.
     if (!this.#panel && !this.#writer) this.#wanted = "";
   }
 

@@ -5,10 +5,11 @@ import { LESSONS, SCRIPTS } from "assur/lessons/index.js";
 /**
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<{ id: string, about: readonly string[], presets: boolean, paper: boolean, notes: boolean }>} Entry
- * A lesson: the name of its folder or of the lecturer's lesson, the origins or kinds of its documents, and whether it has presets, a paper and notes for teachers.
+ * A lesson. `id`: name of its folder, or `own` for the lecturer's lesson. `about`: origins or kinds of the documents with which it is offered.
+ * `presets`, `paper`, `notes`: whether it has presets, a paper, notes for teachers.
  */
 
-/** Id of the lesson in the state itself; no folder has this name. */
+/** Id of the lecturer's lesson, which is stored in the state. No folder has this name. */
 export const OWN = "own";
 
 /** @type {Entry} */
@@ -25,7 +26,7 @@ export function opened({ view: { lesson }, lesson: written }) {
 
 /**
  * @param {State} state
- * @returns {Entry | undefined} the open lesson, or else the lecturer's, or else the first lesson on the document's origin, or else on its kind
+ * @returns {Entry | undefined} the open lesson; failing that the lecturer's; failing that the first lesson about the document's origin, or about its kind
  */
 export function offered(state) {
   return opened(state) ?? (state.lesson && WRITTEN) ?? first(originOf(state)) ?? first(state.kind);
@@ -46,7 +47,7 @@ function first(subject) {
 
 /**
  * @param {Pick<State, "document">} state
- * @returns {string} mechanism of the catalogue from which the document came, empty if none
+ * @returns {string} id of the catalogue's mechanism from which the document was made; empty if there is none
  */
 export function originOf({ document }) {
   return ("origin" in document && document.origin) || "";
@@ -63,7 +64,7 @@ export async function readLesson({ id, presets }) {
 }
 
 /**
- * @param {Record<string, { kind?: string, from?: string, document: object }>} own presets as in the lesson's folder: whole, or as changes to an earlier one
+ * @param {Record<string, { kind?: string, from?: string, document: object }>} own presets as in the lesson's folder. Each is whole, or a list of changes to an earlier preset, `from`
  * @returns {import("assur/lesson/folder.js").OwnPresets}
  */
 export function wholePresets(own) {
@@ -78,7 +79,7 @@ export function wholePresets(own) {
 
 /**
  * @param {Entry} entry
- * @returns {Promise<readonly import("assur/lesson/paper.js").Item[]>} items of its paper, empty without a paper
+ * @returns {Promise<readonly import("assur/lesson/paper.js").Item[]>} items of the lesson's paper; empty if it has none
  */
 export async function readPaper({ id, paper }) {
   return paper ? fileOf(id, "paper.json") : [];
@@ -86,7 +87,7 @@ export async function readPaper({ id, paper }) {
 
 /**
  * @param {string} lesson
- * @param {string} file of its folder
+ * @param {string} file name of a file in the lesson's folder
  */
 async function fileOf(lesson, file) {
   const response = await fetched(`assur/lessons/${lesson}/${file}`);

@@ -1,4 +1,4 @@
-// The mechanism of a lesson's step: the one shown last by the step's buttons, with the changes made by the step's controls.
+// The mechanism of a lesson's step: the mechanism last opened by a button of the step, with the changes made by the step's controls.
 import { digest } from "assur/lesson/chance.js";
 import { READERS } from "assur/lesson/steps.js";
 
@@ -7,19 +7,19 @@ import { READERS } from "assur/lesson/steps.js";
  * @typedef {import("assur/lesson/panel.js").Shown} Shown
  */
 
-/** Events that may change a document: the target of the last one decides whether a control of the step has made the change. */
+/** Events that may change a document. The target of the last event decides whether a control of the step has made the change. */
 const ACTS = Object.freeze(["pointerdown", "pointermove", "pointerup", "click", "input", "change", "keydown", "wheel", "paste", "drop", "hashchange"]);
 
 export class OwnMechanism {
   #page;
   /** @type {readonly Shown[]} */
   #shows = [];
-  /** @type {WeakSet<State["document"]>} documents of the step: undo and redo bring back the same objects */
+  /** @type {WeakSet<State["document"]>} documents of the step, compared by identity: undo and redo bring back the same objects */
   #own = new WeakSet();
-  /** @type {State | null} the last state with such a document */
+  /** @type {State | null} the last state with a document of the step */
   #last = null;
   #opening = false;
-  /** Whether the last act of the reader was on a control of the step. */
+  /** Whether the reader's last action was on a control of the step. */
   #acted = false;
   #ended = new AbortController();
 
@@ -42,7 +42,7 @@ export class OwnMechanism {
   }
 
   /**
-   * Begins a step, whose mechanism may already be on the page from a link or before a reload.
+   * Begins a step. The page may already show its mechanism, after a reload or from a link.
    * @param {readonly Shown[]} shows buttons of the step
    * @param {string} kept digest of the step's mechanism as it was when the page was left
    */
@@ -77,12 +77,12 @@ export class OwnMechanism {
     if (state.document !== before || this.#shows.some((one) => one.opened?.(state))) this.#add(state);
   }
 
-  /** Whether the page shows the step's mechanism; a step that shows none accepts any. */
+  /** Whether the page shows the step's mechanism. For a step without one, every mechanism counts as its own. */
   get there() {
     return this.#shows.length === 0 || this.#own.has(this.#page.store.get().document);
   }
 
-  /** Shows the step's mechanism again, in one step of undo. */
+  /** Shows the step's mechanism again. A single undo reverts this. */
   bringBack() {
     const last = this.#last;
     if (!last) {

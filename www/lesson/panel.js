@@ -16,34 +16,34 @@ import { withView } from "assur/state/state.js";
  *
  * @typedef {"right" | "not_yet" | "unread" | "unanswered" | "none" | "stale"} Verdict
  * @typedef {import("assur/state/state.js").View} View
- * @typedef {Readonly<{ verdict: Verdict | "shown", brought: boolean, document: State["document"] }>} Judged `brought`: whether another mechanism was on the page
- * and the step's was shown again; `document`: the one that the verdict is about
+ * @typedef {Readonly<{ verdict: Verdict | "shown", brought: boolean, document: State["document"] }>} Judged `brought`: whether the page had shown another
+ * mechanism, so that the step's was opened again. `document`: the document that the verdict is about
  *
- * @typedef {Readonly<{ id: string, text: string, open: (view?: Partial<View>) => void, opened?: (state: State) => boolean, href?: string }>} Shown a button with the document that
- * it opens; `opened`: whether a state holds that document; `href`: address of a page to which it links instead
+ * @typedef {Readonly<{ id: string, text: string, open: (view?: Partial<View>) => void, opened?: (state: State) => boolean, href?: string }>} Shown a button. `open`: opens its
+ * document. `opened`: whether a state holds that document. `href`: address of a page, if the button is a link instead
  * @typedef {Readonly<{
  *   text: string, unit: string, options: readonly Readonly<{ value: string, text: string }>[] | null, hides: readonly string[],
  *   judge: (given: string, snapshot: Snapshot) => Verdict, hint: () => string, right: (snapshot: Snapshot) => string,
  *   answer: (snapshot: Snapshot) => string | null, ofPage: boolean, reached?: (snapshot: Snapshot) => boolean,
  * }>} Question
- * `options`: those of a choice, null for a number to type; `hides`: ids of read-outs that give the answer away, hidden until the reader has answered or
- * given up; `answer`: the right answer in words, null if there is none; `ofPage`: whether the question is on the mechanism of the page, which must be
- * the step's; `reached`: nothing is typed, and the question is answered as soon as this is true.
- * @typedef {{ readonly element: HTMLElement, render(snapshot: Snapshot, words: Words): void }} Figure figure of a step, made again for other words
+ * `options`: answers to choose from, null if a number is to be typed. `hides`: ids of read-outs that give the answer away, hidden until the reader has
+ * answered or given up. `right`: comment on a right answer. `answer`: the right answer in words, null if there is none. `ofPage`: whether the question
+ * is about the mechanism on the page, which must be the step's. `reached`: if given, nothing is typed; the answer is right as soon as this is true.
+ * @typedef {{ readonly element: HTMLElement, render(snapshot: Snapshot, words: Words): void }} Figure figure of a step, made anew if the words change
  * @typedef {Readonly<{
  *   id: string, title: string, text: string, formula: string, shows: readonly Shown[], from: number | null, question: Question | null,
  *   tools: import("assur/lesson/tools.js").Wanted & { figure?: (engine: import("assur/engine.js").Engine) => Figure },
- * }>} Told a step in words; progress is kept by its id; `from`: index of the step whose mechanism it shows, null if it
- * shows none
+ * }>} Told a step in words. `id`: key of its progress. `from`: index of the step whose mechanism
+ * this step shows, null if it shows none
  * @typedef {{
  *   readonly id: string, readonly name: string, readonly paper?: import("assur/lesson/paper.js").Printed, tell(words: Words): readonly Told[],
  *   frame?(step: HTMLElement[], progress: Progress, renew: () => Progress): HTMLElement[], answered?(): void,
  * }} Source
- * Source of a lesson: its id in links, the name under which its progress is kept, its paper, its steps, the frame around them. `answered` is called
- * after every new answer; `renew` takes the progress kept under another name.
+ * Source of a lesson. `id`: used in links. `name`: key of its progress. `paper`: items of its paper. `tell`: gives the steps. `frame`: puts
+ * further elements around a step; its `renew` takes over the progress kept under another name. `answered`: called whenever an answer may have changed.
  */
 
-/** Id of the end of a lesson, which is no step. */
+/** Id of the end of a lesson, which does not count as a step. */
 export const END = "end";
 
 export class LessonPanel {
@@ -56,7 +56,7 @@ export class LessonPanel {
   #words;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {Map<string, Judged>} verdicts by step */
+  /** @type {Map<string, Judged>} verdicts by the id of the step */
   #judged = new Map();
   #shown = new Seen();
   #left = () => this.#leave();
@@ -64,7 +64,7 @@ export class LessonPanel {
   #turned = false;
   /** Id of the step whose mechanism is followed. */
   #begun = "";
-  /** @type {readonly ((given: string) => void)[]} write an answer into its fields */
+  /** @type {readonly ((given: string) => void)[]} functions that write a given answer into the fields, one for each field */
   #fills = [];
 
   #back = make("button", { id: "lesson-back", class: "control icon", type: "button", onclick: () => this.#go(-1) }, ["‹"]);
@@ -114,13 +114,13 @@ export class LessonPanel {
     place.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
 
-  /** Keeps the digest of the step's mechanism, as the page may be left. */
+  /** Keeps the digest of the step's mechanism, because the reader may leave the page. */
   #leave() {
     if (this.#begun) this.#progress.leave(this.#begun, this.#own.digest);
   }
 
   /**
-   * Takes the progress kept under another name. Buttons stay in place, because pressing one may end the typing of a name.
+   * Takes over the progress kept under another name. The buttons stay in place: pressing one of them may end the typing of a name.
    * @returns {Progress}
    */
   #renew() {
@@ -164,8 +164,8 @@ export class LessonPanel {
   }
 
   /**
-   * @param {string} step the id of a step
-   * @returns {HTMLElement[]} the step's items of the lesson's paper
+   * @param {string} step id of a step
+   * @returns {HTMLElement[]} the items of the lesson's paper for this step
    */
   onPaper(step) {
     return this.#paper?.onPaper(step, this.#words) ?? [];
@@ -196,7 +196,7 @@ export class LessonPanel {
   }
 
   /**
-   * Number of the open step; a link to a step that no longer exists opens the last one.
+   * Returns the number of the open step. A link to a step that no longer exists opens the last step.
    * @param {State} state
    */
   #number({ view }) {
@@ -208,7 +208,7 @@ export class LessonPanel {
   }
 
   /**
-   * Goes to another step and shows its mechanism; the reader's own is one step of undo away.
+   * Goes to another step and shows its mechanism. A single undo brings back the mechanism shown before.
    * @param {number} by
    */
   #go(by) {
@@ -241,7 +241,7 @@ export class LessonPanel {
     this.#back.ariaLabel = this.#back.title = words.text("lesson.back");
     this.#on.title = words.text("lesson.on");
     write(this.#on, `${words.text("lesson.next")} ›`);
-    // A button that becomes disabled gives the focus to its twin, so that it is not lost.
+    // A button that becomes disabled passes the focus to the opposite button. Otherwise the focus would be lost.
     const focused = document.activeElement;
     this.#back.disabled = number === 1;
     this.#on.disabled = number === this.#steps.length;
@@ -277,7 +277,7 @@ export class LessonPanel {
     this.#turned = false;
   }
 
-  /** Hides read-outs that give the answer away until it is answered or shown. */
+  /** Hides read-outs that give the answer away, until the question is answered or the answer is shown. */
   #withhold() {
     const step = this.#step;
     const solved = this.#progress.isSolved(step.id);
@@ -362,7 +362,7 @@ export class LessonPanel {
     return true;
   }
 
-  /** @returns {Snapshot} snapshot of the current state, drawn or not */
+  /** @returns {Snapshot} snapshot of the current state, even if it is not yet drawn */
   #now() {
     const { model, store } = this.#page;
     model.follow(store.get());

@@ -1,4 +1,4 @@
-// Views of a drawing that does not move yet; it is always shown with the drawing tools.
+// Views of a drawing that is not yet a movable linkage. The drawing tools are always shown with it.
 import { StatusLine } from "assur/controls/status.js";
 import { withView } from "assur/state/state.js";
 

@@ -1,4 +1,4 @@
-// A field of the document with a choice of a few values.
+// A control for a field of the document that has only a few possible values.
 import { make } from "assur/core/dom.js";
 
 export class Choice {
@@ -9,7 +9,7 @@ export class Choice {
    * @param {readonly string[]} values
    * @param {(value: string) => string} key gives the key of a value's name
    * @param {(value: string) => void} choose
-   * @param {string} [label] the key of its name
+   * @param {string} [label] key of the field's name
    */
   constructor(field, values, key, choose, label = `field.${field}`) {
     this.#select = make("select", { id: `field-${field}`, class: "control", "data-t-label": label },

@@ -1,4 +1,4 @@
-// Conditions of assembly of the train with their numbers, suggested numbers if one fails, and the mobility of the train.
+// The train's conditions of assembly with their numbers, suggested numbers of teeth if a condition fails, and the mobility.
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";

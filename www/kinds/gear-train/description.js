@@ -1,10 +1,10 @@
-// Description of a train for screen readers, in addition to its pose.
+// Description of a train for screen readers, in addition to the description of its pose.
 import { byId, make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 
 /** @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot */
 
-/** Milliseconds of rest before an announcement. */
+/** Milliseconds without a change before an announcement. */
 const PAUSE = 700;
 
 export class TrainDescription {

@@ -1,4 +1,5 @@
-// Drives of the train: two of three shafts are driven by a speed, held or tied to each other; the third follows.
+// Drives of the train. Two of the three shafts are driven: each runs at a given speed, is held, or runs at a multiple of the other's
+// speed. The third shaft follows.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -15,7 +16,7 @@ import { edited } from "assur/state/state.js";
  * @typedef {import("assur/app/page.js").Page} Page
  */
 
-/** The shafts with the numbers of their links and their colour roles. */
+/** The shafts, with the numbers of their links and the roles of their colours. */
 export const SHAFTS = Object.freeze({
   sun: Object.freeze({ number: "1", role: "crank" }),
   carrier: Object.freeze({ number: "3", role: "rocker" }),
@@ -60,7 +61,7 @@ export class DrivesView {
   }
 
   /**
-   * Frees another shaft. The shaft freed before is driven with its present speed, so that nothing jumps.
+   * Frees another shaft. The shaft that was free is then driven at its present speed, so that nothing jumps.
    * @param {Shaft} shaft
    */
   #release(shaft) {
@@ -86,7 +87,7 @@ class DriveRow {
   #tie;
 
   /**
-   * @param {number} index in the list of drives
+   * @param {number} index of the drive in the document
    * @param {Page} page
    */
   constructor(index, { store, drafts }) {
@@ -130,7 +131,7 @@ class DriveRow {
     for (const [row, value] of /** @type {const} */ ([[this.#speed, rpm ?? 0], [this.#factor, factor], [this.#start, start]])) row.show(value, words, wrong.has(row.field));
   }
 
-  /** Ties the shaft to the other driven one, or unties it. Only one of the two can be tied. */
+  /** Ties the speed of the shaft to that of the other driven shaft, or unties it. Only one of the two shafts can be tied. */
   #toggle() {
     this.#store.update((state) => edited(state, "gear-train", ({ drives }) => ({
       drives: drives.map((drive, i) => (i === this.#index ? { ...drive, to: drive.to ? null : drives[1 - i].shaft } : { ...drive, to: null })),

@@ -1,4 +1,4 @@
-// Views for a differential; the page loads them with its first one.
+// Views for a differential. Loaded with the first differential.
 import { BodiesView } from "assur/kinds/gear-train/bodies.js";
 import { ConditionsView } from "assur/kinds/gear-train/conditions.js";
 import { TrainDescription } from "assur/kinds/gear-train/description.js";

@@ -1,4 +1,4 @@
-// Motion under load: its switch, the length of the run, the load on the free shaft, and the limits of the magnets.
+// Motion under load: its switch, the duration of the run, the load on the free shaft, and the limits of the magnets.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -12,7 +12,7 @@ import { edited, withView } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Rows of the energy balance. */
+/** Terms of the energy balance, in the order of the rows. */
 const ENERGIES = Object.freeze(["driven", "delivered", "dissipated", "kinetic", "potential", "imbalance"]);
 
 /** Longest run under load, in seconds. */
@@ -40,7 +40,7 @@ export class LoadView {
     this.#account = make("details", { id: "train-energies" }, [
       make("summary", { "data-t": "energy.heading" }), make("table", { class: "solutions", "data-t-label": "energy.heading" }, [this.#energies]),
     ]);
-    // Unfolding at rest needs a new frame to fill the table.
+    // If the mechanism is at rest, the unfolded table is filled only by a new frame.
     this.#account.addEventListener("toggle", () => page.redraw());
     section("gear-train", "load.heading", "load", [
       make("label", { class: "check" }, [this.#loaded, " ", make("span", { "data-t": "field.loaded" })]),
@@ -74,7 +74,7 @@ export class LoadView {
   }
 
   /**
-   * Switches the load. A run under load starts at its beginning, with the load angles plotted.
+   * Switches the load on or off. The run then restarts at time zero; under load, the load angles are plotted.
    * @param {boolean} loaded
    */
   #load(loaded) {

@@ -1,4 +1,5 @@
-// Working members 7 and 8: their kinds, their uses in the paper, and their torques.
+// Members 7 (on the satellite) and 8 (on the carrier), which do the work of the machine, such as stirrers, brushes or fans. The
+// section shows their kinds, their uses in the paper, and their torques.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -10,7 +11,7 @@ import { edited } from "assur/state/state.js";
 
 const KINDS = Object.freeze(["none", "fan", "brush", "stirrer", "scraper", "blade", "propeller", "road_wheel"]);
 
-/** Symbol of the torque and role of each member. */
+/** For each member, the symbol of its torque and the role of its colour. */
 const PLACES = Object.freeze({ satellite: Object.freeze({ symbol: "T₇", role: "coupler" }), carrier: Object.freeze({ symbol: "T₈", role: "rocker" }) });
 
 export class MembersView {

@@ -15,7 +15,7 @@ import { SHAFTS } from "assur/kinds/gear-train/drives.js";
 
 const HIGH = Object.freeze({ 1: "¹", 3: "³", 4: "⁴" });
 
-/** Weights of the shafts in a ω₁ + b ω₄ − (a + b) ω₃ = 0, without signs, by the numbers of the shafts. */
+/** Coefficients in a ω₁ + b ω₄ − (a + b) ω₃ = 0, without signs, by the number of the shaft. `STEPPED`: for stepped satellites. */
 const WEIGHTS = Object.freeze({ 1: "z₁", 3: "(z₁ + z₄)", 4: "z₄" });
 const STEPPED = Object.freeze({ 1: "z₁z₂′", 3: "(z₁z₂′ + z₂z₄)", 4: "z₂z₄" });
 
@@ -62,8 +62,8 @@ export class RatiosView {
 }
 
 /**
- * A table that may be wider than the rail and scrolls sideways, also by keys.
- * @param {string} label the key of its name
+ * Makes an area for a table that may be wider than the rail. It scrolls sideways, also by keys.
+ * @param {string} label key of the area's name
  * @param {readonly Node[]} content
  */
 function wide(label, content) {
@@ -71,8 +71,8 @@ function wide(label, content) {
 }
 
 /**
- * @param {string} name such as 3/1(4)
- * @returns {string} U₃₁⁽⁴⁾
+ * @param {string} name name of a ratio, such as 3/1(4)
+ * @returns {string} notation of the ratio, such as U₃₁⁽⁴⁾
  */
 export function notation(name) {
   const [, of, to, held] = /^(\d)\/(\d)\((\d)\)$/.exec(name) ?? [];
@@ -80,7 +80,7 @@ export function notation(name) {
 }
 
 /**
- * Formula w_j/w_i with its sign: the weights have equal signs unless one of them is the carrier's.
+ * Writes the formula w_j/w_i of the ratio ω_i/ω_j, with its sign. The weights w have equal signs unless one is the carrier's.
  * @param {Ratio} ratio
  * @param {Readonly<Record<1 | 3 | 4, string>>} weights
  */

@@ -1,4 +1,4 @@
-// The status line of a differential: speeds, largest ratio, slip.
+// The status line of a differential: speeds, largest ratio, mobility, assembly, slip.
 import { StatusLine } from "assur/controls/status.js";
 import { notation } from "assur/kinds/gear-train/ratios.js";
 
@@ -12,7 +12,7 @@ const ENTRIES = Object.freeze({
     const found = ratios.find(({ largest }) => largest);
     return found ? { text: `${notation(found.name)} = ${numbers.upTo(found.value, 4)}`, value: found.value } : null;
   },
-  // Passive constraints remove no freedom.
+  // The counted mobility is too low by the number of passive constraints, which remove no freedom.
   w: ({ mobility: { mobility, passive } }, { numbers }) => ({ text: numbers.exact(mobility + passive), value: mobility + passive }),
   builds: ({ builds }) => ({ text: builds ? "✓" : "✗", value: Number(builds) }),
   slipped: ({ slips }, { numbers }) => slips && { text: slips.map((count) => numbers.exact(count)).join(", ") },

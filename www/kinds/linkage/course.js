@@ -1,5 +1,5 @@
-// The plotted output over a turn: stroke, dwell and cyclogram in the rail; the dwell shaded on the plots and magnified in an
-// inset.
+// The plotted output over a turn. The rail shows its stroke, dwell and cyclogram. On the plots the dwell is shaded, and magnified
+// in an inset.
 import { NumberRow } from "assur/controls/number-row.js";
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, write } from "assur/core/dom.js";
@@ -24,15 +24,15 @@ import { withDocument } from "assur/state/state.js";
 const SHADE = 0.14;
 /** Number of intervals of the magnified curve. */
 const POINTS = 96;
-/** Share of the dwell's arc that is magnified for derivatives, which rise steeply at its ends. */
+/** Share of the dwell's arc that is magnified in plots of derivatives, which rise steeply at the ends of the arc. */
 const INNER = 0.8;
 /** Width and height of an inset, as shares of the plot. */
 const INSET = Object.freeze({ width: 0.42, height: 0.42 });
-/** Height of the scale above the magnified curve, in pixels of usual text. */
+/** Height of the line of text above the magnified curve, in pixels at the usual text size. */
 const HEAD = 15;
 
 /**
- * Paints the dwell over the plots of the output for which the document has a band.
+ * Paints the dwell over the plots of the output, if the document has a band for this output.
  * @type {import("assur/plots/chart.js").Overlay}
  */
 export function paintCourse(context, panels, { kind, state, summary, words }, engine, theme) {
@@ -48,7 +48,7 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
 }
 
 /**
- * Shades the dwell on a plot and magnifies it in an inset: the output, and both derivatives as in fig. 2 of the paper.
+ * Shades the dwell on a plot, of the output or of a derivative, and magnifies it in an inset as in fig. 2 of the paper.
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
  * @param {NonNullable<Profile["dwell"]>} dwell
@@ -78,7 +78,7 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
  * @param {readonly [number, number]} arc to magnify
- * @param {readonly [number, number] | null} band of the output; null for the curve's own range
+ * @param {readonly [number, number] | null} band range of the output in the inset; null for the range of the curve
  * @param {(phi: number) => number | undefined} value
  * @param {Words} words
  * @param {Theme} theme
@@ -90,7 +90,7 @@ function paintInset(context, panel, [from, to], band, value, words, theme) {
   const [least, most] = band ?? [Math.min(...known), Math.max(...known)];
   if (!(most > least)) return null;
   const [width, height] = [INSET.width * panel.width, INSET.height * panel.height];
-  // The inset is in the half of the plot without the dwell.
+  // The inset lies in the upper or lower half of the plot, opposite the dwell.
   const middle = down(panel, (least + most) / 2) - panel.top;
   const top = panel.top + (middle > panel.height / 2 ? 6 : panel.height - height - 6);
   const shown = Math.min(Math.max(across(panel, (from + to) / 2), panel.left + width / 2 + 6), panel.left + panel.width - width / 2 - 6);
@@ -130,18 +130,18 @@ function paintInset(context, panel, [from, to], band, value, words, theme) {
   return { left, top, right: left + width, bottom: top + height };
 }
 
-/** Rows of the table, in order. */
+/** Values in the rows of the table, in order. */
 const ROWS = Object.freeze(/** @type {const} */ (["stroke", "arc", "residual"]));
 
-/** Roles of the phases. */
+/** Roles of the colours of the phases. */
 const ROLES = Object.freeze({ rise: "crank", dwell: "coupler", return: "rocker" });
 
 export class CourseView {
   #design;
   #row;
-  /** The foldable part, initially open if the document asks for a dwell. */
+  /** The foldable section, initially open if the document asks for a dwell. */
   #fold = make("details", { id: "course" });
-  /** Key of the mechanism for which the part was last folded or unfolded. */
+  /** Key of the mechanism for which the section was last folded or unfolded by the page. */
   #folded = "";
   #name = make("caption");
   /** Name of the output's travel: swing of an angle, stroke of a length. */
@@ -177,7 +177,7 @@ export class CourseView {
     this.#design.render(snapshot);
     const { state, summary, coordinate, words, problems, stale, withheld } = snapshot;
     const { profile, plotted } = summary;
-    // A refused band stays in the field as typed: 0.01 begins with a refused 0.
+    // A refused band stays in the field as typed: while 0.01 is typed, the first 0 is refused.
     const band = state.document.band ?? profile?.width;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
     if (this.#shown.same(profile, words, wrong, band, stale, withheld)) return;

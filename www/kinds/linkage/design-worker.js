@@ -1,5 +1,5 @@
-// The search for a dwell, in a worker. It judges mechanism after mechanism and reports each. After an improvement it waits until
-// the page has shown it. The page ends the search.
+// A worker that searches for a dwell. It judges one mechanism after another and reports each to the page. After an improvement it
+// waits until the page has shown the mechanism. The page can end the search early.
 import load, { Design } from "assur/pkg/assur_web.js";
 
 /** Continues the search. */
@@ -10,7 +10,7 @@ addEventListener("message", ({ data }) => {
   else goOn();
 });
 
-/** @param {{ wasm: WebAssembly.Module, state: object, wishes: object }} task the compiled wasm of the engine, arguments of its Design */
+/** @param {{ wasm: WebAssembly.Module, state: object, wishes: object }} task the compiled engine, and the arguments of its `Design` */
 async function search({ wasm, state, wishes }) {
   try {
     await load({ module_or_path: wasm });

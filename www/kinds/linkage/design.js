@@ -1,5 +1,5 @@
-// "Design your dwell": wishes for the output, the lengths that may change and their limits, and a search in a worker. Every
-// improvement is shown on the page.
+// The section "Design your dwell": wishes for the output, the lengths that may change with their limits, and a search in a worker.
+// The page shows every improvement.
 import { NumberRow } from "assur/controls/number-row.js";
 import { sentence } from "assur/controls/problems.js";
 import { degrees, radians } from "assur/core/angles.js";
@@ -20,16 +20,16 @@ import { withDocument } from "assur/state/state.js";
 const PER_CENT = Object.freeze(["1", "2", "5", "10", "20"]);
 const USUAL = "5";
 
-/** Number of candidates between two announcements without an improvement: a screen reader could not follow all. */
+/** Number of candidates after which progress is announced without an improvement. A screen reader could not follow all. */
 const TOLD = 10;
 
 /**
- * Time for which an improvement is shown before the search continues, in milliseconds. It can then be seen, and the motion stays
- * smooth although redrawing takes some frames.
+ * Time for which an improvement is shown before the search continues, in milliseconds. This is long enough to see the improvement. It
+ * also keeps the motion smooth although redrawing takes some frames.
  */
 const SHOWN = 400;
 
-/** Texts for the ends of a search. */
+/** Keys of the texts for the ways in which a search ends. */
 const ENDS = Object.freeze({ fulfilled: "design.fulfilled", settled: "design.settled", stopped: "design.stopped" });
 
 export class DesignView {
@@ -43,7 +43,7 @@ export class DesignView {
   #told = make("p", { id: "design-progress", role: "status" });
   /** @type {{ arc: NumberRow, stroke: NumberRow } | null} */
   #rows = null;
-  /** @type {{ arc: number | null, stroke: number | null }} wishes as written: in degrees, a stroke in the unit of lengths; null for the present value */
+  /** @type {{ arc: number | null, stroke: number | null }} wishes in the units of the fields: degrees, and for a stroke the unit of length; null for the present value */
   #wish = { arc: null, stroke: null };
   /** @type {{ field: string, name: string, said: HTMLElement, moves: HTMLInputElement, by: HTMLSelectElement }[]} */
   #movable = [];
@@ -52,7 +52,7 @@ export class DesignView {
   #snapshot = null;
   /** @type {Worker | null} */
   #worker = null;
-  /** @type {ReturnType<typeof subject> | null} document and plot of the search, after its last improvement */
+  /** @type {ReturnType<typeof subject> | null} document and plot of the search as of its last improvement */
   #subject = null;
   #changed = false;
   /** @type {Progress | null} */
@@ -97,7 +97,7 @@ export class DesignView {
     if (before?.words !== words) this.#tell();
   }
 
-  /** Present arc and stroke, as written. */
+  /** Returns the present arc and stroke in the units of the fields, and whether the output is an angle. */
   #now() {
     const { profile, plotted } = /** @type {Snapshot} */ (this.#snapshot).summary;
     const angle = plotted[0]?.endsWith(".angle") ?? true;
@@ -163,7 +163,7 @@ export class DesignView {
   }
 
   /**
-   * Whether the page still shows the mechanism of the search.
+   * Checks whether the page still shows the mechanism of the search.
    * @param {State} state
    */
   #holds({ document: linkage, view: { plot } }) {
@@ -173,7 +173,7 @@ export class DesignView {
   #search() {
     const state = this.#store.get();
     const { angle, arc, stroke } = this.#now();
-    // The wishes stay the same while the mechanism changes.
+    // A present value becomes a wish, so that it does not change with the mechanism.
     this.#wish = { arc: this.#wish.arc ?? arc, stroke: this.#wish.stroke ?? stroke };
     const wishes = {
       arc: radians(this.#wish.arc ?? 0),
@@ -190,7 +190,7 @@ export class DesignView {
       if (worker === this.#worker) this.#hear({ problems: [{ code: "not_arrived" }] });
     };
     worker.addEventListener("message", ({ data }) => {
-      // Messages on their way when the search was stopped no longer count.
+      // Messages sent before the search was stopped are ignored.
       if (worker === this.#worker) this.#hear(data);
     });
     worker.addEventListener("error", lost);
@@ -200,7 +200,7 @@ export class DesignView {
     this.#tell();
   }
 
-  /** @param {{ progress?: Progress, problems?: readonly Problem[] }} said message of the worker */
+  /** @param {{ progress?: Progress, problems?: readonly Problem[] }} said message from the worker */
   #hear({ progress, problems }) {
     if (!progress) {
       this.#problems = problems ?? [];
@@ -218,7 +218,7 @@ export class DesignView {
   }
 
   /**
-   * Shows an improvement on the page; all improvements of one search are one step of undo.
+   * Shows an improvement on the page. All improvements of one search are undone in one step.
    * @param {Partial<import("assur/state/state.js").LinkageDocument>} change
    */
   #take(change) {
@@ -243,7 +243,7 @@ export class DesignView {
     this.#tell();
   }
 
-  /** Shows one of the two buttons. */
+  /** Shows the button that stops a running search, otherwise the button that starts one. */
   #show() {
     this.#start.hidden = this.#worker !== null;
     this.#stop.hidden = this.#worker === null;
@@ -269,7 +269,7 @@ export class DesignView {
         before: numbers.short(before),
       }));
       if (this.#end) said.push(words.text(ENDS[this.#end]), words.text("design.checked"));
-      // The margin is 1 if no group is solved by iteration.
+      // The singularity margin is 1 if no group is solved by iteration.
       const tight = Math.abs(singularity_margin);
       if (this.#end && tight < 1) said.push(words.text("design.conditioning", { conditioning: numbers.short(tight) }));
       this.#told.dataset.value = String(residual);

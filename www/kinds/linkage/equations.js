@@ -1,4 +1,4 @@
-// The constraint equations of a linkage at the current input: both sides and their difference.
+// The constraint equations of a linkage at the current input: both sides of each and the difference of the sides.
 import { degrees } from "assur/core/angles.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -9,16 +9,17 @@ import { Seen } from "assur/core/seen.js";
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/engine.js").Equation} Equation
- * a link and its points P, Q; a sliding link, its point and the line PQ; two links with a constant angle between them; wheels with
- * their carrier and numbers of teeth, the second negative if the sense of rotation is kept
+ * a constraint, by `kind`. `distance`: a link and its points P, Q. `offset`: a sliding link, its point and the line PQ. `direction`:
+ * two links at a constant angle. `mesh`: two wheels, their carrier and numbers of teeth; the second is negative if both wheels
+ * rotate in the same sense
  */
 
-/** Names of the orders of the derivatives. */
+/** Keys of the names of the equations and of their first and second derivatives. */
 const ORDERS = Object.freeze(["equations.places", "equations.first", "equations.second"]);
 const STROKES = Object.freeze(["", "′", "″"]);
 const SIDES = Object.freeze(/** @type {const} */ (["left", "right", "residual"]));
 const NONE = "—";
-/** Decimals of the sides, and the size from which decimals only take room. */
+/** `DECIMALS`: number of decimals of a side. `LARGE`: absolute value from which decimals would only take up room. */
 const DECIMALS = 4;
 const LARGE = 1e4;
 const SUPERSCRIPTS = Object.freeze([..."⁰¹²³⁴⁵⁶⁷⁸⁹"]);
@@ -45,7 +46,7 @@ export class EquationsView {
     this.#order.append(...ORDERS.map((key, order) => make("option", { value: String(order), "data-t": key })));
     const head = ["equation", ...SIDES].map((name) => make("th", { scope: "col", "data-t": `equations.${name}` }));
     this.#table.prepend(make("thead", {}, [make("tr", {}, head)]));
-    // A scrolling area must be reachable by keys, too.
+    // An area that scrolls must also be reachable with the keyboard.
     const window = make("div", { class: "equations", tabindex: "0", role: "region", "data-t-label": "equations.heading" }, [this.#table]);
     this.#details = make("details", { id: "equations", "data-of": "linkage" }, [
       make("summary", { "data-t": "equations.heading" }),
@@ -61,7 +62,7 @@ export class EquationsView {
   render(snapshot) {
     const before = this.#snapshot;
     this.#snapshot = snapshot;
-    // Numbers that change in every frame cannot be read; another mechanism is shown at once.
+    // Numbers that change in every frame cannot be read, and are not written. Another mechanism is shown at once.
     if (snapshot.legible || before?.summary !== snapshot.summary || before?.words !== snapshot.words) this.#show();
   }
 
@@ -120,7 +121,7 @@ export class EquationsView {
 }
 
 /**
- * Template of a formula, whose placeholders become subscripts.
+ * Makes a formula from a template string. The values of its placeholders become subscripts.
  * @param {TemplateStringsArray} texts
  * @param {readonly string[]} subscripts
  */
@@ -130,14 +131,14 @@ function formula(texts, ...subscripts) {
 
 /**
  * @param {readonly string[]} names
- * @returns {string} single letters side by side, as EG, longer names with commas
+ * @returns {string} single letters side by side, as EG; longer names separated by commas
  */
 function together(...names) {
   return names.join(names.every((name) => name.length === 1) ? "" : ",");
 }
 
 /**
- * An equation or its derivative, in the notation of papers.
+ * Writes an equation or its derivative in the notation of papers.
  * @param {Equation} equation
  * @param {number} order
  * @param {Words} words

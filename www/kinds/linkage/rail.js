@@ -13,7 +13,7 @@ import { change, inputNow } from "assur/state/change.js";
  * @typedef {import("assur/state/model.js").OwnSnapshot<"linkage">} Snapshot
  */
 
-/** Words and symbol of each kind of dimension. */
+/** Key of the name, and symbol, of each kind of dimension. */
 const KINDS = Object.freeze({
   length: Object.freeze({ key: "links.length", symbol: "l" }),
   side: Object.freeze({ key: "links.side", symbol: "l" }),
@@ -32,7 +32,7 @@ export class LinkageRail {
   #source = make("p", { class: "source", "data-of": "linkage" });
   /** @type {NumberRow[]} */
   #rows = [];
-  /** @type {NumberRow[]} rows of further drivers */
+  /** @type {NumberRow[]} rows for the rates of further drivers */
   #further = [];
   #built = new Seen();
   #shown = new Seen();
@@ -74,8 +74,8 @@ export class LinkageRail {
   }
 
   /**
-   * @param {(input: number) => import("assur/engine.js").Changed} asked request to the engine at the current input
-   * @param {string} [field] that shows the reason of a refusal
+   * @param {(input: number) => import("assur/engine.js").Changed} asked request to the engine, called with the current input
+   * @param {string} [field] field that shows the reason if the engine refuses
    */
   #change(asked, field = "drivers") {
     change(() => asked(inputNow(this.#page)), field, this.#page);

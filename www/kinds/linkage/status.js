@@ -45,7 +45,7 @@ const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
   "linkage-unsearched": "unsearched",
 }));
 
-/** Entries that take some time to compute. */
+/** Entries whose values take some time to compute. */
 const LATE = Object.freeze(["linkage-assembly"]);
 
 /** @returns {StatusLine<Snapshot>} */
@@ -82,7 +82,7 @@ function strokes(outputs, angles, words) {
  * @param {Summary["transmissions"]} transmissions
  * @param {Summary["transmissions"][number]["what"]} what
  * @param {Words} words
- * @returns {string} the worst angles of the dyads, each with its inner joint
+ * @returns {string} the worst angle of each dyad, with the name of its inner joint
  */
 function worst(transmissions, what, words) {
   const found = transmissions.filter((one) => one.what === what);

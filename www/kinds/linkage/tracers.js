@@ -1,4 +1,4 @@
-// Traced points of a linkage in its rail: their places on their links, with buttons to remove them.
+// The traced points of a linkage in the rail: their coordinates on their links, and buttons to remove them.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -7,7 +7,7 @@ import { subscript } from "assur/core/symbols.js";
 import { placeTraced } from "assur/state/change.js";
 import { edited } from "assur/state/state.js";
 
-/** Coordinates on a link: along it from its first point to its second, and to the left. */
+/** Coordinates of a point on a link: along the line from the link's first point to its second, and to the left of this line. */
 const AXES = Object.freeze(/** @type {const} */ (["along", "across"]));
 
 export class TracedPoints {
@@ -15,7 +15,7 @@ export class TracedPoints {
   #drafts;
   #list = make("div");
   #section = make("section", { "data-of": "linkage" }, [make("h2", { "data-t": "tracers.heading" }), this.#list]);
-  /** @type {NumberBox[][]} fields of the two numbers of each point */
+  /** @type {NumberBox[][]} fields of the two coordinates of each point */
   #boxes = [];
   #built = new Seen();
   #shown = new Seen();
@@ -65,7 +65,7 @@ export class TracedPoints {
       ];
     }));
     words.fill(this.#section);
-    // A button that disappears passes the focus on, so that it is not lost.
+    // If the focus was in the old list, it moves to the first button of the new list, or to the box for traces.
     if (focused) (this.#list.querySelector("button") ?? byId("traces", HTMLInputElement)).focus();
   }
 

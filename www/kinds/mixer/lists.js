@@ -35,7 +35,7 @@ export const TRACER_LIST = Object.freeze({
 });
 
 /**
- * The document without a wheel. Traced points of later wheels stay on those wheels.
+ * Removes a wheel and its traced points from the document. Traced points of later wheels stay on those wheels.
  * @param {number} index
  * @param {MixerDocument} document
  * @returns {Partial<MixerDocument>}
@@ -52,7 +52,7 @@ function without(index, { wheels, tracers }) {
 /**
  * @param {readonly Tracer[]} tracers
  * @param {readonly Wheel[]} wheels
- * @returns {Tracer[]} traced points without those of missing wheels
+ * @returns {Tracer[]} the traced points except those on missing wheels
  */
 export function staying(tracers, wheels) {
   return tracers.filter(({ link }) => wheelOf(link) < wheels.length);
@@ -122,7 +122,7 @@ function tracerCard(index, put, drafts, remove) {
 }
 
 /**
- * A wheel like the last one, in the widest gap.
+ * Makes a wheel like the last one, in the widest gap between wheels.
  * @param {Snapshot} snapshot
  * @returns {Wheel}
  */
@@ -131,7 +131,7 @@ function anotherWheel({ state: { document: { wheels } }, summary }) {
 }
 
 /**
- * A traced point beside the middle of the coupler, where its path is interesting.
+ * Makes a traced point beside the middle of the coupler, where its path is interesting.
  * @param {Snapshot} snapshot
  * @returns {Tracer}
  */

@@ -109,7 +109,7 @@ export class Rail {
 }
 
 /**
- * @param {string} key of its heading
+ * @param {string} key of the heading
  * @param {readonly HTMLElement[]} content
  */
 function section(key, content) {
@@ -117,7 +117,7 @@ function section(key, content) {
 }
 
 /**
- * @param {string} key of its legend
+ * @param {string} key of the legend
  * @param {HTMLElement} content
  */
 function choices(key, content) {

@@ -11,9 +11,9 @@ import { WHEELS, wheelLink } from "assur/kinds/mixer/wheels.js";
  * @typedef {{ text: string, value?: number }} Entry
  */
 
-/** @typedef {(summary: Summary, words: Words, state: State) => Entry | null} Say gives the content of an entry, null if there is none */
+/** @typedef {(summary: Summary, words: Words, state: State) => Entry | null} Say gives the content of an entry, or null for no entry */
 
-/** @type {[string, Say][]} entries for the greatest number of peripheral wheels */
+/** @type {[string, Say][]} one entry for the swing of each possible peripheral wheel */
 const WHEEL_SWINGS = [...Array(WHEELS.most).keys()].map((index) => [
   `swing-${wheelLink(index)}`,
   ({ outputs: [, ...wheels] }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null),
@@ -68,7 +68,7 @@ function swingEntry(swings, words) {
 }
 
 /**
- * @param {readonly (readonly [number, number])[]} pairs of wheels, by index from 0
+ * @param {readonly (readonly [number, number])[]} pairs of overlapping wheels, as indices from 0
  * @param {Words} words
  * @returns {Entry | null}
  */

@@ -1,6 +1,6 @@
 // Peripheral wheels of the mixer: their number and their names.
 
-/** Number of the first wheel for readers, and limits of the number of wheels. */
+/** `first`: the number shown for the first wheel. `least`, `most`: limits of the number of wheels. */
 export const WHEELS = Object.freeze({ first: 5, least: 1, most: 6 });
 
 /**

@@ -1,4 +1,4 @@
-// Mobility and redundant constraints by the formulas of the textbooks, and contour by contour.
+// Mobility and redundant constraints, by the formulas of textbooks and contour by contour.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
@@ -28,7 +28,7 @@ export class FormulasView {
 
 /**
  * @param {Snapshot} snapshot
- * @returns {string[][]} for each formula its name, then its lines
+ * @returns {string[][]} for each formula, its name followed by its lines
  */
 function classical(snapshot) {
   const { summary, words } = snapshot;
@@ -74,7 +74,7 @@ function byLoops(snapshot) {
   if (sections.loops.length === 0) return [];
   const all = counts.spatial_pairs.reduce((total, { freedoms, count }) => total + freedoms * count, 0);
   const spaces = sections.loops.map((loop) => loop.motion_space);
-  // The redundant constraints of a contour come from the count alone.
+  // For a single contour the redundant constraints are known only by count. They are omitted if the rank differs from the count.
   const { ranked } = actual(summary);
   const said = sections.loops.map(({ cut, pairs, motion_space: space, redundant }) => (
     words.text("formulas.loop", { cut, pairs: pairs.join(", "), space: numbers.exact(space) }) + (ranked ? "" : `, q = ${asked(redundant, "q", snapshot)}`)

@@ -1,4 +1,4 @@
-// Rank of the constraints in the given geometry, and replacements of pairs that leave no redundant constraint.
+// Rank of the constraints in the given geometry, and replacements of pairs after which no constraint is redundant.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -11,7 +11,7 @@ import { change } from "assur/state/change.js";
  * @typedef {Snapshot["summary"]} Summary
  */
 
-/** Number of replacements shown at once. */
+/** Number of replacements shown. The others are folded away. */
 const SHOWN = 12;
 
 export class GeometryView {
@@ -75,7 +75,7 @@ function lines(snapshot) {
   const right = own.mobility === mobility;
   said.push(words.text(right ? "geometry.agrees" : "geometry.differs", { counted: asked(mobility, "w", snapshot) }));
   const borne = [...(plane?.redundancies ?? []), ...(plane && plane.redundant > 0 ? [] : space.redundancies)];
-  // Their number is the answer if a lesson asks for q.
+  // If a lesson asks for q, the lines on redundant constraints would give it away.
   if (snapshot.withheld.has("scheme-q")) return said;
   for (const { count, pairs } of borne) said.push(words.counted("geometry.redundant", count, { pairs: pairs.join(", ") }));
   for (const links of own.idle) said.push(words.counted("geometry.idle", links.length, { links: links.map((link) => called(link, words)).join(", ") }));

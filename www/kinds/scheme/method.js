@@ -11,7 +11,7 @@ import { edited } from "assur/state/state.js";
  * @typedef {NonNullable<Snapshot["summary"]["sections"]>} Sections
  */
 
-/** Time between two cuts, in milliseconds: the chain falls open and can be looked at. */
+/** Time between two cuts, in milliseconds: long enough for the chain to fall open and be looked at. */
 const PAUSE = 1600;
 
 export class MethodView {
@@ -37,7 +37,7 @@ export class MethodView {
     const { state: { document }, summary, words, stale, withheld } = snapshot;
     if (this.#shown.same(document, summary, words, stale, withheld)) return;
     this.#snapshot = snapshot;
-    // Another cut by hand stops the automatic ones.
+    // A different cut, made by hand, stops the automatic cuts.
     if (this.#coming.length > 0 && !document.cut.every((name, i) => name === summary.automatic[i])) this.#stop();
     this.#step.hidden = document.task != null;
     this.#step.disabled = summary.automatic.length === 0;
@@ -53,7 +53,7 @@ export class MethodView {
     if (closed.length > 0) return [words.text("method.closed", { pairs: closed.join(", ") })];
     if (apart.length > 0) return [words.text("method.apart", { links: apart.map((link) => called(link, words)).join(", ") })];
     if (!sections || document.task != null) return [];
-    // In a chain that was open from the start W₀ is W.
+    // Without cuts W₀ is W, which a lesson may ask for.
     const total = sections.cuts.length > 0 ? numbers.exact(sections.open) : asked(sections.open, "w", snapshot);
     const lines = [words.text("method.open"), `W₀ = ${freedomsOf(sections.left, total, words)}`];
     if (sections.cuts.length > 0) {

@@ -1,4 +1,4 @@
-// Animation of the chain that falls open at a cut pair.
+// Animation of a chain that falls open where a pair is cut.
 
 /** @typedef {import("assur/state/model.js").OwnSnapshot<"scheme">} Snapshot */
 
@@ -35,7 +35,7 @@ export class Opening {
 
   #frame = (/** @type {number} */ now) => {
     const share = Math.min(Math.max((now - this.#begun) / LASTS, 0), 1);
-    // Slow at both ends.
+    // The motion is slow at both ends.
     this.#open(share * share * (3 - 2 * share));
     if (share < 1) this.#handle = requestAnimationFrame(this.#frame);
   };

@@ -1,4 +1,4 @@
-// The table of pairs: form, links, cuts and place of each.
+// The table of pairs. It shows the kind, links, cuts, position and axis of each pair.
 import { CardList } from "assur/controls/card-list.js";
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
@@ -22,10 +22,10 @@ const FORMS = Object.freeze([
   "revolute", "prismatic", "screw", "cylindrical", "universal", "spherical", "planar", "sphere_in_cylinder", "cylinder_on_plane", "sphere_on_plane", "class",
 ]);
 
-/** Value of the entry for a new link. */
+/** Value of the option that stands for a new link. */
 const NEW = "";
 
-/** Lists of numbers of a pair, with the names of the numbers. */
+/** Position and axis of a pair. `part`: the field with three numbers. `said`: keys of the names of the numbers. */
 const TRIPLES = Object.freeze(/** @type {const} */ ([
   { part: "at", said: ["field.pairs.at.x", "field.pairs.at.y", "field.pairs.at.z"] },
   { part: "axis", said: ["field.pairs.axis.x", "field.pairs.axis.y", "field.pairs.axis.z"] },
@@ -78,7 +78,7 @@ export class PairsView {
 
   /**
    * @param {number} index
-   * @param {number} place of the link in the pair
+   * @param {number} place index of the link among the links of the pair
    * @param {string} link
    */
   #join(index, place, link) {
@@ -190,7 +190,7 @@ export class PairsView {
 /**
  * @param {string} cut
  * @param {string} pair
- * @returns {boolean} whether the cut is one of this pair
+ * @returns {boolean} whether the cut is one of the pair's cuts
  */
 function isOf(cut, pair) {
   return cut === pair || cut.startsWith(`${pair}:`);
@@ -199,7 +199,7 @@ function isOf(cut, pair) {
 /**
  * @param {Pair} pair
  * @param {Pair["kind"]} kind
- * @returns {Pair} the pair in another form, without the axis of the old one
+ * @returns {Pair} the pair changed to another kind, without its previous axis
  */
 function shaped({ name, links, at }, kind) {
   const place = at ? { at } : {};
@@ -210,7 +210,7 @@ function shaped({ name, links, at }, kind) {
  * @param {readonly number[] | null | undefined} before
  * @param {number} k index of the number
  * @param {number} value
- * @param {boolean} flat whether there are two numbers
+ * @param {boolean} flat whether only x and y are kept
  */
 function placed(before, k, value, flat) {
   const numbers = [0, 0, 0].map((zero, i) => (i === k ? value : (before?.[i] ?? zero)));
@@ -219,7 +219,7 @@ function placed(before, k, value, flat) {
 
 /**
  * @param {Document} document
- * @returns {Pair} a hinge between the fixed link and a new one
+ * @returns {Pair} a hinge between the fixed link and a new link
  */
 function another(document) {
   const taken = new Set(document.pairs.map(({ name }) => name));
@@ -230,7 +230,7 @@ function another(document) {
 
 /**
  * @param {Document} document
- * @returns {string} the first free number, as the name of a link
+ * @returns {string} the lowest unused number, as the name of a link
  */
 function newLink({ pairs }) {
   const taken = new Set(pairs.flatMap(({ links }) => links));

@@ -11,10 +11,10 @@ import { edited } from "assur/state/state.js";
  * @typedef {Snapshot["summary"]} Summary
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {{ id: string, said: (words: Words) => string, answer: (summary: Summary) => number, opened: boolean }} Question
- * `opened`: whether it can be answered only when every contour is open.
+ * `said`: the text. `answer`: the right answer. `opened`: whether the question can be answered only after every contour is cut open.
  */
 
-/** Number of tasks, small enough for short task numbers. */
+/** Number of different tasks, few enough for short task numbers. */
 const TASKS = 100000;
 
 /** @type {readonly Question[]} */
@@ -36,9 +36,9 @@ export class PracticeView {
   #rows = make("div", { id: "practice-rows" });
   /** Key of the current questions. */
   #asked = "";
-  /** @type {number | null} task of the answers */
+  /** @type {number | null} task to which the answers belong */
   #answered = null;
-  /** @type {Map<string, number>} answers by question */
+  /** @type {Map<string, number>} answers by the id of the question */
   #answers = new Map();
   /** @type {{ question: Question, box: NumberBox, verdict: HTMLElement, input: HTMLInputElement }[]} */
   #questions = [];
@@ -72,7 +72,7 @@ export class PracticeView {
     this.#judge();
   }
 
-  /** Opens a mechanism different from the present one. */
+  /** Opens a random task other than the present one. */
   #task() {
     const { engine, store } = this.#page;
     const { document } = store.get();

@@ -6,7 +6,7 @@
  */
 
 /**
- * @param {number} value of W, by the count or by rank, or of q
+ * @param {number} value of W by count, of W by rank, or of q
  * @param {"w" | "rank" | "q"} which
  * @param {Pick<import("assur/kinds/scheme/opening.js").Snapshot, "withheld" | "words">} snapshot
  * @returns {string} the value, or a question mark while a lesson asks for it
@@ -16,9 +16,9 @@ export function asked(value, which, { withheld, words }) {
 }
 
 /**
- * Actual W and q: by the rank of the constraints in space if place and axis of every pair are known, else by the count.
+ * Returns the actual W and q: by the rank of the constraints in space if position and axis of every pair are known, otherwise by count.
  * @param {Pick<import("assur/kinds/scheme/opening.js").Snapshot["summary"], "mobility" | "redundant" | "space">} summary
- * @returns {Readonly<{ mobility: number, redundant: number, ranked: boolean }>} `ranked`: whether the rank differs from the count
+ * @returns {Readonly<{ mobility: number, redundant: number, ranked: boolean }>} `ranked`: whether q by rank differs from q by count
  */
 export function actual({ mobility, redundant, space }) {
   const judged = space ?? { mobility, redundant };
@@ -35,7 +35,7 @@ export function symbolOf(freedoms) {
 /**
  * @param {readonly number[]} terms
  * @param {Words} words
- * @returns {string} their sum, with its terms if there are several
+ * @returns {string} the sum, after its terms if there are several
  */
 export function sum(terms, { numbers }) {
   const total = numbers.exact(terms.reduce((all, one) => all + one, 0));
@@ -44,7 +44,7 @@ export function sum(terms, { numbers }) {
 
 /**
  * @param {readonly Class[]} classes
- * @param {string} total Σ i·Pᵢ
+ * @param {string} total Σ i·Pᵢ, where Pᵢ is the number of pairs with i freedoms
  * @param {Words} words
  */
 export function freedomsOf(classes, total, { numbers }) {
@@ -53,7 +53,7 @@ export function freedomsOf(classes, total, { numbers }) {
 }
 
 /**
- * Structural formula: the freedoms of all links less the constraints of the pairs, as 3·3 − 2·4.
+ * Writes the structural formula: the freedoms of all links less the constraints of the pairs, for example 3·3 − 2·4.
  * @param {3 | 6} space freedoms of a link
  * @param {number} links
  * @param {readonly Class[]} classes

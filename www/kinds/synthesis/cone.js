@@ -1,19 +1,20 @@
-// The cone of the links' directions in one position: the frame's direction must lie inside it, or some length is not positive.
+// The cone spanned by the directions of the moving links in one position. Unless the frame's direction lies inside this cone, some
+// length is not positive.
 import { makeSvg } from "assur/core/dom.js";
 
-/** Names and roles of the directions, the frame's first. */
+/** Names of the directions and roles of their colours, the frame's direction first. */
 const LOOKS = Object.freeze([["e₀", "ink"], ["e₁", "coupler"], ["e₂", "rocker"], ["e₃", "crank"]]);
 
-/** Distance of names from the middle, extra distance of a name that would overlap, half the size of the picture. */
+/** `NAME`: distance of a name from the centre. `FARTHER`: extra distance of a name that would overlap. `SIZE`: half the picture's size. */
 const NAME = 1.16;
 const FARTHER = 0.22;
 const SIZE = 1.5;
 
-/** Angle between directions, in radians, below which their names would overlap. */
+/** Angle between two directions, in radians, below which their names would overlap. */
 const NEAR = 0.2;
 
 /**
- * @param {readonly [number, number, number, number]} turns of frame, coupler, output link and driver, radians
+ * @param {readonly [number, number, number, number]} turns angles of frame, coupler, output link and driver, in radians
  * @param {string} label
  * @returns {SVGElement}
  */
@@ -35,7 +36,8 @@ export function cone(turns, label) {
 
 /**
  * @param {readonly number[]} turns
- * @returns {string} path around all sums of positive multiples: the whole disc if no gap between neighbours reaches half a turn
+ * @returns {string} path around all sums of positive multiples of the directions. It is the whole disc if neighbouring directions are
+ * less than half a turn apart
  */
 function sector(turns) {
   const around = turns.map((turn) => (turn < 0 ? (turn % TURN) + TURN : turn % TURN)).sort((a, b) => a - b);
@@ -52,7 +54,7 @@ const TURN = 2 * Math.PI;
 /**
  * @param {number} turn
  * @param {number} far
- * @returns {[number, number]} the point at that distance, with y downwards
+ * @returns {[number, number]} the point in this direction at the distance `far`, with y downwards
  */
 function at(turn, far) {
   return [far * Math.cos(turn), -far * Math.sin(turn)];

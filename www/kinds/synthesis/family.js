@@ -1,4 +1,5 @@
-// The choice of a linkage: for two positions a family, as a curve to slide along; for more the solutions in the same plane.
+// The choice of a linkage. For two positions the solutions form a family, shown as a curve along which the choice can be dragged.
+// For more positions the same plane shows the separate solutions.
 import { NumberRow } from "assur/controls/number-row.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
@@ -7,14 +8,14 @@ import { section } from "assur/controls/section.js";
 import { change, inputNow } from "assur/state/change.js";
 import { edited } from "assur/state/state.js";
 
-/** Symbols, names and roles of the lengths. */
+/** Symbols of the lengths, keys of their names, and roles of their colours. */
 const LENGTHS = Object.freeze([
   { symbol: "l₁", key: "map.coupler", role: "coupler" },
   { symbol: "l₂", key: "map.output", role: "rocker" },
   { symbol: "l₃", key: "map.input", role: "crank" },
 ]);
 
-/** Names of the parts of the curve. */
+/** Keys of the names of the parts of the curve, by verdict. */
 const PARTS = Object.freeze({ turns: "map.turns", rocks: "map.rocks", disorder: "map.disorder", branch: "map.branch" });
 
 export class FamilyView {

@@ -1,4 +1,4 @@
-// The dialog of a wanted function: it places the positions of a synthesis on it. Loaded on demand.
+// The dialog for a wanted function, on which it places the positions of a synthesis. Loaded on demand.
 import { functionPositions } from "assur/pkg/assur_web.js";
 import { numberField } from "assur/controls/number-box.js";
 import { sentence } from "assur/controls/problems.js";
@@ -17,19 +17,19 @@ import { alone, edited } from "assur/state/state.js";
  * @typedef {import("assur/core/problem.js").Problem} Problem
  */
 
-/** Initial function: three positions approximate it to 0.2 % of its range. */
+/** The initial function: three positions approximate it to 0.2 % of its range. `POWER`, `COUNT`: initial exponent, number of positions. */
 const USUAL = Object.freeze(/** @type {Wanted} */ ({ of: "log10", x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] }));
 const POWER = 2;
 const COUNT = 3;
 
-/** The ranges of the form, with their units. */
+/** The ranges that the form asks for: of x and of both angles, with their units. */
 const RANGES = Object.freeze(/** @type {const} */ ([["x", ""], ["input_deg", "°"], ["output_deg", "°"]]));
 
-/** Separator of two numbers in a row; a comma alone may be a decimal sign. */
+/** Separator of two numbers in a row. A comma without a space after it may be a decimal sign. */
 const BETWEEN = /\s*;\s*|,?\s+/;
 
 /**
- * Shows the dialog in the language of the words.
+ * Shows the dialog in the page's language.
  * @param {import("assur/app/page.js").Page} page page with an open synthesis
  */
 export function openFunction(page) {
@@ -67,7 +67,7 @@ export function openFunction(page) {
 /**
  * @param {ReturnType<typeof makeForm>} form
  * @param {import("assur/app/page.js").Page} page
- * @returns {Partial<Document> & Pick<Document, "positions">} the new fields of the document, without the choices made for other positions
+ * @returns {Partial<Document> & Pick<Document, "positions">} the new fields of the document; choices made for other positions are reset
  */
 function made(form, { engine, store }) {
   const { wanted, count, even } = form.read();
@@ -119,7 +119,7 @@ function makeForm(document, words) {
   chosen.addEventListener("change", fit);
   fit();
 
-  /** Fields that may be at fault, by name. */
+  /** Inputs to be marked as invalid, by the name of the document's field. */
   const boxes = new Map([["function.of", [rows]], ["function.power", [power]], ...ranges.map(({ part, boxes }) => /** @type {const} */ ([`function.${part}`, boxes]))]);
   return {
     rows: [
@@ -132,7 +132,7 @@ function makeForm(document, words) {
     mark(wrong) {
       for (const [field, all] of boxes) for (const one of all) one.setAttribute("aria-invalid", String(wrong.has(field)));
     },
-    /** @returns {{ wanted: Wanted, count: number, even: boolean }} the typed values; throws a refusal if some are no numbers */
+    /** @returns {{ wanted: Wanted, count: number, even: boolean }} the typed values; throws a `Refusal` if one of them is not a number */
     read() {
       /** @type {Problem[]} */
       const problems = [];
@@ -158,7 +158,7 @@ function makeForm(document, words) {
 
 /**
  * @param {string} text two numbers to a line, separated by a space, a semicolon or a comma
- * @param {Problem[]} problems list that receives invalid lines
+ * @param {Problem[]} problems list that receives a problem for each invalid line
  * @returns {[number, number][]}
  */
 export function tableOf(text, problems) {

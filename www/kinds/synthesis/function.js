@@ -1,5 +1,5 @@
-// The wanted function of a synthesis: the error of the drawn linkage, in a sentence and over x. The dialog for it is loaded on
-// demand.
+// The wanted function of a synthesis: the error of the drawn linkage, as a sentence and as a plot over x. The dialog for the
+// function is loaded on demand.
 import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";
 import { make, makeSvg, write } from "assur/core/dom.js";
@@ -12,7 +12,7 @@ import { edited } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Width and height of the plot in its own units, which are stretched to its size. */
+/** Width and height of the plot in its own units. The browser stretches the plot to the size of its element. */
 const [WIDE, HIGH] = [100, 30];
 
 export class FunctionView {
@@ -45,7 +45,7 @@ export class FunctionView {
   /** @param {import("assur/kinds/synthesis/positions.js").Snapshot} snapshot */
   render({ state: { document: { function: wanted } }, summary: { function: error }, words }) {
     const { document } = this.#model.good;
-    // While the positions on this function have no linkage, the drawn one may belong to another function.
+    // If no linkage has been found for this function, the drawn linkage may belong to another function.
     const isDrawn = "function" in document && document.function === wanted;
     if (this.#shown.same(wanted, isDrawn, error, words)) return;
     this.#there.hidden = !isDrawn || !wanted || !error;
@@ -61,7 +61,7 @@ export class FunctionView {
 /**
  * @param {Wanted["of"]} of
  * @param {Words} words
- * @returns {string} y as a function of x, as a formula if there is one
+ * @returns {string} formula of y as a function of x, or a phrase for a table
  */
 export function formula(of, words) {
   if (of === "log10") return "y = log₁₀ x";
@@ -86,7 +86,7 @@ function said({ of }, { greatest, complete }, words) {
  * @param {Error} error
  * @param {readonly [number, number]} x ends of the plotted range
  * @param {number} most the greatest error, which reaches the edge of the plot
- * @returns {string} path of the error, interrupted where the linkage cannot go
+ * @returns {string} path of the curve of the error, interrupted at values of x that the linkage does not reach
  */
 function curve({ curve: samples }, [from, to], most) {
   let pen = "M";
@@ -103,7 +103,7 @@ function curve({ curve: samples }, [from, to], most) {
 
 /**
  * @param {string} d
- * @param {string} role of its colour
+ * @param {string} role of the path's colour
  */
 function path(d, role) {
   const made = makeSvg("path", { d });

@@ -1,4 +1,4 @@
-// Views for a synthesis. Loaded with the first one.
+// Views for a synthesis. Loaded with the first synthesis.
 import { ConditionsView } from "assur/kinds/synthesis/conditions.js";
 import { FamilyView } from "assur/kinds/synthesis/family.js";
 import { PositionsView } from "assur/kinds/synthesis/positions.js";

@@ -1,5 +1,5 @@
-// The plane of the lengths of output link and driver: the family of two positions as a curve, the sum of squares for more
-// positions as a shade, the solutions and the drawn one as points.
+// The plane of the lengths l₂ of the output link and l₃ of the driver. A curve shows the family for two positions. For more
+// positions, shades show the sum of squared gaps. Dots show the solutions and the drawn linkage.
 import { Plane } from "assur/kinds/synthesis/plane.js";
 
 /**
@@ -8,7 +8,7 @@ import { Plane } from "assur/kinds/synthesis/plane.js";
  * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
  */
 
-/** Colour and dashes of the parts of the family, by verdict: colour alone is not visible to all. */
+/** Colour and dashes of the parts of the family, by verdict. The dashes are for readers who cannot distinguish the colours. */
 export const LOOKS = Object.freeze(/** @type {Readonly<Record<Verdict, { role: string, dash: readonly number[] }>>} */ ({
   turns: { role: "rocker", dash: [] },
   rocks: { role: "crank", dash: [] },
@@ -16,7 +16,7 @@ export const LOOKS = Object.freeze(/** @type {Readonly<Record<Verdict, { role: s
   branch: { role: "secondary", dash: [2, 4] },
 }));
 
-/** Greatest distance at which a pointer takes a point of the curve, in pixels. */
+/** Greatest distance, in pixels, from which the pointer picks a point of the curve. */
 const REACH = 24;
 
 export class FamilyMap {
@@ -27,7 +27,7 @@ export class FamilyMap {
 
   /**
    * @param {import("assur/canvas/theme.js").Theme} theme
-   * @param {(member: [number, number]) => void} choose takes a member of the family, by l₂ and l₃
+   * @param {(member: [number, number]) => void} choose called with l₂ and l₃ of the chosen member of the family
    */
   constructor(theme, choose) {
     this.#plane = new Plane("synthesis-map", theme, ["l₂", "l₃"], () => this.#paint());
@@ -78,7 +78,7 @@ export class FamilyMap {
     const { summary: { frame, family, found, solutions, drawn }, words } = this.#snapshot;
     if (!this.#plane.begin(frame, words)) return;
     if (found) {
-      // The smaller the sum, the darker.
+      // The smaller the sum, the darker the shade.
       const all = found.sum.values.flat();
       const [low, high] = [Math.min(...all), Math.max(...all)];
       this.#plane.shade(found.sum, (value) => (high - value) / (high - low || 1));
@@ -91,7 +91,7 @@ export class FamilyMap {
   }
 
   /**
-   * Paints the family, each part by its verdict.
+   * Paints the curve of the family, each part in the style of its verdict.
    * @param {NonNullable<Summary["family"]>["curve"]} curve
    */
   #curve({ l2, l3, verdicts }) {

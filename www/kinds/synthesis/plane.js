@@ -1,21 +1,21 @@
-// A plane of two lengths on logarithmic scales, with shades, lines and points in it.
+// A plane of two lengths on logarithmic scales, with shades, lines and dots.
 import { Surface } from "assur/canvas/surface.js";
 import { make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/types/web.js").PlaneSummary} Shade
- * @typedef {readonly number[]} Place the horizontal length and the vertical one
+ * @typedef {readonly number[]} Place a point of the plane: the horizontal length and the vertical one
  */
 
 /** Room for the numbers of the axes, in pixels. */
 const MARGIN = Object.freeze({ left: 34, bottom: 30, top: 10, right: 10 });
 
-/** Positions of the grid lines, as lengths relative to the frame. */
+/** Lengths at the grid lines, as multiples of the frame's length. */
 const LINES = Object.freeze([0.1, 0.3, 1, 3, 10]);
 
 const DOT = 6;
 
-/** Number of steps of a shade, and opacity of the darkest. */
+/** `STEPS`: number of shades. `DARKEST`: opacity of the darkest shade. */
 const STEPS = 12;
 const DARKEST = 0.75;
 
@@ -40,7 +40,7 @@ export class Plane {
   }
 
   /**
-   * Paints only grid and numbers. The content follows, up to `end`.
+   * Paints the grid and its numbers. The caller then paints the content and calls `end`.
    * @param {number} frame length of the frame
    * @param {import("assur/core/words.js").Words} words
    * @returns {boolean} whether there is a visible area to paint on
@@ -61,7 +61,7 @@ export class Plane {
       this.#trace([[x, MARGIN.top], [x, bottom]]);
       this.#trace([[MARGIN.left, y], [width - MARGIN.right, y]]);
       const text = words.numbers.short(line * frame);
-      // In the corner the numbers of both axes meet.
+      // In the corner the numbers of both axes would overlap.
       write(context, text, x, bottom + 3, i === 0 ? "left" : "center", "top");
       write(context, text, MARGIN.left - 4, y, "right", i === 0 ? "bottom" : "middle");
     }
@@ -82,7 +82,7 @@ export class Plane {
 
   /**
    * @param {Place} place
-   * @returns {[number, number]} its position in pixels
+   * @returns {[number, number]} position of the place, in pixels
    */
   at([right, up]) {
     const { width, height } = this.#surface;
@@ -93,9 +93,9 @@ export class Plane {
   }
 
   /**
-   * Paints values as shades in steps, the greatest share darkest.
+   * Paints values as shades in steps of darkness.
    * @param {Shade} shade
-   * @param {(value: number) => number} share gives the share of the darkest shade for a value, from 0 to 1
+   * @param {(value: number) => number} share gives the darkness for a value, from 0 to 1
    */
   shade({ bounds: [least, most], values }, share) {
     const { context } = this.#surface;

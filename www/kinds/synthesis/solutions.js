@@ -1,4 +1,5 @@
-// The solutions with their verdicts: one is drawn and can be opened in the simulator, all can be saved in a file.
+// The list of solutions with their verdicts. The chosen solution is drawn and can be opened in the simulator. All can be saved in
+// a file.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
@@ -13,10 +14,10 @@ import { edited } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Texts on the source of the solutions. */
+/** Keys of the texts on how the solutions were found. */
 const FROM = Object.freeze({ family: "solutions.family", exact: "solutions.exact", found: "solutions.found", trial: "solutions.trial" });
 
-/** Gap below which a contour counts as closed, as far as can be read. */
+/** Gap below which a contour is shown as closed: the written digits would not show the gap. */
 const EXACT = 5e-7;
 
 /** Columns of the file: lengths, starting angles, errors, verdict. */
@@ -80,7 +81,7 @@ export class SolutionsView {
   }
 
   /**
-   * Writes the results of the paper's method and of Levitsky's.
+   * Writes the results of the paper's method and of Levitsky's method.
    * @param {Snapshot["summary"]} summary
    * @param {Words} words
    */
@@ -115,8 +116,8 @@ export class SolutionsView {
 
 /**
  * @param {Snapshot["summary"]} summary
- * @returns {readonly [number, Solution][]} the solutions with their numbers, in the order in which they are shown; for a
- *   family the drawn member
+ * @returns {readonly [number, Solution][]} the solutions with their numbers, in the order in which they are shown; of a
+ *   family, the drawn member
  */
 function listed({ solutions, shown, drawn }) {
   return shown.length > 0 ? shown.map((number) => [number, solutions[number - 1]]) : [[1, drawn]];
@@ -141,7 +142,7 @@ function verdict({ verdict: one, gap, output_error: off, at_bound: bound }, word
 }
 
 /**
- * Writes the main equation of a position step by step, with its numbers.
+ * Writes the paper's main equation for a position: its angles, the equation with symbols and with numbers, and the gap.
  * @param {number} k
  * @param {Wanted} wanted
  * @param {number} frame length of the frame

@@ -1,4 +1,4 @@
-// The style sheet for syntheses. Importing this module waits until it is loaded.
+// The style sheet for syntheses. Importing this module waits until the sheet is loaded.
 import { addStyle } from "assur/core/dom.js";
 
 await addStyle("kinds/synthesis/style.css");

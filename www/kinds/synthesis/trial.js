@@ -11,14 +11,14 @@ import { edited } from "assur/state/state.js";
  * @typedef {NonNullable<import("assur/state/state.js").Documents["synthesis"]["trial"]>} Lengths
  */
 
-/** Subscripts and roles of the lengths of coupler, output link and driver. */
+/** For the lengths of coupler, output link and driver: the subscript of the symbol and the role of the colour. */
 const LENGTHS = Object.freeze([{ n: "₁", role: "coupler" }, { n: "₂", role: "rocker" }, { n: "₃", role: "crank" }]);
 
-/** Range and step of a slider, relative to the frame's length. */
+/** `RANGE`: range of a slider, as multiples of the frame's length. `STEP`: step of a slider, in the unit of length. */
 const RANGE = Object.freeze([0.05, 3]);
 const STEP = 0.01;
 
-/** Digits to which the initial lengths, those of the drawn linkage, are rounded. */
+/** Significant digits to which the initial lengths, those of the drawn linkage, are rounded. */
 const DIGITS = 4;
 
 export class TrialView {
@@ -62,7 +62,7 @@ export class TrialView {
     }
   }
 
-  /** @returns {Lengths | null} the tried lengths, or else the drawn ones */
+  /** @returns {Lengths | null} the tried lengths, or, if none are tried, those of the drawn linkage */
   #lengths() {
     if (!this.#snapshot) return null;
     const { state: { document: { trial } }, summary: { drawn } } = this.#snapshot;
