@@ -37,7 +37,7 @@ export function inDegrees({ kind, order }) {
  * @param {Scale} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers
- * @param {boolean} [moving] whether it changes with every frame and so has only the digits that the eye can follow
+ * @param {boolean} [moving] whether the value changes with every frame, and is therefore written with fewer digits
  */
 export function written(panel, value, numbers, moving = false) {
   if (inDegrees(panel)) return `${numbers.fixed(degrees(value), moving ? 0 : 1)}°`;

@@ -2,7 +2,7 @@
 import { degrees } from "assur/core/angles.js";
 import { isLength } from "assur/core/symbols.js";
 
-/** Absolute values from which a number has one decimal instead of three, and from which it is shortened. */
+/** Absolute values from which a number has one decimal instead of three, and from which it has six significant digits. */
 const LARGE = 1e3;
 const HUGE = 1e6;
 

@@ -41,7 +41,7 @@ export class Figure {
    * @param {Pick<import("assur/engine.js").Engine, "roles" | "labels">} engine
    * @param {Theme} theme
    * @param {() => Path2D} [newPath] makes an empty path of the kind that the targets take
-   * @param {Places} [places] places of another figure's labels, to put labels in the same places
+   * @param {Places} [places] positions of another figure's labels, to put the labels of this figure at the same positions
    */
   constructor(engine, theme, newPath = () => new Path2D(), places = new Places()) {
     this.#places = places;
