@@ -94,7 +94,7 @@ export class Paper {
   /** @param {Snapshot} snapshot */
   render({ summary, input, stale, problems, withheld }) {
     if (this.#numbers.length === 0 || this.#written.same(summary, input, stale, problems.length, withheld)) return;
-    // Numbers would give the answer away.
+    // While read-outs are withheld, no numbers are shown: they would give the answer away.
     const asked = stale || withheld.size > 0 ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
     const words = this.#words;
     if (!words) return;

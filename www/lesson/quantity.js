@@ -126,7 +126,7 @@ export function quantityName(quantity, { summary, coordinate, state }, words) {
   const whose = what.endsWith("angle") ? called(of, words) : calledWhole(of, what, words);
   const said = short.endsWith(whose) ? short : `${short} (${whose})`;
   if (whole === undefined) return said;
-  // An angle swings, a length has a stroke.
+  // The range is called the swing of an angle and the stroke of a length.
   return words.text(whole === "swing" && !isAngle(bare) ? "write.whole.stroke" : `write.whole.${whole}`, { quantity: said });
 }
 

@@ -50,7 +50,7 @@ export function holds(show, presets, engine) {
     const whole = opens(show, presets, engine);
     if (!whole || whole.kind !== state.kind) return false;
     if (!show.set && !show.drive) return contains(state, whole);
-    // The same edits as at opening.
+    // The preset gets the same edits here as in `open`.
     const document = attempt(() => engine.beside((other) => edits(show, whole.document, other).reduce((now, { asked }) => {
       /** @type {Summary} */
       const summary = other.set(initialState(whole.kind, now, {}));
@@ -86,6 +86,6 @@ function looked({ play = false, overlays = ["traces"], plot = "angles", at }, su
   const input = summary ? at?.(summary) : undefined;
   const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle, summary.input) : null;
   const place = input === undefined || !coordinate ? {} : { [coordinate.field]: coordinate.place(input) };
-  // The text of the step is about these plots.
+  // The texts of steps describe plots of analogues, whatever the reader chose before.
   return { ...shown, plot, axes: "analogues", ...place, playing: play };
 }

@@ -20,7 +20,10 @@ const TAG = 17;
 /** Dashes of the lines from the dot to the axes. */
 const DASHES = [4, 4];
 
-/** Largest difference, in pixels, between the distances of equally near passes of a curve; the pass nearest to the current input is taken. */
+/**
+ * Largest difference, in pixels, between the distances of passes of a curve that count as equally near to the pointer. Of these
+ * passes the one nearest to the current input is taken.
+ */
 const ALIKE = 4;
 
 /**

@@ -11,7 +11,7 @@ import { written } from "assur/plots/units.js";
  * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
  */
 
-/** Sizes in pixels at the usual text size: distance of a label from its mark, height of a label, additional distance of a label farther away. */
+/** Sizes in pixels at the usual text size: distance of a label from its mark, height of a label, additional distance if the near place is taken. */
 const GAP = 5;
 const HEIGHT = 13;
 const FARTHER = 11;

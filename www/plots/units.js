@@ -33,7 +33,7 @@ export function inDegrees({ kind, order }) {
 }
 
 /**
- * Writes a value of a panel for its labels. A difference as large as the axis's span would have four digits.
+ * Writes a value of a panel for its labels, with the decimals that give the span of the axis four digits.
  * @param {Scale} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers

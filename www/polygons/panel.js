@@ -19,7 +19,7 @@ import { amount, told } from "assur/polygons/equations.js";
 
 /** Free room around a polygon for the names of its vertices, in pixels. */
 const MARGIN = 26;
-/** Number of steps that no mechanism has: all steps are shown. */
+/** Number of shown steps that stands for all, because no mechanism reaches it. */
 const ALL = 1e6;
 /** Code of the engine's problem for a document that is not a linkage. */
 const NO_LINKAGE = "bad_state";

@@ -12,7 +12,7 @@ import { Backdrop } from "assur/stage/paper.js";
  * @typedef {readonly [number, number, number, number]} Edges left, bottom, right and top of a part of the canvas, in pixels
  * @typedef {{ name: string, role: string, pressed: boolean, x: number, y: number }} Joint handle of a joint or a traced point, in model coordinates; `pressed`: whether
  * a press without a drag has an effect
- * @typedef {(context: CanvasRenderingContext2D, view: Transform, theme: Theme) => void} Laid
+ * @typedef {(context: CanvasRenderingContext2D, view: Transform, theme: Theme) => void} Laid paints over or under the mechanism
  */
 
 /** Free room around a drawing, and around a small drawing, in pixels. */
@@ -24,7 +24,7 @@ const SMALL = 320;
 /** Width and height of the picture if the drawing is not on the screen, in pixels. */
 const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 
-/** Least and greatest share of the canvas that bounds to work on may fill before the view is fitted again. */
+/** Least and greatest share of the canvas that bounds to work on may fill; otherwise the view is fitted again. */
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
 

@@ -24,7 +24,7 @@ const DEEPEST = 12;
 /** Fields of the view that hold the input. A short address omits them if the mechanism is in motion. */
 const PLACES = Object.freeze(["phi_deg", "s", "t"]);
 
-/** @returns {Refusal} refusal of an address that is no state */
+/** @returns {Refusal} refusal of an address that contains no state */
 function unreadable() {
   return new Refusal([{ code: "unreadable_link" }]);
 }
@@ -69,7 +69,7 @@ export function fromAddress(hash, preset) {
     const at = pair.indexOf("=");
     return at < 0 ? [plain(pair), null] : [plain(pair.slice(0, at)), decode(pair.slice(at + 1))];
   });
-  // fromEntries makes own properties of all keys, also of __proto__.
+  // `Object.fromEntries` makes every key an own property, even `__proto__`.
   const part = (/** @type {string} */ prefix) => {
     const own = entries.filter(([key]) => key.startsWith(prefix));
     return Object.fromEntries(own.map(([key, value]) => [key.slice(prefix.length), value]));

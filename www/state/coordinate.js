@@ -67,7 +67,7 @@ export class Coordinate {
 
   /**
    * Returns the ends of the axis of the input, in the reader's unit. Unlimited time is divided into equal spans, each with an axis of its own.
-   * @param {number} place in the reader's unit
+   * @param {number} place input in the reader's unit
    */
   axis(place) {
     const [start, end] = [this.#cycle.start, this.#cycle.end].map((input) => this.place(input));
@@ -118,7 +118,7 @@ export class Coordinate {
   }
 
   /**
-   * @param {number} place in the reader's unit
+   * @param {number} place input in the reader's unit
    * @returns {number} the input in the engine's unit
    */
   input(place) {
@@ -135,7 +135,7 @@ export class Coordinate {
 
   /**
    * @param {State} state
-   * @param {number} place in the reader's unit
+   * @param {number} place input in the reader's unit
    * @returns {State} the state with this input; a slide stops at the ends of its travel, time at 0 and at the end of a run
    */
   put(state, place) {
@@ -148,14 +148,14 @@ export class Coordinate {
   /**
    * @param {number} input in the engine's unit
    * @param {Words} words
-   * @param {number} decimals of an angle, of a time, and of a length with a travel from 1 to 10; a longer travel has fewer decimals
+   * @param {number} decimals for an angle, for a time, and for a slide with a travel from 1 to 10; a longer travel has fewer
    */
   text(input, words, decimals) {
     return this.written(this.place(input), words, decimals);
   }
 
   /**
-   * @param {number} place in the reader's unit
+   * @param {number} place input in the reader's unit
    * @param {Words} words
    * @param {number} decimals
    */
@@ -174,9 +174,9 @@ export class Coordinate {
   }
 
   /**
-   * @param {number} place in the reader's unit
+   * @param {number} place input in the reader's unit
    * @param {Words} words
-   * @returns {string} the place with all its digits, for editing
+   * @returns {string} the input with all its digits, for editing
    */
   exact(place, { numbers }) {
     return numbers.exact(place) + (this.#turns ? "°" : "");
@@ -194,7 +194,7 @@ export class Coordinate {
 
   /**
    * @param {number} one
-   * @param {number} other both inputs in the engine's unit
+   * @param {number} other input to compare with `one`, both in the engine's unit
    * @returns {boolean} whether the difference is invisible: less than half a degree, or than half a small step of the travel or span
    */
   near(one, other) {
@@ -217,8 +217,8 @@ export class Coordinate {
   }
 
   /**
-   * @param {number} place in the reader's unit
-   * @returns {number} the same input on the axis: an angle moved by whole periods, time by no more than to the nearer end
+   * @param {number} place input in the reader's unit
+   * @returns {number} the input on its axis: an angle is moved by whole periods, a time outside the axis to the nearer end
    */
   onto(place) {
     const { start, end } = this.axis(place);

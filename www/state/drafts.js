@@ -18,7 +18,7 @@ export class Drafts {
 
   /**
    * @param {string} field
-   * @param {readonly Problem[]} [problems] reasons of the refusal
+   * @param {readonly Problem[]} [problems] reasons for the refusal
    */
   keep(field, problems = [{ code: "not_a_number", field }]) {
     this.#problems.set(field, problems);

@@ -65,7 +65,7 @@ export class History {
       }, true);
     }
     whenReleased(() => (this.#slid = null));
-    // Keys after a drag begin another step.
+    // A key pressed after a drag begins a new step.
     addEventListener("keydown", () => {
       if (this.#pointed) this.close();
       this.#pointed = false;
@@ -103,7 +103,7 @@ export class History {
   }
 
   /**
-   * Makes a change a step of its own, whatever is being edited.
+   * Makes a change as a step of its own, even if the step before has not ended.
    * @param {() => void} change
    */
   step(change) {

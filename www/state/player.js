@@ -41,7 +41,7 @@ export class Player {
 /**
  * Returns the state with the driver moved by hand and the motion stopped.
  * @param {State} state
- * @param {number} place in the reader's unit
+ * @param {number} place input in the reader's unit
  * @param {Model} model
  * @returns {State}
  */

@@ -107,7 +107,8 @@ export function takeUpAddress() {
 }
 
 /**
- * Keeps every change from now on, in the browser's storage and in the address. The motion alone is kept only when the page is left.
+ * Keeps every change from now on, in the browser's storage and in the address. A change of the input in motion is kept only when
+ * the page is left.
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} sound whether the engine takes the state; a refused state is not kept
@@ -148,7 +149,7 @@ export function persist(store, address, sound, ours, unkept) {
   if (ours) addEventListener("storage", hear);
   store.subscribe((state, previous) => {
     changed = true;
-    // The motion alone is written only when the page is left.
+    // A change of the input in motion is written only when the page is left.
     if (state.view.playing && previous.view.playing && state.document === previous.document) return;
     timer ||= setTimeout(save, PERIOD);
   });
@@ -236,7 +237,7 @@ export function withImage(value) {
 /**
  * @template T
  * @param {() => T} work
- * @returns {T | null} null if the work throws, as where the browser forbids it
+ * @returns {T | null} null if the work throws, as when the browser forbids storage
  */
 export function guarded(work) {
   try {
