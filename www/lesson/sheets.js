@@ -100,7 +100,7 @@ function answered(lesson, index, name, page, words) {
 }
 
 /**
- * @param {string} quantity quantity of the step's mechanism or, if the step has none, of the page's
+ * @param {string} quantity quantity of the step's mechanism or, if there is none, of the page's
  * @param {Task | null} task
  * @param {Seen | null} seen
  * @param {Page} page

@@ -64,7 +64,7 @@ export function holds(show, presets, engine) {
  * @param {Show} show
  * @param {Whole["document"]} document document of the preset
  * @param {Pick<Engine, "setDimension" | "drive">} engine
- * @returns {import("assur/state/change.js").Edit[]} edits that make the preset the document to open
+ * @returns {import("assur/state/change.js").Edit[]} edits that turn the preset into the document to open
  */
 function edits({ set = {}, drive }, document, engine) {
   /** @type {import("assur/state/change.js").Edit[]} */

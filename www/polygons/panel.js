@@ -81,7 +81,7 @@ export class Polygons {
   }
 
   /**
-   * Shows more or fewer steps of the construction. After the last step, it begins again with the first.
+   * Shows more or fewer steps of the construction. After the last step, the first is shown alone again.
    * @param {number} by number of steps to add, or {@link ALL}
    */
   #go(by) {

@@ -28,7 +28,7 @@ const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
 
-/** Radius, in pixels, and opacity of the disc that marks a joint that can be dragged. */
+/** Radius, in pixels, and opacity of the ring, a filled disc, around a joint that can be dragged. */
 const RING = 15;
 const RING_OPACITY = 0.28;
 
@@ -41,7 +41,7 @@ export class MechanismView {
   /** @type {Snapshot | null} */
   #snapshot = null;
   #zoom = Zoom.NONE;
-  /** @type {readonly number[] | null} bounds to which the zoom is relative, null while the view is not zoomed */
+  /** @type {readonly number[] | null} bounds to which the zoom is relative, kept while the view is zoomed */
   #bounds = null;
   /** @type {Transform | null} view that is kept, as during the drag of a joint */
   #held = null;

@@ -91,7 +91,7 @@ export class Coordinate {
   }
 
   /**
-   * Returns the speed of the input in playback, in the engine's unit per second. In true time the speed is the constant ω₁,
+   * Returns the speed of the input in playback, in the engine's unit per second. With `true_time` it is the constant ω₁,
    * because ε₁ is the acceleration at the current instant only.
    * @param {State["view"]} view
    */

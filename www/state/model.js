@@ -40,9 +40,9 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * What the views draw. `place`: the input on its axis, in the reader's unit; `input`: the same in the engine's unit. `revision`: number of
  * mechanisms taken so far. `handles`: x and y of the summary's handles in the last drawing; `frameInput`: input of this drawing. `readouts`,
  * `plotted`: null if there are none at the input. `compared`: mechanism A at the input, null if A is not shown or cannot be assembled;
- * `compares`: whether A is shown. `stale`: whether the mechanism and plots are not those of the state, which has problems. `faded`: whether the drawing is stale
- * or at another input. `legible`: whether numbers are to be written now; in motion they are not written in every frame. `withheld`: ids of
- * the read-outs that are hidden because a lesson asks for them.
+ * `compares`: whether A is shown. `stale`: whether the mechanism and plots are not those of the state, which has problems. `faded`: whether
+ * the drawing is stale or at another input. `legible`: whether numbers are to be written now; in motion they are not written in every frame.
+ * `withheld`: ids of the read-outs that are hidden because a lesson asks for them.
  */
 
 /**
