@@ -37,13 +37,13 @@ fn every_linkage_of_the_catalogue_counts_as_it_does_as_a_mechanism() {
         let sections = scheme.sections(&scheme.automatic()).unwrap();
         assert_eq!(sections.mobility, own.mobility, "{name}");
         // The count does not know of passive meshes and redundant pairs, the rank does.
-        let by_rank = mechanism.mobility();
-        let mobility = by_rank.rank;
-        assert_eq!(by_rank.count, own.mobility, "{name}");
+        let found = mechanism.mobility();
+        let mobility = found.by_rank;
+        assert_eq!(found.by_count, own.mobility, "{name}");
         let verdict = scheme.rank_report(Space::Plane).unwrap();
         assert_eq!(verdict.mobility as isize, mobility, "{name}");
         let dependent: usize = verdict.redundancies.iter().map(|part| part.count).sum();
-        assert_eq!(dependent as isize, by_rank.q(), "{name}");
+        assert_eq!(dependent as isize, found.q(), "{name}");
         assert_eq!(verdict.idle, [] as [Vec<usize>; 0], "{name}");
         let whole = scheme.rank_report(Space::Whole).unwrap();
         assert_eq!(whole.mobility, verdict.mobility, "{name}");

@@ -1,5 +1,5 @@
-// Items of a lesson's paper: formulas with their numbers in the current mechanism, whether they hold, and the correct ones.
-// Loaded with a lesson that has a paper.
+// Items of a lesson's paper: its formulas, their values for the current mechanism, whether they hold, and the correct formulas.
+// Loaded only with a lesson that has a paper.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
@@ -11,10 +11,13 @@ import { withSubscripts } from "assur/core/subscripts.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/engine.js").Relation} Relation
  * @typedef {Readonly<{ item: string, step: string, verdict: string, printed: readonly string[], instead: readonly string[], shown: boolean }>} Item
- * item of `paper.json`, as made by the build: formulas are elements of MathML; `shown`: its numbers do not give the answer away
- * @typedef {Readonly<{ items: readonly Item[], main: ReadonlyMap<string, readonly string[]> }>} Printed all items of a paper, and the items
- * in the main line, by the ids of steps
- * @typedef {{ item: string, shown: boolean, place: HTMLElement }} Numbers place for the numbers of an item
+ * An item of `paper.json`. `item`: its id. `step`: id of the step that it belongs to. `verdict`: whether it holds.
+ * `printed`, `instead`: formulas as printed, and correct formulas; the build has converted both to MathML.
+ * `shown`: true if its numbers do not give the answer away.
+ * @typedef {Readonly<{ items: readonly Item[], main: ReadonlyMap<string, readonly string[]> }>} Printed
+ * A paper. `items`: all its items. `main`: ids of the items that are shown below the text of a step, by the step's id.
+ * @typedef {{ item: string, shown: boolean, place: HTMLElement }} Numbers
+ * `item`: id of an item; `shown`: as in the item; `place`: element for its numbers.
  */
 
 /** Relative difference below which values count as equal. */
@@ -33,15 +36,15 @@ export class Paper {
   #words = null;
   /** Id of the shown step. */
   #step = "";
-  /** @type {Numbers[]} places for the numbers of the shown step */
+  /** @type {Numbers[]} elements for the numbers of the shown step's items */
   #numbers = [];
   #written = new Seen();
 
-  /** Formulas of the main line. */
+  /** Formulas shown below the text of the step, in their correct form. */
   main = make("div", { class: "printed" });
   #summary = make("summary", { id: "lesson-paper-name" });
   #rows = make("div", { class: "printed" });
-  /** All items of the step as printed, with verdicts; at the end of the lesson also the items of all steps that do not hold. */
+  /** All items of the step as printed, with verdicts. At the end of the lesson also the wrong items of all steps. */
   fold = make("details", { id: "lesson-paper" }, [this.#summary, this.#rows]);
 
   /**
@@ -56,7 +59,7 @@ export class Paper {
 
   /**
    * @param {string} step id of the shown step, or of the end of the lesson
-   * @param {boolean} closes whether it is the end of the lesson
+   * @param {boolean} closes whether `step` is the end of the lesson
    * @param {Words} words words of the page and of the paper
    */
   show(step, closes, words) {
@@ -80,8 +83,8 @@ export class Paper {
   /**
    * @param {string} step the id of a step
    * @param {Words} words words of the page and of the paper
-   * @returns {HTMLElement[]} its printed items: for the shown step all that its fold holds, for others only formulas and whether they hold, because
-   * the rest may answer the question
+   * @returns {HTMLElement[]} the step's items for a printed page. For the shown step: the content of its fold. For any other step: only formulas
+   * and whether they hold, because reasons and numbers may answer the question.
    */
   onPaper(step, words) {
     if (step === this.#step) return [/** @type {HTMLElement} */ (this.#rows.cloneNode(true))];
@@ -93,6 +96,7 @@ export class Paper {
   /** @param {Snapshot} snapshot */
   render({ summary, input, stale, problems, withheld }) {
     if (this.#numbers.length === 0 || this.#written.same(summary, input, stale, problems.length, withheld)) return;
+    // While read-outs are withheld, only numbers that do not give the answer away are shown.
     const told = stale ? [] : known(this.#numbers, withheld);
     const asked = told.length === 0 ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
     const words = this.#words;
@@ -106,7 +110,7 @@ export class Paper {
 
   /**
    * @param {Item} item
-   * @param {readonly Node[]} [further] comments on it
+   * @param {readonly Node[]} [further] what follows the formulas and numbers
    */
   #row(item, further = []) {
     const numbers = make("div", { class: "paper-numbers" });
@@ -127,7 +131,7 @@ export function known(items, withheld) {
 
 /**
  * @param {Item} item
- * @returns {Item} the item with valid formulas, for the main line
+ * @returns {Item} the item with its correct formulas, if there are any, in place of the printed ones
  */
 function asItHolds(item) {
   return item.instead.length > 0 ? { ...item, printed: item.instead } : item;
@@ -135,7 +139,7 @@ function asItHolds(item) {
 
 /**
  * @param {Item} item
- * @returns {Node[]} its number in the paper and its formulas as printed
+ * @returns {Node[]} the item's number in the paper and its formulas as printed
  */
 function head({ item, printed }) {
   const label = labelled(item);
@@ -143,8 +147,8 @@ function head({ item, printed }) {
 }
 
 /**
- * @param {string} item id of an item: the paper, a dot, the item
- * @returns {string} number of an equation in brackets, empty for other items
+ * @param {string} item id of an item: number of the paper, a dot, the item, such as `002.(3)l5`
+ * @returns {string} number of the equation in brackets, such as `(3)`; empty if the item is not an equation
  */
 export function labelled(item) {
   const [, label = ""] = /^\d+\.(\(\d+\))/.exec(item) ?? [];
@@ -154,7 +158,7 @@ export function labelled(item) {
 /**
  * @param {Item} item
  * @param {Words} words
- * @returns {Node[]} whether it holds, the reason, and the correct formulas
+ * @returns {Node[]} the reason, whether the item holds, and the correct formulas
  */
 function verdict(item, words) {
   const key = keyOf(item.item);
@@ -165,7 +169,7 @@ function verdict(item, words) {
 /**
  * @param {Item} item
  * @param {Words} words
- * @returns {Node[]} whether it holds, and the correct formulas
+ * @returns {Node[]} whether the item holds, and the correct formulas
  */
 function holds({ verdict: held, printed, instead }, words) {
   // A formula that the paper does not print is ours.
@@ -176,7 +180,7 @@ function holds({ verdict: held, printed, instead }, words) {
 
 /**
  * @param {string} item
- * @returns {string} key of the comment on it; own texts for its numbers have keys that begin with this one
+ * @returns {string} key of the comment on the item, and prefix of the keys of the item's own texts for its numbers
  */
 function keyOf(item) {
   return `paper.${item.slice(item.indexOf(".") + 1)}`;
@@ -185,7 +189,7 @@ function keyOf(item) {
 /**
  * @param {Relation} relation
  * @param {Words} words
- * @returns {string} its value and, if different, the value of the printed relation
+ * @returns {string} the correct value and, if it is different, the value by the printed relation
  */
 export function compared({ item, name, angle, turned, count, value, printed }, words) {
   const said = (/** @type {string} */ common) => {

@@ -1,4 +1,4 @@
-// A reader's answers in a lesson, kept in the browser's storage under the lesson's name: links do not contain them.
+// A reader's answers in a lesson, kept in the browser's storage under the lesson's name. Links do not contain answers.
 import { keepLesson, kept } from "assur/state/storage.js";
 
 export class Progress {
@@ -6,18 +6,18 @@ export class Progress {
   #steps;
   /** @type {Map<string, string>} answers by step */
   #given = new Map();
-  /** @type {Set<string>} steps with a right answer */
+  /** @type {Set<string>} steps that the reader has answered correctly */
   #solved = new Set();
   /** @type {Set<string>} steps whose answer was shown to the reader */
   #shown = new Set();
   /** @type {Map<string, number>} number of judged answers by step */
   #tries = new Map();
-  /** @type {Map<string, string>} digests of steps' mechanisms when the page was left, by step */
+  /** @type {Map<string, string>} digest of each step's mechanism when the page was left, by step */
   #mechanisms = new Map();
 
   /**
    * @param {string} lesson
-   * @param {readonly { id: string }[]} steps current steps of the lesson; what was kept of others is dropped
+   * @param {readonly { id: string }[]} steps current steps of the lesson; the stored answers to any other step are dropped
    */
   constructor(lesson, steps) {
     this.#name = lesson;
@@ -47,7 +47,7 @@ export class Progress {
 
   /**
    * @param {string} step
-   * @returns {number} number of judged answers, up to the right one
+   * @returns {number} number of judged answers, up to and including the right one
    */
   tries(step) {
     return this.#tries.get(step) ?? 0;
@@ -55,16 +55,16 @@ export class Progress {
 
   /**
    * @param {string} step
-   * @returns {string} digest of its mechanism when the page was left, empty if it was not shown
+   * @returns {string} digest of the step's mechanism when the page was left, empty if none is stored
    */
   mechanism(step) {
     return this.#mechanisms.get(step) ?? "";
   }
 
   /**
-   * Keeps only the mechanism of a step when the page is left: another tab may have written the rest.
+   * Stores the mechanism of a step when the page is left. The rest of the stored progress stays: another tab may have written it.
    * @param {string} step
-   * @param {string} digest of its mechanism
+   * @param {string} digest of the step's mechanism
    */
   leave(step, digest) {
     if (digest === this.mechanism(step)) return;
@@ -73,12 +73,12 @@ export class Progress {
     keepLesson(this.#name, JSON.stringify({ ...rest, mechanisms: { ...mechanisms, [step]: digest } }));
   }
 
-  /** Index of the first step still open, −1 if there is none. */
+  /** Index of the first step that is neither solved nor shown, −1 if there is none. */
   get next() {
     return this.#steps.findIndex(({ id }) => !this.#solved.has(id) && !this.#shown.has(id));
   }
 
-  /** Number of steps answered rightly before their answer was shown. */
+  /** Number of steps that the reader answered correctly before the answer was shown. */
   get solved() {
     return this.#solved.size;
   }
@@ -103,7 +103,7 @@ export class Progress {
   }
 
   /**
-   * Counts a judged answer, unless the step is already solved or shown.
+   * Counts a judged answer, unless the step is already solved or its answer was shown.
    * @param {string} step
    * @param {boolean} right
    */
@@ -114,7 +114,7 @@ export class Progress {
     this.#keep();
   }
 
-  /** @param {string} step step that the reader gives up */
+  /** @param {string} step step whose answer the reader asks to see */
   show(step) {
     if (this.#solved.has(step)) return;
     this.#shown.add(step);
@@ -128,9 +128,9 @@ export class Progress {
 }
 
 /**
- * @param {string | null} text text from the storage, which anyone may have written
- * @returns {Readonly<Record<"given" | "tries" | "mechanisms", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} empty if it does not have
- * this form
+ * @param {string | null} text text from the storage, perhaps not written by this page
+ * @returns {Readonly<Record<"given" | "tries" | "mechanisms", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} progress in the
+ * text; entries of another form are empty
  */
 function read(text) {
   const list = (/** @type {unknown} */ value) => (Array.isArray(value) ? value : []);

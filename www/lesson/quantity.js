@@ -1,5 +1,5 @@
-// Quantities as lessons name them: `rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`. Their names, their units, and the
-// read-outs of the page that show them.
+// Quantities as lessons name them, such as `rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`: the names and units that a
+// reader sees, and the read-outs of the page that show these quantities.
 import { called } from "assur/core/names.js";
 import { calledWhole, isLength, readoutOf, symbol } from "assur/core/symbols.js";
 import { measured, unitOfRate } from "assur/core/units.js";
@@ -9,14 +9,15 @@ import { measured, unitOfRate } from "assur/core/units.js";
  * @typedef {NonNullable<NonNullable<import("assur/state/state.js").Written["steps"][number]["question"]>["number"]>} Asked
  */
 
-/** The number of degrees of freedom. */
+/** Name of the quantity "number of degrees of freedom". */
 export const W = "W";
 
-/** Suffix of the name of a derivative, by its order. */
+/** Suffixes of the names of derivatives, by order. */
 const STROKES = Object.freeze(["", "′", "″"]);
 
 /**
- * Read-outs of a property of the motion in the status line or the rail, by the suffix of the quantity; a mixer has names of its own.
+ * Ids, without `out-`, of the read-outs that show a property of the whole motion, by the suffix of the quantity. An id that
+ * begins with neither `linkage-` nor `course-` is that of a mixer.
  * @type {Readonly<Record<string, (of: string, what: string) => readonly string[]>>}
  */
 const TELLERS = Object.freeze({
@@ -27,7 +28,7 @@ const TELLERS = Object.freeze({
 
 /**
  * @param {string} quantity
- * @returns {boolean} whether it is an angle, in degrees
+ * @returns {boolean} whether the quantity is an angle, which a lesson gives in degrees
  */
 export function isAngle(quantity) {
   return /\.(angle|load_angle|corner|transmission|pressure)(:swing|:worst)?$/.test(quantity);
@@ -35,7 +36,7 @@ export function isAngle(quantity) {
 
 /**
  * @param {string} quantity
- * @returns {boolean} whether a difference of 360° does not count
+ * @returns {boolean} whether values that differ by 360° are the same answer
  */
 export function isRound(quantity) {
   return quantity.endsWith(".angle");
@@ -43,7 +44,7 @@ export function isRound(quantity) {
 
 /**
  * @param {Asked | null | undefined} asked
- * @returns {string} unit of an answer that is a number
+ * @returns {string} unit of an answer that is a number, as far as it is known without the mechanism
  */
 export function unitOf(asked) {
   const { quantity, unit } = asked ?? {};
@@ -53,8 +54,8 @@ export function unitOf(asked) {
 /**
  * @param {Asked | null | undefined} asked
  * @param {Readonly<{ coordinate: import("assur/state/coordinate.js").Coordinate | null, state: import("assur/state/state.js").State }> | null} seen the mechanism in the question
- * @param {Words} words words with the unit of its lengths
- * @returns {string} unit of an answer, also of a length or a rate
+ * @param {Words} words words with the unit of the mechanism's lengths
+ * @returns {string} unit of an answer; also known for lengths and rates
  */
 export function unitIn(asked, seen, words) {
   if (!seen?.coordinate || !asked?.quantity || asked.unit) return unitOf(asked);
@@ -79,7 +80,8 @@ function unitOfQuantity(quantity, moves, physical, words) {
 
 /**
  * @param {string} quantity
- * @returns name without strokes, point or link, quantity, order of the derivative, property of the whole motion
+ * @returns parts of the name. `bare`: the name without primes and suffix; `of`, `what`: its point or link and its quantity; `order`: order of the
+ * derivative; `whole`: property of the whole motion
  */
 function partsOf(quantity) {
   const [name, whole] = quantity.split(":");
@@ -113,7 +115,7 @@ export function withTolerance(question, within, unit, words) {
  * @param {string} quantity
  * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "coordinate" | "state">} of
  * @param {Words} words
- * @returns {string} its name
+ * @returns {string} the quantity's name for the reader
  */
 export function quantityName(quantity, { summary, coordinate, state }, words) {
   if (quantity === "input") return coordinate.symbol;
@@ -124,13 +126,13 @@ export function quantityName(quantity, { summary, coordinate, state }, words) {
   const whose = what.endsWith("angle") ? called(of, words) : calledWhole(of, what, words);
   const said = short.endsWith(whose) ? short : `${short} (${whose})`;
   if (whole === undefined) return said;
-  // An angle swings, a length has a stroke.
+  // The range is called the swing of an angle and the stroke of a length.
   return words.text(whole === "swing" && !isAngle(bare) ? "write.whole.stroke" : `write.whole.${whole}`, { quantity: said });
 }
 
 /**
  * @param {string} quantity as a lesson names it
- * @returns {readonly string[]} ids, without `out-`, of the read-outs that show it; none for the input, which is never hidden
+ * @returns {readonly string[]} ids, without `out-`, of the read-outs that show the quantity; none for the input, which is never hidden
  */
 export function tellers(quantity) {
   if (quantity === "input") return [];

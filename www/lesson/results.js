@@ -1,4 +1,4 @@
-// Work with a class: sheets for a list of names, and a table of the results returned.
+// A lecturer's work with a class: worksheets for a list of names, and a table of the results that readers send back.
 import { make } from "assur/core/dom.js";
 import { fromCode } from "assur/lesson/code.js";
 import { sheets } from "assur/lesson/sheets.js";
@@ -6,10 +6,10 @@ import { digestOf, verdictOn } from "assur/lesson/verdict.js";
 
 /** @typedef {import("assur/state/state.js").Written} Written */
 
-/** Limit of names and codes, more than a class has. */
+/** Largest number of names and of codes: more than a class needs. */
 const MOST = 200;
 
-/** Time of judging codes before yielding to the page, in milliseconds. */
+/** Time for judging codes before control goes back to the browser, in milliseconds. */
 const SLICE = 12;
 
 const SIGNS = Object.freeze({ right: "✓", wrong: "✗", shown: "◇", open: "–" });
@@ -22,9 +22,9 @@ export class Results {
   #table = make("div", { id: "write-table", class: "write-table", role: "status" });
   /** @type {Written | null} */
   #lesson = null;
-  /** @type {Map<string, import("assur/lesson/panel.js").Verdict>} verdicts by step, name and answer; each costs the engine a mechanism */
+  /** @type {Map<string, import("assur/lesson/panel.js").Verdict>} verdicts by step, answer and name; the engine may have to build a mechanism for each */
   #verdicts = new Map();
-  /** Number of times that the table was begun. */
+  /** Number of tables begun so far. */
   #begun = 0;
   element;
 
@@ -61,7 +61,7 @@ export class Results {
     this.#list();
   }
 
-  /** Writes the table of all codes row by row, until another table is begun. */
+  /** Writes the table of all codes row by row. It stops if another table is begun. */
   async #list() {
     const begun = ++this.#begun;
     const lesson = this.#lesson;
@@ -106,7 +106,7 @@ export class Results {
 
   /**
    * @param {string} code
-   * @param {number} line number of its line, from 0
+   * @param {number} line index of the code's line, from 0
    * @param {Written} lesson
    * @param {string} own digest of the lesson
    * @param {readonly number[]} asked indices of the steps with a question
@@ -141,7 +141,7 @@ export class Results {
  * @param {Written} lesson
  * @param {number} index
  * @param {string} given
- * @returns {string} the given answer in words
+ * @returns {string} the given answer as the table shows it
  */
 function saidOf({ steps }, index, given) {
   const { choice, reach } = steps[index].question ?? {};
@@ -151,7 +151,7 @@ function saidOf({ steps }, index, given) {
 
 /**
  * @param {string} text
- * @returns {string[]} its lines that are not blank
+ * @returns {string[]} the lines that are not blank, at most {@link MOST}
  */
 function lines(text) {
   return text.split("\n").map((line) => line.trim()).filter((line) => line !== "").slice(0, MOST);

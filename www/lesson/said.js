@@ -1,4 +1,4 @@
-// Texts below a question: progress through the lesson, and the verdict on the answer with its reason.
+// Texts of a lesson's panel: progress through the lesson, and the verdict on an answer with its reason.
 
 /** @typedef {import("assur/core/words.js").Words} Words */
 

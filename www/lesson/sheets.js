@@ -1,4 +1,4 @@
-// Worksheets and answer sheets of a lecturer's lesson, from the same source: one for each name, with its own numbers.
+// Worksheets and answer sheets of a lecturer's lesson, made by the same functions. Each reader has a sheet with their own numbers.
 import { Transform } from "assur/canvas/transform.js";
 import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
@@ -29,8 +29,8 @@ const MARGIN = 16;
 
 /**
  * @param {Written} lesson
- * @param {readonly string[]} names names of the readers; if there are none, one sheet with a line for a name
- * @param {boolean} answers whether the sheets have the answers instead of room for them
+ * @param {readonly string[]} names names of the readers; if the list is empty, there is one sheet with a blank for the name
+ * @param {boolean} answers true for answer sheets, false for worksheets
  * @param {Page} page
  * @param {Words} words
  * @returns {HTMLElement} element to print
@@ -100,7 +100,7 @@ function answered(lesson, index, name, page, words) {
 }
 
 /**
- * @param {string} quantity quantity of the step's mechanism, or else of the page's
+ * @param {string} quantity quantity of the step's mechanism or, if there is none, of the page's
  * @param {Task | null} task
  * @param {Seen | null} seen
  * @param {Page} page
@@ -115,7 +115,7 @@ function nameOf(quantity, task, seen, { model, store }, words) {
  * @param {Task | null} task
  * @param {Asked | null | undefined} number number asked for
  * @param {Engine} engine
- * @returns {Seen | null} null if it cannot be drawn
+ * @returns {Seen | null} null if the mechanism cannot be drawn
  */
 function seenOf(task, number, engine) {
   return task && attempt(() => seenIn(task.state, number?.at ?? null, engine)).value;
@@ -123,9 +123,9 @@ function seenOf(task, number, engine) {
 
 /**
  * @param {import("assur/state/state.js").State} state
- * @param {number | null} place place of the driver in the reader's unit, if not that of the state
+ * @param {number | null} place position of the driver in the reader's unit; null for the position in the state
  * @param {Engine} engine
- * @returns the engine's summary of a mechanism, and its drawing at the place
+ * @returns the engine's summary of the state's mechanism, and its drawing with the driver at this position
  */
 function seenIn(state, place, engine) {
   return engine.beside((other) => {
@@ -141,7 +141,7 @@ function seenIn(state, place, engine) {
 
 /**
  * @param {Seen | null} seen
- * @param {Written["steps"][number]} step step that shows it
+ * @param {Written["steps"][number]} step step that shows the mechanism
  * @param {Page} page
  * @param {Words} words
  * @returns {HTMLElement[]} the drawing, with the values asked for hidden
@@ -166,7 +166,7 @@ function drawing(seen, { title, question }, { engine, model }, words) {
 
 /**
  * @param {Task} task
- * @param {Words} words words with the unit of its lengths
+ * @param {Words} words words with the unit of the mechanism's lengths
  * @returns {HTMLElement[]} the reader's own numbers
  */
 function own({ own: numbers, state }, words) {
@@ -177,7 +177,7 @@ function own({ own: numbers, state }, words) {
 /**
  * @param {Task} task
  * @param {Page} page
- * @param {Words} words words with the unit of its lengths
+ * @param {Words} words words with the unit of the mechanism's lengths
  * @returns {HTMLElement} all numbers given for the mechanism
  */
 function numbers({ state }, { engine }, words) {
@@ -187,8 +187,8 @@ function numbers({ state }, { engine }, words) {
 /**
  * @param {Asked | null | undefined} number number asked for
  * @param {Seen | null} seen
- * @param {Words} words words with the unit of its lengths
- * @returns {HTMLElement[]} the place of the driver, if the question fixes it
+ * @param {Words} words words with the unit of the mechanism's lengths
+ * @returns {HTMLElement[]} the position of the driver, if the question gives one
  */
 function position(number, seen, words) {
   if (typeof number?.at !== "number" || !seen?.coordinate) return [];
@@ -199,7 +199,7 @@ function position(number, seen, words) {
 /**
  * @param {Seen | null} seen
  * @param {Words} words
- * @returns {Words} words with the unit of its lengths
+ * @returns {Words} words with the unit of the mechanism's lengths
  */
 function measuredIn(seen, words) {
   return words.measured(seen?.lengths ?? "none");

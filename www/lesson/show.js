@@ -1,4 +1,4 @@
-// Documents shown by a step of a lesson, and their views.
+// Documents that a step of a lesson opens, and the view in which each is opened.
 import { attempt } from "assur/core/problem.js";
 import { fieldOf } from "assur/lesson/field.js";
 import { Coordinate } from "assur/state/coordinate.js";
@@ -17,7 +17,7 @@ import { SWITCHES, contains, initialState } from "assur/state/state.js";
  * @param {Show} show
  * @param {OwnPresets} presets of the lesson
  * @param {Engine} engine
- * @returns {import("assur/lesson/folder.js").Whole | undefined} the document that it opens
+ * @returns {import("assur/lesson/folder.js").Whole | undefined} the preset that the button opens, undefined if there is none of this name
  */
 export function opens({ preset }, presets, engine) {
   const whole = presets[preset] ?? engine.preset(preset);
@@ -30,7 +30,7 @@ export function opens({ preset }, presets, engine) {
  * @param {OwnPresets} presets of the lesson
  * @param {import("assur/app/page.js").Page} page
  * @param {Partial<View>} [view] further fields of the view
- * @returns {boolean} whether there is such a preset
+ * @returns {boolean} whether the preset of `show` exists
  */
 export function open(show, presets, page, view = {}) {
   const whole = opens(show, presets, page.engine);
@@ -42,14 +42,15 @@ export function open(show, presets, page, view = {}) {
  * @param {Show} show
  * @param {OwnPresets} presets of the lesson
  * @param {Engine} engine
- * @returns {(state: import("assur/state/state.js").State) => boolean} whether a state holds the document that the show opens
+ * @returns {(state: import("assur/state/state.js").State) => boolean} tests whether a state contains the document that
+ * `show` opens
  */
 export function holds(show, presets, engine) {
   return (state) => {
     const whole = opens(show, presets, engine);
     if (!whole || whole.kind !== state.kind) return false;
     if (!show.set && !show.drive) return contains(state, whole);
-    // The same edits as at opening.
+    // The preset gets the same edits here as in `open`.
     const document = attempt(() => engine.beside((other) => edits(show, whole.document, other).reduce((now, { asked }) => {
       /** @type {Summary} */
       const summary = other.set(initialState(whole.kind, now, {}));
@@ -61,9 +62,9 @@ export function holds(show, presets, engine) {
 
 /**
  * @param {Show} show
- * @param {Whole["document"]} document document that it opens
+ * @param {Whole["document"]} document document of the preset
  * @param {Pick<Engine, "setDimension" | "drive">} engine
- * @returns {import("assur/state/change.js").Edit[]} differences of the document from its preset
+ * @returns {import("assur/state/change.js").Edit[]} edits that turn the preset into the document to open
  */
 function edits({ set = {}, drive }, document, engine) {
   /** @type {import("assur/state/change.js").Edit[]} */
@@ -78,13 +79,13 @@ function edits({ set = {}, drive }, document, engine) {
 /**
  * @param {Show} show
  * @param {Summary | null} summary summary of the document, or null if the engine refuses it
- * @returns {Partial<View>} fields of its view
+ * @returns {Partial<View>} fields of the view in which the document is opened
  */
 function looked({ play = false, overlays = ["traces"], plot = "angles", at }, summary) {
   const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
   const input = summary ? at?.(summary) : undefined;
   const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle, summary.input) : null;
   const place = input === undefined || !coordinate ? {} : { [coordinate.field]: coordinate.place(input) };
-  // The text of the step is about these plots.
+  // The texts of steps describe plots of analogues, whatever the reader chose before.
   return { ...shown, plot, axes: "analogues", ...place, playing: play };
 }

@@ -1,4 +1,4 @@
-// Changes of a lecturer's lesson.
+// Changes to the steps of a lecturer's lesson.
 import { RESTING } from "assur/lesson/tasks.js";
 import { contains, usualView } from "assur/state/state.js";
 
@@ -8,7 +8,7 @@ import { contains, usualView } from "assur/state/state.js";
  * @typedef {NonNullable<Step["question"]>} Question
  */
 
-/** Fields of the view that belong to the reader and not to a step. */
+/** Fields of the view that a reader chooses and that a step neither stores nor changes. */
 export const READERS = Object.freeze(["lang", "lesson", "projector", "drawing"]);
 
 /**
@@ -25,7 +25,7 @@ export function shownNow({ model: { good: { kind, document, view } } }) {
  * @template {object} T
  * @param {T} whole
  * @param {Partial<T>} change
- * @returns {T} the changed object without empty entries
+ * @returns {T} the changed object without the entries that are undefined or null
  */
 export function changed(whole, change) {
   const entries = Object.entries({ ...whole, ...change });
@@ -53,7 +53,7 @@ export function withNewStep(lesson, index) {
 
 /**
  * @param {Written} lesson
- * @param {number} index index of the step to remove; the last remaining one is emptied instead
+ * @param {number} index index of the step to remove; the only step of a lesson is emptied instead
  * @returns {Written}
  */
 export function withoutStep(lesson, index) {
@@ -72,7 +72,7 @@ export function withMoved(lesson, index, by) {
   return { ...lesson, steps: lesson.steps.toSpliced(index, 1).toSpliced(index + by, 0, step) };
 }
 
-/** Initial questions by kind. */
+/** A new question of each kind, made from the text and hint of the old question. */
 export const QUESTIONS = Object.freeze(/** @type {Record<string, (text: string, hint: string | undefined, quantity: string) => Question | undefined>} */ ({
   none: () => undefined,
   number: (text, hint, quantity) => changed(/** @type {Question} */ ({ text, hint, number: { quantity, within: 0.1 } }), {}),
@@ -83,7 +83,7 @@ export const QUESTIONS = Object.freeze(/** @type {Record<string, (text: string, 
 
 /**
  * @param {Question | null | undefined} question
- * @returns {string} its kind, one of the keys of {@link QUESTIONS}
+ * @returns {string} the question's kind, a key of {@link QUESTIONS}
  */
 export function sortOf(question) {
   if (question?.choice) return "choice";

@@ -1,4 +1,4 @@
-// Questions of a lecturer's lesson to the engine: the mechanism of a step with the reader's own numbers, and the answers.
+// Computations of the engine for a lecturer's lesson: the mechanism of a step with the reader's own numbers, and the answers.
 import { degrees } from "assur/core/angles.js";
 import { attempt } from "assur/core/problem.js";
 import { ownNumbers, valueIn } from "assur/lesson/chance.js";
@@ -16,13 +16,13 @@ import { initialState, withDocument } from "assur/state/state.js";
  * @typedef {Written["steps"][number]} Step
  * @typedef {NonNullable<Step["shows"]>} Shows
  * @typedef {Readonly<{ state: State, own: readonly Readonly<{ field: string, value: number }>[] }>} Task
- * The mechanism of a step, with the reader's own numbers.
+ * `state`: the mechanism of a step, with the reader's own numbers. `own`: these numbers, with their fields.
  */
 
-/** View of a step that has none. */
+/** Defaults for the view of a step: the motion is stopped, with the driver at zero. */
 export const RESTING = Object.freeze({ phi_deg: 0, playing: false });
 
-/** Number of attempts to draw numbers that make a mechanism. */
+/** Number of attempts to find random numbers that give a valid mechanism. */
 const TRIES = 64;
 
 /** Properties of a whole motion that can be asked for, by the suffix of the quantity. */
@@ -31,7 +31,8 @@ const WHOLE = Object.freeze(["swing", "time_ratio", "worst"]);
 /**
  * @param {Written} lesson
  * @param {number} index of a step
- * @returns {{ shows: Shows, index: number } | null} the document that it shows, perhaps that of an earlier step
+ * @returns {{ shows: Shows, index: number } | null} `shows`: the document that the step shows, null for none. `index`: the step
+ * that has this document: the step itself or an earlier one.
  */
 export function shownBy({ steps }, index) {
   const at = steps.findLastIndex(({ shows }, i) => i <= index && shows);
@@ -42,9 +43,9 @@ export function shownBy({ steps }, index) {
 /**
  * @param {Written} lesson
  * @param {number} index of a step
- * @param {string} name of the reader; without one the lecturer's own numbers stay
+ * @param {string} name of the reader; if it is empty, the lecturer's numbers are used
  * @param {Engine} engine
- * @returns {Task | null} null if the step shows nothing, or no numbers were found that make a mechanism
+ * @returns {Task | null} null if the step shows nothing, or if no numbers were found that give a valid mechanism
  */
 export function taskOf(lesson, index, name, engine) {
   const found = shownBy(lesson, index);
@@ -69,12 +70,12 @@ export function taskOf(lesson, index, name, engine) {
  * @param {Task["own"]} own
  * @param {ReadonlySet<string>} followed fields to be set by the engine
  * @param {import("assur/pkg/assur_web.js").Simulator} other
- * @returns {State | null} the state with these numbers; null if they make an unlimited motion limited or the reverse
+ * @returns {State | null} the state with these numbers; null if they turn a full cycle into a limited motion or the reverse
  */
 function withOwn(state, own, followed, other) {
   /** @type {Summary} */
   const first = other.set(state);
-  // Numbers that the engine only stores are set together: a mechanism is needed only after all of them.
+  // Numbers that the engine only stores are set together, so that the mechanism is built only once for all of them.
   const written = own.filter(({ field }) => !followed.has(field));
   let now = withDocument(state, written.reduce((document, { field, value }) => withNumber(document, field, value), state.document));
   /** @type {Summary} */
@@ -116,7 +117,7 @@ export function coordinateOf({ moves, cycle, input }) {
  * @param {number} index of a step whose answer is a number
  * @param {string} name of the reader
  * @param {Engine} engine
- * @returns {number | null} the engine's value, or null if there is no such quantity
+ * @returns {number | null} the lecturer's value or, for a quantity, the engine's; null if the mechanism has no such quantity
  */
 export function answerOf(lesson, index, name, engine) {
   const { quantity, at, value } = lesson.steps[index].question?.number ?? {};
@@ -136,7 +137,7 @@ export function answerOf(lesson, index, name, engine) {
 /**
  * @param {string} quantity
  * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "place" | "readouts">} here
- * @returns {number | null} its value in the reader's unit
+ * @returns {number | null} the quantity's value in the reader's unit, null if there is none
  */
 export function valueOf(quantity, { summary, place, readouts }) {
   if (quantity === W) return "counts" in summary && "lower" in summary.counts ? summary.counts.mobility : null;
@@ -174,7 +175,7 @@ function wholeOf(name, whole, summary) {
 
 /**
  * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "readouts" | "place">} here
- * @returns {string[]} all quantities of the mechanism
+ * @returns {string[]} all quantities that have a value for the mechanism
  */
 export function quantities(here) {
   const { summary, readouts } = here;

@@ -1,13 +1,14 @@
-// Tools within a step: controls and parts of the page, borrowed from the page as long as the step is open, and read-outs that
-// repeat those of the page.
+// Tools of a lesson's step: controls and parts of the page, which are moved into the step while it is open, and copies of
+// read-outs of the page.
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { fieldOf } from "assur/lesson/field.js";
 
 /**
- * @typedef {Readonly<{ controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[] }>} Wanted tools of a step: controls by their fields,
- * read-outs by their ids without `out-`, parts of the page by their ids
+ * @typedef {Readonly<{ controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[] }>} Wanted
+ * Tools of a step. `controls`: fields of the controls. `readouts`: ids of read-outs, without `out-`. `lends`: ids of parts of the page.
  * @typedef {import("assur/state/state.js").State["document"]} Document
- * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Loan borrowed element, placeholder at its home, whether it was unfolded
+ * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Loan
+ * `element`: the borrowed element. `home`: placeholder where the element belongs. `open`: whether the element was unfolded.
  */
 
 export class Tools {
@@ -22,7 +23,7 @@ export class Tools {
   #document = null;
   /** @type {Map<string, { entry: HTMLElement, name: HTMLElement, value: HTMLElement }>} */
   #mirrors = new Map();
-  // A rail that is rebuilt has new controls.
+  // If the rail is rebuilt, its new controls have to be borrowed.
   #watch = new MutationObserver(() => this.#borrow());
 
   element = make("div", { class: "lesson-tools" }, [this.#controls, this.#readouts, this.#parts]);
@@ -44,7 +45,7 @@ export class Tools {
     this.render();
   }
 
-  /** Returns all borrowed elements. */
+  /** Gives back all borrowed elements. */
   close() {
     this.#watch.disconnect();
     for (const loan of this.#lent) giveBack(loan);
@@ -52,7 +53,7 @@ export class Tools {
     this.#step = null;
   }
 
-  /** Borrows missing elements, and copies the page's read-outs after they are written. */
+  /** Borrows elements that are not borrowed yet. Copies the page's read-outs after the page has written them. */
   render() {
     this.#borrow();
     queueMicrotask(() => this.#mirror());
@@ -61,13 +62,13 @@ export class Tools {
   #borrow() {
     if (!this.#step || !this.#document) return;
     const { controls = [], lends = [] } = this.#step;
-    // An element rebuilt at its home replaces the borrowed one.
+    // If the page was rebuilt around a placeholder, the borrowed element is dropped and the new one is borrowed.
     this.#lent = this.#lent.filter((loan) => loan.home.isConnected || giveBack(loan));
     const document = this.#document();
     for (const name of controls) {
       const selector = `[data-field="${CSS.escape(fieldOf(name, document))}"]`;
       for (const element of byId("rail", HTMLElement).querySelectorAll(selector)) {
-        // A borrowed element is unfolded to be visible at once.
+        // A borrowed control is unfolded, so that it is visible at once.
         if (this.#take(element, this.#controls)) for (const details of element.querySelectorAll("details")) details.open = true;
       }
     }
@@ -80,7 +81,7 @@ export class Tools {
   /**
    * @param {Element} element
    * @param {HTMLElement} place
-   * @returns {boolean} whether the element was not there yet
+   * @returns {boolean} whether the element was moved to `place`; false if it was already there
    */
   #take(element, place) {
     if (!(element instanceof HTMLElement) || place.contains(element)) return false;
@@ -95,7 +96,7 @@ export class Tools {
     for (const [id, { entry, name, value }] of this.#mirrors) {
       const source = document.getElementById(`out-${id}`);
       const row = source?.closest("tr, .entry");
-      // The read-out of another kind of mechanism exists, but is hidden with that kind.
+      // Read-outs of other kinds of mechanisms are also in the page, but hidden.
       entry.hidden = !row || row.matches("[hidden]") || row.closest(".elsewhere") !== null;
       write(name, source ? titleOf(source) : "");
       write(value, source?.textContent ?? "");
@@ -105,7 +106,7 @@ export class Tools {
 }
 
 /**
- * @param {HTMLElement} source of the table of values, of the status line or of another table
+ * @param {HTMLElement} source read-out in the table of values, in the status line or in another table
  * @returns {string} name of the read-out
  */
 function titleOf(source) {
@@ -119,7 +120,7 @@ function titleOf(source) {
 /**
  * @param {string} symbol of a quantity
  * @param {number} order of its derivative
- * @param {string} head head of the column, which has the column's notation of derivatives
+ * @param {string} head heading of the column, which shows the notation of derivatives
  * @returns {string} the symbol of the derivative in that notation
  */
 export function derived(symbol, order, head) {
@@ -129,7 +130,7 @@ export function derived(symbol, order, head) {
 
 /**
  * @param {Loan} loan
- * @returns {false} the element is no longer borrowed
+ * @returns {false} always, because the element is no longer borrowed
  */
 function giveBack({ element, home, open }) {
   if (element instanceof HTMLDetailsElement) element.open = open;

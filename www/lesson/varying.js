@@ -13,7 +13,7 @@ import { withStep } from "assur/lesson/steps.js";
 
 const BOUNDS = Object.freeze(/** @type {const} */ (["from", "to", "step"]));
 
-/** Initial relative range of a number to both sides; whole numbers vary by one at least. */
+/** Half the initial range of a number, relative to its value. Half the range of a whole number is at least 1. */
 const SHARE = 0.1;
 /** Number of steps in the initial range. */
 const STEPS = 20;
@@ -47,7 +47,7 @@ export class Varying {
    * @param {import("assur/lesson/steps.js").Step} step
    */
   render({ state }, { shows }) {
-    // Numbers can be added while the page shows the step's own document.
+    // Numbers can be added only while the page shows the step's own document.
     const own = shows && state.document === shows.document;
     const ranges = shows?.vary ?? [];
     this.#row.hidden = !own;
@@ -95,7 +95,7 @@ export class Varying {
     return make("div", { class: "write-varied" }, [name, ...inputs, remove]);
   }
 
-  /** @returns {readonly import("assur/types/file.js").NumberField[]} numbers of the document on the page */
+  /** @returns {readonly import("assur/types/file.js").NumberField[]} numbers of the page's document that a lesson may vary */
   #numbers() {
     const { engine, store } = this.#page;
     return attempt(() => engine.numbers(store.get())).value ?? [];
@@ -117,8 +117,8 @@ export class Varying {
   }
 
   /**
-   * @param {readonly Range[] | null} ranges ranges to set; null keeps the present ones
-   * @param {Range[]} more
+   * @param {readonly Range[] | null} ranges ranges to set; null for the step's current ones
+   * @param {Range[]} more ranges to append
    */
   #put(ranges, ...more) {
     this.#change((lesson, index) => {

@@ -8,16 +8,16 @@ import { answerOf } from "assur/lesson/tasks.js";
 
 /** @typedef {import("assur/state/state.js").Written} Written */
 
-/** Answer in a code to a question that was solved by reaching a value. */
+/** Answer, in a result code, to a question that the reader solves by moving the mechanism to a value. */
 export const REACHED = "1";
 
-/** Name under which the browser's storage keeps the digest of the lesson written here last. */
+/** Key in the browser's storage for the digest of the lesson last written in this browser. */
 export const WRITTEN_HERE = "written-here";
 
 /**
  * @param {Written} lesson
  * @param {import("assur/engine.js").Engine} engine
- * @returns {string} digest that identifies the lesson in any notation
+ * @returns {string} digest that identifies the lesson, whatever the notation of its file
  */
 export function digestOf(lesson, engine) {
   return digest(attempt(() => engine.readLesson(lesson)).value ?? lesson);
@@ -27,7 +27,7 @@ export function digestOf(lesson, engine) {
  * @param {Written} lesson
  * @param {number} index of a step with a question
  * @param {string} given
- * @param {string} name name of the person who gave it
+ * @param {string} name name of the reader who gave the answer
  * @param {import("assur/engine.js").Engine} engine
  * @returns {import("assur/lesson/panel.js").Verdict}
  */
@@ -38,7 +38,7 @@ export function verdictOn(lesson, index, given, name, engine) {
 /**
  * @param {Written["steps"][number]["question"]} question
  * @param {string} given
- * @param {() => number | null} answer gives the right number
+ * @param {() => number | null} answer returns the right number, null if there is none
  * @returns {import("assur/lesson/panel.js").Verdict}
  */
 export function verdictOf(question, given, answer) {

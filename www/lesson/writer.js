@@ -1,4 +1,4 @@
-// The form for a lecturer's lesson beside the page: text, document and question of each step.
+// The form beside the page in which a lecturer writes a lesson: text, document and question of each step.
 import { sentence } from "assur/controls/problems.js";
 import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
@@ -35,7 +35,7 @@ export class Writer {
   #asking;
   #varying;
   #results;
-  /** Index of the step in the form; another step has other texts. */
+  /** Index of the step whose texts are in the form. */
   #at = -1;
 
   /**
@@ -100,7 +100,7 @@ export class Writer {
     write(this.#walked, this.#words.text("lesson.progress", { number: numbers.exact(index + 1), count: numbers.exact(lesson.steps.length) }));
     const last = lesson.steps.length - 1;
     const { back, on, earlier, later, show_none: none, show_open: open } = this.#buttons;
-    // A button that becomes disabled gives the focus to its twin, so that it is not lost.
+    // A disabled button would lose the focus: the focus moves to the opposite button.
     const focused = document.activeElement;
     back.disabled = earlier.disabled = index === 0;
     on.disabled = later.disabled = index === last;
@@ -117,7 +117,7 @@ export class Writer {
       row.hidden = field.of === "question" && (sort === "none" || (field.sorts !== undefined && !field.sorts.includes(sort)));
       const value = field.get(lesson, step) ?? "";
       const text = typeof value === "number" ? numbers.exact(value) : value;
-      // The text in the focused field stays, unless it belongs to another step.
+      // The text in the focused field is not overwritten, unless it belongs to another step.
       if ((control !== document.activeElement || index !== this.#at) && control.value !== text) {
         control.value = text;
         control.removeAttribute("aria-invalid");
@@ -169,7 +169,7 @@ export class Writer {
   }
 
   /**
-   * Makes a change of the steps that is a step of undo.
+   * Changes the steps of the lesson, in one step of undo.
    * @param {(lesson: Written, index: number) => Written} change
    * @param {number} by number of steps by which the form then moves
    */
@@ -196,7 +196,7 @@ export class Writer {
 
 /**
  * @param {import("assur/state/state.js").State} state
- * @returns {number} index of the open step; a step from a link may no longer exist
+ * @returns {number} index of the open step; of the last step if a link opens one that no longer exists
  */
 function indexOf({ view, lesson }) {
   return Math.min(view.lesson?.step ?? 1, lesson?.steps.length ?? 1) - 1;

@@ -1,4 +1,4 @@
-// A lecturer's lesson for the panel, with the reader's name and the code of the result around it.
+// A lecturer's lesson in the panel, with a field for the reader's name above it and the code of the result below it.
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { attempt } from "assur/core/problem.js";
@@ -40,7 +40,7 @@ export function openShown(lesson, index, name, page, further = {}) {
   if (!found) return;
   const { kind, document, view } = found.shows;
   const task = taskOf(lesson, index, name, page.engine);
-  // Language, lesson and other fields of the reader are kept.
+  // Fields of the view that belong to the reader, such as the language, are kept.
   const look = Object.entries(usualView({ ...RESTING, ...view })).filter(([key]) => !READERS.includes(key));
   page.choose(kind, task?.state.document ?? document, [], () => ({ ...Object.fromEntries(look), ...further }));
 }
@@ -54,7 +54,7 @@ export class WrittenLesson {
   #reader;
   /** @type {Progress | null} */
   #progress = null;
-  /** @type {Map<number, number | null>} right answers for the reader by step, as far as computed */
+  /** @type {Map<number, number | null>} right answers for the reader that are already computed, by step */
   #exact = new Map();
   #code = make("input", { id: "lesson-code", class: "control", type: "text", readonly: "" });
   #result = make("div", { class: "lesson-result" });
@@ -72,7 +72,7 @@ export class WrittenLesson {
     this.#reader = (kept(`lesson.${OWN}.${this.#digest}`) ?? "").slice(0, LONGEST_NAME);
   }
 
-  /** Name under which progress in it is kept, different for each reader. */
+  /** Name under which the reader's progress in this lesson is kept. */
   get name() {
     return `${OWN}.${this.#digest}.${hash(nameKey(this.#reader)).toString(36)}`;
   }
@@ -98,7 +98,7 @@ export class WrittenLesson {
   /**
    * @param {number} index of a step
    * @param {import("assur/state/state.js").State} state
-   * @returns {boolean} whether its mechanism has the origin of the step's document
+   * @returns {boolean} whether the state's mechanism has the kind and the catalogue origin of the step's document
    */
   #isShown(index, state) {
     const shows = shownBy(this.#lesson, index)?.shows;
@@ -118,7 +118,7 @@ export class WrittenLesson {
   #answer(index) {
     if (!this.#exact.has(index)) {
       const { value, problems } = attempt(() => answerOf(this.#lesson, index, this.#reader, this.#page.engine));
-      // After a failure of the engine it is asked again.
+      // A failure is not stored, so that the engine is asked again.
       if (problems.length > 0) return null;
       this.#exact.set(index, value ?? null);
     }
@@ -166,7 +166,7 @@ export class WrittenLesson {
   /**
    * @param {HTMLElement[]} step
    * @param {Progress} progress
-   * @param {() => Progress} renew takes the progress of another reader
+   * @param {() => Progress} renew loads and returns the progress of the reader whose name was just entered
    */
   frame(step, progress, renew) {
     this.#progress = progress;
@@ -174,7 +174,7 @@ export class WrittenLesson {
     const words = this.#words;
     const head = make("header", { class: "lesson-head" }, [make("b", { id: "lesson-name" }, [title]), ...(author ? [" ", make("span", {}, [author])] : [])]);
     const rewrite = make("button", { id: "lesson-write", class: "control add", type: "button", onclick: () => this.#page.lesson.write(true) }, [words.text("written.write")]);
-    // The form contains the answers: only its author gets a button to it, others must use the menu.
+    // The form contains the answers. Only the author of the lesson gets a button for it; others must use the menu.
     const own = kept(WRITTEN_HERE) === this.#digest ? [rewrite] : [];
     if (!steps.some(({ question }) => question)) return [head, ...step, ...own];
     const reader = make("input", { id: "lesson-reader", class: "control", type: "text", maxlength: String(LONGEST_NAME), autocomplete: "off", spellcheck: "false" });
@@ -206,7 +206,7 @@ export class WrittenLesson {
     return [head, whose, ...step, this.#result, ...own];
   }
 
-  /** Writes the code of the present answers. */
+  /** Writes the result code of the current answers. */
   answered() {
     const progress = this.#progress;
     if (!progress) return;

@@ -1,8 +1,8 @@
-// Storage of the hosted page for use without a network. The build writes a list of the page's files before this script. Their names contain
-// hashes of their contents, so that a file from any version is the right one, and an open page continues with its own files.
+// Service worker that stores the hosted page for offline use. The build writes a list of the page's files before this script. A file's name
+// contains a hash of its contents: the same name is the same file in every version, and an open page keeps the files of its own version.
 
 /**
- * @typedef {Event & { waitUntil(done: Promise<unknown>): void }} Step step in the life of the worker
+ * @typedef {Event & { waitUntil(done: Promise<unknown>): void }} Step event in the life cycle of the worker
  * @typedef {Event & { request: Request, respondWith(answer: Promise<Response>): void }} Asked
  * @typedef {Window & typeof globalThis & {
  *   version: string, registration: { scope: string }, clients: { claim(): Promise<void> }, skipWaiting(): Promise<void>
@@ -16,10 +16,10 @@ const [BUILD, ...FILES] = worker.version.split(" ");
 const { scope } = worker.registration;
 const PREFIX = `assur ${scope} `;
 
-/** Number of versions kept: an open page of an earlier version may ask for more of its parts. */
+/** Number of versions kept: an open page of the version before may still request files. */
 const KEPT = 2;
 
-/** Option that ignores the header Vary: hosts vary their answers by compression, which makes no difference here. */
+/** Option that ignores the header `Vary`: servers vary their responses by compression, which makes no difference here. */
 const ANY = Object.freeze({ ignoreVary: true });
 
 addEventListener("install", (event) => {
@@ -38,10 +38,10 @@ addEventListener("fetch", (event) => {
   if (method === "GET" && url.startsWith(scope)) asked.respondWith(answer(asked.request));
 });
 
-/** Stores all files or none: an incomplete version never answers. */
+/** Stores all files of this version or none: an incomplete version never answers a request. */
 async function install() {
   const own = PREFIX + BUILD;
-  // An existing store may be in use by the page.
+  // A store that already exists may be in use by an open page, and is not deleted after a failure.
   const begun = !(await caches.has(own));
   const cache = await caches.open(own);
   try {
@@ -65,9 +65,9 @@ async function keep(cache, name) {
   // The browser's cache may hold an earlier failure.
   if (!response.ok) response = await fetch(url, { cache: "reload" });
   if (!response.ok) throw new Error(`${response.status} ${name}`);
-  // During the deployment of a version the page may still belong to another one.
+  // During a deployment the server may still send the page of another version.
   if (name === "./" && !(await response.clone().text()).includes(BUILD)) throw new Error(`not of ${BUILD}`);
-  // A new response, because browsers refuse a stored page that was redirected.
+  // The response is copied, because browsers refuse a stored page that was redirected.
   const { headers, status, statusText } = response;
   await cache.put(url, new Response(response.body, { headers, status, statusText }));
 }

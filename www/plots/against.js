@@ -1,4 +1,4 @@
-// One quantity plotted against another: its text, its cursor, and the place of the motion under a pointer.
+// Plot of one quantity against another: its text, its cursor, and the input of the point on the curve under a pointer.
 import { textWidth } from "assur/canvas/text-width.js";
 import { readoutOf, subscript, symbol } from "assur/core/symbols.js";
 import { paintTag } from "assur/plots/tags.js";
@@ -10,21 +10,24 @@ import { inDegrees, power, unitOf, written } from "assur/plots/units.js";
  * @typedef {import("assur/engine.js").FieldAxis} Axis
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
- * @typedef {{ x: number, y: number, input: number, off: number }} Near a place of the curve, with its distance from the pointer in pixels
+ * @typedef {{ x: number, y: number, input: number, off: number }} Near point of the curve; `off`: its distance from the pointer in pixels
  */
 
-/** Radius of the dot, and height of the label beside it, at the usual size of text. */
+/** Radius of the dot and height of the label beside it, in pixels at the usual text size. */
 const DOT = 4.5;
 const TAG = 17;
 
 /** Dashes of the lines from the dot to the axes. */
 const DASHES = [4, 4];
 
-/** Difference of distances, in pixels, below which passes of a curve count as equally near: the one nearest to the motion is taken. */
+/**
+ * Largest difference, in pixels, between the distances of passes of a curve that count as equally near to the pointer. Of these
+ * passes the one nearest to the current input is taken.
+ */
 const ALIKE = 4;
 
 /**
- * An axis as a scale for the units of plots.
+ * Converts an axis to the scale that the functions of `plots/units.js` take.
  * @param {Axis} axis
  * @param {Field} field
  */
@@ -48,7 +51,7 @@ export function axisName({ name, number, order }, { physical }, { coordinate, wo
  * @param {Axis} axis
  * @param {Field} field
  * @param {Pick<Snapshot, "coordinate" | "words">} snapshot
- * @returns {string} the symbol with its unit
+ * @returns {string} the symbol of the axis with its unit
  */
 function titled(axis, field, { coordinate, words }) {
   const time = axis.name === null && coordinate.moves === "time";
@@ -57,7 +60,7 @@ function titled(axis, field, { coordinate, words }) {
 }
 
 /**
- * Text of a value of an axis.
+ * Writes a value of an axis as text.
  * @param {Axis} axis
  * @param {Field} field
  * @param {number} value
@@ -101,7 +104,7 @@ export function drawAgainstText(context, field, snapshot, theme) {
   let free = -Infinity;
   for (const { at, text } of texts(x)) {
     const half = textWidth(context, font, text) / 2;
-    // Numbers at the ends stay on the canvas; numbers without room are omitted.
+    // The last number stays on the canvas. A number that would overlap the one before it is omitted.
     const middle = Math.min(left + at, right + 8 - half);
     if (middle - half < free) continue;
     context.fillText(text, middle, bottom + 7 * theme.scale);
@@ -110,13 +113,13 @@ export function drawAgainstText(context, field, snapshot, theme) {
 }
 
 /**
- * Paints the place of the motion on the curve, with lines to the axes.
+ * Paints a dot on the curve, with dashed lines to the axes.
  * @param {CanvasRenderingContext2D} context
  * @param {Field} field
  * @param {Float64Array | null} values abscissa and ordinate
  * @param {Snapshot} snapshot
  * @param {Theme} theme
- * @param {{ tagged: boolean, input?: number }} how whether the numbers are written, and the input written with them
+ * @param {{ tagged: boolean, input?: number }} how `tagged`: whether the values are written; `input`: input to write before them
  */
 export function drawAgainstCursor(context, field, values, { coordinate, state, words, withheld }, theme, { tagged, input }) {
   if (!values) return;
@@ -161,7 +164,7 @@ export function drawAgainstCursor(context, field, values, { coordinate, state, w
  * @param {number} down
  * @param {[number, number]} size
  * @param {number} off
- * @returns the corner of a dot at which numbers cover least of the curve
+ * @returns the place beside a dot where numbers cover the fewest points of the curve
  */
 function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall], off) {
   const lefts = [at + off, at - off - wide].map((x) => Math.min(Math.max(x, left), left + width + 7 - wide));
@@ -183,8 +186,8 @@ function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall],
  * @param {number} x
  * @param {number} y of a pointer
  * @param {number} beyond greatest distance outside the plot, in pixels
- * @param {number} input input of the motion
- * @returns {number | null} input of the place of the curve nearest to the pointer
+ * @param {number} input current input
+ * @returns {number | null} input at the point of the curve nearest to the pointer; null if the pointer is too far from the plot
  */
 export function inputAt({ left, top, width, height, curve }, x, y, beyond, input) {
   if (x < left - beyond || x > left + width + beyond || y < top - beyond || y > top + height + beyond) return null;
@@ -197,10 +200,10 @@ export function inputAt({ left, top, width, height, curve }, x, y, beyond, input
 }
 
 /**
- * @param {readonly number[]} run x, y and input of its points
+ * @param {readonly number[]} run x, y and input of each point of a run of the curve
  * @param {number} x
  * @param {number} y
- * @returns {Near[]} the nearest place of each pass of the run
+ * @returns {Near[]} the points of the run at which the distance from (x, y) has a minimum, one for each pass
  */
 function nearest(run, x, y) {
   /** @type {Near[]} */

@@ -1,4 +1,4 @@
-// The bar above the plots: choice of the plotted quantities and of the derivatives' variable, and rates of the input.
+// The bar above the plots: choice of the plotted quantities, choice of the variable of differentiation, and rates of the input.
 import { NumberBox } from "assur/controls/number-box.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -18,7 +18,7 @@ import { withView } from "assur/state/state.js";
 /** @type {readonly Transmission[]} */
 const NONE = Object.freeze([]);
 
-/** Radians per second in the units of ω₁. */
+/** Units of ω₁, in radians per second. */
 const UNITS = Object.freeze({ rad_per_s: 1, per_min: Math.PI / 30 });
 
 export class PlotBar {
@@ -150,7 +150,7 @@ export class PlotBar {
 /**
  * @param {string} name of a measure
  * @param {Words} words
- * @returns {string} its name for readers
+ * @returns {string} the measure's name for readers
  */
 function measure(name, words) {
   const dot = name.lastIndexOf(".");
@@ -160,7 +160,7 @@ function measure(name, words) {
 
 /**
  * @param {readonly Transmission[]} transmissions
- * @returns {string} key of the choices that they give
+ * @returns {string} key of the options that the transmissions add to the list of plots
  */
 function joints(transmissions) {
   return transmissions.map(({ what, joint }) => `${joint}.${what}`).join();

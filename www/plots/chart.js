@@ -13,7 +13,7 @@ import { drawChartText } from "assur/plots/text.js";
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/plots/marks.js").Box} Box
  * @typedef {(context: import("assur/canvas/painter.js").Context, panels: readonly Panel[], snapshot: Snapshot, engine: Engine, theme: Theme) => readonly (Box | null)[]} Overlay
- * paints over the curves, and returns the covered box in each panel
+ * paints over the curves, and returns the covered box in each panel, null for none
  */
 
 export class ChartView {
@@ -22,7 +22,7 @@ export class ChartView {
   #theme;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {string} key of the last drawing */
+  /** @type {string} values on which the last drawing depended, as text */
   #drawn = "";
   /** @type {readonly Panel[]} */
   panels = [];
@@ -42,7 +42,7 @@ export class ChartView {
    * @param {HTMLCanvasElement} canvas
    * @param {Engine} engine
    * @param {Theme} theme
-   * @param {() => void} failed called once when the plots cannot be drawn, until they are drawn again
+   * @param {() => void} failed called if the plots cannot be drawn, and not again before they have been drawn
    */
   constructor(canvas, engine, theme, failed) {
     this.#failed = failed;
@@ -97,14 +97,14 @@ export class ChartView {
    * @param {import("assur/canvas/painter.js").Target} target in CSS pixels
    * @param {Snapshot} snapshot
    * @param {Theme} theme
-   * @param {boolean} whole whether the curves go through all their points
+   * @param {boolean} whole whether the curves go through all their points; otherwise indistinguishable points are omitted
    * @returns places of the plots and their labels, and whether they could be drawn
    */
   #paint({ context, ratio }, snapshot, theme, whole) {
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
     const { only } = snapshot.state.view;
-    // The last text may have left another value.
+    // Text painted before may have left another value.
     context.lineJoin = "round";
     const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
     const { panels, against } = value ?? { panels: [], against: null };

@@ -1,5 +1,5 @@
-// The cursor over the plots: a line at the input, with a dot and a number on each curve. It is redrawn in every frame. A
-// hovering pointer adds a second, dashed one.
+// The cursor over the plots: a line at the input, with a dot and a number on each curve. The cursor is redrawn in every
+// frame. A hovering pointer adds a second cursor, whose line is dashed.
 import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";
@@ -18,12 +18,12 @@ import { written } from "assur/plots/units.js";
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot
  */
 
-/** Radius of a dot and height of a number's box, at the usual size of text. */
+/** Radius of a dot and height of a number's box, in pixels at the usual text size. */
 const DOT = 4.5;
 const TAG = 17;
-/** Dashes of the second cursor's line and of the first's. */
+/** Dashes of the second cursor's line. */
 const GHOST = [4, 4];
-/** @type {number[]} */
+/** @type {number[]} dashes of the first cursor's line: none */
 const WHOLE = [];
 
 export class ChartCursor {
@@ -56,7 +56,7 @@ export class ChartCursor {
     this.redraw();
   }
 
-  /** @param {number | null} phi input at which values are shown */
+  /** @param {number | null} phi input of the second cursor, null for none */
   hover(phi) {
     if (phi === this.#hovered) return;
     this.#hovered = phi;
@@ -75,7 +75,7 @@ export class ChartCursor {
       drawAgainstCursor(context, against, snapshot.plotted, snapshot, this.#theme, { tagged: hovered === null });
       if (hovered !== null) drawAgainstCursor(context, against, ghost, snapshot, this.#theme, { tagged: true, input: hovered });
     }
-    // Two sets of numbers would overlap: with a hovering pointer only those under it are written.
+    // Two sets of numbers would overlap. While a pointer hovers, only the numbers of the second cursor are written.
     const phi = snapshot.input;
     panels.forEach((panel, i) => this.#panel(panel, snapshot, phi, snapshot.plotted, hovered === null ? labels[i] : null));
     if (hovered === null || panels.length === 0) return;
@@ -146,7 +146,7 @@ export class ChartCursor {
    * @param {Panel} panel
    * @param {Snapshot} snapshot
    * @param {Float64Array | null} values of the plotted quantities
-   * @returns {Dot[]} dots from the top down
+   * @returns {Dot[]} dots in order from top to bottom
    */
   #dots(panel, { state, words, withheld }, values) {
     if (!values) return [];

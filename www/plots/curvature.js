@@ -50,7 +50,7 @@ export class Curvature {
 /**
  * @param {Here} here
  * @param {Words} words
- * @returns {readonly HTMLElement[]} rows in the colours of the circles in the drawing
+ * @returns {readonly HTMLElement[]} rows of the table, each in the colour of its circle in the drawing
  */
 function rows({ circles, inflection }, words) {
   const title = (/** @type {string} */ letter, /** @type {string} */ text) => [make("b", {}, [letter]), " ", make("span", {}, [text])];

@@ -11,7 +11,7 @@ import { written } from "assur/plots/units.js";
  * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
  */
 
-/** Sizes in pixels of usual text: distance of a label from its mark, height of a label, extra distance of a second try. */
+/** Sizes in pixels at the usual text size: distance of a label from its mark, height of a label, additional distance if the near place is taken. */
 const GAP = 5;
 const HEIGHT = 13;
 const FARTHER = 11;
@@ -19,7 +19,7 @@ const FARTHER = 11;
 /** Space between labels side by side, in pixels. */
 const BETWEEN = 4;
 
-/** Space between points of the zero line, in pixels. */
+/** Distance between the points that stand for the zero line, in pixels. */
 const SPARSE = 12;
 
 /** Greatest number of points of curves that a label may cover. */
@@ -58,8 +58,8 @@ export function drawMarks(context, panel, covered, snapshot, theme) {
 }
 
 /**
- * The marks in the order of labelling: the largest values first, zeros last. Curves that pass zero together share one
- * label.
+ * Returns the marks in the order of labelling: extrema first, from the largest absolute value down, and zeros last. Zeros
+ * at the same input share one label.
  * @param {readonly Mark[]} marks
  * @returns {Mark[]}
  */
@@ -86,7 +86,7 @@ function markText({ kind, phi, value }, panel, { coordinate, words }) {
 
 /**
  * @param {Panel} panel
- * @returns {number[]} points along the zero line, which labels avoid, too
+ * @returns {number[]} points along the zero line, x and y of each, which labels avoid like those of a curve
  */
 function zeroLine({ left, width, y0, y1, top, height }) {
   if (y0 >= 0 || y1 <= 0) return [];
@@ -95,13 +95,13 @@ function zeroLine({ left, width, y0, y1, top, height }) {
 }
 
 /**
- * The place near a mark that covers nothing, or else as little of the curves as possible.
+ * Finds the place for a label near its mark: free of other labels, and with the fewest covered points of the curves.
  * @param {Panel} panel
  * @param {Mark} mark
  * @param {number} width
  * @param {readonly Box[]} taken
- * @param {readonly number[]} points of the curves, x and y of each
- * @param {number} scale size of text relative to the usual one
+ * @param {readonly number[]} points of the curves, x and y of each point
+ * @param {number} scale text size relative to the usual one
  * @returns {Box | null} null if every place is taken
  */
 function freePlace(panel, mark, width, taken, points, scale) {
@@ -129,9 +129,9 @@ function freePlace(panel, mark, width, taken, points, scale) {
 }
 
 /**
- * @param {readonly number[]} points x and y of each
+ * @param {readonly number[]} points x and y of each point
  * @param {Box} box
- * @returns {number} number of points in the box or at its edge
+ * @returns {number} number of points in the box or within a pixel of its edge
  */
 function count(points, { left, top, right, bottom }) {
   let inside = 0;

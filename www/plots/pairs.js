@@ -1,4 +1,4 @@
-// Choice of two quantities to plot against each other: ready pairs in the list of plots, and any two by two lists.
+// Choice of two quantities to plot against each other: ready pairs in the list of plots, and two lists for any other pair.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
@@ -14,17 +14,17 @@ import { withView } from "assur/state/state.js";
 /** Name of the input in a pair. */
 const INPUT = "input";
 
-/** Separator in ready choices, which names of quantities do not contain. */
+/** Separator between the two names of a ready pair; no name of a quantity contains it. */
 const MARK = "|";
 
-/** The choice of any two quantities. */
+/** Choice of the list of plots that opens the two lists. */
 const OWN = `${MARK}own`;
 
 const ORDERS = Object.freeze([0, 1, 2]);
 
 /**
  * @param {Pair} pair
- * @returns {string} the pair as a value of the list
+ * @returns {string} the pair as a value of the list of plots
  */
 function chosen({ x, y }) {
   return `${x}${MARK}${y}`;
@@ -33,7 +33,7 @@ function chosen({ x, y }) {
 /**
  * @param {string} name of a quantity
  * @param {number} order
- * @returns {string} name of its derivative, as in tables
+ * @returns {string} name of the derivative, as in the headings of exported tables
  */
 function derivative(name, order) {
   const dot = name.lastIndexOf(".") + 1;
@@ -59,7 +59,7 @@ export class PairChoice {
 
   /**
    * @param {string} choice value of the list of plots
-   * @returns {Pair | null} the pair of the choice, if it is one
+   * @returns {Pair | null} the pair that the choice plots, null if the choice plots no pair
    */
   pair(choice) {
     if (!choice.includes(MARK)) return null;
@@ -82,7 +82,7 @@ export class PairChoice {
     const option = (/** @type {string} */ key, /** @type {string} */ x, /** @type {string} */ y, /** @type {string} */ name) =>
       make("option", { value: chosen({ x, y }) }, [words.text(key, { name })]);
     const { points, quantities } = this.#engine;
-    // A mechanism without an output uses its angles as outputs.
+    // For a mechanism without an output, the pairs of all its angles are offered.
     const named = summary.outputs.map(({ name }) => name);
     const outputs = named.length > 0 ? named : quantities.filter((name) => name.endsWith("angle"));
     const whose = (/** @type {string} */ name) => {
@@ -136,7 +136,7 @@ export class PairChoice {
  * @returns {HTMLElement[]} options for the quantities and their derivatives, grouped by link or point
  */
 function listed(names, numbers, physical, words) {
-  /** @type {Map<string, { owner: string, point: boolean, own: string[] }>} a link and a point may have the same name */
+  /** @type {Map<string, { owner: string, point: boolean, own: string[] }>} groups by key; the key of a link differs from that of a point of the same name */
   const groups = new Map();
   for (const name of names) {
     const owner = name.slice(0, name.lastIndexOf("."));

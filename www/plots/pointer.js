@@ -1,17 +1,17 @@
-// Pointer input on the plots: a click or a drag moves the driver to the input under the pointer, hovering shows the values
-// there, a double click shows one plot alone.
+// Pointer input on the plots. A click or a drag moves the driver to the input under the pointer. A hovering pointer shows the
+// values at its input. A double click shows one plot alone.
 import { setData } from "assur/core/dom.js";
 import { inputAt } from "assur/plots/against.js";
 import { angleAt } from "assur/plots/panel.js";
 import { withView } from "assur/state/state.js";
 
-/** Greatest movement of a finger that counts as a touch, in pixels. */
+/** Greatest movement of a finger that is not yet a drag, in pixels. */
 const SLOP = 6;
 
-/** Greatest distance of a pointer beyond the ends of the axis, in pixels. */
+/** Greatest distance beyond the ends of the axis at which a pointer acts on the plots, in pixels. */
 const BEYOND = 16;
 
-/** Names of the plots shown alone, by the order of their derivative. */
+/** Values of the view's field `only` that show a single plot, by the order of its derivative. */
 const ALONE = Object.freeze(/** @type {const} */ (["value", "first", "second"]));
 
 export class ChartPointer {
@@ -62,7 +62,7 @@ export class ChartPointer {
   /** @param {PointerEvent} event */
   #down(event) {
     if (this.#held || event.button !== 0 || this.#angle(event, BEYOND) === null) return;
-    // A finger may be about to scroll the page: it moves the driver only by a sideways motion or when lifted.
+    // A finger may be about to scroll the page: it moves the driver only if it moves sideways or is lifted.
     const driving = event.pointerType !== "touch";
     this.#held = { id: event.pointerId, x: event.clientX, y: event.clientY, driving };
     this.#hover(null);
@@ -114,7 +114,7 @@ export class ChartPointer {
   /**
    * @param {PointerEvent} event
    * @param {number} beyond
-   * @returns {number | null} the input under the pointer; null if there is no axis
+   * @returns {number | null} the input under the pointer; null if there is no plot or it is farther away than `beyond`
    */
   #angle({ clientX, clientY }, beyond) {
     const { left: x, top: y } = this.#canvas.getBoundingClientRect();

@@ -1,4 +1,4 @@
-// The table of current values: the input and the quantities listed by the engine. Its rows are the legend of drawing and plots.
+// The table of current values: the input and the quantities listed by the engine. The colours of its rows are the legend of the drawing and plots.
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -15,7 +15,7 @@ import { written } from "assur/plots/values.js";
 const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
 
-/** Additional rows of a comparison for each quantity: the value of A, and the difference. */
+/** Additional rows for each quantity when mechanism A is compared with the current one, B: the value of A, and the difference. */
 const BESIDE = Object.freeze(/** @type {const} */ ({ a: "A", difference: "B − A" }));
 
 export class ReadoutTable {
@@ -74,7 +74,7 @@ export class ReadoutTable {
     // Symbols of the derivatives in the heads: of angles, of lengths or of both.
     const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => listed.some(({ what }) => what === one));
     const usual = found("angle", "load_angle", "x", "y");
-    // Measures have letters of their own: together with others they would only widen the heads.
+    // Measures have letters of their own. If other quantities are listed, these letters would only widen the heads.
     const sorts = usual.length > 0 ? usual : found(...MEASURES);
     const physical = view.axes === "physical" || coordinate.moves === "time";
     this.#heads.forEach((head, order) => {
@@ -100,7 +100,7 @@ export class ReadoutTable {
 
   /**
    * @param {Listed} listed
-   * @param {number} count of values: the quantity and its derivatives
+   * @param {number} count of values in a row: the quantity and its derivatives
    * @returns {HTMLElement[]} the rows of the comparison
    */
   #besideRows(listed, count) {
@@ -122,7 +122,7 @@ export class ReadoutTable {
  * @param {number} order of the derivative
  * @param {number | undefined} a
  * @param {number | undefined} b
- * @returns {number | undefined} b − a, if both are there
+ * @returns {number | undefined} b − a, for an angle within half a turn; undefined if a value is missing
  */
 export function differenceOf(what, order, a, b) {
   if (a === undefined || b === undefined) return undefined;
@@ -131,7 +131,7 @@ export function differenceOf(what, order, a, b) {
 
 /**
  * @param {number} angle in radians
- * @returns {number} the angle within half a turn to either side
+ * @returns {number} the angle less whole turns, from −π to π
  */
 function turned(angle) {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
@@ -163,7 +163,7 @@ function letter({ what, of, number }) {
 /**
  * @param {Listed} listed
  * @param {Words} words
- * @returns {string} text of a row beside its letter; for an angle Δ, as for φ, the link alone
+ * @returns {string} text of a row beside its letter; for a load angle Δ only the name of the link
  */
 export function ofRow(listed, words) {
   return listed.what === "load_angle" ? called(listed.of[0], words) : whose(listed, words);
@@ -172,7 +172,7 @@ export function ofRow(listed, words) {
 /**
  * @param {Pick<Listed, "what" | "of">} listed
  * @param {Words} words
- * @returns {string} its link or point; for a transmission or pressure angle also the name of the quantity
+ * @returns {string} name of the quantity's link or point; except for angles of links and for coordinates, also the name of the quantity
  */
 export function whose({ what, of }, words) {
   if (what === "angle") return of.map((link) => called(link, words)).join(", ");

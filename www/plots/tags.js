@@ -1,9 +1,9 @@
-// Places of the numbers beside the cursor: on either side of its line, clear of each other and of the labels.
+// Placement of the numbers beside the cursor's line: on its right or left, clear of each other and, if possible, of the labels.
 import { overlap } from "assur/plots/marks.js";
 
 /** @typedef {import("assur/plots/marks.js").Box} Box */
 
-/** Greatest distance, in heights, that a tag moves to avoid labels: farther away it would seem to belong to another curve. */
+/** Greatest distance, in heights of a tag, that a tag moves to avoid labels. Farther away it would seem to belong to another curve. */
 const FARTHEST = 3;
 
 /** Space between two tags, in pixels. */
@@ -31,10 +31,10 @@ export function paintTag(context, { left, top, width, tall }, { text, colour, in
 
 /**
  * @typedef {object} Tags
- * @property {readonly number[]} middles middles of the tags by themselves, in ascending order
+ * @property {readonly number[]} middles y of the tags' middles if nothing is in the way, in ascending order
  * @property {readonly number[]} widths
- * @property {number} tall their height
- * @property {number} x the cursor's line
+ * @property {number} tall height of a tag
+ * @property {number} x x of the cursor's line
  * @property {number} off distance of the tags from the line
  * @property {Box} room area for the tags
  * @property {readonly Box[]} labels labels to avoid
@@ -42,7 +42,7 @@ export function paintTag(context, { left, top, width, tall }, { text, colour, in
 
 /**
  * @param {Tags} tags
- * @returns {readonly Box[]} places of the tags: on the right, or on the left if they cover fewer labels there
+ * @returns {readonly Box[]} places of the tags: to the right of the line, or to the left if they cover fewer labels there
  */
 export function placedTags(tags) {
   const { widths, x, off, room } = tags;
@@ -58,7 +58,7 @@ export function placedTags(tags) {
 /**
  * @param {Tags} tags
  * @param {readonly number[]} lefts
- * @returns places of the tags on one side, and the number of them that cover a label
+ * @returns `boxes`: places of the tags on one side; `covered`: number of tags that cover a label
  */
 function aside({ middles, widths, tall, room, labels }, lefts) {
   const at = (/** @type {number} */ i, /** @type {number} */ top) => ({ left: lefts[i], top, right: lefts[i] + widths[i], bottom: top + tall });
@@ -79,7 +79,7 @@ function aside({ middles, widths, tall, room, labels }, lefts) {
 /**
  * @template {{ covered: number }} T
  * @param {readonly T[]} ways
- * @returns {T} the first with the fewest covered labels
+ * @returns {T} the first placement with the fewest tags that cover a label
  */
 function fewest(ways) {
   return ways.reduce((best, way) => (way.covered < best.covered ? way : best));
@@ -90,7 +90,8 @@ function fewest(ways) {
  * @param {readonly Box[]} labels
  * @param {number} first
  * @param {number} last
- * @returns {number} the nearest top between first and last at which the tag covers no label; its own top if that is too far
+ * @returns {number} the nearest top between first and last at which the tag covers no label; the tag's own top if there is
+ * none near enough
  */
 function freeTop(tag, labels, first, last) {
   const tall = tag.bottom - tag.top;
@@ -106,7 +107,7 @@ function freeTop(tag, labels, first, last) {
  * @param {number} first
  * @param {number} last
  * @param {number} tall the height of a tag
- * @returns {number[]} tops as near to these as possible, without overlap, between first and last
+ * @returns {number[]} tops as near to the given ones as possible, without overlap of tags and between first and last
  */
 function spread(tops, first, last, tall) {
   const step = tall + APART;

@@ -15,7 +15,7 @@ import { coordinates, inDegrees, power, titled, unitOf, writtenLevel } from "ass
 
 const SIZE = 11;
 
-/** Greatest number of curves named in the title, each in its colour; the title of more curves has only their kind. */
+/** Greatest number of curves that a title names, each in its colour. The title of more curves has only the symbol of their quantity. */
 const MOST_NAMED = 3;
 
 /**
@@ -71,18 +71,18 @@ function drawTitle(context, panel, coordinate, words, theme) {
   font = setChartFont(context, theme, 12);
   const title = titled(panel, coordinate, words);
   const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel, words) })}` : "";
-  // Without room for all of it, the unit stands without its name.
+  // If there is no room for the whole title, only the unit is written.
   const fits = right + textWidth(context, font, `  ${title}${proof}`) <= left + panel.width;
   write(`  ${fits ? title : unitOf(panel, coordinate, words)}`, theme.colours.secondary);
   write(proof, theme.colours.ink);
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
-/** Ways to name curves: with the value of a constant in words, with its bare value, without it, or by a letter alone. */
+/** Ways to name curves, from long to short: a constant with its value in words, with its bare value, or without its value; only the letter. */
 const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "symbol", "letter"]));
 
 /**
- * Symbols of a panel's title, each with the role of its curve and, if that is constant, its value.
+ * Lists the symbols of a panel's title, each with the role of its curve and, for a constant curve, with its value.
  * @param {Panel} panel
  * @param {Words} words
  * @param {typeof NAMINGS[number]} naming
@@ -155,7 +155,7 @@ function drawInputs(context, panel, coordinate, words, theme) {
     const unit = turns ? "°" : coordinate.moves === "time" && i === last ? `\u00a0${words.text("unit.s")}` : "";
     const text = words.numbers.upTo(value, turns ? 2 : 6) + unit;
     const half = textWidth(context, font, text) / 2;
-    // Numbers at the ends stay on the canvas; numbers without room are omitted.
+    // The last number stays on the canvas. A number that would overlap the one before it is omitted.
     const middle = Math.min(across(panel, coordinate.input(value)), right + 8 - half);
     if (middle - half < free) continue;
     context.textAlign = "center";

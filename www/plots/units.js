@@ -1,4 +1,4 @@
-// Units and digits of the numbers of a panel.
+// Units and digits of the numbers in a panel of the plots.
 import { degrees } from "assur/core/angles.js";
 import { powerOfTen } from "assur/core/numbers.js";
 import { unitOfRate } from "assur/core/units.js";
@@ -6,12 +6,12 @@ import { unitOfRate } from "assur/core/units.js";
 /** @typedef {import("assur/engine.js").Panel} Panel */
 /** @typedef {Pick<Panel, "kind" | "order" | "physical" | "y0" | "y1">} Scale scale of a panel, or of any axis */
 
-/** Limits beyond which numbers do not fit beside an axis, which is then labelled in thousands, millions, thousandths … */
+/** Limits of the largest value on an axis. Beyond them numbers do not fit beside the axis, and are written in thousands, millions, thousandths … */
 const LARGE = 1e5;
 const SMALL = 1e-2;
 
 /**
- * The power of ten in which the numbers of a panel are written.
+ * Returns the exponent of the power of ten in which the numbers of a panel are written.
  * @param {Scale} panel
  */
 export function power(panel) {
@@ -21,7 +21,7 @@ export function power(panel) {
 
 /**
  * @param {Panel} panel
- * @returns {boolean} whether its curves are coordinates of points
+ * @returns {boolean} whether the panel's curves are coordinates of points
  */
 export function coordinates({ series }) {
   return series.some(({ name }) => /\.[xy]$/.test(name));
@@ -33,11 +33,11 @@ export function inDegrees({ kind, order }) {
 }
 
 /**
- * A value of a panel as in its labels, with four digits of the axis's span.
+ * Writes a value of a panel for its labels, with the decimals that give the span of the axis four digits.
  * @param {Scale} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers
- * @param {boolean} [moving] whether it changes with every frame and so has only the digits that the eye can follow
+ * @param {boolean} [moving] whether the value changes with every frame, and is therefore written with fewer digits
  */
 export function written(panel, value, numbers, moving = false) {
   if (inDegrees(panel)) return `${numbers.fixed(degrees(value), moving ? 0 : 1)}°`;
@@ -47,7 +47,7 @@ export function written(panel, value, numbers, moving = false) {
 }
 
 /**
- * The constant value of a curve of a panel.
+ * Writes the constant value of a curve of a panel.
  * @param {Scale} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers
@@ -58,7 +58,7 @@ export function writtenLevel(panel, value, numbers) {
 
 /**
  * @param {Scale} panel
- * @param {import("assur/state/coordinate.js").Coordinate} coordinate input, the variable of derivatives that are not with respect to time
+ * @param {import("assur/state/coordinate.js").Coordinate} coordinate coordinate of the driver, the variable of derivatives that are not with respect to time
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} the power of ten and the unit of a panel's numbers, empty if they have neither
  */
@@ -74,7 +74,7 @@ export function unitOf(panel, { moves }, words) {
  * @param {Panel} panel
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} quantity and unit of a panel
+ * @returns {string} name of the panel's quantity, with its unit
  */
 export function titled(panel, coordinate, words) {
   const { kind, order, physical } = panel;

@@ -1,8 +1,8 @@
-// Values of quantities as written outside the plots.
+// Text of values outside the plots.
 import { degrees } from "assur/core/angles.js";
 import { isLength } from "assur/core/symbols.js";
 
-/** Sizes from which on digits after the decimal sign only take room. */
+/** Absolute values from which a number has one decimal instead of three, and from which it has six significant digits. */
 const LARGE = 1e3;
 const HUGE = 1e6;
 

@@ -1,4 +1,4 @@
-// Equations of the polygons' steps: vector equations with the numbers known so far.
+// Vector equations of the steps in which the polygons are drawn, with the values known so far.
 import { make } from "assur/core/dom.js";
 import { measured } from "assur/core/units.js";
 
@@ -8,7 +8,7 @@ import { measured } from "assur/core/units.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Superscript of each addend, and whether it is perpendicular to its line. */
+/** Kinds of addends. `above`: superscript; `across`: whether the addend is perpendicular to its line, which is a link or a guide. */
 const LEGS = Object.freeze({
   turning: { above: "", across: true },
   normal: { above: "n", across: false },
@@ -53,7 +53,7 @@ export function amount(value, unit, words) {
 }
 
 /**
- * The letter v or a, with superscript and subscript.
+ * Makes the letter v or a, with superscript and subscript.
  * @param {number} order
  * @param {string} above
  * @param {string} below
@@ -74,7 +74,7 @@ function equation({ target, from }, legs, order) {
 }
 
 /**
- * An addend: its size, if known, and its direction.
+ * Makes the text of an addend: its symbol, its size, if known, and its direction.
  * @param {Step} step
  * @param {Leg} leg
  * @param {number} order

@@ -17,13 +17,13 @@ import { amount, told } from "assur/polygons/equations.js";
  * @typedef {import("assur/types/web.js").PolygonsHere} Here
  */
 
-/** Free room around a polygon, in pixels, for the names at its ends. */
+/** Free room around a polygon for the names of its vertices, in pixels. */
 const MARGIN = 26;
-/** Number of steps greater than any, to show all. */
+/** Number of shown steps that stands for all, because no mechanism reaches it. */
 const ALL = 1e6;
-/** Problem of the engine with a document that is no linkage. */
+/** Code of the engine's problem for a document that is not a linkage. */
 const NO_LINKAGE = "bad_state";
-/** Pose of the only body, the frame: the drawing is in its coordinates. */
+/** Pose of the frame, the only body: the polygons are drawn in its coordinates. */
 const POSES = Object.freeze([Object.freeze([0, 0, 0])]);
 
 export class Polygons {
@@ -71,7 +71,7 @@ export class Polygons {
     if (this.element.hidden) return;
     const { value, problems } = attempt(() => this.#page.engine.polygons(frameInput, this.#shown));
     this.#here = value;
-    // A document that is no linkage has no polygons at any input.
+    // A document that is not a linkage has no polygons at any input.
     this.element.hidden = problems.some(({ code }) => code === NO_LINKAGE);
     this.#none.hidden = this.#here !== null;
     this.#drawn.hidden = this.#here === null;
@@ -81,8 +81,8 @@ export class Polygons {
   }
 
   /**
-   * Shows one step more or less; after the last step it starts again with the first.
-   * @param {number} by
+   * Shows more or fewer steps of the construction. After the last step, the first is shown alone again.
+   * @param {number} by number of steps to add, or {@link ALL}
    */
   #go(by) {
     const count = this.#here?.steps.length ?? 0;
@@ -100,7 +100,7 @@ export class Polygons {
     write(this.#step, words.text("polygons.step", { n: words.numbers.exact(at), count: words.numbers.exact(steps.length) }));
     this.#back.disabled = at <= 1;
     const physical = state.view.axes === "physical";
-    // Units as in the plots of lengths with numbers of usual size, so that no power of ten is needed.
+    // The units are those of plots of lengths. The range from −1 to 1 makes them free of a power of ten.
     const panels = [1, 2].map((order) => /** @type {import("assur/engine.js").Panel} */ ({ kind: "length", order, physical, y0: -1, y1: 1 }));
     const [velocity, acceleration] = panels.map((panel) => unitOf(panel, coordinate, words));
     this.#sheets.forEach(({ canvas, title, scale }, order) => {

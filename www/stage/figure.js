@@ -1,4 +1,4 @@
-// Painting of a snapshot, alike on the screen's canvas and in an exported picture.
+// Painting of a snapshot, in the same way on the screen's canvas and in an exported picture.
 import { readDisplayList } from "assur/canvas/display-list.js";
 import { Painter } from "assur/canvas/painter.js";
 import { Places } from "assur/canvas/places.js";
@@ -26,9 +26,9 @@ export class Figure {
   /** @type {Snapshot | null} */
   #snapshot = null;
   #revision = 0;
-  /** @type {readonly Layer[]} fixed shapes, under the moving ones */
+  /** @type {readonly Layer[]} fixed shapes, painted under the moving ones */
   #still = [];
-  /** @type {readonly Layer[]} */
+  /** @type {readonly Layer[]} shapes fixed to moving bodies */
   #rigid = [];
   /** @type {readonly Layer[]} shapes that change in motion */
   #changing = [];
@@ -41,7 +41,7 @@ export class Figure {
    * @param {Pick<import("assur/engine.js").Engine, "roles" | "labels">} engine
    * @param {Theme} theme
    * @param {() => Path2D} [newPath] makes an empty path of the kind that the targets take
-   * @param {Places} [places] places of another figure's labels, to put labels in the same places
+   * @param {Places} [places] positions of another figure's labels, to put the labels of this figure at the same positions
    */
   constructor(engine, theme, newPath = () => new Path2D(), places = new Places()) {
     this.#places = places;
@@ -51,12 +51,12 @@ export class Figure {
     this.#newPath = newPath;
   }
 
-  /** Places of the labels. */
+  /** Positions of the labels. */
   get places() {
     return this.#places;
   }
 
-  /** @param {Snapshot} snapshot state to paint from now on */
+  /** @param {Snapshot} snapshot snapshot to paint from now on */
   take(snapshot) {
     this.#snapshot = snapshot;
     const { scene, frame, revision } = snapshot;
@@ -147,7 +147,7 @@ export class Figure {
 
 /**
  * @param {Theme} theme
- * @returns {Theme} the theme with one colour for all roles
+ * @returns {Theme} the theme with one colour for all roles except the paper
  */
 function muted(theme) {
   let revision = -1;
@@ -166,7 +166,8 @@ function muted(theme) {
 
 /**
  * @param {Float64Array} frame
- * @returns {{ poses: (readonly number[])[], end: number }} x, y and angle of each body; index of the list after them
+ * @returns {{ poses: (readonly number[])[], end: number }} `poses`: x, y and angle of each body; `end`: index at which the display list
+ * begins in the frame
  */
 function readPoses(frame) {
   const bodies = frame[0];
@@ -176,8 +177,8 @@ function readPoses(frame) {
 }
 
 /**
- * Text of a label: the name of a point, or a symbol with its value in the drawn frame.
- * @param {string} label a name, or a symbol and its read-out with a tab between them, which no name contains
+ * Returns the text of a label: the name of a point, or a symbol with its value in the drawn frame.
+ * @param {string} label name of a point, or a symbol and the name of its read-out, separated by a tab, which no name contains
  * @param {Snapshot} snapshot
  */
 function labelText(label, { frameInput, coordinate, readouts, words, state, withheld }) {

@@ -1,4 +1,4 @@
-// Background of the drawing: squared paper with its scale and the fixed shapes, painted once and then copied.
+// Background of the drawing: squared paper with its scale and the fixed shapes. It is painted once and copied to every frame.
 
 /**
  * @typedef {import("assur/canvas/painter.js").Context} Context
@@ -21,8 +21,8 @@ export class Backdrop {
   /**
    * Covers a surface with the backdrop.
    * @param {import("assur/canvas/surface.js").Surface} surface
-   * @param {string} key key of the content
-   * @param {() => void} paint called to paint changed content
+   * @param {string} key key of the content: another key stands for other content
+   * @param {() => void} paint paints the content, called only if it has changed
    */
   cover(surface, key, paint) {
     const { canvas } = this.context;
@@ -110,10 +110,10 @@ function paintScaleBar(context, height, length, text, theme, ratio) {
 }
 
 /**
- * Places a line along an axis with its edges between pixels of the screen: otherwise a thin line would be pale and twice as wide.
+ * Aligns the edges of a horizontal or vertical line with the pixels of the screen. Otherwise a thin line would be pale and twice as wide.
  * @param {number} width
  * @param {number} ratio device pixels per CSS pixel
- * @returns {{ width: number, at(place: number): number }} its width, and its position nearest to a place
+ * @returns {{ width: number, at(place: number): number }} `width`: the line's width; `at`: the aligned position nearest to a place
  */
 function sharp(width, ratio) {
   const whole = Math.max(Math.round(width * ratio), 1) / ratio;

@@ -1,4 +1,4 @@
-// Pointer input on the drawing: it drags joints and traced points, pans empty paper, and zooms with the wheel or two fingers.
+// Pointer input on the drawing: dragging joints and traced points, panning by the empty paper, zooming with the wheel or two fingers.
 import { byId, setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
@@ -12,20 +12,20 @@ import { TRACERS, withView } from "assur/state/state.js";
  * @typedef {{
  *   hover(at: Place, event: PointerEvent): void, leave(): void, press(at: Place, event: PointerEvent): void,
  *   grab(at: Place, event: PointerEvent): Drag | null,
- * }} Hand that has the pointer instead of the joints
+ * }} Hand tool that receives the pointer's actions instead of the joints
  */
 
-/** Greatest distance at which a pointer takes a joint, in pixels. */
+/** Greatest distance at which a pointer takes hold of a joint, and the same for a finger, in pixels. */
 const REACH = 18;
 const FINGER_REACH = 28;
 
-/** Greatest movement of a press that is not a drag, in pixels. */
+/** Greatest movement of a pressed pointer that is not yet a drag, in pixels. */
 const STILL = 4;
 
 /** Zoom factor of one press of + or −. */
 const STEP = 1.3;
 
-/** The wheel: zoom per pixel of scrolling; pixels of a unit (pixel, line, page); factor for pinching on a touch pad. */
+/** Constants of the wheel: zoom per pixel of scrolling; pixels in a unit of scrolling (pixel, line, page); factor for a pinch on a touch pad. */
 const WHEEL = 0.0015;
 const WHEEL_UNIT = Object.freeze([1, 20, 400]);
 const PINCHED = 6;
@@ -39,16 +39,16 @@ export class MechanismPointer {
   #model;
   /** @type {Map<number, Place>} pressed pointers */
   #pointers = new Map();
-  /** @type {{ name: Joint["name"], pressed: boolean, dx: number, dy: number, from: Place } | null} the joint under the pressed pointer, whether the press
-   * may still be no drag, and the place of the press */
+  /** @type {{ name: Joint["name"], pressed: boolean, dx: number, dy: number, from: Place } | null} the joint that is held. `pressed`: whether the
+   * joint has an action for a press, and is not dragged yet; `dx`, `dy`: from the pointer to the joint; `from`: place of the press */
   #taken = null;
   /** Whether the next press places a traced point. */
   #tracing = false;
   #draw = byId("draw", HTMLButtonElement);
   #trace = byId("trace", HTMLButtonElement);
-  /** @type {Hand | null} the hand that has the pointer instead of the joints */
+  /** @type {Hand | null} the tool that receives the pointer's actions instead of the joints */
   #hand = null;
-  /** @type {{ from: Place, still: boolean, drag: Drag | null } | null} its current press or drag */
+  /** @type {{ from: Place, still: boolean, drag: Drag | null } | null} the current press or drag of the tool */
   #work = null;
 
   /**
@@ -73,7 +73,7 @@ export class MechanismPointer {
     });
     canvas.addEventListener("dblclick", () => this.#hand ?? view.fit());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-    // One finger scrolls the page over the fitted drawing, except from a joint; a second finger zooms.
+    // While the drawing is not zoomed, one finger scrolls the page unless it starts at a joint. Two fingers zoom.
     canvas.addEventListener("touchstart", (event) => this.#touch(event), { passive: false });
     byId("zoom-in", HTMLButtonElement).addEventListener("click", () => view.zoom(STEP));
     byId("zoom-out", HTMLButtonElement).addEventListener("click", () => view.zoom(1 / STEP));
@@ -83,7 +83,7 @@ export class MechanismPointer {
 
   /**
    * Switches the tool that places a traced point.
-   * @param {boolean} [on] toggles if omitted
+   * @param {boolean} [on] whether the tool is on; the opposite of its present state if omitted
    */
   trace(on = !this.#tracing) {
     this.#tracing = on && !this.#trace.disabled;
@@ -91,7 +91,7 @@ export class MechanismPointer {
     setData(this.#canvas, "tracing", String(this.#tracing));
   }
 
-  /** @param {Hand | null} hand gets the pointer; null gives it back to the joints */
+  /** @param {Hand | null} hand tool that receives the pointer's actions; null for the joints */
   lend(hand) {
     this.#hand = hand;
     this.#work = null;
@@ -206,7 +206,7 @@ export class MechanismPointer {
   /**
    * Places a traced point on the link nearest to a place.
    * @param {Place} at
-   * @returns {Joint | null} the point, ready to be dragged; null if there is no mechanism for it
+   * @returns {Joint | null} the point, ready to be dragged; null if the engine or the page refuses it
    */
   #put(at) {
     const [x, y] = this.#view.view.toModel(at.x, at.y);
@@ -242,8 +242,8 @@ export class MechanismPointer {
   }
 
   /**
-   * Zooms and pans with two fingers, keeping the points under them.
-   * @param {number} moving
+   * Zooms and pans with two fingers, so that the drawing follows them.
+   * @param {number} moving id of the finger that has moved
    * @param {Place} from
    * @param {Place} at
    */
@@ -290,7 +290,7 @@ export class MechanismPointer {
     return this.#view.near(at, pointer === "touch" ? FINGER_REACH : REACH);
   }
 
-  /** @param {string} joint name of the joint under the pointer or being dragged */
+  /** @param {string} joint name of the joint under the pointer or being dragged, empty for none */
   #show(joint) {
     this.#view.ring(joint);
     setData(this.#canvas, "hand", this.#taken ? "closed" : joint ? "open" : "");

@@ -9,26 +9,26 @@ import { Backdrop } from "assur/stage/paper.js";
 /**
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {readonly [number, number, number, number]} Edges of a part of the canvas: left, bottom, right, top, in its pixels
+ * @typedef {readonly [number, number, number, number]} Edges left, bottom, right and top of a part of the canvas, in pixels
  * @typedef {{ name: string, role: string, pressed: boolean, x: number, y: number }} Joint handle of a joint or a traced point, in model coordinates; `pressed`: whether
- * pressing it without a drag has an effect
- * @typedef {(context: CanvasRenderingContext2D, view: Transform, theme: Theme) => void} Laid
+ * a press without a drag has an effect
+ * @typedef {(context: CanvasRenderingContext2D, view: Transform, theme: Theme) => void} Laid paints over or under the mechanism
  */
 
-/** Free room around the drawing, in pixels. */
+/** Free room around a drawing, and around a small drawing, in pixels. */
 const MARGIN = 44;
 const SMALL_MARGIN = 36;
-/** Length below which the shorter side makes a drawing a small one, in pixels. */
+/** Length of the shorter side below which a drawing is small, in pixels. */
 const SMALL = 320;
 
-/** Width and height of a picture of a stage that is not on the screen, in pixels. */
+/** Width and height of the picture if the drawing is not on the screen, in pixels. */
 const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 
-/** Least and greatest share of the canvas for the bounds being worked on. */
+/** Least and greatest share of the canvas that bounds to work on may fill; otherwise the view is fitted again. */
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
 
-/** Radius and opacity of the ring around a joint that can be dragged. */
+/** Radius, in pixels, and opacity of the ring, a filled disc, around a joint that can be dragged. */
 const RING = 15;
 const RING_OPACITY = 0.28;
 
@@ -41,12 +41,13 @@ export class MechanismView {
   /** @type {Snapshot | null} */
   #snapshot = null;
   #zoom = Zoom.NONE;
-  /** @type {readonly number[] | null} bounds that stay fitted while the view is zoomed */
+  /** @type {readonly number[] | null} bounds to which the zoom is relative, kept while the view is zoomed */
   #bounds = null;
-  /** @type {Transform | null} view kept during the drag of a joint */
+  /** @type {Transform | null} view that is kept, as during the drag of a joint */
   #held = null;
-  /** Whether the view is kept while the drawing grows, and the size of the canvas for which it is kept. */
+  /** Whether the view is kept because something is drawn. */
   #kept = false;
+  /** Size of the canvas for which the view is kept. */
   #keptSize = "";
   #inset = 0;
   /** @type {string} the joint with a ring around it */
@@ -83,7 +84,7 @@ export class MechanismView {
 
   /**
    * @param {Laid} paint paints between the paper and the mechanism, but not in exported pictures
-   * @param {() => readonly number[] | null} bounds bounds of that painting: xmin, ymin, xmax, ymax
+   * @param {() => readonly number[] | null} bounds returns the bounds of what is painted: xmin, ymin, xmax, ymax
    */
   layUnder(paint, bounds) {
     this.#under.push({ paint, bounds });
@@ -94,7 +95,7 @@ export class MechanismView {
     this.#draw();
   }
 
-  /** @returns {Joint[]} the joints and traced points that can be dragged, where they are drawn */
+  /** @returns {Joint[]} the joints and traced points that can be dragged, at their drawn positions */
   joints() {
     const snapshot = this.#snapshot;
     if (!snapshot) return [];
@@ -131,8 +132,8 @@ export class MechanismView {
   }
 
   /**
-   * The picture to save and print, without marks of editing: the mechanism with free room around it in its size on the screen,
-   * or the visible part of a zoomed drawing.
+   * Returns the picture to save or print, without marks of editing: the mechanism at its size on the screen, with free room
+   * around it, or the visible part of a zoomed drawing.
    * @param {number} [least] least width in pixels
    * @returns {import("assur/export/pictures.js").Picture}
    */
@@ -148,7 +149,7 @@ export class MechanismView {
   }
 
   /**
-   * The same picture for any places of the motion, one after another.
+   * Returns the picture of {@link cropped} in a form that can be painted at one input after another.
    * @param {number} [least] least width in pixels
    * @returns {import("assur/export/pictures.js").Sheet}
    */
@@ -182,7 +183,7 @@ export class MechanismView {
   }
 
   /**
-   * Magnifies the view about a point of the canvas, by default its middle.
+   * Magnifies the view about a point of the canvas, by default the centre of the canvas.
    * @param {number} factor
    * @param {number} [left] pixels
    * @param {number} [top]
@@ -281,7 +282,7 @@ export class MechanismView {
     return Transform.fit(this.#bounds ?? this.#whole, width, height - this.#inset, this.#margin).moved(0, this.#inset);
   }
 
-  /** @returns {readonly number[]} bounds of the mechanism and of the paintings under it; on an empty sheet of those alone, if any */
+  /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; without joints, of the latter alone if there is any */
   get #whole() {
     const { bounds = [0, 0, 1, 1], handles = [] } = this.#snapshot?.summary ?? {};
     const under = this.#under.flatMap(({ bounds: of }) => [of() ?? []]).filter((one) => one.length > 0);
@@ -304,7 +305,7 @@ export class MechanismView {
     const [left, bottom] = view.toScreen(xmin, ymin);
     const [right, top] = view.toScreen(xmax, ymax);
     const margin = this.#margin;
-    // Whole pixels, so that lines are as sharp as on the screen.
+    // The edges are at whole pixels, so that lines are as sharp as on the screen.
     return [Math.floor(left - margin), Math.ceil(bottom + margin), Math.ceil(right + margin), Math.floor(top - margin)];
   }
 
@@ -322,7 +323,7 @@ export class MechanismView {
     this.#figure.paintLabels(this.#surface, view, this.#surface, this.#small);
   }
 
-  /** Keeps the view until the canvas changes its size. */
+  /** Keeps the view until the size of the canvas changes. */
   #keep() {
     const { width, height } = this.#surface;
     const size = `${width}×${height}`;

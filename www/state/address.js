@@ -1,4 +1,4 @@
-// The address bar: it holds what is shown, and Back returns to the previous mechanism.
+// The address bar: the address contains the state, and the browser's Back returns to the previous mechanism.
 import { LONGEST, toAddress } from "assur/state/codec.js";
 import { guarded } from "assur/state/storage.js";
 import { FURTHER, usualView } from "assur/state/state.js";
@@ -30,7 +30,7 @@ export class Address {
 
   /**
    * @param {State} state
-   * @returns {string} full address of the state; short for an unchanged mechanism of the catalogue
+   * @returns {string} address of the page with the state; in short form if the mechanism is an unchanged one of the catalogue
    */
   link(state) {
     const preset = this.#presetOf(state);
@@ -40,7 +40,7 @@ export class Address {
 
   /**
    * @param {State} state
-   * @returns {boolean} true if it is more than an unchanged mechanism of the catalogue
+   * @returns {boolean} true if the state contains more than an unchanged mechanism of the catalogue
    */
   isOwn(state) {
     return !this.#presetOf(state) || FURTHER.some((name) => state[name]);
@@ -58,7 +58,7 @@ export class Address {
   }
 
   /**
-   * Adds another mechanism to the browser's history: Back returns to the one before.
+   * Adds another mechanism to the browser's history, so that Back returns to the previous one.
    * @param {State} before
    * @param {State} now
    */
@@ -69,7 +69,7 @@ export class Address {
   }
 
   /**
-   * Whether the link of a state is short enough to be opened; a long lesson needs a file.
+   * Tests whether the link of a state is short enough to be opened. A state with a long lesson needs a file.
    * @param {State} state
    */
   holds(state) {

@@ -1,19 +1,19 @@
-// Changes that the engine makes, put into the state: fields of the document, and the input.
+// Changes made by the engine and their transfer to the state: fields of the document, and the input.
 import { attempt } from "assur/core/problem.js";
 import { PARTS, edited, withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit of a document: the request to the engine,
- * given the drawn input; the field that shows the reason of a refusal
+ * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit edit of a document. `asked`: the request to
+ * the engine, given the drawn input; `field`: the field of the page that shows the reason for a refusal
  * @typedef {Extract<keyof import("assur/state/state.js").Documents, "linkage" | "draft">} TracedKind
  */
 
 /**
  * @param {import("assur/engine.js").Changed} change
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
- * @returns {boolean} whether it was taken: dragging a drawing that a refused state left behind does not change a document of
- * another kind
+ * @returns {boolean} whether the change was taken. After a refused state the drawing is still the one before; dragging it does not change
+ * a document of another kind.
  */
 export function take({ document, input }, { store, model, drafts }) {
   if (model.kind !== store.get().kind) return false;
@@ -29,9 +29,9 @@ export function take({ document, input }, { store, model, drafts }) {
 }
 
 /**
- * Takes a change from the engine, or shows the reason of its refusal.
+ * Takes a change from the engine, or shows the reason for the engine's refusal.
  * @param {() => import("assur/engine.js").Changed} asked request to the engine, which already has the state
- * @param {string} field that shows the reason of a refusal
+ * @param {string} field that shows the reason for a refusal
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
  */
 export function change(asked, field, page) {
@@ -41,12 +41,12 @@ export function change(asked, field, page) {
 }
 
 /**
- * Places a traced point on the link that carries it.
+ * Changes a coordinate of a traced point on its link.
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {string} name
- * @param {number} axis 0: along the link from its first point to its second, 1: to the left of that
+ * @param {number} axis 0: along the link from its first point to its second; 1: perpendicular to this line, to the left
  * @param {number} value
- * @returns {number} the value, which the document then holds
+ * @returns {number} the same value, which is now in the document
  */
 export function placeTraced(store, name, axis, value) {
   store.update((state) => edited(state, /** @type {TracedKind} */ (state.kind), ({ tracers = [] }) => ({
@@ -56,7 +56,7 @@ export function placeTraced(store, name, axis, value) {
 }
 
 /**
- * The current input, for the engine, which then has the state.
+ * Returns the current input in the engine's unit, after the engine has taken the current state.
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model">} page
  * @returns {number}
  */
@@ -70,9 +70,9 @@ export function inputNow({ store, model }) {
  * Replaces the document by another, in one step of undo.
  * @param {State["kind"]} kind
  * @param {State["document"]} document of that kind
- * @param {readonly Edit[]} edits changes that the engine makes to it
- * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look gives its view from the engine's summary, which
- * is null if the engine refuses it
+ * @param {readonly Edit[]} edits changes that the engine makes to the document
+ * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look returns the view, given the engine's summary,
+ * which is null if the engine refuses the document
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts" | "history" | "mechanism">} page
  */
 export function choose(kind, document, edits, look, page) {

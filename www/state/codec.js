@@ -1,4 +1,4 @@
-// The state as an address and as a file. Only the wrapping is read here; the engine checks the content.
+// The state as an address and as a file. Only their outer form is read here; the engine checks the content.
 import { Refusal } from "assur/core/problem.js";
 import { contains } from "assur/state/state.js";
 
@@ -7,31 +7,32 @@ import { contains } from "assur/state/state.js";
  */
 
 /**
- * Version of the address: `#2&kind=mixer&d.l1=0.37&…&v.phi_deg=62`. A value is JSON, or else text. Older versions, each
- * with its own name for the kind, are read for ever; tests/links.txt holds links of each. An unchanged mechanism of the
- * catalogue is written as its name, followed by the unusual fields of the view: `#jansen&v.speed=2`.
+ * Version of the address: `#2&kind=mixer&d.l1=0.37&…&v.phi_deg=62`. A value that is not JSON is text. Older versions, each
+ * with its own key for the kind, are still read; tests/links.txt contains links of each version. An unchanged mechanism of
+ * the catalogue is written as its name, followed by the fields of the view that are not as usual: `#jansen&v.speed=2`.
  */
 const VERSION = "2";
 const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({ 1: "lesson", [VERSION]: "kind" }));
-/** Parts of a state in an address besides document and view; a picture is for files. The first version had the kind under `lesson`. */
+/** Parts of a state in an address besides document and view. A picture is only in files. In the first version the key `lesson` gave the kind. */
 const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
-/** Limits of length and depth of a state. A file may also have an image, whose length the engine checks. */
+/** Limits of a state: length in characters, depth of nesting. A file may also contain an image, whose length the engine checks. */
 export const LONGEST = 400_000;
 const DEEPEST = 12;
 
-/** Fields of the input, left out of a short address in motion. */
+/** Fields of the view that hold the input. A short address omits them if the mechanism is in motion. */
 const PLACES = Object.freeze(["phi_deg", "s", "t"]);
 
-/** @returns {Refusal} refusal of an address that is no state */
+/** @returns {Refusal} refusal of an address that contains no state */
 function unreadable() {
   return new Refusal([{ code: "unreadable_link" }]);
 }
 
 /**
  * @param {State} state
- * @param {{ id: string, usual: State["view"] } | null} preset the document's mechanism in the catalogue, with the usual view, which is left out
+ * @param {{ id: string, usual: State["view"] } | null} preset `id`: the document's mechanism in the catalogue; `usual`: the usual view, whose
+ * fields are left out
  * @returns {string} the part of an address after #
  */
 export function toAddress(state, preset) {
@@ -54,8 +55,9 @@ function pairs(part, values) {
 
 /**
  * @param {string} hash the part of an address after #
- * @param {(id: string) => { kind: string, document: unknown, view: object } | undefined} preset of the catalogue, with the usual view
- * @returns {unknown} for the engine to check
+ * @param {(id: string) => { kind: string, document: unknown, view: object } | undefined} preset returns a mechanism of the catalogue, with the
+ * usual view
+ * @returns {unknown} the state, which the engine has yet to check
  */
 export function fromAddress(hash, preset) {
   if (hash.length > LONGEST) throw unreadable();
@@ -67,7 +69,7 @@ export function fromAddress(hash, preset) {
     const at = pair.indexOf("=");
     return at < 0 ? [plain(pair), null] : [plain(pair.slice(0, at)), decode(pair.slice(at + 1))];
   });
-  // fromEntries makes own properties of all keys, also of __proto__.
+  // `Object.fromEntries` makes every key an own property, even `__proto__`.
   const part = (/** @type {string} */ prefix) => {
     const own = entries.filter(([key]) => key.startsWith(prefix));
     return Object.fromEntries(own.map(([key, value]) => [key.slice(prefix.length), value]));
@@ -92,7 +94,7 @@ export function toFile(state) {
 
 /**
  * @param {string} text
- * @returns {unknown} for the engine to check
+ * @returns {unknown} the state, which the engine has yet to check
  */
 export function fromFile(text) {
   const value = parsed(text);
@@ -108,7 +110,7 @@ export function fromFile(text) {
 /** @param {unknown} value */
 function encode(value) {
   const text = typeof value === "string" && parsed(value) === undefined ? value : JSON.stringify(value);
-  // Commas and brackets are allowed in an address, and keep the text legible.
+  // Commas are allowed in an address, and keep the text legible.
   return encodeURIComponent(text).replaceAll("%2C", ",");
 }
 
@@ -139,7 +141,7 @@ function parsed(text) {
 
 /**
  * @param {unknown} value
- * @param {Refusal} deep refusal of a value that is too deep
+ * @param {Refusal} deep refusal of a value that is nested too deeply
  * @returns {unknown} the value itself
  */
 function shallow(value, deep) {

@@ -1,4 +1,4 @@
-// Mechanism A, compared with the shown mechanism B. It has its own simulator at the same input and is never edited.
+// Mechanism A, compared with the shown mechanism B. A has its own simulator, has the same input as B, and is never edited.
 import { Seen } from "assur/core/seen.js";
 import { PARTS, initialState, withView } from "assur/state/state.js";
 
@@ -7,17 +7,17 @@ import { PARTS, initialState, withView } from "assur/state/state.js";
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/pkg/assur_web.js").Simulator} Simulator
  * @typedef {{ scene: Float32Array, labels: readonly string[], revision: number, frame: Float64Array, readouts: import("assur/engine.js").Readouts | null }} Beside
- * mechanism A at an input, with the same data as the drawing of B; `revision` counts the mechanisms that were A
+ * mechanism A at an input, with the same data as the drawing of B; `revision`: number of mechanisms that have been A so far
  */
 
 /** Fields of the view that A shares with B: quantities plotted and read, and the input rate. */
 const SHARED = Object.freeze(/** @type {const} */ (["traces", "measures", "plot", "against", "axes", "omega", "omega_unit", "epsilon", "true_time"]));
 
-/** Inputs of mechanisms that can be compared. */
+/** Kinds of input with which mechanisms can be compared. */
 const INPUTS = Object.freeze(["angle", "length"]);
 
 /**
- * Frees a simulator. One that trapped cannot be freed: it stays borrowed for ever.
+ * Frees a simulator. A simulator that has trapped cannot be freed, because it stays borrowed.
  * @param {Simulator} simulator
  */
 export function discard(simulator) {
@@ -95,7 +95,7 @@ export class Compared {
     this.#summary = null;
   }
 
-  /** Forgets A's simulator, lost with the instance of the engine: the next state makes another. */
+  /** Forgets A's simulator, which was lost with the instance of the engine. The next state makes a new one. */
   takeAnew() {
     this.hide();
     this.#seen = new Seen();
@@ -107,7 +107,7 @@ export class Compared {
     if (!compared) return;
     const shared = Object.fromEntries(SHARED.map((name) => [name, view[name]]));
     const state = initialState(compared.kind, compared.document, shared);
-    // A may lack quantities plotted or measured on B.
+    // A may lack the quantities plotted or measured on B: the second attempt is without them.
     for (const wanted of [state, withView(state, PARTS)]) {
       if (this.broken) return;
       const simulator = this.#newSimulator();
@@ -125,8 +125,8 @@ export class Compared {
   }
 
   /**
-   * Notes whether A's simulator broke.
-   * @param {unknown} thrown problems, or the exception of a trap
+   * Notes that A's simulator broke, if it did.
+   * @param {unknown} thrown list of the engine's problems, or the exception of a trap
    */
   #noteBreak(thrown) {
     if (Array.isArray(thrown)) return;

@@ -10,23 +10,23 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/state.js").State} State
  */
 
-/** Kinds of input: the field of the view, the symbol and the symbols of the rates. An angle also has the number of its link. */
+/** Kinds of input: field of the view, symbol, symbols of velocity and acceleration. The number of the link is added to all symbols but s and t. */
 const SORTS = Object.freeze({
   angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ", rates: Object.freeze(["ω", "ε"]) }),
   length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v", "a"]) }),
   time: Object.freeze({ field: /** @type {const} */ ("t"), symbol: "t", rates: Object.freeze(["", ""]) }),
 });
 
-/** Seconds in which, at speed 1, a crank turns once and a slide goes there and back. */
+/** Time in which, at speed 1, a crank makes a turn, or a slide travels forth and back, in seconds. */
 const PERIOD = 6;
 
 /** Number of small steps in the travel of a slide or in a span of time. */
 const STEPS = 100;
 
-/** The longest time that the engine takes, in seconds. */
+/** Longest time that the engine accepts, in seconds. */
 const LONGEST = 1e6;
 
-/** Invisible fraction of a span of time. */
+/** Fraction of a span of time that is too small to see. */
 const HAIR = 1e-9;
 
 /** Fields of the view that hold an input of any kind. */
@@ -66,8 +66,8 @@ export class Coordinate {
   }
 
   /**
-   * Ends of the axis of the input, in the reader's unit. Unlimited time is shown span after span.
-   * @param {number} place in the reader's unit
+   * Returns the ends of the axis of the input, in the reader's unit. Unlimited time is divided into equal spans, each with an axis of its own.
+   * @param {number} place input in the reader's unit
    */
   axis(place) {
     const [start, end] = [this.#cycle.start, this.#cycle.end].map((input) => this.place(input));
@@ -77,22 +77,22 @@ export class Coordinate {
   }
 
   /**
-   * Last place on the same axis as a place. The end of an axis of unlimited time belongs to the next span.
-   * @param {number} place in the reader's unit
+   * Returns the last input on an axis. The end of a span of unlimited time belongs to the next span.
+   * @param {number} place input on this axis, in the reader's unit
    */
   last(place) {
     const { end } = this.axis(place);
     return this.#goesOn ? end * (1 - HAIR) : end;
   }
 
-  /** Small step by hand, in the reader's unit. */
+  /** Small step in which the input is moved by hand, in the reader's unit. */
   get step() {
     return this.#turns ? 1 : 10 ** Math.round(Math.log10(this.#way / STEPS));
   }
 
   /**
-   * Speed of the input in playback, in the engine's unit per second. In real time it is the constant ω₁: ε₁ is the
-   * acceleration at this instant only.
+   * Returns the speed of the input in playback, in the engine's unit per second. With `true_time` it is the constant ω₁,
+   * because ε₁ is the acceleration at the current instant only.
    * @param {State["view"]} view
    */
   pace({ true_time: trueTime, omega, speed }) {
@@ -110,16 +110,16 @@ export class Coordinate {
   }
 
   /**
-   * @param {number} input of the engine
-   * @returns {number} in the reader's unit
+   * @param {number} input in the engine's unit
+   * @returns {number} the input in the reader's unit
    */
   place(input) {
     return this.#turns ? degrees(input) : input;
   }
 
   /**
-   * @param {number} place in the reader's unit
-   * @returns {number} in the engine's unit
+   * @param {number} place input in the reader's unit
+   * @returns {number} the input in the engine's unit
    */
   input(place) {
     return this.#turns ? radians(place) : place;
@@ -127,7 +127,7 @@ export class Coordinate {
 
   /**
    * @param {State} state
-   * @returns {number} place of the input on the axis, in the reader's unit; both ends of the axis are kept
+   * @returns {number} the input on its axis, in the reader's unit; an input at either end of the axis stays there
    */
   of({ view }) {
     return this.onto(view[this.field]);
@@ -135,8 +135,8 @@ export class Coordinate {
 
   /**
    * @param {State} state
-   * @param {number} place in the reader's unit
-   * @returns {State} the state with the input there; a slide stops at the ends of its travel, time at 0 and at the end of a run
+   * @param {number} place input in the reader's unit
+   * @returns {State} the state with this input; a slide stops at the ends of its travel, time at 0 and at the end of a run
    */
   put(state, place) {
     const wanted = this.moves === "time" ? Math.min(place, LONGEST) : place;
@@ -146,16 +146,16 @@ export class Coordinate {
   }
 
   /**
-   * @param {number} input of the engine
+   * @param {number} input in the engine's unit
    * @param {Words} words
-   * @param {number} decimals of an angle; a length is as precise in proportion to its travel
+   * @param {number} decimals for an angle, for a time, and for a slide with a travel from 1 to 10; a longer travel has fewer
    */
   text(input, words, decimals) {
     return this.written(this.place(input), words, decimals);
   }
 
   /**
-   * @param {number} place in the reader's unit
+   * @param {number} place input in the reader's unit
    * @param {Words} words
    * @param {number} decimals
    */
@@ -164,8 +164,8 @@ export class Coordinate {
   }
 
   /**
-   * As {@link written}, without trailing zeros.
-   * @param {number} input of the engine
+   * Writes the input as {@link written} does, but without trailing zeros.
+   * @param {number} input in the engine's unit
    * @param {Words} words
    * @param {number} decimals
    */
@@ -174,9 +174,9 @@ export class Coordinate {
   }
 
   /**
-   * @param {number} place in the reader's unit
+   * @param {number} place input in the reader's unit
    * @param {Words} words
-   * @returns {string} the place with all its digits, for editing
+   * @returns {string} the input with all its digits, for editing
    */
   exact(place, { numbers }) {
     return numbers.exact(place) + (this.#turns ? "°" : "");
@@ -185,7 +185,7 @@ export class Coordinate {
   /**
    * @param {number} count
    * @param {Words} words
-   * @returns {string} a turn, or the travel of a slide, divided by the count
+   * @returns {string} a turn, the travel of a slide or a span of time, divided by the count
    */
   share(count, words) {
     const part = this.#turns ? words.numbers.upTo(360 / count, 1) : words.numbers.upTo(this.#way / count, this.moves === "time" ? 5 : this.#decimals(5));
@@ -194,8 +194,8 @@ export class Coordinate {
 
   /**
    * @param {number} one
-   * @param {number} other input of the engine
-   * @returns {boolean} whether the difference is invisible: less than half a degree, or than a small part of the travel or span
+   * @param {number} other input to compare with `one`, both in the engine's unit
+   * @returns {boolean} whether the difference is invisible: less than half a degree, or than half a small step of the travel or span
    */
   near(one, other) {
     if (!this.#turns) return Math.abs(one - other) < this.#way / (2 * STEPS);
@@ -217,8 +217,8 @@ export class Coordinate {
   }
 
   /**
-   * @param {number} place in the reader's unit
-   * @returns {number} the same place on the axis
+   * @param {number} place input in the reader's unit
+   * @returns {number} the input on its axis: an angle is moved by whole periods, a time outside the axis to the nearer end
    */
   onto(place) {
     const { start, end } = this.axis(place);

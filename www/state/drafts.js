@@ -1,6 +1,7 @@
-// Contents of number fields that are not in the state: no number yet, or a refused one. They are kept until the field is valid.
+// Problems of number fields whose content is not in the state, because it is not yet a number or was refused. A problem is kept
+// until the content of its field is valid.
 
-/** Name of the field of the input, in any unit. */
+/** Name of the number field for the input, whatever the unit. */
 export const INPUT = "input";
 
 /** @typedef {import("assur/core/problem.js").Problem} Problem */
@@ -17,7 +18,7 @@ export class Drafts {
 
   /**
    * @param {string} field
-   * @param {readonly Problem[]} [problems] reasons of the refusal
+   * @param {readonly Problem[]} [problems] reasons for the refusal
    */
   keep(field, problems = [{ code: "not_a_number", field }]) {
     this.#problems.set(field, problems);
@@ -54,7 +55,7 @@ export class Drafts {
 
 /**
  * @param {string} field such as `wheels[2].z`
- * @returns {string} the part of the document that holds it: `wheels`
+ * @returns {string} the part of the document that contains the field: `wheels`
  */
 export function partOf(field) {
   return field.split("[", 1)[0];

@@ -6,18 +6,18 @@ import { FURTHER, UNDONE, furtherOf, withFurther, withMechanism, withView } from
 /**
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<{ kind: State["kind"], document: State["document"], further: import("assur/state/state.js").Further, shown: Partial<State["view"]> }>} Moment
- * What undo restores. Input, playing, speed and language are not undone: a change of them loses nothing.
+ * What undo restores. Input, playing, speed and language are not undone, because nothing is lost when they change.
  */
 
 /**
- * Events that end a step; all changes between two of them (a drag, a typed number) are one step. A drag ends with the next
- * press: a slider may report its last movement after the release.
+ * Events that end a step. All changes between two such events, as in a drag or a typed number, are one step. A drag ends only
+ * with the next press, because a slider may report its last movement after the release.
  */
 const ENDS = Object.freeze(["change", "focusout", "click", "pointerdown"]);
 
 /** Limit of the number of steps. */
 const MOST = 1000;
-/** Limit of characters in all images of the steps: one may have two million. */
+/** Limit of the total length of all images in the steps, in characters; one image may have two million. */
 const IMAGES = 20_000_000;
 
 export class History {
@@ -28,7 +28,7 @@ export class History {
   /** Whether the next change belongs to the previous step. */
   #open = false;
   #walking = false;
-  /** @type {readonly string[]} fields with a number rejected during the last step, undone with the step */
+  /** @type {readonly string[]} fields whose number was rejected during the last step; undoing the step drops these numbers */
   #within = [];
   /** Whether a pointer has been pressed since the last key. */
   #pointed = false;
@@ -53,7 +53,7 @@ export class History {
     for (const end of ENDS) {
       addEventListener(end, ({ target }) => {
         const slider = target instanceof HTMLInputElement && target.type === "range" ? target : null;
-        // Key presses on a slider, each with an event `change`, are one step until the focus leaves it.
+        // Key presses on a slider, each with an event `change`, are one step until the focus leaves the slider.
         const pressed = end === "change" && slider;
         if (end === "pointerdown") {
           this.#pointed = true;
@@ -65,7 +65,7 @@ export class History {
       }, true);
     }
     whenReleased(() => (this.#slid = null));
-    // Keys after a drag begin another step.
+    // A key pressed after a drag begins a new step.
     addEventListener("keydown", () => {
       if (this.#pointed) this.close();
       this.#pointed = false;
@@ -85,7 +85,7 @@ export class History {
     return this.#walking;
   }
 
-  /** Ends the step: the next change begins another. */
+  /** Ends the step: the next change begins a new one. */
   close() {
     if (this.#open) this.#within = this.#rejected();
     this.#open = false;
@@ -103,7 +103,7 @@ export class History {
   }
 
   /**
-   * Makes a change a step of its own, whatever is being edited.
+   * Makes a change as a step of its own, even if the step before has not ended.
    * @param {() => void} change
    */
   step(change) {
@@ -113,13 +113,13 @@ export class History {
     this.close();
   }
 
-  /** @param {Moment} one moment to return to; the oldest moments are dropped */
+  /** @param {Moment} one moment to return to; beyond a limit, the oldest moments are dropped */
   #add(one) {
     this.#past.push(one);
     while (this.#past.length > MOST || imagesOf(this.#past) > IMAGES) this.#past.shift();
   }
 
-  /** Undoes the last step, or first a number that was rejected after it. */
+  /** Drops the numbers that were rejected after the last step or, if there are none, undoes the step. */
   undo() {
     this.close();
     const later = this.#rejected().filter((field) => !this.#within.includes(field));
@@ -162,7 +162,7 @@ function moment(state) {
 
 /**
  * @param {readonly Moment[]} moments
- * @returns {number} characters of all images in them: steps with the same picture share its image
+ * @returns {number} total length of the images in the moments, in characters; equal images count once
  */
 function imagesOf(moments) {
   const images = new Set(moments.map(({ further }) => further.picture?.image ?? ""));

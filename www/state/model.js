@@ -1,4 +1,4 @@
-// Model of all that is shown, derived from the state. The engine is asked only for what a change requires.
+// Data for everything that the page shows, derived from the state. The engine is asked only for what a change requires.
 import { attempt } from "assur/core/problem.js";
 import { Coordinate, FIELDS } from "assur/state/coordinate.js";
 import { partOf } from "assur/state/drafts.js";
@@ -37,15 +37,16 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  *   legible: boolean,
  *   withheld: ReadonlySet<string>,
  * }} Shown
- * What the views draw. `place`: the input on its axis, in the reader's unit, `input` in the engine's unit; `revision`: count of the
- * mechanisms taken; `frameInput`: the input of the last drawing, `handles`: x and y of the summary's handles in it; `readouts` and `plotted`:
- * null if there are none at this input; `compared`: mechanism A there, if it can be assembled, `compares`: whether A is shown; `stale`: the
- * mechanism and plots are not those of the state, which has problems; `faded`: the drawing is stale or not at this input; `legible`: numbers
- * are to be written now (in motion not in every frame); `withheld`: ids of the read-outs that are hidden because a lesson asks for them.
+ * What the views draw. `place`: the input on its axis, in the reader's unit; `input`: the same in the engine's unit. `revision`: number of
+ * mechanisms taken so far. `handles`: x and y of the summary's handles in the last drawing; `frameInput`: input of this drawing. `readouts`,
+ * `plotted`: null if there are none at the input. `compared`: mechanism A at the input, null if A is not shown or cannot be assembled;
+ * `compares`: whether A is shown. `stale`: whether the mechanism and plots are not those of the state, which has problems. `faded`: whether
+ * the drawing is stale or at another input. `legible`: whether numbers are to be written now; in motion they are not written in every frame.
+ * `withheld`: ids of the read-outs that are hidden because a lesson asks for them.
  */
 
 /**
- * Kinds of documents that move.
+ * Kinds of documents that have an input.
  * @typedef {{ [K in Kind]: import("assur/engine.js").Summaries[K] extends { moves: null } ? never : K }[Kind]} Moving
  */
 
@@ -60,7 +61,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * @typedef {Shown & Drawn<K>} Snapshot
  */
 
-/** @typedef {Snapshot<Kind>} AnySnapshot snapshot of any document, also one that does not move */
+/** @typedef {Snapshot<Kind>} AnySnapshot snapshot of any document, also of one without an input */
 
 /**
  * Snapshot in which the drawn mechanism is of the state's own kind.
@@ -68,7 +69,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * @typedef {Snapshot<K> & { state: State<K> }} OwnSnapshot
  */
 
-/** Hidden input of a document that does not move. */
+/** Stand-in for the input of a document that has none. */
 const STILL = Object.freeze({ moves: /** @type {const} */ ("angle"), input: "1", cycle: { start: 0, end: 2 * Math.PI, full: true, arcs: [] }, home: 0 });
 
 const TRAPPED = Object.freeze({ code: "trapped" });
@@ -83,23 +84,23 @@ export class Model {
   withheld = new Set();
   #engine;
   #drafts;
-  /** @type {State | null} the state the engine was asked about last */
+  /** @type {State | null} the state that the engine was asked about last */
   #asked = null;
   /** @type {State} */
   #good;
   #revision = 0;
-  /** Revision of the mechanism of the last place. */
+  /** Revision of the mechanism that was drawn last. */
   #placed = 0;
   /** @type {Drawn<Kind>} */
   #drawn;
   /** @type {Float32Array} */
   #scene;
-  /** @type {import("assur/engine.js").Here} the last place that could be drawn */
+  /** @type {import("assur/engine.js").Here} the mechanism at the last input at which it could be assembled */
   #here;
   #frameInput;
   /** Unit and range of the input. */
   #coordinate;
-  /** Share of the way by which the last cut has opened, for documents that do not move. */
+  /** Opening of a scheme at its last cut pair, from 0 to 1; stands for the input in a document that has none. */
   #opened = 1;
   /** @type {Readouts | null} */
   #readouts = null;
@@ -143,7 +144,7 @@ export class Model {
     return this.#drawn.kind;
   }
 
-  /** The drawn input, for the engine. */
+  /** The drawn input of the mechanism, in the engine's unit. */
   get home() {
     return (this.summary.moves ? this.summary : STILL).home;
   }
@@ -158,13 +159,13 @@ export class Model {
     return this.#good;
   }
 
-  /** Whether the engine took the state it was asked about last. */
+  /** Whether the engine took the state that it was asked about last. */
   get sound() {
     return this.#refused.length === 0;
   }
 
   /**
-   * Whether the engine takes a state, which may be newer than the drawn one.
+   * Tests whether the engine takes a state, which may be newer than the drawn one.
    * @param {State} state
    */
   takes(state) {
@@ -183,8 +184,8 @@ export class Model {
   }
 
   /**
-   * Opens the last cut by a share of its way.
-   * @param {number} share
+   * Opens the chain of a scheme at its last cut pair.
+   * @param {number} share of the full opening, from 0 to 1
    */
   fallOpen(share) {
     this.#opened = share;
@@ -216,7 +217,7 @@ export class Model {
     const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
     const drafted = this.#drafts.problems;
     const stale = this.#refused.length > 0 || this.#drafts.fields().some((field) => partOf(field) in state.document);
-    // In motion a dead point is passed within one frame, too short for a sentence.
+    // In motion a dead point is passed within one frame: nobody could read a sentence on it.
     const unread = state.view.playing ? [] : this.#unread;
     const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;
     const trapped = this.#engine.trapped ? [TRAPPED] : [];
@@ -270,7 +271,7 @@ export class Model {
     this.#readouts = here?.readouts ?? null;
     this.#plotted = here?.plotted ?? null;
     this.#compared = this.#engine.compared(input);
-    // Without a place the last one stays, unless it belongs to another mechanism.
+    // If the mechanism cannot be assembled at this input, its last drawing stays; that of another mechanism does not.
     if (!here && this.#placed === this.#revision) return;
     this.#here = here ?? this.#engine.at(this.home);
     this.#frameInput = here ? input : this.home;

@@ -1,4 +1,4 @@
-// Motion of the driver: in time, by hand, in steps.
+// Motion of the driver: in time and by hand.
 import { attempt } from "assur/core/problem.js";
 import { withView } from "assur/state/state.js";
 
@@ -7,9 +7,9 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/model.js").Model} Model
  */
 
-/** Motion of the driver in time. The driver turns back by itself where it must; the direction chosen by the reader is kept. */
+/** Motion of the driver in time. At the ends of its range the driver reverses; the direction in the state stays as the reader chose it. */
 export class Player {
-  /** 1 in the direction chosen by the reader, −1 on the way back. */
+  /** 1 in the direction chosen by the reader, −1 in the opposite direction. */
   #sense = 1;
 
   /** Starts another mechanism in the direction chosen by the reader. */
@@ -18,7 +18,7 @@ export class Player {
   }
 
   /**
-   * The state dt seconds later.
+   * Returns the state `dt` seconds later.
    * @param {State} state
    * @param {number} dt
    * @param {import("assur/engine.js").Engine} engine
@@ -28,7 +28,7 @@ export class Player {
   played(state, dt, engine, model) {
     const { view } = state;
     if (!view.playing) return state;
-    // A pose that cannot be assembled has no motion to continue: it starts at the drawn input.
+    // If the mechanism cannot be assembled at this input, the motion starts at the drawn input.
     const { coordinate } = model;
     const from = model.placed ? coordinate.input(coordinate.of(state)) : model.home;
     const moved = attempt(() => engine.advance(from, this.#sense * view.direction * coordinate.pace(view) * dt));
@@ -39,9 +39,9 @@ export class Player {
 }
 
 /**
- * The state with the driver put to a place by hand, where it stays.
+ * Returns the state with the driver moved by hand and the motion stopped.
  * @param {State} state
- * @param {number} place in the reader's unit
+ * @param {number} place input in the reader's unit
  * @param {Model} model
  * @returns {State}
  */

@@ -1,4 +1,4 @@
-// Shape of the state and the few ways to change it. It is plain JSON: it can be saved, sent and undone.
+// Shape of the state and the few ways to change it. The state is plain JSON: it can be saved, sent and undone.
 
 /**
  * @template T
@@ -19,8 +19,8 @@
 
 /**
  * @typedef {Frozen<import("assur/types/file.js").PictureDocument>} Picture behind the drawing
- * @typedef {Readonly<{ lesson?: Written, compared?: Document, picture?: Picture }>} Further optional parts of a state besides its document: a lesson about it;
- * mechanism A, with which it is compared; a picture behind the drawing
+ * @typedef {Readonly<{ lesson?: Written, compared?: Document, picture?: Picture }>} Further optional parts of a state. `lesson`: a lecturer's lesson;
+ * `compared`: mechanism A, with which the document's is compared; `picture`: a picture behind the drawing
  */
 
 /**
@@ -31,10 +31,10 @@
 /** Overlays of the drawing. */
 export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers", "others", "instant_centres", "centrodes", "curvature"]));
 
-/** Switches of what is shown: over the drawing, and over the plots. */
+/** Fields of the view that show or hide something in the drawing, in the plots or beside them. */
 export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "polygons", "differenced"]));
 
-/** Fields of the view that the engine draws by or may refuse. */
+/** Fields of the view that affect the engine's drawing or that the engine may refuse. */
 export const DRAWN = Object.freeze(
   /** @type {const} */ ([...SWITCHES, "about", "relative_to", "measures", "plot", "against", "axes", "omega", "epsilon", "true_time"]),
 );
@@ -42,7 +42,7 @@ export const DRAWN = Object.freeze(
 /** Fields of the view that name a part of the document, with values that suit any document. */
 export const PARTS = Object.freeze({ plot: "angles", against: null, about: "", relative_to: "", measures: Object.freeze([]) });
 
-/** Fields of the view that are undone with the document; a change of any other loses nothing. */
+/** Fields of the view that are undone with the document. Nothing is lost when any other field changes. */
 export const UNDONE = Object.freeze(/** @type {const} */ ([...OVERLAYS, "measures", "against"]));
 
 /** Optional parts of a state besides its document and its view. */
@@ -53,7 +53,7 @@ export const TRACERS = Object.freeze({ most: 6 });
 
 /**
  * @param {Partial<View>} view
- * @returns {View} the view with the usual values of missing fields
+ * @returns {View} the view, with the usual value for each missing field
  */
 export function usualView(view) {
   return Object.freeze({
@@ -122,7 +122,7 @@ function stateOf(kind, document, view, further = {}) {
 
 /**
  * @param {Further} state
- * @returns {Further} its optional parts, undefined if missing
+ * @returns {Further} the optional parts of the state, undefined if missing
  */
 export function furtherOf(state) {
   return Object.fromEntries(FURTHER.map((name) => [name, state[name]]));
@@ -138,8 +138,8 @@ export function alone({ kind, document, view }) {
 
 /**
  * @param {State} state
- * @param {Further} change of its optional parts
- * @returns {State} the same state if nothing changes
+ * @param {Further} change of the optional parts
+ * @returns {State} the changed state; the same object if nothing changes
  */
 export function withFurther(state, change) {
   const next = stateOf(state.kind, state.document, state.view, { ...state, ...change });
@@ -147,7 +147,7 @@ export function withFurther(state, change) {
 }
 
 /**
- * Replaces the mechanism within one state: drawing, plots, saving and undo go on as before.
+ * Replaces the mechanism of a state. The view and the optional parts of the state stay.
  * @template {Kind} K
  * @param {State} state
  * @param {K} kind
@@ -160,8 +160,8 @@ export function withMechanism(state, kind, document) {
 
 /**
  * @param {State} state
- * @param {Change} change of a document of its kind
- * @returns {State} the same state if nothing changes
+ * @param {Change} change of a document of the state's kind
+ * @returns {State} the changed state; the same object if nothing changes
  */
 export function withDocument(state, change) {
   const document = merged(state.document, change);
@@ -184,7 +184,7 @@ export function edited(state, kind, change) {
 /**
  * @param {State} state
  * @param {Partial<View>} change
- * @returns {State} the same state if nothing changes
+ * @returns {State} the changed state; the same object if nothing changes
  */
 export function withView(state, change) {
   const view = merged(state.view, change);
@@ -215,7 +215,7 @@ export function contains(value, part) {
 /**
  * @param {unknown} one
  * @param {unknown} other
- * @returns {boolean} whether they are equal; lists and objects by their content
+ * @returns {boolean} whether the values are equal; lists and objects are compared by content
  */
 function same(one, other) {
   return Object.is(one, other) || (one instanceof Object && JSON.stringify(one) === JSON.stringify(other));

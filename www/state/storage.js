@@ -1,4 +1,4 @@
-// Places where the state outlives the page: the address and the browser's storage. The page works without them if they are forbidden.
+// Places where the state outlives the page: the address and the browser's storage. The page also works if the browser forbids them.
 import { toFile } from "assur/state/codec.js";
 import { withFurther } from "assur/state/state.js";
 
@@ -7,19 +7,19 @@ import { withFurther } from "assur/state/state.js";
  */
 
 const KEY = "assur.state";
-/** Key of the image behind the drawing, kept by itself: it is long and seldom changes. */
+/** Key of the image behind the drawing. It is kept apart from the state because it is long and seldom changes. */
 const IMAGE = "assur.image";
-/** Characters at the end of an image that distinguish it from others of its length. */
+/** Number of characters at the end of an image that distinguish it from other images of the same length. */
 const TAIL = 48;
-/** Key of the digests of lecturers' lessons with kept answers and names, the one used last at the end. */
+/** Key of the list of lecturers' lessons whose answers and names are kept: digests, that of the last used lesson at the end. */
 const LESSONS = "assur.lessons";
-/** Limit of their number, which on a classroom machine would only grow. */
+/** Limit of the number of these lessons, which on a classroom machine would grow for ever. */
 const MOST_LESSONS = 40;
 const OF_LESSON = /^assur\.lesson\.own\.([^.]+)/;
-/** Key of a state that could not be read, put aside instead of being overwritten. */
+/** Key of a state that could not be read. It is put aside here instead of being overwritten. */
 const ASIDE = "assur.state.unread";
 
-/** Key, for one visit, of the address at which the page was left and of the intended address. */
+/** Key, in the storage of one visit, of two addresses: the one at which the page was left, and the intended one. */
 const LEFT = "assur.left";
 
 /** Shortest time between two writes, in milliseconds: browsers limit changes of the address. */
@@ -54,8 +54,8 @@ export function keep(name, text) {
 }
 
 /**
- * Keeps a text of a lecturer's lesson; texts of the lessons unused for longest are forgotten.
- * @param {string} name `own`, the digest of the lesson, and a name within that lesson
+ * Keeps a text of a lesson. If too many lecturers' lessons have texts, those of the lessons not used for longest are removed.
+ * @param {string} name id of the lesson; for a lecturer's lesson `own`, its digest and a name within the lesson
  * @param {string} text
  */
 export function keepLesson(name, text) {
@@ -93,8 +93,8 @@ export function putAside(text) {
 }
 
 /**
- * Restores the intended address after a reload. The last change of a page that is left may come too late for the address
- * that the browser loads again. An address to which the reader navigates is not replaced.
+ * Restores the intended address after a reload: the last change before a page is left may come too late for the address that
+ * the browser loads again. An address to which the reader navigates is not replaced.
  */
 export function takeUpAddress() {
   guarded(() => {
@@ -107,11 +107,12 @@ export function takeUpAddress() {
 }
 
 /**
- * Keeps every change from now on, in the browser and in the address; the turning of a crank alone is no change.
+ * Keeps every change from now on, in the browser's storage and in the address. A change of the input in motion is kept only when
+ * the page is left.
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} sound whether the engine takes the state; a refused state is not kept
- * @param {boolean} ours whether the browser keeps it; a page in a frame of another page keeps it in the address only
+ * @param {boolean} ours whether the state is kept in the browser's storage; a page in a frame of another page keeps it in the address only
  * @param {(...what: ("picture" | "state" | "lesson" | "tab")[]) => void} unkept called when there is no room for an image, a state or answers in a lesson, and
  * once when another tab keeps its own mechanism instead of this one
  */
@@ -148,7 +149,7 @@ export function persist(store, address, sound, ours, unkept) {
   if (ours) addEventListener("storage", hear);
   store.subscribe((state, previous) => {
     changed = true;
-    // A turning crank alone is written when the page is left.
+    // A change of the input in motion is written only when the page is left.
     if (state.view.playing && previous.view.playing && state.document === previous.document) return;
     timer ||= setTimeout(save, PERIOD);
   });
@@ -162,23 +163,23 @@ export function persist(store, address, sound, ours, unkept) {
   });
 }
 
-/** The kept image: written if it differs from the last one, removed if there is none. */
+/** The image in the browser's storage: written when it changes, removed when there is none. */
 class KeptImage {
   #last = "";
 
   /**
    * @param {string} image
-   * @returns {boolean} whether there is room for it
+   * @returns {boolean} whether there is room for the image
    */
   keep(image) {
     if (image === this.#last) return true;
     this.#last = image;
-    // The previous image would take up the room.
+    // The previous image would take up the room for the new one.
     guarded(() => localStorage.removeItem(IMAGE));
     return image === "" || fit(IMAGE, image);
   }
 
-  /** Notes that another tab has written its image: the next change writes this one again. */
+  /** Notes that another tab has written its image: the next change writes the image of this page again. */
   forget() {
     this.#last = "";
   }
@@ -187,7 +188,7 @@ class KeptImage {
 /**
  * @param {string} key
  * @param {string} text
- * @returns {boolean} false if there is no room for it; true if storage is forbidden altogether
+ * @returns {boolean} false if there is no room for the text; true if it was written or if storage is forbidden altogether
  */
 function fit(key, text) {
   try {
@@ -199,9 +200,9 @@ function fit(key, text) {
 }
 
 /**
- * @param {string} text what was kept
+ * @param {string} text state as it was kept
  * @param {State} state
- * @returns {boolean | null} whether they are the same except for the view; null if the text cannot be read
+ * @returns {boolean | null} whether both states are the same except for the view; null if the text cannot be read
  */
 function shows(text, state) {
   const rest = (/** @type {Partial<State>} */ { view, ...more }) => JSON.stringify(more);
@@ -215,7 +216,7 @@ function signOf(image) {
 
 /**
  * @param {State} state
- * @returns {State} the state with a short sign in place of the image
+ * @returns {State} the state with a short text in place of the image, by which {@link withImage} recognises it
  */
 function withoutImage(state) {
   const { picture } = state;
@@ -236,7 +237,7 @@ export function withImage(value) {
 /**
  * @template T
  * @param {() => T} work
- * @returns {T | null} null where the browser forbids it
+ * @returns {T | null} null if the work throws, as when the browser forbids storage
  */
 export function guarded(work) {
   try {

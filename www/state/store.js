@@ -1,7 +1,7 @@
-// The one place where the state of the page lives.
+// The only holder of the page's state.
 
 /**
- * Holder of one immutable value; every change replaces the value.
+ * Holder of an immutable value; every change replaces the value.
  * @template T
  */
 export class Store {
@@ -14,7 +14,7 @@ export class Store {
 
   /**
    * @param {T} state
-   * @param {(next: T, now: T) => T} [limit] restricts the result of a change
+   * @param {(next: T, now: T) => T} [limit] returns the value to take, given the changed value and the current one
    */
   constructor(state, limit = (next) => next) {
     this.#state = state;

@@ -1,4 +1,4 @@
-// Steps of the lesson on the assemblies of a linkage: the document of each, and the question on it.
+// Steps of the lesson on the assemblies of a linkage: the documents that each step shows, and its question.
 // The texts are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 
@@ -7,10 +7,10 @@ import { degrees } from "assur/core/angles.js";
 /** Overlays of every step: traces, the other assemblies, and the section with a picture of each assembly. */
 const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);
 
-/** The section with pictures and map, in every step. */
+/** Control of every step: the section with the pictures and the map of the assemblies. */
 const SECTION = Object.freeze(["all_assemblies"]);
 
-/** Number of assemblies of a group of revolute pairs over the complex numbers, by its class and number of links. */
+/** Number of assemblies, over the complex numbers, of a group with revolute pairs only, by the group's class and number of links. */
 const COMPLEX = Object.freeze({ "II 2": "two", "III 4": "six", "IV 6": "fourteen" });
 
 /** @type {import("assur/lesson/folder.js").Lesson<"linkage">} */
@@ -84,7 +84,7 @@ function real({ assembled }) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} number of complex assemblies of its group, if it has one group besides the crank
+ * @returns {string | undefined} number of complex assemblies of the linkage's group, if it has only one besides the crank
  */
 function complex({ class: highest, counts: { links }, groups }) {
   const group = groups.length === 2 ? `${highest} ${links - 1}` : "";
@@ -93,7 +93,7 @@ function complex({ class: highest, counts: { links }, groups }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} swing of the driver in degrees, if it does not turn fully
+ * @returns {number | undefined} range of the driver in degrees; undefined if the driver turns fully or has several ranges
  */
 function range({ cycle: { full, arcs } }) {
   const [[from, to]] = arcs;
@@ -101,7 +101,8 @@ function range({ cycle: { full, arcs } }) {
 }
 
 /**
- * Kind of circuits of a four-bar: their number follows from the links, the number of their branches from the driver.
+ * Returns the choice that describes the circuits of a four-bar. The lengths of the links give the number of circuits; the driver gives the
+ * number of branches on a circuit.
  * @param {Summary} summary
  */
 function circuits({ four_bars: [bar, ...more], cycle }) {
@@ -112,7 +113,7 @@ function circuits({ four_bars: [bar, ...more], cycle }) {
 
 /**
  * @param {Summary} summary
- * @returns {string} whether branches can be reached; a motion that meets no other is alone on its circuit
+ * @returns {string} whether other branches can be reached; without dead points and change points the branch is a whole circuit
  */
 function reached({ dead_points: dead, change_points: changes }) {
   return dead.length + changes.length === 0 ? "none" : "some";

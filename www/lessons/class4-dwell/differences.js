@@ -1,4 +1,4 @@
-// The analogue ψ″ over a turn: exact, and by differences of positions with a step set by the reader, for comparison with the combined method.
+// Plot of the analogue ψ″ over a turn: the exact curve, and values by finite differences of positions. The reader sets the step of the differences.
 import { radians } from "assur/core/angles.js";
 import { make, makeSvg, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
@@ -11,11 +11,13 @@ import { attempt } from "assur/core/problem.js";
  * @typedef {readonly [number, number]} Pair of ψ′ and ψ″
  */
 
-/** Tenths of the exponent of the step, a power of ten in degrees. */
+/** Limits and initial value of the slider. The step in degrees is ten to the power of a tenth of the slider's value. */
 const EXPONENTS = Object.freeze({ least: -60, most: 15, first: 13 });
-/** Size of the plot in its own units, number of places in the turn, and interval of the dots. */
+/** Size of the plot, in units of its view box. */
 const SIZE = Object.freeze({ width: 320, height: 180 });
+/** Number of positions computed over a turn. */
 const PLACES = 144;
+/** Interval of the dots, in computed positions. */
 const DOTTED = 3;
 
 /** @implements {Figure} */
@@ -29,7 +31,7 @@ export class Differences {
   #legend = make("p", { class: "note" });
   #errors = make("p", { id: "differences-errors" });
   #plot = makeSvg("svg", { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, class: "lesson-plot", role: "img" });
-  /** @type {Summary | null} summary of the mechanism of the exact curve */
+  /** @type {Summary | null} summary of the mechanism for which `#places` was computed */
   #summary = null;
   /** @type {{ at: number, exact: Pair }[]} */
   #places = [];
@@ -106,9 +108,9 @@ export class Differences {
 }
 
 /**
- * @param {readonly (number | undefined)[]} places before, here and after
- * @param {number} h radians
- * @returns {Pair | null} both analogues by central differences of positions
+ * @param {readonly (number | undefined)[]} places ψ at φ₁ − h, φ₁ and φ₁ + h
+ * @param {number} h step in radians
+ * @returns {Pair | null} ψ′ and ψ″ by central differences; null if a position is missing
  */
 export function differences([before, here, after], h) {
   if (before === undefined || here === undefined || after === undefined) return null;

@@ -1,4 +1,4 @@
-// Steps of the lesson on the Class IV mechanism with dwell: the document of each, and the question on it.
+// Steps of the lesson on the Class IV mechanism with dwell: the documents that each step shows, and its question.
 // The texts are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 import { Differences } from "assur/lessons/class4-dwell/differences.js";
@@ -7,7 +7,7 @@ import { System } from "assur/lessons/class4-dwell/system.js";
 /** @typedef {import("assur/engine.js").MotionSummary} Summary */
 
 const PRESET = "class4-dwell";
-/** A length of FK, the regulator, that makes the dwell clearly shorter. */
+/** Length of the regulating link FK at which the dwell is clearly shorter. */
 const REGULATED = 4.112;
 
 const SIXTY = Object.freeze({ at: () => Math.PI / 3 });
@@ -66,7 +66,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     formula: "(x_P − x_Q)² + (y_P − y_Q)² = l²_PQ\nx_PQ x′_PQ + y_PQ y′_PQ = 0\nx_PQ x″_PQ + y_PQ y″_PQ = −x′²_PQ − y′²_PQ",
     shows: [{ preset: PRESET, ...SIXTY }],
     lends: ["equations"],
-    // A linkage of hinges has as many equations as coordinates of moving points, less the mobility.
+    // With revolute pairs only, the number of equations is the number of coordinates of moving points less the mobility.
     question: {
       whole: true, within: 0, answer: ({ equations }) => equations.length,
       places: ({ equations, counts: { mobility } }) => ({ coordinates: equations.length + mobility, mobility }),
@@ -144,7 +144,7 @@ function classOf({ class: highest }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} arc of the crank's turn during the dwell, in degrees
+ * @returns {number | undefined} rotation of the crank during the dwell, in degrees
  */
 function dwell({ profile }) {
   return profile?.dwell ? degrees(profile.dwell.arc[1] - profile.dwell.arc[0]) : undefined;
@@ -152,7 +152,7 @@ function dwell({ profile }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} arc of the turn during rise and return of the output, in degrees
+ * @returns {number | undefined} rotation of the crank during rise and return of the output, in degrees
  */
 function moving({ profile }) {
   const moved = profile?.phases.filter(({ kind }) => kind !== "dwell") ?? [];

@@ -1,4 +1,4 @@
-// The six equations for the analogues of E, G and C in numbers, with their solution.
+// Table of the six linear equations for the analogues of the points E, G and C: numerical coefficients and solution.
 import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { withSubscripts } from "assur/core/subscripts.js";
@@ -8,11 +8,11 @@ import { withSubscripts } from "assur/core/subscripts.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  */
 
-/** Links of the equations, the unknowns, and the two right-hand sides. */
+/** Links that give the equations, unknowns of the equations, and orders of the two right-hand sides. */
 const LINKS = Object.freeze(["EB", "EG", "GH", "FK", "LC", "CD"]);
 const UNKNOWNS = Object.freeze(["x_E", "y_E", "x_G", "y_G", "x_C", "y_C"]);
 const ORDERS = Object.freeze(["′", "″"]);
-/** Items of the paper with the solution, by order and point. */
+/** Items of the paper that contain the solution, by order of the derivative and by point: E, G, C. */
 const SOLVED = Object.freeze([["003.vE", "003.cramer1", "003.vC"], ["003.aE", "003.cramer2", "003.aC"]]);
 const DECIMALS = 3;
 

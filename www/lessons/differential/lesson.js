@@ -1,11 +1,11 @@
-// Steps of the lesson on the differential with magnetic couplings: the document of each, and the question on it.
+// Steps of the lesson on the differential with magnetic couplings: the documents that each step shows, and its question.
 // The texts are in words.*.json of this folder, under the step's id.
 
 /**
  * @typedef {import("assur/engine.js").Summaries["gear-train"]} Summary
  */
 
-/** The six ratios U_ij⁽ᵏ⁾, by i and j. */
+/** Names `ij` of the six ratios U_ij⁽ᵏ⁾ of the members i and j with the member k held. */
 const RATIOS = Object.freeze(["13", "31", "34", "43", "14", "41"]);
 
 /** @type {import("assur/lesson/folder.js").Lesson<"gear-train">} */
@@ -107,7 +107,7 @@ export const LESSON = Object.freeze({ kind: "gear-train", steps: [
 
 /**
  * @param {Summary["ratios"]} ratios
- * @param {string} name such as 1/3(4)
+ * @param {string} name such as `1/3(4)`: members 1 and 3, with member 4 held
  */
 function valueOf(ratios, name) {
   return ratios.find((ratio) => ratio.name === name)?.value;
@@ -115,7 +115,7 @@ function valueOf(ratios, name) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} the ratio by which the paper characterises a differential
+ * @returns {string | undefined} name `ij` of the largest ratio, by which the paper characterises a differential
  */
 function largest({ ratios }) {
   const found = ratios.find((ratio) => ratio.largest);
@@ -124,19 +124,22 @@ function largest({ ratios }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} (z₁ + z₄)/k of a train that can be assembled; otherwise a value that no answer matches
+ * @returns {number | undefined} (z₁ + z₄)/k of a train with k satellites; a value that no answer matches if the train cannot be assembled
  */
 function pitchesEach({ builds, conditions }) {
   const assembly = conditions.find(({ kind }) => kind === "assembly");
   return builds && assembly ? assembly.left / assembly.right : Infinity;
 }
 
-/** Difference z₄ − z₁ − 2z₂ up to which a gap m(z₄ − z₁ − 2z₂)/4 is at most 2m, too little for two teeth of the height m. */
+/**
+ * Largest z₄ − z₁ − 2z₂ for which the teeth still touch. The gap between two wheels is m(z₄ − z₁ − 2z₂)/4, with the module m, and two teeth of
+ * height m need more than 2m.
+ */
 const TEETH_OF_GAPS = 8;
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} the least z₄ with which the tips of teeth pass each other
+ * @returns {number | undefined} the least z₄ at which the tips of the teeth clear each other
  */
 function leastRingThatClears({ conditions }) {
   const room = conditions.find(({ kind }) => kind === "room");

@@ -1,4 +1,4 @@
-// Steps of the mixer's lesson: the document of each, and the question on it.
+// Steps of the lesson on the mixer: the documents that each step shows, and its question.
 // The texts are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 
@@ -83,7 +83,7 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
 
 /**
  * @param {Summary} summary
- * @returns {{ near: Limit, far: Limit } | undefined} the limit with the smaller φ₃, and the other
+ * @returns {{ near: Limit, far: Limit } | undefined} `near`: the limit position with the smaller φ₃; `far`: the other one
  */
 function limits({ outputs: [{ limits: all }] }) {
   if (all.length !== 2) return undefined;
@@ -93,7 +93,8 @@ function limits({ outputs: [{ limits: all }] }) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} the right choice; undefined if all links come into one line
+ * @returns {string | undefined} the right choice for the pose of the least transmission angle; undefined if the linkage has a change
+ * point
  */
 function leastTransmission({ dead_points: dead, change_points: change }) {
   if (change.length > 0) return undefined;

@@ -1,11 +1,11 @@
-// Steps of the lesson on mobility by sections: the document of each, and the question on it.
+// Steps of the lesson on mobility by sections: the documents that each step shows, and its question.
 // The texts are in words.*.json of this folder, under the step's id.
 
 /**
  * @typedef {import("assur/engine.js").Summaries["scheme"]} Summary
  */
 
-/** Results of the count in comparison with the rank of the constraints. */
+/** Choices: the mobility by count is lower than, equal to, or higher than the mobility by rank. */
 const COUNTS = Object.freeze(["low", "right", "high"]);
 
 /** @type {import("assur/lesson/folder.js").Lesson<"scheme">} */
@@ -44,7 +44,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     formula: "W = W₀ − ΣS\nW = Σ i·Pᵢ − Σλₖ",
     shows: [{ preset: "mobility-2c" }],
     controls: ["method"],
-    // This is the number of cuts that open every contour.
+    // The answer is the number of cuts that open all contours.
     question: { whole: true, within: 0, answer: ({ counts }) => pairs(counts) - counts.links, places: ({ counts }) => ({ pairs: pairs(counts), links: counts.links }) },
   },
   {
@@ -115,7 +115,7 @@ function pairs({ pairs: all }) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} result of the count of W in comparison with the rank in its own space
+ * @returns {string | undefined} the choice, by the mobility by rank in the plane for a planar scheme and in space for any other
  */
 function counted({ planar, plane, space, mobility }) {
   const judged = planar ? plane : space;

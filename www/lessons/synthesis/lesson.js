@@ -1,4 +1,4 @@
-// Steps of the lesson on synthesis from given positions: the document of each, and the question on it.
+// Steps of the lesson on synthesis from given positions: the documents that each step shows, and its question.
 // The texts are in words.*.json of this folder, under the step's id.
 import { degrees } from "assur/core/angles.js";
 
@@ -6,10 +6,10 @@ import { degrees } from "assur/core/angles.js";
  * @typedef {import("assur/types/web.js").SynthesisSummary} Summary
  */
 
-/** Choices for the shortest length, in the order of the links. */
+/** Choices for the shortest link, in the order of the lengths l₁, l₂, l₃, l₀. */
 const LINKS = Object.freeze(["coupler", "output", "input", "frame"]);
 
-/** Example of the paper: l₀, and φ₂ and φ₃ of the positions in degrees. */
+/** Example of the paper. `frame`: l₀. `positions`: φ₂ and φ₃ of each position, in degrees. */
 const EXAMPLE = Object.freeze({ frame: 10.4, positions: [[240, 45], [253, 60]] });
 
 /** Difference below which numbers count as equal. */
@@ -125,7 +125,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} the input in the first position
+ * @returns {number | undefined} the input angle in the first position
  */
 function first({ wanted: [one] }) {
   return one?.input;
@@ -133,7 +133,8 @@ function first({ wanted: [one] }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} the least l₂ at which the Grashof type changes within the family of the paper's example
+ * @returns {number | undefined} the least l₂ at which the Grashof type changes within the family of the paper's example; undefined for
+ * any other document
  */
 function grashofFrom({ family, wanted, frame }) {
   const near = (/** @type {number} */ one, /** @type {number} */ other) => Math.abs(one - other) < SAME;
