@@ -34,7 +34,7 @@ export class Description {
 
   /**
    * @param {Charted} chart
-   * @param {boolean} asked whether the reader stopped the motion for the first time; the pose is then announced
+   * @param {boolean} asked whether the page opened in motion; if so, the first pose at rest is announced, too
    */
   constructor(chart, asked) {
     this.#chart = chart;

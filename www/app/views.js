@@ -61,7 +61,7 @@ export class Views {
   /** @type {Map<string, readonly View[]>} views of the loaded kinds */
   #own = new Map();
   #bringing;
-  /** Whether the page opened in motion, so that the reader stops it for the first time. */
+  /** Whether the page opened in motion. */
   #opened;
 
   /**
