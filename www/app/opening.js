@@ -11,7 +11,7 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import" | "link" | "picture" | "store", problems: readonly Problem[], name?: string }>} Failure
- * A failure of kind `import` lists the parts that could not be imported; the others were.
+ * A failure of kind `import` lists the parts that could not be imported; all others were.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
  * @typedef {Readonly<{ calm: boolean, lang: string, embedding?: import("assur/embed/embed.js").Embedding | null }>} Habits
@@ -32,7 +32,7 @@ const OTHERS = Object.freeze(["not_json", "no_mechanism", "is_picture"]);
 const LONGEST_TITLE = 400;
 
 /**
- * Makes a state of a value from outside, checked by the engine.
+ * Makes a state from a value from outside, which the engine checks.
  * @param {Failure["kind"]} kind
  * @param {() => unknown} unwrap
  * @param {Engine} engine

@@ -28,7 +28,7 @@ import { Store } from "assur/state/store.js";
 
 /** @typedef {import("assur/state/state.js").State} State */
 
-/** Shortest time between changes of a number that leaves the number readable, in seconds. */
+/** Time that a changing number must stay the same to be readable, in seconds. */
 const WRITING_PERIOD = 0.2;
 
 export class Page {
@@ -178,8 +178,8 @@ export class Page {
    * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
    * @param {readonly import("assur/state/change.js").Edit[]} edits changes that the engine makes to the document
-   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look gives the view of the document. The
-   * engine's summary is null if the engine refuses the document
+   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look gives the view of the
+   * document. The engine's summary is null if the engine refuses the document
    */
   choose(kind, document, edits = [], look = () => ({})) {
     const { store, model, address } = this;

@@ -26,8 +26,10 @@ import { moves } from "assur/state/model.js";
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
  * @typedef {{ render(snapshot: AnySnapshot): void }} View
- * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView view of documents with a motion
- * @typedef {(page: Page) => readonly View[]} Make makes the views of one kind of document, which get the snapshots of that kind only
+ * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView view of documents with a
+ * motion
+ * @typedef {(page: Page) => readonly View[]} Make makes the views of one kind of document, which get the snapshots of
+ * that kind only
  */
 
 /** @type {Readonly<Record<"all_assemblies" | "polygons" | "curvature", (page: Page) => Promise<MotionView>>>} views loaded when their switch is on */

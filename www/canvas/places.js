@@ -40,7 +40,8 @@ export class Places {
   /**
    * Takes a place for a label. A moved label keeps its place until its wanted place is well clear or its own is taken.
    * @param {string} label
-   * @param {{ x: number, y: number, dx: number, dy: number }} wanted the label's point, and the wanted offset of the label's middle from it
+   * @param {{ x: number, y: number, dx: number, dy: number }} wanted the label's point, and the wanted offset of the
+   * label's middle from it
    * @param {number} width
    * @param {number} height
    * @returns {{ x: number, y: number, free: boolean }} middle of the label, at the wanted place if none is free

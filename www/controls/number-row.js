@@ -18,11 +18,11 @@ import { withSubscripts } from "assur/core/subscripts.js";
  *   decimals?: number,
  *   counted?: string,
  * }>} RowKind
- * `field`: name of the number in the document. `id`: part of the elements' ids; `key`: part of the words' keys; both are
- * the field by default. `n`: the {n} of the words. `name`: the {n} of the words beside the symbol, by default `n`.
- * `symbol`: letters after a _ become a subscript. `decimals`: greatest number of decimals shown while the number is not
- * edited; by default it has six significant digits. `counted`: key of the words for the value of a slider that counts
- * things.
+ * `field`: name of the number in the document. `id`: part of the elements' ids; `key`: part of the words' keys; both
+ * are the field by default. `n`: the {n} of the words. `name`: the {n} of the words beside the symbol, by default
+ * `n`. `symbol`: letters after a _ become a subscript. `decimals`: greatest number of decimals shown while the number
+ * is not edited; by default it has six significant digits. `counted`: key of the words for the value of a slider that
+ * counts things.
  */
 
 export class NumberRow {

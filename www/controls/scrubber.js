@@ -30,8 +30,8 @@ export class Scrubber {
 
   /**
    * @param {number} part share of the axis up to the input, 0 to 1
-   * @param {readonly (readonly [number, number])[] | null} arcs parts of the axis, from 0 to 1, in which the linkage can be assembled; null
-   * for the whole axis
+   * @param {readonly (readonly [number, number])[] | null} arcs parts of the axis, from 0 to 1, in which the linkage
+   * can be assembled; null for the whole axis
    */
   show(part, arcs) {
     this.#part = part;
