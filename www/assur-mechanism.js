@@ -1,5 +1,5 @@
 // <assur-mechanism src="…">: a frame with the page, for slides and learning platforms (docs/embedding.md). This
-// separate script runs in any other page. It uses nothing of that page, and turns none of its attributes into markup.
+// separate script runs in any other page. It uses nothing of that page, and no attribute becomes markup.
 (() => {
   /** Parameters in the address of the page, by the attributes of the element that set them. */
   const PARAMETERS = Object.freeze({ show: "embed", lesson: "lesson", step: "step", edit: "edit", bar: "bar", play: "play", lang: "lang" });

@@ -132,7 +132,8 @@ export class Engine {
 
   /**
    * @param {Pick<State, "kind" | "document">} state
-   * @returns {Preset | undefined} preset of the document: by its origin, or else by its dimensions without traced points
+   * @returns {Preset | undefined} preset of the document: by its origin, or else by its dimensions without traced
+   * points
    */
   presetOf({ kind, document }) {
     if ("origin" in document) return this.preset(document.origin ?? "");
@@ -152,7 +153,7 @@ export class Engine {
 
   /**
    * @param {string} text
-   * @returns {Uint8Array | undefined} cells of the text's QR code, row by row, 1 for dark; undefined for too long a text
+   * @returns {Uint8Array | undefined} cells of the QR code, row by row, 1 for dark; undefined if the text is too long
    */
   code(text) {
     return this.ask(() => module.qr_code(text));
@@ -222,7 +223,8 @@ export class Engine {
 
   /**
    * @param {State} state
-   * @returns {readonly import("assur/types/file.js").NumberField[]} the numbers of its document that a lesson may vary
+   * @returns {readonly import("assur/types/file.js").NumberField[]} the numbers of the state's document that a lesson
+   * may vary
    */
   numbers(state) {
     return this.ask(() => module.numbersOf(alone(state)));
@@ -462,7 +464,7 @@ export class Engine {
   }
 
   /**
-   * Change made by tracing the point at a place.
+   * Change made by tracing the point at the place (x, y).
    * @param {number} input the current input
    * @param {number} x
    * @param {number} y

@@ -199,7 +199,7 @@ function peaks(panel, marks, coordinate, words) {
 /**
  * @param {Listed} listed
  * @param {Words} words
- * @returns {string} name of the quantity's point or link; x or y follows a point's name
+ * @returns {string} name of the quantity's point or link; for a coordinate, x or y follows the name
  */
 function listedName(listed, words) {
   const { what } = listed;

@@ -40,7 +40,7 @@ export class Header {
     this.#closeMenu();
   }
 
-  /** Closes the menu. The focus moves from an entry to the menu's button, so that the focus is not lost. */
+  /** Closes the menu. If an entry has the focus, the focus moves to the menu's button, so that it is not lost. */
   #closeMenu() {
     if (this.#menu.contains(document.activeElement)) this.#menu.querySelector("summary")?.focus();
     this.#menu.open = false;
@@ -51,7 +51,7 @@ export class Header {
     this.#projector.setAttribute("aria-pressed", String(state.view.projector));
     this.#without.hidden = !state.picture;
     const { canUndo, canRedo } = this.#history;
-    // When one of the two buttons becomes disabled, the focus moves to the other.
+    // If the button with the focus becomes disabled, the focus moves to the other of the two.
     const focused = document.activeElement;
     this.#undo.disabled = !canUndo;
     this.#redo.disabled = !canRedo;

@@ -36,10 +36,10 @@ export const KEYS = Object.freeze([
   { command: "close", name: "key.close", combos: ["Escape"] },
 ]);
 
-/** Keys that readers see under another name than in the table. */
+/** Signs that readers see in place of some names of keys. */
 const SIGNS = Object.freeze({ ArrowLeft: "←", ArrowRight: "→", Plus: "+", "-": "−", Control: "Ctrl", Escape: "Esc" });
 
-/** Keys that on the scrubber act like other keys of the table. */
+/** Keys that act on the scrubber like arrow keys of the table. */
 const SCRUBBER = Object.freeze({ ArrowUp: "ArrowRight", ArrowDown: "ArrowLeft" });
 
 /** Combinations that an element of the page uses itself, by the kind of element. */

@@ -2,7 +2,7 @@
 // time is left to the drag.
 import { whenReleased } from "assur/core/released.js";
 
-/** Longest time to write a view that fits into every frame, in milliseconds. */
+/** Longest time to write the views that fits into every frame, in milliseconds. */
 const BRIEF = 3;
 /** Pause after a slower writing of the views, as a multiple of the time it took. */
 const REST = 12;

@@ -1,11 +1,11 @@
 // The line along a polygon, as a band to be filled. A browser without a graphics processor takes several times as
 // long to stroke the teeth of a wheel in every frame as to fill a band that is made once.
 
-/** Lower limit of 1 + cos δ, where the line turns through δ at a corner; it shortens the tips of sharp corners. */
+/** Lower limit of 1 + cos δ for a turn of the line through δ at a corner. It shortens the tips of sharp corners. */
 const SHARPEST = 0.3;
 
 /**
- * The band along each polygon, between its sides offset outwards and inwards by half the width.
+ * The band along each polygon, between copies of the polygon offset outwards and inwards by half the width.
  * @param {readonly import("assur/canvas/display-list.js").List[]} loops x and y of the corners of closed polygons
  * @param {number} width in the unit of the corners
  * @returns {Path2D} to be filled with the non-zero rule
@@ -23,7 +23,7 @@ export function outlined(loops, width) {
 
 /**
  * @param {import("assur/canvas/display-list.js").List} loop
- * @returns {[number, number][]} corners of the loop, each once if equal corners follow one another
+ * @returns {[number, number][]} corners of the loop without consecutive duplicates
  */
 function distinct(loop) {
   /** @type {[number, number][]} */

@@ -23,7 +23,7 @@ const ROOM = 1.5;
 export class Places {
   /** @type {Box[]} boxes of the labels placed since `begin` */
   #taken = [];
-  /** @type {Map<string, number>} indices of the places of labels that are not in their wanted places */
+  /** @type {Map<string, number>} index in `SIDES` for each label that is not in its wanted place */
   #moved = new Map();
   /** @type {Sheet} */
   #sheet = { width: 0, height: 0 };

@@ -63,7 +63,7 @@ export class Surface {
     this.#redraw();
   }
 
-  /** Watches the resolution. It changes, and the size may not, when the window moves to another screen. */
+  /** Watches the resolution: a window that moves to another screen may keep its size and yet change its resolution. */
   #watchRatio() {
     matchMedia(`(resolution: ${globalThis.devicePixelRatio}dppx)`).addEventListener(
       "change",

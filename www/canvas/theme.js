@@ -46,7 +46,7 @@ export class Theme {
     }
   }
 
-  /** @param {boolean} on whether the page suits a projector, with large text, thick lines and high contrast */
+  /** @param {boolean} on whether the page is for a projector, with large text, thick lines and high contrast */
   project(on) {
     const root = document.documentElement;
     if (root.dataset.projector === String(on)) return;

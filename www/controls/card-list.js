@@ -147,7 +147,7 @@ export class CardList {
     return /** @type {Partial<Documents<K>>} */ ({ [this.#kind.name]: change(this.#of(document)) });
   }
 
-  /** @param {(document: Documents<K>) => Partial<Documents<K>>} change change in the number of entries */
+  /** @param {(document: Documents<K>) => Partial<Documents<K>>} change change that adds or removes an entry */
   #change(change) {
     this.#drafts.dropAll([this.#kind.name]);
     this.#edit(change);

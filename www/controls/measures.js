@@ -60,7 +60,7 @@ export class Measures {
     this.#page = page;
     for (const select of this.#parts) select.addEventListener("change", () => this.#choose());
     this.#what.addEventListener("change", () => {
-      // The lists may change from points to links or back; those pressed so far then no longer fit.
+      // The lists may change from points to links or back. Points or links pressed so far then no longer fit.
       if (this.#picked) this.#picking(false);
       this.#offer();
     });

@@ -9,7 +9,7 @@ const KNOB = 22;
 const RIM = 4;
 const BAR = 6;
 
-/** Opacity of the arcs in which the linkage can be assembled, on a bar where it cannot everywhere. */
+/** Opacity of the arcs in which the linkage can be assembled, on a bar with gaps between them. */
 const OPEN = 0.35;
 
 export class Scrubber {

@@ -69,7 +69,7 @@ export function numbered({ assembled, home }, coordinate, words) {
   return words.text(assembled.whole ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
 }
 
-/** @typedef {(index: number) => string} Numbering gives the number that readers see of an entry in a list, from the entry's index from 0 */
+/** @typedef {(index: number) => string} Numbering gives the number that readers see of an entry in a list; `index` starts at 0 */
 
 /** @type {Map<string, Numbering>} by the name of the list */
 const NUMBERINGS = new Map();

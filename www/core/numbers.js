@@ -66,7 +66,7 @@ export class Numbers {
   }
 
   /**
-   * Plural form of a noun beside a number, by the rules of the language: one, few, many, other.
+   * Plural form of a noun beside a number by the rules of the language, such as one, few, many, other.
    * @param {number} count
    */
   form(count) {

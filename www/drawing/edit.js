@@ -36,7 +36,7 @@ export function edit(page, wanted) {
     store.update((state) => withView(state, PARTS));
     model.follow(store.get());
   }
-  // The edited pose is now the drawn one, to whose input the driver goes.
+  // The edited pose is now the drawn pose. The driver goes to the drawn input.
   if (model.sound && model.summary.moves) store.update((state) => model.coordinate.put(state, model.coordinate.place(model.home)));
   return drawn;
 }

@@ -6,7 +6,7 @@
 
 /** Longest side of an image that keeps its size, in pixels. */
 const LONGEST_SIDE = 2000;
-/** Longer sides to which other images are shrunk, one after another until the text of the image is short enough. */
+/** Longer sides tried for any other image, in pixels, until the text of the image is short enough. */
 const SIDES = Object.freeze([LONGEST_SIDE, 1400, 1000, 700]);
 const QUALITY = 0.85;
 

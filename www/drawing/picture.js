@@ -194,7 +194,7 @@ export class BackPicture {
 
   /**
    * @param {Partial<Picture>} change
-   * @returns {boolean} whether the change was possible, and is made
+   * @returns {boolean} whether the change was possible and was made
    */
   #put(change) {
     const picture = this.#picture && { ...this.#picture, ...change };

@@ -14,10 +14,10 @@ import { BackPicture } from "assur/drawing/picture.js";
  * of pair
  */
 
-/** Greatest slope to the horizontal or the vertical at which a line is made exactly horizontal or vertical. */
+/** Greatest slope, to the horizontal or the vertical, of a line that is made exactly horizontal or vertical. */
 const LEVEL = Math.tan(Math.PI / 24);
 
-/** The pairs of the five dyads: first outer, inner, last outer. */
+/** Pairs of the five dyads, each in the order first outer pair, inner pair, last outer pair. */
 export const DYADS = Object.freeze(["RRR", "RRP", "RPR", "PRP", "RPP"]);
 
 /** @type {readonly Tool[]} */

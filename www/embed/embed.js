@@ -108,7 +108,7 @@ export class Embedding {
   }
 
   /**
-   * Opens the document of a lesson's step, unless the address has a document.
+   * Opens the document of a lesson's step, unless the address holds a document.
    * @param {import("assur/app/page.js").Page} page
    */
   async begin(page) {
