@@ -1,14 +1,14 @@
-// <assur-mechanism src="…">: a frame with the page, for slides and learning platforms (docs/embedding.md). A separate script
-// for foreign pages of any kind: it uses nothing of theirs, and nothing given to it becomes markup.
+// <assur-mechanism src="…">: a frame with the page, for slides and learning platforms (docs/embedding.md). This
+// separate script runs in any other page. It uses nothing of that page, and no attribute becomes markup.
 (() => {
-  /** Parameters of the page, by the attributes that set them. */
+  /** Parameters in the address of the page, by the attributes of the element that set them. */
   const PARAMETERS = Object.freeze({ show: "embed", lesson: "lesson", step: "step", edit: "edit", bar: "bar", play: "play", lang: "lang" });
 
-  /** The page beside the script; an address that begins with # belongs to it. */
+  /** Address of this script. A `src` that begins with # belongs to the page beside the script. */
   const script = document.currentScript;
   const own = script instanceof HTMLScriptElement ? script.src : location.href;
 
-  /** Protocols of allowed addresses: others would run in the surrounding page, or are no addresses. */
+  /** Allowed protocols of `src`. An address such as `javascript:…` would run in the surrounding page. */
   const PROTOCOLS = Object.freeze(["https:", "http:", "file:"]);
 
   class AssurMechanism extends HTMLElement {
@@ -19,8 +19,9 @@
     constructor() {
       super();
       const frame = this.#frame;
-      // The frame may run scripts, keep data and offer downloads, but not redirect the surrounding page, open windows or send forms.
-      // Without an origin it could not load its own files from a host without CORS headers.
+      // The frame may run scripts, store data and offer downloads, but not redirect the surrounding page, open
+      // windows or send forms. It keeps its origin: without one, it could not load its own files from a host without
+      // CORS headers.
       frame.setAttribute("sandbox", "allow-scripts allow-same-origin allow-downloads");
       frame.referrerPolicy = "no-referrer";
       frame.loading = "lazy";

@@ -1,4 +1,5 @@
-// The engine for the page: one Simulator, problems instead of exceptions of all kinds, recovery after a trap.
+// The engine as the page uses it: one Simulator, problems in place of every kind of exception, and recovery after a
+// trap in its wasm code.
 import { fetched } from "assur/core/fetched.js";
 import { Refusal, attempt } from "assur/core/problem.js";
 import { Compared, discard } from "assur/state/compared.js";
@@ -19,17 +20,22 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").ProfileSummary} Profile
  * @typedef {import("assur/types/web.js").EquationSummary} Equation
  * @typedef {import("assur/types/web.js").RelationHere} Relation
- * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled number of the moving assembly at the drawn input, from 1; count of the known ones, and whether these are all; null if unknown
+ * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled the moving assembly at the drawn
+ * input. `number`: its number, from 1. `count`: count of the known assemblies. `whole`: whether these are all. Null
+ * if unknown
  * @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled: Assembled }} MotionSummary
  * @typedef {import("assur/types/web.js").MixerSummary} MixerSummary
  * @typedef {import("assur/types/web.js").DimensionSummary} Dimension
  * @typedef {import("assur/types/web.js").LinkageSummary} LinkageSummary
  * @typedef {{ [K in Kind]: import("assur/types/web.js").Summaries[K] & (import("assur/types/web.js").Summaries[K] extends { home: number, groups: unknown } ? { readonly assembled: Assembled } : {}) }} Summaries
- * Summary of a document by the engine, by kind. The assemblies of a linkage take some time to find: they are found when first read.
+ * Summaries that the engine makes of documents, by kind. The assemblies of a linkage take some time to find, and are
+ * found only when `assembled` is first read.
  * @typedef {Summaries[Kind]} Summary
  * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
- * A place of the motion: poses of the bodies with a display list of all shapes that are not rigid, x and y of the handles, values by name,
- * value and both derivatives of each series of the plots, or abscissa and ordinate of one quantity against another; the last two are null where derivatives are unbounded.
+ * The mechanism at an input. `frame`: poses of the bodies, and a display list of all shapes that are not rigid.
+ * `handles`: x and y of each handle. `readouts`: values by name. `plotted`: value and both derivatives of each series
+ * of the plots, or abscissa and ordinate if one quantity is plotted against another. `readouts` and `plotted` are
+ * null if derivatives are unbounded.
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/types/web.js").AgainstLayout} Field plot of one quantity against another
  * @typedef {import("assur/types/web.js").AxisLayout} FieldAxis
@@ -38,13 +44,13 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").SweepTable} SweepTable
  */
 
-/** Number of lists for a place of the motion. */
+/** Number of lists that the engine returns for an input: those of `Here`. */
 const LISTS = 4;
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
 
-/** @returns {Promise<WebAssembly.Module>} the engine, compiled once for the page and its workers; a failed load is repeated */
+/** @returns {Promise<WebAssembly.Module>} the engine, compiled once for the page and its workers; after a failure, a further call tries again */
 export function compiledWasm() {
   if (!compiled) {
     compiled = fetched("assur/pkg/assur_web_bg.wasm", "application/wasm").then(compile);
@@ -68,7 +74,10 @@ function lists(flat) {
   return [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
 }
 
-/** Limit of characters that the engine reads of another program's text, refused as too large at this length: its memory only grows. */
+/**
+ * Greatest length of another program's text that is passed to the engine, whose memory never shrinks. The engine
+ * refuses a text of this length as too large.
+ */
 const LONGEST_FOREIGN = 2 ** 20 + 1;
 
 /** @param {string} text */
@@ -78,7 +87,7 @@ function begun(text) {
 
 export class Engine {
   #simulator = new module.Simulator();
-  /** @type {State | null} the last state that the simulator took */
+  /** @type {State | null} the last state that the simulator accepted */
   #good = null;
   #compared = new Compared(() => new module.Simulator());
 
@@ -87,7 +96,7 @@ export class Engine {
   /** Number of documents set so far. */
   #sets = 0;
 
-  /** Whether the engine broke down since it last took a state. */
+  /** Whether the engine has failed since it last accepted a state. */
   trapped = false;
   /** @type {readonly string[]} */
   roles = module.roleNames();
@@ -123,7 +132,8 @@ export class Engine {
 
   /**
    * @param {Pick<State, "kind" | "document">} state
-   * @returns {Preset | undefined} preset of its document: by its origin, or else by its dimensions without the traced points
+   * @returns {Preset | undefined} preset of the document: by its origin, or else by its dimensions without traced
+   * points
    */
   presetOf({ kind, document }) {
     if ("origin" in document) return this.preset(document.origin ?? "");
@@ -135,7 +145,7 @@ export class Engine {
 
   /**
    * @param {State} state
-   * @returns {string} name of its files: `jansen`, or `linkage` without a preset
+   * @returns {string} name of the state's files: that of its preset (`jansen`), or else that of its kind (`linkage`)
    */
   fileName(state) {
     return this.presetOf(state)?.id ?? state.kind;
@@ -143,7 +153,7 @@ export class Engine {
 
   /**
    * @param {string} text
-   * @returns {Uint8Array | undefined} the cells of its QR code, row by row, 1 is dark; undefined if it is too long
+   * @returns {Uint8Array | undefined} cells of the QR code, row by row, 1 for dark; undefined if the text is too long
    */
   code(text) {
     return this.ask(() => module.qr_code(text));
@@ -179,7 +189,7 @@ export class Engine {
   /**
    * @template {object} S
    * @param {S} summary of the document just set
-   * @returns {S} the summary; a linkage's has its assemblies, found when first read
+   * @returns {S} the summary; that of a linkage has a field `assembled`, which is found when first read
    */
   #withAssembled(summary) {
     if (!("groups" in summary && "home" in summary)) return summary;
@@ -213,13 +223,14 @@ export class Engine {
 
   /**
    * @param {State} state
-   * @returns {readonly import("assur/types/file.js").NumberField[]} the numbers of its document that a lesson may vary
+   * @returns {readonly import("assur/types/file.js").NumberField[]} the numbers of the state's document that a lesson
+   * may vary
    */
   numbers(state) {
     return this.ask(() => module.numbersOf(alone(state)));
   }
 
-  /** @param {string} text JSON in which no key may occur twice, as the browser would take the last one */
+  /** @param {string} text JSON in which no key may occur twice: the browser would silently use the last one */
   checkKeys(text) {
     this.ask(() => module.checkKeys(text));
   }
@@ -234,15 +245,17 @@ export class Engine {
 
   /**
    * @param {string} text of another program
-   * @returns {{ read: Pick<State, "kind" | "document">, left_out: readonly Problem[] }} its document, and codes of parts that could not be taken over unchanged
+   * @returns {{ read: Pick<State, "kind" | "document">, left_out: readonly Problem[] }} the document, and problems of
+   * the parts that could not be imported unchanged
    */
   readForeign(text) {
     return this.ask(() => module.readImport(begun(text)));
   }
 
   /**
-   * @param {State} state state to draw; the one that is set stays
-   * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float64Array, labels: readonly string[] }} its drawing at the drawn input
+   * @param {State} state state to draw; the state of the page does not change
+   * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float64Array, labels: readonly string[] }} drawing
+   * of the state at its drawn input
    */
   sketch(state) {
     return this.beside((other) => {
@@ -254,7 +267,7 @@ export class Engine {
   /**
    * @param {import("assur/pkg/assur_web.js").Simulator} other simulator with a state
    * @param {number} input
-   * @returns {Readouts | null} values by name, null where derivatives are unbounded
+   * @returns {Readouts | null} values by name, null if derivatives are unbounded there
    */
   readoutsOf(other, input) {
     const { values } = this.placeOf(other, input);
@@ -265,7 +278,7 @@ export class Engine {
   /**
    * @param {import("assur/pkg/assur_web.js").Simulator} other simulator with a state
    * @param {number} input
-   * @returns {{ frame: Float64Array, values: Float64Array }} drawing and values there
+   * @returns {{ frame: Float64Array, values: Float64Array }} drawing and values at the input
    */
   placeOf(other, input) {
     const [frame, , values] = lists(other.at(input));
@@ -279,7 +292,8 @@ export class Engine {
 
   /**
    * @param {number} input
-   * @returns {import("assur/state/compared.js").Beside | null} mechanism A there, if it can be assembled
+   * @returns {import("assur/state/compared.js").Beside | null} mechanism A at the input; null if it is not shown or
+   * cannot be assembled there
    */
   compared(input) {
     const beside = this.#compared.at(input, this);
@@ -287,7 +301,7 @@ export class Engine {
     return beside;
   }
 
-  /** Renews the instance of the module if mechanism A broke it. */
+  /** Starts a new instance of the module if mechanism A broke the present one. */
   #outliveCompared() {
     if (!this.#compared.broken) return;
     this.#compared.hide();
@@ -295,7 +309,7 @@ export class Engine {
   }
 
   /**
-   * Puts questions to a separate simulator; the one that is set stays as it is.
+   * Puts questions to a separate simulator. The simulator of the page stays as it is.
    * @template T
    * @param {(other: module.Simulator) => T} questions
    * @returns {T}
@@ -307,7 +321,7 @@ export class Engine {
       try {
         return questions(other);
       } finally {
-        // Another instance means that this simulator is already gone.
+        // If the instance is another one by now, this simulator is already gone.
         if (instance === this.#instances) discard(other);
       }
     });
@@ -319,7 +333,7 @@ export class Engine {
   }
 
   /**
-   * All values at a place of the motion, from one pose.
+   * All values at an input, computed from one pose.
    * @param {number} input
    * @returns {Here}
    */
@@ -368,7 +382,8 @@ export class Engine {
 
   /**
    * @param {number} number
-   * @returns {{ kind: "scheme", document: import("assur/state/state.js").Documents["scheme"] }} a task for practice
+   * @returns {{ kind: "scheme", document: import("assur/state/state.js").Documents["scheme"] }} the task for practice
+   * with this number
    */
   task(number) {
     return this.ask(() => module.task(number));
@@ -380,7 +395,7 @@ export class Engine {
   }
 
   /**
-   * The open document, at an input, as a document of another kind.
+   * Converts the open document, in its pose at an input, into a document of another kind.
    * @template {Kind} K
    * @param {K} kind
    * @param {number} input
@@ -391,7 +406,7 @@ export class Engine {
   }
 
   /**
-   * Change made by setting a dimension; the assembly is kept by following it from the current pose.
+   * Change made by setting a dimension. The assembly is followed from the current pose, and so stays the same.
    * @param {string} field of the dimension
    * @param {number} value
    * @param {number} input the current input
@@ -415,7 +430,7 @@ export class Engine {
    * @param {number} input
    * @param {number} x
    * @param {number} y
-   * @returns {import("assur/types/web.js").LinkHere | null} the link drawn nearest to a place
+   * @returns {import("assur/types/web.js").LinkHere | null} the link that is drawn nearest to the place (x, y)
    */
   linkAt(input, x, y) {
     return this.ask((simulator) => simulator.linkAt(input, x, y));
@@ -423,7 +438,7 @@ export class Engine {
 
   /**
    * @param {number} input
-   * @returns {import("assur/types/web.js").AssembliesHere} all assemblies there
+   * @returns {import("assur/types/web.js").AssembliesHere} all assemblies at the input
    */
   assemblies(input) {
     return this.ask((simulator) => simulator.assemblies(input));
@@ -431,8 +446,8 @@ export class Engine {
 
   /**
    * @param {number} input
-   * @param {number} shown number of their steps to draw
-   * @returns {import("assur/types/web.js").PolygonsHere} the polygons of velocities and accelerations there
+   * @param {number} shown number of construction steps to draw
+   * @returns {import("assur/types/web.js").PolygonsHere} the polygons of velocities and accelerations at the input
    */
   polygons(input, shown) {
     return this.ask((simulator) => simulator.polygons(input, shown));
@@ -449,7 +464,7 @@ export class Engine {
   }
 
   /**
-   * Change made by tracing the point at a place.
+   * Change made by tracing the point at the place (x, y).
    * @param {number} input the current input
    * @param {number} x
    * @param {number} y
@@ -481,7 +496,7 @@ export class Engine {
   }
 
   /**
-   * @param {number} steps to a turn, or to the range of a driven slide
+   * @param {number} steps number of steps in a turn, or in the range of a driven slide
    * @returns {SweepTable} the motion as a table, with that of mechanism A if it is shown
    */
   sweep(steps) {
@@ -490,7 +505,7 @@ export class Engine {
   }
 
   /**
-   * Puts a question to the simulator, also for parts that are loaded later.
+   * Puts a question to the simulator. Parts of the page that are loaded later ask in this way, too.
    * @template T
    * @param {(simulator: module.Simulator) => T} question
    * @returns {T}
@@ -530,8 +545,8 @@ export class Engine {
   }
 
   /**
-   * Starts a new instance of the module with the last good state. After a trap the old one keeps its full stack and its borrowed
-   * objects. All its simulators are lost.
+   * Starts a new instance of the module with the last good state. After a trap, the old instance is unusable: its
+   * stack stays full and its objects stay borrowed. All simulators of the old instance are lost.
    */
   #renew() {
     module.__wbg_reset_state();

@@ -6,7 +6,7 @@ import { inputNow } from "assur/state/change.js";
 export class Becoming {
   #page;
   #entries = byId("menu-entries", HTMLElement);
-  /** @type {Map<string, HTMLButtonElement>} by kind */
+  /** @type {Map<string, HTMLButtonElement>} buttons by the kind they convert to */
   #buttons = new Map();
 
   /** @param {import("assur/app/page.js").Page} page */

@@ -1,12 +1,13 @@
-// Display of pending loads: a line below the header, and a busy state of the page for assistive software.
+// Display of pending loads: a line below the header, and the page's busy state for assistive software.
 import { byId } from "assur/core/dom.js";
 
 let waiting = 0;
 
 /**
+ * Shows the page as busy until a promise is settled.
  * @template T
  * @param {Promise<T>} coming
- * @returns {Promise<T>} the same promise
+ * @returns {Promise<T>} a promise with the same result
  */
 export async function awaited(coming) {
   tell(1);

@@ -1,4 +1,4 @@
-// Commands of the header's buttons and of keys, by name.
+// Commands of the header's buttons and of the keyboard, by name.
 import { awaited } from "assur/app/busy.js";
 import { takeFile } from "assur/app/opening.js";
 import { copyLink, filePicker, saveFile } from "assur/app/share.js";
@@ -15,7 +15,7 @@ import { furtherOf, withFurther, withMechanism, withView } from "assur/state/sta
  * @typedef {Readonly<Record<string, () => void>>} Commands
  */
 
-/** Length of a link, in characters, from which programs that send messages may cut it. */
+/** Shortest length, in characters, at which messaging programs may cut a link off. */
 const LONG_LINK = 8000;
 
 /**
@@ -27,13 +27,13 @@ export function commands(page) {
 }
 
 /**
- * Commands that open, save, share and print mechanisms, and open parts of the page.
+ * Commands that open, save, share and print mechanisms, and commands that open parts of the page.
  * @param {Page} page
  * @returns {Commands}
  */
 function fileCommands(page) {
   const { engine, model, notices, store } = page;
-  // The last document that the engine took, with the current lesson, comparison and picture.
+  // The last document that the engine accepted, with the current lesson, comparison and picture.
   const now = () => withFurther(model.good, furtherOf(store.get()));
   const copy = async () => {
     const { link, copied } = await copyLink(now(), page.address);
@@ -42,7 +42,7 @@ function fileCommands(page) {
     notices.tell([...done, ...(link.length >= LONG_LINK ? CUT : [])]);
   };
   /**
-   * Loads a part on first use and acts with it.
+   * Loads a part of the page on first use, and calls a function with that part.
    * @template Part
    * @param {() => Promise<Part>} load
    * @param {(part: Part) => void} act
@@ -86,7 +86,7 @@ function motionCommands(page) {
     });
   };
 
-  // The last preset of the mechanism, or the first of the catalogue if there was none.
+  // The preset to which a mechanism is reset: the one shown last, or else the first of the catalogue.
   const [first] = engine.catalogue;
   let preset = first;
   const note = (/** @type {import("assur/state/state.js").State} */ state) => {

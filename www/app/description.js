@@ -1,4 +1,4 @@
-// Description of drawing and plots for screen readers: the state at rest, in sentences.
+// Description of the drawing and the plots for screen readers: sentences on the state at rest.
 import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
@@ -19,7 +19,7 @@ import { moves } from "assur/state/model.js";
  * @typedef {{ readonly panels: readonly Panel[], readonly against: import("assur/engine.js").Field | null }} Charted
  */
 
-/** Milliseconds of rest before an announcement: the values passed in a drag are not announced. */
+/** Time at rest before an announcement, in milliseconds. Values passed during a drag are not announced. */
 const PAUSE = 500;
 
 export class Description {
@@ -34,7 +34,7 @@ export class Description {
 
   /**
    * @param {Charted} chart
-   * @param {boolean} asked whether the reader caused the first rest, which is then announced
+   * @param {boolean} asked whether the page opened in motion; if so, the first pose at rest is announced, too
    */
   constructor(chart, asked) {
     this.#chart = chart;
@@ -67,7 +67,7 @@ export class Description {
     const { state, words, revision, problems, place } = snapshot;
     write(this.#plots, plots(snapshot, this.#chart));
     if (state.view.playing) return;
-    // Problems are announced by an element of their own when they arise.
+    // A separate element announces problems as they arise.
     const failed = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
     const here = positions(snapshot);
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
@@ -96,7 +96,7 @@ function valueText({ what }, value, words) {
 }
 
 /**
- * The input and the listed quantities.
+ * A sentence with the values of the input and of the listed quantities.
  * @param {Snapshot} snapshot
  */
 function pose(snapshot) {
@@ -110,7 +110,7 @@ function pose(snapshot) {
 }
 
 /**
- * The output of the compared mechanism, and its difference.
+ * A sentence with the output of mechanism A, the one compared with, and the difference B − A.
  * @param {Snapshot} snapshot
  */
 function beside({ summary: { listed, outputs }, readouts, compared, compares, words, withheld }) {
@@ -121,7 +121,7 @@ function beside({ summary: { listed, outputs }, readouts, compared, compares, wo
   const value = compared.readouts?.[output.name];
   const difference = differenceOf(output.what, 0, value, readouts?.[output.name]);
   const [of, by] = [value, difference].map((number) => valueText(output, number, words));
-  // The difference from A would give a withheld value away.
+  // The difference B − A would reveal a withheld value of B.
   const told = withheld.has(readoutOf(output.name, 0)) ? "?" : by;
   return [words.text("told.compared", { name: listedName(output, words), value: of, difference: told })];
 }
@@ -129,7 +129,7 @@ function beside({ summary: { listed, outputs }, readouts, compared, compares, wo
 /** @param {Snapshot} snapshot */
 function drawing(snapshot) {
   const { summary, coordinate, words } = snapshot;
-  // Anything but a linkage is described without its structure.
+  // Only linkages have a structure to describe.
   if (!("formula" in summary)) return pose(snapshot);
   const assembly = numbered(summary, coordinate, words);
   if (!assembly) return pose(snapshot);
@@ -141,7 +141,7 @@ function drawing(snapshot) {
 }
 
 /**
- * Special positions at the current input.
+ * Limit positions, dead points and change points at the current input.
  * @param {Snapshot} snapshot
  */
 function positions({ summary, coordinate, input, words }) {
@@ -184,7 +184,7 @@ function plots(snapshot, { panels, against }) {
  * @param {readonly import("assur/engine.js").Mark[]} marks of one curve
  * @param {Snapshot["coordinate"]} coordinate
  * @param {Words} words
- * @returns {string[]} the least and greatest value of the curve
+ * @returns {string[]} texts on the least and the greatest value of the curve
  */
 function peaks(panel, marks, coordinate, words) {
   return /** @type {const} */ (["min", "max"]).flatMap((kind) => {
@@ -199,7 +199,7 @@ function peaks(panel, marks, coordinate, words) {
 /**
  * @param {Listed} listed
  * @param {Words} words
- * @returns {string} name of its point or link, with the coordinate of a point
+ * @returns {string} name of the quantity's point or link; for a coordinate, x or y follows the name
  */
 function listedName(listed, words) {
   const { what } = listed;

@@ -1,7 +1,7 @@
-// Buttons of the header: undo, redo, the menu, projector mode and, in that mode, the folded rail.
+// Buttons of the header: undo, redo, the menu, projector mode, and the settings that this mode folds away.
 import { byId, setData } from "assur/core/dom.js";
 
-/** Buttons with the command of the same name. */
+/** Buttons that run the command of the same name. */
 const BUTTONS = Object.freeze(["undo", "redo", "gallery", "new-drawing", "write-lesson", "open", "save", "copy", "export", "print", "reset", "projector"]);
 
 export class Header {
@@ -22,7 +22,7 @@ export class Header {
     byId("draw", HTMLButtonElement).addEventListener("click", commands.draw);
     for (const name of BUTTONS) byId(name, HTMLButtonElement).addEventListener("click", commands[name]);
     this.#settings.addEventListener("click", () => this.fold(this.#settings.ariaExpanded !== "true"));
-    // The menu closes on a click anywhere, also on one of its entries.
+    // A click anywhere closes the menu, including a click on one of its entries.
     addEventListener("click", ({ target }) => {
       if (target instanceof Node && !this.#menu.querySelector("summary")?.contains(target)) this.#closeMenu();
     });
@@ -40,7 +40,7 @@ export class Header {
     this.#closeMenu();
   }
 
-  /** Moves the focus from an entry to the menu's button, so that it is not lost. */
+  /** Closes the menu. If an entry has the focus, the focus moves to the menu's button, so that it is not lost. */
   #closeMenu() {
     if (this.#menu.contains(document.activeElement)) this.#menu.querySelector("summary")?.focus();
     this.#menu.open = false;
@@ -51,7 +51,7 @@ export class Header {
     this.#projector.setAttribute("aria-pressed", String(state.view.projector));
     this.#without.hidden = !state.picture;
     const { canUndo, canRedo } = this.#history;
-    // A button that becomes disabled gives the focus to its twin, so that it is not lost.
+    // If the button with the focus becomes disabled, the focus moves to the other of the two.
     const focused = document.activeElement;
     this.#undo.disabled = !canUndo;
     this.#redo.disabled = !canRedo;

@@ -1,11 +1,11 @@
-// The one table of keys, for the handler, the help and screen readers.
+// The table of keyboard shortcuts, used by the key handler, the help and screen readers alike.
 import { byId, make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {Readonly<{ command: string, name: string, combos: readonly string[], control?: string, again?: boolean }>} Key
- * `combos` are written as in aria-keyshortcuts; `name` is the key of a text; `control` is the element with the same
- * effect; `again`: holding the key down repeats the command.
+ * `name`: key of the text that describes the command. `combos`: key combinations, written as in aria-keyshortcuts.
+ * `control`: id of the element with the same effect. `again`: holding the key down repeats the command.
  */
 
 /** @type {readonly Key[]} */
@@ -36,12 +36,13 @@ export const KEYS = Object.freeze([
   { command: "close", name: "key.close", combos: ["Escape"] },
 ]);
 
-/** Written forms of keys that differ from their names. */
+/** Signs that readers see in place of some names of keys. */
 const SIGNS = Object.freeze({ ArrowLeft: "←", ArrowRight: "→", Plus: "+", "-": "−", Control: "Ctrl", Escape: "Esc" });
 
-/** Keys of the scrubber that also move forward and back. */
+/** Keys that act on the scrubber like arrow keys of the table. */
 const SCRUBBER = Object.freeze({ ArrowUp: "ArrowRight", ArrowDown: "ArrowLeft" });
 
+/** Combinations that an element of the page uses itself, by the kind of element. */
 const OWN = Object.freeze({
   range: /Arrow|Home|End/,
   radio: /Arrow|^Space$/,
@@ -50,7 +51,7 @@ const OWN = Object.freeze({
 });
 
 /**
- * Listens to the keys of the table.
+ * Runs the commands of the table on their keys.
  * @param {import("assur/app/commands.js").Commands} commands
  */
 export function listen(commands) {
@@ -60,7 +61,7 @@ export function listen(commands) {
     const combo = combination(event, target.id === "scrubber");
     const key = KEYS.find(({ combos }) => combos.includes(combo));
     if (!key || document.querySelector("dialog[open]") || own(target, combo)) return;
-    // Escape has other uses, too; all other keys of the table are handled here alone.
+    // Escape keeps its usual action in the browser; for the other keys the command replaces that action.
     if (key.command !== "close") event.preventDefault();
     if (!event.repeat || key.again) commands[key.command]();
   });
@@ -71,7 +72,7 @@ export function listen(commands) {
 
 /**
  * @param {Words} words
- * @returns {{ name: string, keys: (Node | string)[] }[]} table of keys for readers
+ * @returns {{ name: string, keys: (Node | string)[] }[]} rows of the table of keys in the help
  */
 export function combinations(words) {
   return KEYS.map(({ name, combos }) => {
@@ -95,25 +96,25 @@ function sign(part, words) {
 /**
  * @param {KeyboardEvent} event
  * @param {boolean} scrubber
- * @returns {string} combination as in the table
+ * @returns {string} combination, written as in the table
  */
 function combination(event, scrubber) {
   const shift = event.shiftKey ? "Shift+" : "";
   const control = event.ctrlKey || event.metaKey ? "Control+" : "";
   const { key, code } = event;
-  // A layout without Latin letters has the letter of the key's position.
+  // On a layout without Latin letters, the position of the key determines the letter.
   if (/^[a-z]$/i.test(key)) return control + shift + key.toUpperCase();
   if (/^Key[A-Z]$/.test(code) && !/^[ -~]$/.test(key)) return control + shift + code.slice(3);
   if (key === " ") return `${control}${shift}Space`;
   if (key === "+") return `${control}Plus`;
-  // A sign counts as typed, whichever keys produced it.
+  // A character counts as itself, with or without Shift: layouts differ in how it is typed.
   if (key.length === 1) return control + key;
   const arrow = scrubber ? Object.entries(SCRUBBER).find(([name]) => name === key)?.[1] : undefined;
   return control + shift + (arrow ?? key);
 }
 
 /**
- * Whether the focused element uses this combination itself.
+ * Whether the element with the focus uses a combination itself.
  * @param {Element} target
  * @param {string} combo
  */

@@ -4,7 +4,7 @@ import { LANGUAGES, Words } from "assur/core/words.js";
 import { withView } from "assur/state/state.js";
 import { keep, kept } from "assur/state/storage.js";
 
-/** Name under which the chosen language is kept. */
+/** Name under which the browser stores the chosen language. */
 const NAME = "lang";
 
 /** @returns {string | null} the language that the reader chose last */
@@ -14,7 +14,7 @@ export function chosenLanguage() {
 }
 
 /**
- * Keeps the select of languages and the state's language equal; the page changes once the words are loaded.
+ * Keeps the list of languages and the state's language equal. The page changes once its words are loaded.
  * @param {import("assur/app/page.js").Page} page
  */
 export function chooseLanguage(page) {
@@ -22,7 +22,7 @@ export function chooseLanguage(page) {
   const select = byId("lang", HTMLSelectElement);
   for (const lang of LANGUAGES) select.append(make("option", { value: lang, lang, "data-t": `lang.${lang}` }));
   select.value = store.get().view.lang;
-  /** The language chosen by the reader, kept once its words are loaded. */
+  /** The language chosen by the reader, stored once its words are loaded. */
   let chosen = "";
   select.addEventListener("change", () => {
     chosen = select.value;
@@ -37,13 +37,13 @@ export function chooseLanguage(page) {
     if (words) page.hear(words);
     // The words did not load: the state returns to the language of the page.
     else store.update((state) => withView(state, { lang: page.words.lang }));
-    // In a frame of another page nothing is kept.
+    // A page embedded in another stores nothing.
     if (words && lang === chosen && !habits.embedding) keep(NAME, lang);
   });
 }
 
 /**
- * Writes the page in a language.
+ * Writes all texts of the page in the language of the words.
  * @param {Words} words
  */
 export function speak(words) {

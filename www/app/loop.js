@@ -1,6 +1,6 @@
-// The one animation loop, the only source of time in the page.
+// The animation loop, the only source of time in the page.
 
-/** Longest step of time, in seconds, even after a longer pause between two frames. */
+/** Longest time step, in seconds, even if more time passes between two frames. */
 const LONGEST_STEP = 0.1;
 
 export class Loop {
@@ -11,7 +11,7 @@ export class Loop {
   #last = null;
 
   /**
-   * @param {(dt: number) => boolean} step advances time by dt seconds; true while there is motion
+   * @param {(dt: number) => boolean} step advances time by dt seconds; returns true if the motion goes on
    * @param {() => void} render draws the page
    */
   constructor(step, render) {
@@ -20,7 +20,7 @@ export class Loop {
     document.addEventListener("visibilitychange", () => (document.hidden ? this.#stop() : this.request()));
   }
 
-  /** Requests one frame; more follow as long as there is motion. */
+  /** Requests one frame. Further frames follow as long as the motion goes on. */
   request() {
     if (this.#handle === 0 && !document.hidden) this.#handle = requestAnimationFrame(this.#frame);
   }

@@ -1,4 +1,4 @@
-// Start of the page: loads words and engine, finds the first state and puts the page together.
+// Start of the page: loads the words and the engine, finds the first state and builds the page.
 import { chosenLanguage } from "assur/app/language.js";
 import { open } from "assur/app/opening.js";
 import { Page } from "assur/app/page.js";
@@ -11,7 +11,7 @@ async function start() {
   const framed = new URLSearchParams(search).has("embed") ? import("assur/embed/embed.js") : null;
   const lang = (framed ? null : chosenLanguage()) ?? document.documentElement.lang;
   const reader = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
-  // These are usually the words of the state's language, too.
+  // The state is usually in this language, and needs no other words.
   const [engine, part] = await Promise.all([Engine.load(), framed, Words.load(lang)]);
   const embedding = part && new part.Embedding(search);
   const habits = embedding?.habits(reader) ?? reader;
@@ -21,7 +21,7 @@ async function start() {
   new Page(engine, habits, words, opening).show();
 }
 
-// Not awaited: modules loaded later import from this one and would wait for its end.
+// Not awaited: modules loaded later import this module, and would wait until it has run to its end.
 start().catch((thrown) => {
   console.error(thrown);
   byId("boot", HTMLElement).hidden = true;

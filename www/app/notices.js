@@ -1,17 +1,18 @@
-// Notices on links, files and parts of the page: sentences that stay until they are closed.
+// Notices on links, files and parts of the page: sentences shown until the reader closes them.
 import { lossOf, sentence } from "assur/controls/problems.js";
 import { byId, make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/app/opening.js").Failure} Failure
- * @typedef {"copied" | "copied_without" | "result"} Done something copied to the clipboard: a link, a link without the picture, the result of a lesson
+ * @typedef {"copied" | "copied_without" | "result"} Done what was copied to the clipboard: a link, a link without the
+ * picture, or the result of a lesson
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** @type {readonly Failure[]} a part of the page did not arrive */
+/** @type {readonly Failure[]} a part of the page did not load */
 export const LOST = Object.freeze([{ kind: "part", problems: [{ code: "not_arrived" }] }]);
 
-/** @type {readonly Failure[]} a part of the page broke */
+/** @type {readonly Failure[]} a part of the page failed while running */
 export const BROKE = Object.freeze([{ kind: "part", problems: [{ code: "part_broke" }] }]);
 
 /** @type {readonly Failure[]} the plots could not be drawn */
@@ -20,10 +21,10 @@ export const NO_PLOTS = Object.freeze([{ kind: "part", problems: [{ code: "no_pl
 /** @type {readonly Failure[]} the state is too long for a link */
 export const LONG = Object.freeze([{ kind: "link", problems: [{ code: "link_too_long" }] }]);
 
-/** @type {readonly Failure[]} the link is long enough to be cut by programs that send it */
+/** @type {readonly Failure[]} the link is so long that messaging programs may cut it off */
 export const CUT = Object.freeze([{ kind: "link", problems: [{ code: "link_may_be_cut" }] }]);
 
-/** @type {Readonly<Record<"picture" | "state" | "lesson" | "tab", readonly Failure[]>>} the browser does not keep the picture behind the drawing, the state or answers in a lesson, or keeps the state of another tab */
+/** @type {Readonly<Record<"picture" | "state" | "lesson" | "tab", readonly Failure[]>>} the browser did not store the picture behind the drawing, the state, or the answers to a lesson; or it now stores the state of another tab */
 export const UNKEPT = Object.freeze({
   picture: [{ kind: "picture", problems: [{ code: "picture_unkept" }] }],
   state: [{ kind: "store", problems: [{ code: "state_unkept" }] }],
@@ -70,7 +71,7 @@ export class Notices {
 /**
  * @param {Failure | Done} one
  * @param {Words} words
- * @returns {string} its sentence
+ * @returns {string} the sentence that is shown
  */
 export function lineOf(one, words) {
   if (isDone(one)) return words.text(`notice.${one}`);

@@ -1,4 +1,4 @@
-// Sources of states: an address, the browser's storage, a file, another program's file or text.
+// Sources of states: an address, the browser's storage, a file, and a file or text of another program.
 import { Refusal, attempt } from "assur/core/problem.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { fromAddress, fromFile } from "assur/state/codec.js";
@@ -11,27 +11,28 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import" | "link" | "picture" | "store", problems: readonly Problem[], name?: string }>} Failure
- * A failure of kind `import` lists what was lost on the way; everything else was opened.
+ * A failure of kind `import` lists the parts that could not be imported; all others were.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
  * @typedef {Readonly<{ calm: boolean, lang: string, embedding?: import("assur/embed/embed.js").Embedding | null }>} Habits
- * Habits of the reader: no unrequested motion; the language of states without one, chosen here or else the browser's; in a frame
- * of another page, also the wishes of that page.
+ * Habits of the reader. `calm`: nothing moves unless the reader starts it. `lang`: language of states that name none,
+ * chosen on the page or else by the browser. `embedding`: wishes of another page that shows this one in a frame.
  */
 
-/** Extension of files of Linkage. */
+/** Extension of the files of the program Linkage. */
 const EXTENSION = /\.linkage2$/i;
 
-/** Limit of the size of a file, in bytes. */
+/** Largest size of a file, in bytes. */
 const LARGEST_FILE = 20_000_000;
 
-/** Problems of a file after which the notice lists what can be opened. */
+/** Problems of a file for which the notice also lists what can be opened. */
 const OTHERS = Object.freeze(["not_json", "no_mechanism", "is_picture"]);
 
-/** Limit of the length of a title, in characters. */
+/** Greatest length of a title, in characters. */
 const LONGEST_TITLE = 400;
 
 /**
+ * Makes a state from a value from outside, which the engine checks.
  * @param {Failure["kind"]} kind
  * @param {() => unknown} unwrap
  * @param {Engine} engine
@@ -69,7 +70,7 @@ export async function takeAddress(address, engine, habits) {
 
 /**
  * @param {File} file
- * @returns {Problem | null} reason not to read the file at all
+ * @returns {Problem | null} reason not to read the file; null if there is none
  */
 function unfit({ size, type }) {
   if (type.startsWith("image/")) return { code: "is_picture" };
@@ -101,9 +102,9 @@ export async function takeFile(file, engine, habits) {
 }
 
 /**
- * Takes the work of another program, from a file or from a pasted link or text.
+ * Imports a mechanism of another program, from a file or from a pasted link or text.
  * @param {string} text
- * @param {string | null} name of the file
+ * @param {string | null} name of the file; null for pasted text
  * @param {Engine} engine
  * @param {Habits} habits
  * @returns {Promise<Taken>}
@@ -125,7 +126,8 @@ export async function takeForeign(text, name, engine, habits) {
 }
 
 /**
- * The state of the address, or else of the storage, or else the first preset, with the failures on the way. A frame has no storage.
+ * Finds the first state: that of the address, or else the stored one, or else the first preset. Collects failures on
+ * the way. A page embedded in another has no storage.
  * @param {Engine} engine
  * @param {Habits} habits
  * @returns {Promise<Opening>}
@@ -139,13 +141,13 @@ export async function open(engine, habits) {
   const bare = () => fromFile(text ?? "");
   const kept = () => withImage(bare());
   const pictured = Boolean(Object(attempt(bare).value).picture);
-  /** @param {State} state the kept state; its image may be missing */
+  /** @param {State} state the stored state; the image of its picture may be missing */
   const said = (state) => {
     if (pictured && !state.picture) failures.push({ kind: "picture", problems: [{ code: "picture_lost" }] });
     return { state, failures };
   };
   if (address?.state) {
-    // No address has a picture: the kept one is put behind the same drawing.
+    // An address holds no picture. If its drawing is the stored one, the stored picture is put behind it.
     const { state } = address;
     const { state: last } = pictured ? await take("kept", kept, engine, habits) : { state: null };
     const same = last?.kind === state.kind && JSON.stringify(last.document) === JSON.stringify(state.document);

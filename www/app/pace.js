@@ -1,10 +1,10 @@
-// Pacing of the views beside the drawing during a drag that makes a new mechanism in every frame: most of the time is left to
-// the drag.
+// Pacing of the views other than the drawing, during a drag that makes a new mechanism in every frame. Most of the
+// time is left to the drag.
 import { whenReleased } from "assur/core/released.js";
 
-/** Longest writing time, in milliseconds, that fits into every frame. */
+/** Longest time to write the views that fits into every frame, in milliseconds. */
 const BRIEF = 3;
-/** Pause after a longer writing, as a multiple of its time. */
+/** Pause after a slower writing of the views, as a multiple of the time it took. */
 const REST = 12;
 
 export class Pace {
@@ -14,7 +14,7 @@ export class Pace {
   #long = false;
   /** End of the pause, in milliseconds. */
   #rests = 0;
-  /** @type {{ revision: number, write: () => void } | null} writing due after the frame */
+  /** @type {{ revision: number, write: () => void } | null} views to be written after the frame */
   #due = null;
   /** Whether a pointer is down. */
   static #pressed = false;
@@ -25,9 +25,10 @@ export class Pace {
   }
 
   /**
+   * Writes the views now, after this frame, or not yet.
    * @param {number} revision of the mechanism
    * @param {() => void} write
-   * @returns {boolean} whether it is written now or after this frame; if false, it has to be tried again
+   * @returns {boolean} false if the views are not written yet; the caller then tries again
    */
   keep(revision, write) {
     if (Pace.#pressed && revision !== this.#revision) {

@@ -1,4 +1,4 @@
-// The page put together: its shared objects, and the work of a frame.
+// The page as a whole: the objects its parts share, and the work of each frame.
 import { commands as makeCommands } from "assur/app/commands.js";
 import { Header } from "assur/app/header.js";
 import { listen } from "assur/app/keys.js";
@@ -28,7 +28,7 @@ import { Store } from "assur/state/store.js";
 
 /** @typedef {import("assur/state/state.js").State} State */
 
-/** Shortest time between changes of numbers that can be read, in seconds. */
+/** Time that a changing number must stay the same to be readable, in seconds. */
 const WRITING_PERIOD = 0.2;
 
 export class Page {
@@ -36,7 +36,7 @@ export class Page {
   #player = new Player();
   #views;
   #toLesson;
-  /** Seconds since numbers were written; they are due at the start. */
+  /** Seconds since the numbers were written. The first value makes them due at the start. */
   #unwritten = WRITING_PERIOD;
   /** @type {HTMLElement | null} element printed instead of the worksheet of the shown state */
   sheet = null;
@@ -95,8 +95,8 @@ export class Page {
     listen(embedding?.commands(keys) ?? keys);
     this.store.subscribe(redraw);
     persist(this.store, this.address, (state) => this.model.takes(state), !embedding, (...what) => this.notices.tell(what.flatMap((one) => UNKEPT[one])));
-    // The event has the address that was entered: another may have been written over it by now.
     receive(this);
+    // The address is taken from the event: the page may have replaced it in the address bar by now.
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, this.ofNow())));
     chooseLanguage(this);
     welcome(this);
@@ -117,7 +117,10 @@ export class Page {
     }));
   }
 
-  /** Loads the worksheet, needed before the browser prints by itself, and the gallery, which is opened most often. */
+  /**
+   * Loads the worksheet and the gallery in advance. The browser's own print command cannot wait for the worksheet,
+   * and the gallery is opened most often.
+   */
   async #prepare() {
     this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
     import("assur/gallery/gallery.js").catch(() => null);
@@ -136,7 +139,7 @@ export class Page {
   }
 
   /**
-   * Does work while drawing and numbers show the same pose.
+   * Does work while the drawing and the numbers show the same pose.
    * @template T
    * @param {readonly string[]} hidden ids of read-outs hidden during the work
    * @param {() => T} work
@@ -157,7 +160,7 @@ export class Page {
   }
 
   /**
-   * Takes in a state from outside, in one step of undo.
+   * Takes in a state from outside, in one undo step.
    * @param {Promise<import("assur/app/opening.js").Taken | null>} coming
    */
   async take(coming) {
@@ -171,12 +174,12 @@ export class Page {
   }
 
   /**
-   * Replaces the document by another, in one step of undo. An open lesson stays open.
+   * Replaces the document with another, in one undo step. An open lesson stays open.
    * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
-   * @param {readonly import("assur/state/change.js").Edit[]} edits changes that the engine makes to it
-   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look gives its view from the engine's summary, which
-   * is null if the engine refuses it
+   * @param {readonly import("assur/state/change.js").Edit[]} edits changes that the engine makes to the document
+   * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look gives the view of the
+   * document. The engine's summary is null if the engine refuses the document
    */
   choose(kind, document, edits = [], look = () => ({})) {
     const { store, model, address } = this;
@@ -184,14 +187,14 @@ export class Page {
     const before = model.good;
     this.#player.begin();
     choose(kind, document, edits, look, this);
-    // A document refused by the engine is in no address.
+    // No address holds a document that the engine refuses.
     model.follow(store.get());
     address.enter(before, model.good);
   }
 
   /**
-   * Puts the driver to a place by hand, where it stays.
-   * @param {number} place in the reader's unit
+   * Sets the driver to a position chosen by the reader, and stops the motion there.
+   * @param {number} place of the driver, in the reader's unit
    */
   drive(place) {
     this.drafts.drop(INPUT);
@@ -199,8 +202,8 @@ export class Page {
   }
 
   /**
-   * Moves the driver by hand in small steps of its coordinate.
-   * @param {number} count of steps; negative for back
+   * Moves the driver by small steps of its coordinate, and stops the motion there.
+   * @param {number} count of steps; negative for steps back
    */
   step(count) {
     const { coordinate } = this.model;
@@ -218,7 +221,7 @@ export class Page {
     this.redraw();
   }
 
-  /** @param {Words} words words with any unit */
+  /** @param {Words} words words with any unit of length */
   #say(words) {
     const measured = words.measured(this.engine.lengths);
     if (measured === this.words) return;
@@ -235,7 +238,7 @@ export class Page {
 
   #render() {
     this.model.follow(this.store.get());
-    // The plotted quantity may have gone with a part of the mechanism.
+    // The plotted quantity may have been removed along with a part of the mechanism.
     if (this.model.astray) {
       this.store.update((state) => withView(state, PARTS));
       this.model.follow(this.store.get());

@@ -1,4 +1,4 @@
-// Content dropped on the page or pasted into it: files, and links and texts of other programs.
+// Content dropped on the page or pasted into it: files, and links or texts of other programs.
 import { takeFile, takeForeign } from "assur/app/opening.js";
 
 /** @typedef {import("assur/app/page.js").Page} Page */
@@ -25,7 +25,7 @@ export function receive(page) {
 /**
  * @param {DataTransfer | null} data
  * @param {Page} page
- * @param {boolean} meant whether a text of no known program is reported
+ * @param {boolean} meant whether the reader is told if no known program writes such a text
  * @returns {boolean} whether there was any content to take
  */
 function bring(data, page, meant) {

@@ -3,11 +3,11 @@
 /** @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot */
 
 export class Rendering {
-  /** @type {WeakMap<object, number>} broken views with the revision of the mechanism at which they broke; they are tried again at another one */
+  /** @type {WeakMap<object, number>} views that threw, with the revision of the mechanism at that time; they are tried again at another revision */
   #broken = new WeakMap();
   #broke;
 
-  /** @param {() => void} broke called when a view breaks */
+  /** @param {() => void} broke called when a view throws */
   constructor(broke) {
     this.#broke = broke;
   }

@@ -8,6 +8,7 @@ import { toFile } from "assur/state/codec.js";
  */
 
 /**
+ * Copies the link of a state, or else shows it to be copied by hand.
  * @param {State} state
  * @param {import("assur/state/address.js").Address} address
  * @returns {Promise<{ link: string, copied: boolean }>} the link, and whether it is in the clipboard
@@ -19,7 +20,7 @@ export async function copyLink(state, address) {
     await navigator.clipboard.writeText(link);
     return { link, copied: true };
   } catch {
-    // Browsers may forbid writing to the clipboard: the reader copies by hand.
+    // Browsers may forbid writing to the clipboard.
     const field = byId("link-text", HTMLInputElement);
     field.value = link;
     byId("link", HTMLDialogElement).showModal();
@@ -30,7 +31,7 @@ export async function copyLink(state, address) {
 
 /**
  * @param {State} state
- * @param {string} name of the file
+ * @param {string} name of the file, without extension
  */
 export function saveFile(state, name) {
   download(new Blob([toFile(state)], { type: "application/json" }), `${name}.assur.json`);

@@ -1,4 +1,4 @@
-// Title of the mechanism in the header with its use as tooltip, and the elements named after it.
+// Title of the mechanism: in the header, with its use as a tooltip, in the browser's tab and in the drawing's label.
 import { byId, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { titleOf } from "assur/core/titles.js";

@@ -1,5 +1,5 @@
-// All views of the state. Those of one kind of document are loaded with the kind, and sentences for screen readers at the
-// first rest.
+// All views of the state. The views of one kind of document are loaded when such a document is first shown; the
+// description for screen readers is loaded when the mechanism is first at rest.
 import { Becoming } from "assur/app/becoming.js";
 import { awaited } from "assur/app/busy.js";
 import { BROKE, LOST } from "assur/app/notices.js";
@@ -26,8 +26,10 @@ import { moves } from "assur/state/model.js";
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
  * @typedef {{ render(snapshot: AnySnapshot): void }} View
- * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView view of a document that moves
- * @typedef {(page: Page) => readonly View[]} Make makes the views of one kind of document; they get only its snapshots
+ * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView view of documents with a
+ * motion
+ * @typedef {(page: Page) => readonly View[]} Make makes the views of one kind of document, which get the snapshots of
+ * that kind only
  */
 
 /** @type {Readonly<Record<"all_assemblies" | "polygons" | "curvature", (page: Page) => Promise<MotionView>>>} views loaded when their switch is on */
@@ -38,7 +40,7 @@ const PANELS = Object.freeze({
 });
 const PANEL_NAMES = Object.freeze(/** @type {(keyof typeof PANELS)[]} */ (Object.keys(PANELS)));
 
-/** @type {Readonly<Record<"drawing", (page: Page) => Promise<View>>>} the same, also for a document that does not move */
+/** @type {Readonly<Record<"drawing", (page: Page) => Promise<View>>>} views loaded when their switch is on, even if the document has no motion */
 const TOOLS = Object.freeze({
   drawing: async (page) => new (await import("assur/drawing/drawing.js")).Drawing(page),
 });
@@ -56,12 +58,12 @@ export class Views {
   #paces = { plots: new Pace(), others: new Pace() };
   /** @type {MotionView[]} */
   #moving;
-  /** Kind of the drawn document. */
+  /** Kind of the document that is drawn. */
   #kind = "";
   /** @type {Map<string, readonly View[]>} views of the loaded kinds */
   #own = new Map();
   #bringing;
-  /** Whether the reader caused the first rest. */
+  /** Whether the page opened in motion. */
   #opened;
 
   /**
@@ -152,7 +154,7 @@ export class Views {
     });
   }
 
-  /** Loads the sentences for screen readers at the first rest: most visits begin in motion. */
+  /** Loads the description for screen readers. Most visits begin in motion and do not need it yet. */
   #describe() {
     this.#bringing.bring("description", async () => {
       const { Description } = await import("assur/app/description.js");

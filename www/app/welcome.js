@@ -1,15 +1,15 @@
-// Introduction to the page and its lessons on a first visit.
+// Introduction to the page and to its lessons, shown on a first visit.
 import { LOST } from "assur/app/notices.js";
 import { byId, make } from "assur/core/dom.js";
 import { LESSONS } from "assur/lessons/index.js";
 import { addressed } from "assur/state/address.js";
 import { keep, kept } from "assur/state/storage.js";
 
-/** Name under which the closed introduction is noted. */
+/** Name under which the browser stores that the introduction was closed. */
 const NAME = "welcome";
 
 /**
- * Shows the introduction, unless it was closed once or the page was opened by a link or in a frame to show something.
+ * Shows the introduction, unless the reader has closed it before, or the page was opened by a link or in a frame.
  * @param {import("assur/app/page.js").Page} page
  */
 export function welcome(page) {

@@ -1,17 +1,18 @@
-// The map of all branches: the output over the input, with folds, crossings and the present assemblies.
+// Map of all branches: the output plotted against the input, with folds, crossings and the assemblies at the current
+// input.
 import { makeSvg } from "assur/core/dom.js";
 
 /** @typedef {{ input: number, shown: number | null, angles: readonly number[] }} Now */
 
-/** Size of the map, and space for the scales to the left and below, in the map's units. */
+/** Side of the square with the branches, and space for scales to its left and below, in units of the view box. */
 const SIZE = 300;
 const LEFT = 42;
 const BELOW = 26;
-/** Space for half a number beyond the last lines. */
+/** Space for half a number of the scales, to the right of the square and above it. */
 const BEYOND = 18;
 const TOP = 8;
 const TURN = 2 * Math.PI;
-/** Roles of the circuits in turn. */
+/** Colour roles of the circuits, in order; further circuits begin again with the first. */
 const COLOURS = ["crank", "coupler", "rocker", "accent1", "accent2", "accent3", "accent4", "accent5", "accent6", "accent7"];
 
 export class BranchMap {
@@ -23,7 +24,7 @@ export class BranchMap {
   #from = 0;
   #to = TURN;
 
-  /** @param {(input: number, output: number) => void} chosen called with the place of a click */
+  /** @param {(input: number, output: number) => void} chosen called with the input and the output at a click */
   constructor(chosen) {
     this.element = makeSvg("svg", { id: "assembly-map", class: "assembly-map", viewBox: `0 0 ${LEFT + SIZE + BEYOND} ${TOP + SIZE + BELOW}`, role: "img" });
     this.element.append(this.#scale, this.#branches, this.#now);
@@ -60,7 +61,7 @@ export class BranchMap {
 
   /**
    * @param {Now} now
-   * @param {number | null} branch index of the branch that is followed
+   * @param {number | null} branch index of the branch with the shown assembly; null if unknown
    */
   mark({ input, shown, angles }, branch) {
     for (const line of this.#branches.querySelectorAll("path")) line.classList.toggle("shown", branch !== null && line.getAttribute("data-branch") === String(branch));
@@ -105,7 +106,7 @@ export class BranchMap {
       const left = LEFT + (SIZE * quarter) / 4;
       parts.push(makeSvg("line", { x1: LEFT, x2: LEFT + SIZE, y1: at, y2: at }));
       parts.push(makeSvg("line", { x1: left, x2: left, y1: TOP, y2: TOP + SIZE }));
-      // The names of the axes replace the numbers of the third quarter.
+      // At three quarters of each scale, the name of the axis stands in place of a number.
       const up = quarter === 3 ? output : `${90 * quarter}°`;
       const value = this.#from + ((this.#to - this.#from) * quarter) / 4;
       const across = turns ? `${90 * quarter}°` : numbers.upTo(value, 2);

@@ -1,5 +1,5 @@
-// All motions of the shown linkage, found by a worker. It gets one question at a time, the newest first: while a length is
-// dragged, the map follows a few times a second.
+// All motions of the shown linkage, found by a worker. The worker gets one question at a time, always the newest.
+// While a length is dragged, the map is updated a few times a second.
 import { compiledWasm } from "assur/engine.js";
 
 /**
@@ -11,9 +11,9 @@ export class Motions {
   #changed;
   /** @type {Worker | null} */
   #worker = null;
-  /** Time of the last question. */
+  /** Time at which the last question was sent. */
   #since = 0;
-  /** Question for the worker once it is free. */
+  /** The question to be sent once the worker is free. */
   #next = /** @type {object | null} */ (null);
   #busy = true;
   #revision = 0;
@@ -21,16 +21,16 @@ export class Motions {
   #state = null;
   /** Input and assembly of the last question. */
   #asked = "";
-  /** @type {MotionsMap | null} map of the newest linkage that has one */
+  /** @type {MotionsMap | null} the newest map; it may be that of an earlier linkage */
   map = null;
-  /** Whether the map belongs to the present linkage. */
+  /** Whether the map is that of the linkage shown now. */
   current = false;
   /** @type {Belonging | null} branches of the assemblies at the input of the last question */
   belonging = null;
   /** Whether the last question failed. */
   lost = false;
 
-  /** @param {() => void} changed called when something was found */
+  /** @param {() => void} changed called when the worker has answered */
   constructor(changed) {
     this.#changed = changed;
   }
@@ -93,7 +93,7 @@ export class Motions {
     try {
       const wasm = await compiledWasm();
       if (worker !== this.#worker) return;
-      // A new worker has no linkage yet: other questions wait for the map.
+      // A new worker first needs the linkage; a question about an input waits until the map is found.
       const question = this.#next && "state" in this.#next ? this.#next : { revision: this.#revision, state: this.#state };
       if (question === this.#next) this.#next = null;
       worker.postMessage({ wasm, ...question });
@@ -124,13 +124,13 @@ export class Motions {
       if (current) this.map = null;
     }
     if (broken) {
-      // The next question gets a new worker.
+      // The next question goes to a new worker.
       this.#end();
       if (this.#next) this.#begin();
       this.#changed();
       return;
     }
-    // During a drag the worker rests twice as long as it worked, because the page draws with the same processors.
+    // During a drag the worker rests twice as long as it worked, because the page needs the same processors to draw.
     const rest = map && this.#next ? 2 * (performance.now() - this.#since) : 0;
     const worker = this.#worker;
     setTimeout(() => {

@@ -1,5 +1,5 @@
-// All assemblies of the shown linkage: a picture of each at the current input, a map of their branches, and which of them can
-// be reached from the moving one. Loaded on demand.
+// Panel of all assemblies of the shown linkage: a picture of each assembly at the current input, a map of the
+// branches, and lists of the assemblies that the moving one can and cannot reach. Loaded on demand.
 import "assur/assemblies/style.js";
 import { BranchMap } from "assur/assemblies/map.js";
 import { Motions } from "assur/assemblies/motions.js";
@@ -15,9 +15,9 @@ import { change } from "assur/state/change.js";
  * @typedef {import("assur/types/web.js").AssembliesHere} Here
  */
 
-/** Free room around a picture, in pixels. */
+/** Margin around the linkage in a picture, in pixels. */
 const MARGIN = 7;
-/** Shortest time between two paintings of the pictures, in milliseconds: the frames between belong to the moving mechanism. */
+/** Shortest time between two paintings of the pictures, in milliseconds; frames between are for the main drawing. */
 const PERIOD = 30;
 
 export class Assemblies {
@@ -36,7 +36,7 @@ export class Assemblies {
   #here = null;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** Rectangle around all assemblies so far, of the linkage with this revision. */
+  /** Rectangle around all assemblies shown so far, and the revision of the linkage to which the rectangle belongs. */
   #bounds = [Infinity, Infinity, -Infinity, -Infinity];
   #revision = 0;
   /** Time of the last painting, and whether another is scheduled. */
@@ -76,7 +76,7 @@ export class Assemblies {
     this.#draw(this.#here, snapshot);
   }
 
-  /** Whether the pictures are due now; if not, another frame is scheduled. */
+  /** Returns whether the pictures are due now. If they are not, schedules another frame. */
   #due() {
     const now = performance.now();
     const due = now - this.#painted >= PERIOD;
@@ -158,7 +158,7 @@ export class Assemblies {
   }
 
   /**
-   * Writes the number of assemblies, and which of them can be reached.
+   * Writes the number of assemblies, and lists those that can and cannot be reached.
    * @param {Here} here
    * @param {Snapshot} snapshot
    */
@@ -168,7 +168,7 @@ export class Assemblies {
     write(this.#count, whole ? count : `${count} ${words.text("assemblies.partial")}`);
     if (shown === null) return;
     const { map, current } = this.#motions;
-    // In motion the announcement waits for rest.
+    // The worker is asked, and the answer announced, only at rest.
     if (!state.view.playing) this.#motions.at(frameInput, shown);
     const belonging = current ? this.#motions.belonging : null;
     const fits = belonging?.branches.length === all.length ? belonging : null;
@@ -224,7 +224,7 @@ export class Assemblies {
   }
 
   /**
-   * Goes to an input of the map, and there to the assembly with the nearest output.
+   * Goes to an input chosen on the map, and to the assembly whose output there is nearest to the chosen one.
    * @param {number} input
    * @param {number} output
    */
@@ -243,5 +243,5 @@ function angled(number) {
   return `φ${number ? subscript(number) : ""}`;
 }
 
-/** Texts on the reachability of the other assemblies. */
+/** Keys of the texts on the assemblies that can be reached directly, through folds, or never. */
 const REACH = Object.freeze({ same: "assemblies.same", folds: "assemblies.folds", never: "assemblies.never" });

@@ -1,4 +1,4 @@
-// All motions of a linkage, in a worker: the map of their branches, and the branches of the assemblies at an input.
+// All motions of a linkage, in a worker: the map of the branches, and the branch of each assembly at an input.
 import load, { AllMotions } from "assur/pkg/assur_web.js";
 
 /** @type {Promise<unknown> | null} */
@@ -21,7 +21,7 @@ addEventListener("message", async ({ data }) => {
       postMessage({ revision: data.revision, input, number, belonging: motions.belonging(input, number) });
     }
   } catch (thrown) {
-    // Problems answer the question; any other failure leaves the engine unusable.
+    // An array lists problems, which the engine reports as usual. Any other exception leaves the engine unusable.
     const broken = !Array.isArray(thrown);
     if (broken) console.error(thrown);
     postMessage({ revision: data.revision, lost: true, broken });

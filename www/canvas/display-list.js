@@ -1,9 +1,10 @@
-// Reading of the engine's flat display lists into shapes and labels for a canvas.
+// Conversion of the engine's flat display lists into shapes and labels for a canvas.
 
 /**
  * @typedef {Float32Array | Float64Array} List of numbers, as the engine returns it
  * @typedef {{ record: List, role: string, look: number, path: Path2D, loops?: List[] }} Shape
- * `record` is its part of the list; polygons also have the corners of each in `loops`.
+ * `record`: the numbers of the shape in the list. `loops`: the corners of each polygon, if the shape consists of
+ * polygons.
  * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label
  * @typedef {{ body: number, shapes: Shape[], labels: Label[] }} Layer
  */
@@ -20,8 +21,8 @@ const TEXT = 4;
  * @param {readonly string[]} roles
  * @param {readonly string[]} labels
  * @param {() => Path2D} newPath an empty path
- * @param {readonly Layer[]} [before] result of an earlier list with the same roles and kind of path; unchanged shapes are
- * taken over, with all that was made to paint them
+ * @param {readonly Layer[]} [before] layers read from an earlier list with the same roles and kind of path; unchanged
+ * shapes are used again, with all that was computed to paint them
  * @returns {Layer[]} in the order of painting
  */
 export function readDisplayList(list, start, roles, labels, newPath, before = []) {
@@ -55,10 +56,10 @@ export function readDisplayList(list, start, roles, labels, newPath, before = []
 }
 
 /**
- * @param {List} record earlier record; records hold their own length, so a match of all its values is enough
+ * @param {List} record earlier record; a record contains its own length, so that equal values are enough
  * @param {List} list
  * @param {number} at
- * @returns {boolean} whether the list has the same record there
+ * @returns {boolean} whether the list has the same record at that index
  */
 function stands(record, list, at) {
   return record.every((value, i) => value === list[at + i]);

@@ -1,21 +1,21 @@
-// The line along a polygon as a band to fill. Stroking the teeth of a wheel in every frame takes a browser without a graphics
-// processor several times as long as filling an outline made once.
+// The line along a polygon, as a band to be filled. A browser without a graphics processor takes several times as
+// long to stroke the teeth of a wheel in every frame as to fill a band that is made once.
 
-/** Shortens the tips of sharp corners: lower limit of 1 + cos of the line's turn at a corner. */
+/** Lower limit of 1 + cos δ for a turn of the line through δ at a corner. It shortens the tips of sharp corners. */
 const SHARPEST = 0.3;
 
 /**
- * The band between the polygons moved outwards and inwards by half the width.
+ * The band along each polygon, between copies of the polygon offset outwards and inwards by half the width.
  * @param {readonly import("assur/canvas/display-list.js").List[]} loops x and y of the corners of closed polygons
  * @param {number} width in the unit of the corners
- * @returns {Path2D} to be filled by the non-zero rule
+ * @returns {Path2D} to be filled with the non-zero rule
  */
 export function outlined(loops, width) {
   const band = new Path2D();
   for (const loop of loops) {
     const corners = distinct(loop);
     add(band, moved(corners, width / 2));
-    // The reverse direction ends the band at its inner edge.
+    // In reverse order, the corners give the inner edge of the band.
     add(band, moved(corners.reverse(), width / 2));
   }
   return band;
@@ -23,7 +23,7 @@ export function outlined(loops, width) {
 
 /**
  * @param {import("assur/canvas/display-list.js").List} loop
- * @returns {[number, number][]} its corners without repeated ones
+ * @returns {[number, number][]} corners of the loop without consecutive duplicates
  */
 function distinct(loop) {
   /** @type {[number, number][]} */
@@ -38,7 +38,7 @@ function distinct(loop) {
 /**
  * @param {readonly (readonly [number, number])[]} corners
  * @param {number} distance
- * @returns {[number, number][]} the corners of the polygon with its sides moved to their right
+ * @returns {[number, number][]} corners of the polygon after each side is offset to its right
  */
 function moved(corners, distance) {
   const sides = corners.map(([x, y], i) => {

@@ -1,4 +1,4 @@
-// Painting of a display list. It knows looks and colours, but not the meaning of the shapes.
+// Painting of display lists. This module knows looks and colours, but not the meaning of the shapes.
 import { outlined } from "assur/canvas/outline.js";
 import { textWidth } from "assur/canvas/text-width.js";
 
@@ -15,19 +15,19 @@ import { textWidth } from "assur/canvas/text-width.js";
  *   setLineDash(dash: readonly number[]): void,
  *   setTransform(a: number, b: number, c: number, d: number, e: number, f: number): void,
  * }} Context
- * The part of a canvas's context that painting uses; the Svg of export/svg.js has it, too.
+ * The part of a canvas context that painting uses. The class Svg of export/svg.js has this part, too.
  *
  * @typedef {{ readonly context: Context, readonly ratio: number }} Target
- * Target of painting: a context and its device pixels per CSS pixel.
+ * Target of painting. `context`: where to paint. `ratio`: device pixels per CSS pixel.
  *
  * @typedef {Readonly<{ left: number, right: number, top: number, bottom: number }>} Box
  *
  * @typedef {Readonly<{ fill?: number, paper?: boolean, stroke?: number, opacity?: number, dash?: readonly number[] }>} Look
- * Look of a shape: opacity of its filling, whether the filling has the paper's colour, width of its line in pixels, and the
- * line's opacity and dashes.
+ * Look of a shape. `fill`: opacity of the filling. `paper`: whether the filling has the colour of the paper.
+ * `stroke`: width of the line, in pixels. `opacity`, `dash`: opacity and dashes of the line.
  */
 
-/** @type {readonly Look[]} by the numbers in the display list */
+/** @type {readonly Look[]} looks by their numbers in the display list */
 const LOOKS = [
   { fill: 1 }, // solid
   { fill: 0.16, stroke: 1.5 }, // pale
@@ -41,9 +41,9 @@ const LOOKS = [
 const TEXT_SIZE = 15;
 /** Factor of the text size on a small drawing. */
 const SMALL = 0.85;
-/** A Greek symbol with a subscript: names of points and links are written as they are. */
+/** A Greek letter with one letter as its subscript. Names of points and links do not match; they stay as they are. */
 const INDEXED = /^(\p{Script=Greek})_(\p{L})$/u;
-/** The subscript: its size relative to the text, and its distance below, in heights of the text. */
+/** Size of a subscript relative to the text, and its distance below the text, in heights of the text. */
 const LOW = Object.freeze({ size: 0.75, below: 0.25 });
 /** Width of the halo around the text, in pixels. */
 const HALO = 4;
@@ -52,7 +52,7 @@ const NO_DASH = [];
 
 export class Painter {
   #theme;
-  /** @type {WeakMap<Shape, { width: number, band: Path2D }>} lines of polygons in the width painted last */
+  /** @type {WeakMap<Shape, { width: number, band: Path2D }>} lines of polygons as bands, in the width painted last */
   #bands = new WeakMap();
 
   /** @param {import("assur/canvas/theme.js").Theme} theme */
@@ -85,7 +85,7 @@ export class Painter {
    * @param {Transform} view
    * @param {readonly (readonly number[])[]} poses
    * @param {(label: string) => string} write gives the text of a label
-   * @param {import("assur/canvas/places.js").Places} places places of the labels
+   * @param {import("assur/canvas/places.js").Places} places finds the places of the labels
    * @param {boolean} small whether the drawing is small: a label without a free place is then omitted
    */
   labels({ context, ratio }, layers, view, poses, write, places, small) {
@@ -149,7 +149,7 @@ export class Painter {
       context.fill(path, "evenodd");
     }
     const pixel = this.#theme.weight / scale;
-    // A band is cheaper than a line only on pixels: a vector picture keeps its lines.
+    // A band is faster than a line only on a pixel canvas. A vector picture keeps the line.
     if (stroke && loops && dash === NO_DASH && "canvas" in context) {
       context.globalAlpha = opacity;
       context.fillStyle = colour;

@@ -1,13 +1,14 @@
-// Places of the labels of a drawing: each where the drawing wants it or, if another label is there, on another side of its point.
+// Places of the labels of a drawing. A label stands where the drawing wants it or, if another label is there, on
+// another side of its own point.
 
 /**
  * @typedef {import("assur/canvas/painter.js").Box} Box
- * @typedef {Readonly<{ width: number, height: number }>} Sheet in CSS pixels
+ * @typedef {Readonly<{ width: number, height: number }>} Sheet size of the drawing, in CSS pixels
  */
 
 /**
- * Possible places of a label, as factors of its distance from its point along x and y: the wanted place comes first, then the
- * other sides, then places farther away.
+ * Possible places of a label. The numbers multiply the label's wanted offset from its point, along x and along y. The
+ * wanted place comes first, then the other sides, then the same sides twice as far away.
  */
 const SIDES = Object.freeze([1, 2].flatMap((far) => [
   [far, far],
@@ -16,20 +17,20 @@ const SIDES = Object.freeze([1, 2].flatMap((far) => [
   [-far, far],
 ]));
 
-/** Extra room, in heights, that a label needs to return to its wanted place: it would flicker in motion without it. */
+/** Extra room, in heights of the label, needed to return to the wanted place. It keeps labels from flickering. */
 const ROOM = 1.5;
 
 export class Places {
   /** @type {Box[]} boxes of the labels placed since `begin` */
   #taken = [];
-  /** @type {Map<string, number>} sides of the labels that are not in their wanted places */
+  /** @type {Map<string, number>} index in `SIDES` for each label that is not in its wanted place */
   #moved = new Map();
   /** @type {Sheet} */
   #sheet = { width: 0, height: 0 };
 
   /**
    * Begins a new placement of all labels.
-   * @param {Sheet} sheet on which labels stay if their points are on it
+   * @param {Sheet} sheet size of the drawing; a label does not leave it if the label's point is inside
    */
   begin(sheet) {
     this.#taken = [];
@@ -37,12 +38,13 @@ export class Places {
   }
 
   /**
-   * Takes a place for a label. In motion it stays on its side as long as it can.
+   * Takes a place for a label. A moved label keeps its place until its wanted place is well clear or its own is taken.
    * @param {string} label
-   * @param {{ x: number, y: number, dx: number, dy: number }} wanted its point, and the wanted distance of its middle from the point
+   * @param {{ x: number, y: number, dx: number, dy: number }} wanted the label's point, and the wanted offset of the
+   * label's middle from it
    * @param {number} width
    * @param {number} height
-   * @returns {{ x: number, y: number, free: boolean }} its middle; the wanted one if no side is free
+   * @returns {{ x: number, y: number, free: boolean }} middle of the label, at the wanted place if none is free
    */
   take(label, { x, y, dx, dy }, width, height) {
     const sheet = this.#sheet;

@@ -1,4 +1,4 @@
-// A canvas as sharp as the screen: its backing store follows its size and the device-pixel ratio.
+// A canvas as sharp as the screen: its pixels follow its size on the page and the device-pixel ratio.
 
 export class Surface {
   /** Size in CSS pixels. */
@@ -10,7 +10,7 @@ export class Surface {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {() => void} redraw called when its size or resolution has changed
+   * @param {() => void} redraw called when the size or the resolution of the canvas has changed
    * @param {CanvasRenderingContext2DSettings} [settings]
    */
   constructor(canvas, redraw, settings) {
@@ -37,7 +37,7 @@ export class Surface {
   }
 
   /**
-   * Resizes the canvas to its shown size. The next painting must follow at once, or the canvas would be seen blank.
+   * Resizes the canvas to its size on the page. The caller must paint at once, because a resized canvas is blank.
    * @returns {boolean} whether there is a visible area to paint on
    */
   begin() {
@@ -63,7 +63,7 @@ export class Surface {
     this.#redraw();
   }
 
-  /** Watches the resolution: a window moved to another screen keeps its size. */
+  /** Watches the resolution: a window that moves to another screen may keep its size and yet change its resolution. */
   #watchRatio() {
     matchMedia(`(resolution: ${globalThis.devicePixelRatio}dppx)`).addEventListener(
       "change",

@@ -1,15 +1,16 @@
-// Width of a text on a canvas. A browser takes as long to measure as to draw; most texts are numbers of a few forms.
+// Width of a text on a canvas. Widths are remembered: a browser takes as long to measure a text as to draw it, and most
+// texts are numbers that differ in their digits only.
 
-/** Limit of the number of remembered widths, at which all are forgotten. */
+/** Number of remembered widths at which all of them are forgotten. */
 const MOST = 400;
 
-/** @type {Map<string, number>} widths by font and form of the text */
+/** @type {Map<string, number>} widths by font and text; in the text, 0 stands for every digit */
 const known = new Map();
 
 /**
  * Width of a text. All digits count as equally wide, as they are in fonts for tables and screens.
  * @param {import("assur/canvas/painter.js").Context} context with the font set
- * @param {string} font the same font: reading it from a context is slow
+ * @param {string} font font of the context, from which it is slow to read
  * @param {string} text
  * @returns {number} width in the unit of the font's size
  */

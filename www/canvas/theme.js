@@ -1,8 +1,9 @@
-// Colours of the roles and sizes of text and lines, read from the style sheet: light or dark, projector or not.
+// Colours of the roles and sizes of text and lines, read from the style sheet. They differ for light and dark pages
+// and for projectors.
 
 /** @typedef {Readonly<Record<string, string>>} Colours */
 
-/** Media queries of the style sheet. */
+/** Media queries on which the style sheet depends. */
 const WATCHED = Object.freeze(["(prefers-color-scheme: dark)", "(min-width: 640px)", "(min-width: 1200px)", "(min-width: 1600px)"]);
 
 /** Size of the page's text on most screens, in pixels. */
@@ -14,9 +15,9 @@ export class Theme {
   #roles;
   /** @type {Colours} colour by role */
   colours = {};
-  /** @type {[number, number, number][]} red, green, blue in the order of the roles */
+  /** @type {[number, number, number][]} red, green and blue of each role's colour, in the order of the roles */
   palette = [];
-  /** @type {Colours} by role, dark enough (light enough on dark paper) for small text */
+  /** @type {Colours} colours by role for small text: darker on light paper, lighter on dark paper */
   inks = {};
   /** The colour of the paper under the drawing. */
   ground = "";
@@ -25,7 +26,7 @@ export class Theme {
   scale = 1;
   /** Thickness of lines relative to the usual one. */
   weight = 1;
-  /** Number of changes so far. */
+  /** Number of changes of the colours and sizes so far. */
   revision = 0;
 
   /**
@@ -45,7 +46,7 @@ export class Theme {
     }
   }
 
-  /** @param {boolean} on whether the page is for a projector: large, thick and in high contrast */
+  /** @param {boolean} on whether the page is for a projector, with large text, thick lines and high contrast */
   project(on) {
     const root = document.documentElement;
     if (root.dataset.projector === String(on)) return;

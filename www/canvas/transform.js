@@ -1,4 +1,4 @@
-// The view transform: model coordinates (y up) to screen pixels (y down). The only place where y flips.
+// The view transform, from model coordinates (y up) to screen pixels (y down). Only this module changes the sign of y.
 
 /** An immutable, invertible map: x ↦ left + scale·x, y ↦ top − scale·y. */
 export class Transform {
@@ -15,7 +15,7 @@ export class Transform {
   }
 
   /**
-   * The largest view of the bounds in a rectangle of the screen with a margin.
+   * The largest view in which the bounds fit into a rectangle of the screen, with a margin.
    * @param {readonly number[]} bounds xmin, ymin, xmax, ymax
    * @param {number} width
    * @param {number} height
@@ -68,7 +68,7 @@ export class Transform {
   }
 
   /**
-   * Sets a canvas to the coordinates of a body at (x, y), turned by an angle.
+   * Sets a canvas to the coordinates of a body at (x, y), turned through an angle.
    * @param {import("assur/canvas/painter.js").Context} context
    * @param {number} ratio device pixels per screen pixel
    * @param {number} x
@@ -84,7 +84,7 @@ export class Transform {
   }
 }
 
-/** The reader's zoom, applied to the fitted view. It is independent of pixels and so holds in a canvas of any size. */
+/** The reader's zoom, applied to the fitted view. It does not depend on pixels, and so fits a canvas of any size. */
 export class Zoom {
   /** The fitted view itself. */
   static NONE = new Zoom(1, 0, 0);
@@ -93,7 +93,7 @@ export class Zoom {
 
   /**
    * @param {number} factor magnification of the fitted view
-   * @param {number} x offset of the middle of the canvas from its fitted place, in lengths of the model
+   * @param {number} x offset of the middle of the canvas from its fitted place, in the model's unit of length
    * @param {number} y
    */
   constructor(factor, x, y) {
@@ -104,7 +104,8 @@ export class Zoom {
   }
 
   /**
-   * The zoom from the fitted view to another one, within the limits; the middle of the canvas stays inside the bounds.
+   * The zoom from the fitted view to another one. Its factor is kept within the limits, and the middle of the canvas
+   * within the bounds.
    * @param {Transform} fit
    * @param {Transform} view
    * @param {readonly number[]} bounds xmin, ymin, xmax, ymax

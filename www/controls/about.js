@@ -1,5 +1,5 @@
-// Choice of the link whose instant centre, centrodes and circles are drawn, and of the link relative to which its instant centre is
-// found by lines. Shown with any of these overlays.
+// Choice of two links: the one whose instant centre, centrodes and circles are drawn, and the one relative to which
+// its instant centre is found by lines. Shown if one of these overlays is on.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
@@ -7,7 +7,7 @@ import { withView } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/model.js").Snapshot} Snapshot */
 
-/** Texts of the first entry of each list, which is empty in the state. */
+/** Texts of the first entry of each list. In the state, an empty string stands for this entry. */
 const FIRST = /** @type {const} */ ({ about: "show.about_first", relative_to: "link.frame" });
 const CHOICES = /** @type {(keyof typeof FIRST)[]} */ (Object.keys(FIRST));
 
@@ -32,14 +32,14 @@ export class AboutLink {
     const { links } = this.#engine;
     this.#row.hidden = !(view.instant_centres || view.centrodes || view.curvature);
     if (this.#row.hidden) return;
-    // Centrodes and circles belong to the motion relative to the frame.
+    // Centrodes and circles are always those of the motion relative to the frame.
     this.#against.hidden = !view.instant_centres;
     const anew = !this.#built.same(links, words);
     const entry = (/** @type {string} */ value, /** @type {string} */ text) => make("option", { value }, [text]);
     for (const choice of CHOICES) {
       const select = this.#selects[choice];
       if (anew) select.replaceChildren(entry("", words.text(FIRST[choice])), ...links.map((link) => entry(link, called(link, words))));
-      // A link of another mechanism counts as the first entry.
+      // If the mechanism lacks the chosen link, the first entry is shown.
       const value = links.includes(view[choice]) ? view[choice] : "";
       if (select.value !== value) select.value = value;
     }

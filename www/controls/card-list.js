@@ -1,4 +1,4 @@
-// A list of the document in the rail: a card for each entry, with buttons to add and remove one.
+// A list of the document, shown in the rail: a card for each entry, and buttons that add and remove an entry.
 import { make } from "assur/core/dom.js";
 import { numberEntries } from "assur/core/names.js";
 import { edited } from "assur/state/state.js";
@@ -45,9 +45,10 @@ import { edited } from "assur/state/state.js";
  *   another: (snapshot: Snapshot<K>) => E,
  *   without?: (index: number, document: Documents<K>) => Partial<Documents<K>>,
  * }>} ListKind
- * A list in the documents of one kind. `first`: the number shown on the first entry (wheels of a mixer start at 5). `least`, `most`:
- * limits of the number of entries. `written`: a number as it is shown. `words`: keys of the names of the buttons. `without`: fields of
- * the document that the removal of an entry changes, if not the list alone.
+ * A list in the documents of one kind. `name`: field of the list. `first`: the number shown on the first entry
+ * (wheels of a mixer start at 5). `least`, `most`: limits of the number of entries. `written`: a number as it is
+ * shown. `words`: keys of the names of the buttons. `build`: makes the card of an entry. `another`: makes an entry to
+ * be added. `without`: fields of the document that the removal of an entry changes, if not the list alone.
  */
 
 /**
@@ -106,7 +107,7 @@ export class CardList {
       if (entries[index]) card.show(entries[index], snapshot, wrong);
     }
     this.add.disabled = entries.length >= most;
-    // A button that disappears passes the focus on, so that it is not lost.
+    // If a button with the focus disappears, another button gets the focus.
     if (focused === this.add && this.add.disabled) this.#cards[entries.length - 1].remove.focus();
     if (this.#cards.some(({ remove }) => remove === focused && remove.offsetParent === null)) this.add.focus();
   }
@@ -140,13 +141,13 @@ export class CardList {
   /**
    * @param {Documents<K>} document
    * @param {(entries: readonly E[]) => readonly E[]} change
-   * @returns {Partial<Documents<K>>} the changed list
+   * @returns {Partial<Documents<K>>} the field of the document with the changed list
    */
   #with(document, change) {
     return /** @type {Partial<Documents<K>>} */ ({ [this.#kind.name]: change(this.#of(document)) });
   }
 
-  /** @param {(document: Documents<K>) => Partial<Documents<K>>} change of the number of entries */
+  /** @param {(document: Documents<K>) => Partial<Documents<K>>} change change that adds or removes an entry */
   #change(change) {
     this.#drafts.dropAll([this.#kind.name]);
     this.#edit(change);

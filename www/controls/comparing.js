@@ -1,4 +1,5 @@
-// Comparison with an earlier mechanism: buttons to keep the mechanism as A, exchange A and B, and remove A.
+// Comparison of the current mechanism, B, with an earlier one, A: buttons to keep B as A, exchange the two, and
+// remove A.
 import { byId, make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { withFurther, withMechanism } from "assur/state/state.js";
@@ -7,7 +8,7 @@ import { withFurther, withMechanism } from "assur/state/state.js";
 
 /**
  * @param {State} state
- * @returns {import("assur/state/state.js").Document} its mechanism
+ * @returns {import("assur/state/state.js").Document} the mechanism of the state
  */
 function mechanism({ kind, document }) {
   return /** @type {import("assur/state/state.js").Document} */ (Object.freeze({ kind, document }));
@@ -22,7 +23,7 @@ function exchanged(state) {
   return compared ? withFurther(withMechanism(state, compared.kind, compared.document), { compared: mechanism(state) }) : state;
 }
 
-/** Changes of the state by the names of the buttons. */
+/** Changes of the state, by the names of the buttons that make them. */
 const ACTS = Object.freeze({
   freeze: (/** @type {State} */ state) => withFurther(state, { compared: mechanism(state) }),
   swap: exchanged,
@@ -42,7 +43,7 @@ export class Comparing {
       const button = make("button", { id: `compare-${name}`, class: "control", type: "button", "data-t": `compare.${name}` });
       button.addEventListener("click", () => {
         history.step(() => store.update(ACTS[name]));
-        // A button that disappears passes the focus on, so that it is not lost.
+        // The button disappears, and another one gets its focus.
         if (name === "remove") this.#buttons.freeze.focus();
       });
       return [name, button];

@@ -1,9 +1,9 @@
-// Choice of the unit of lengths. Another unit changes the name beside the numbers, but not the numbers.
+// Choice of the unit of lengths. Another unit changes the name beside the numbers, but not the numbers themselves.
 import { byId, make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { withDocument } from "assur/state/state.js";
 
-/** Units of lengths, with the words `unit.…`. */
+/** Units of lengths; `unit.…` are the keys of their names. */
 const UNITS = Object.freeze(/** @type {const} */ (["m", "cm", "mm", "in", "none"]));
 
 export class LengthUnits {

@@ -1,4 +1,5 @@
-// Measures between points or links: chosen in lists or by presses on the drawing, listed, removed.
+// Measures: distances and angles between points or links. The reader chooses them in lists or by presses on the
+// drawing, and removes them here.
 import { byId, make, setData } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
@@ -8,7 +9,7 @@ import { PARTS, withView } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/model.js").Snapshot} Snapshot */
 
-/** Number and kind of the parts of each measure. */
+/** Number of points or links of each measure, and whether they are links. */
 const BETWEEN = Object.freeze({
   distance: Object.freeze({ count: 2, links: false }),
   corner: Object.freeze({ count: 3, links: false }),
@@ -21,7 +22,7 @@ const MOST = 8;
 /** Greatest distance at which a press takes a point or a link, in pixels. */
 const REACH = 26;
 
-/** The separator before the end of a measure's name or of its derivative's: `.`, `.d`, `.dd`. */
+/** The separator before the last part of the name of a measure or of its derivative: `.`, `.d`, `.dd`. */
 const ORDERS = new RegExp(`\\.d{0,2}(?=(?:${MEASURES.join("|")})$)`);
 
 /**
@@ -51,7 +52,7 @@ export class Measures {
   #shown = new Seen();
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** @type {string[] | null} parts pressed so far, while parts are being pressed */
+  /** @type {string[] | null} points or links pressed so far; null if presses do not choose any */
   #picked = null;
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -59,7 +60,7 @@ export class Measures {
     this.#page = page;
     for (const select of this.#parts) select.addEventListener("change", () => this.#choose());
     this.#what.addEventListener("change", () => {
-      // The lists change from points to links or back, so that pressed parts no longer fit.
+      // The lists may change from points to links or back. Points or links pressed so far then no longer fit.
       if (this.#picked) this.#picking(false);
       this.#offer();
     });
@@ -82,7 +83,7 @@ export class Measures {
     this.#list.replaceChildren(...measures.map((name, index) => this.#row(name, index, words)));
     words.fill(this.#section);
     this.#choose();
-    // A button that disappears passes the focus on, so that it is not lost.
+    // If a button with the focus disappears, another control gets the focus.
     if (focused) (this.#list.querySelector("button") ?? this.#what).focus();
   }
 
@@ -105,7 +106,7 @@ export class Measures {
 
   /**
    * @param {keyof typeof BETWEEN} what
-   * @returns {readonly string[]} points or links for the measure
+   * @returns {readonly string[]} points or links offered for the measure
    */
   #offered(what) {
     const summary = this.#snapshot?.summary;
@@ -137,7 +138,7 @@ export class Measures {
     return /** @type {keyof typeof BETWEEN} */ (this.#what.value);
   }
 
-  /** Enables the button according to the choice in the lists. */
+  /** Enables or disables the buttons, according to the choice in the lists. */
   #choose() {
     const { count } = BETWEEN[this.#chosen];
     this.#parts[2].hidden = count < 3;
@@ -165,9 +166,9 @@ export class Measures {
     });
   }
 
-  /** @param {boolean} on whether presses on the drawing now choose the parts of a measure */
+  /** @param {boolean} on whether presses on the drawing now choose the points or links of a measure */
   #picking(on) {
-    // The drawing tools have the pointer while they are shown.
+    // While the drawing tools are shown, they alone use the pointer.
     const drawing = this.#snapshot?.state.view.drawing ?? false;
     if (on && drawing) return;
     this.#picked = on ? [] : null;

@@ -1,10 +1,10 @@
-// A text field for a number: takes a decimal comma, and keeps typed text while it is no valid number.
+// A text field for a number. The field accepts a decimal comma, and keeps a typed text that is not a valid number.
 import { make } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";
 
 /**
  * @typedef {Readonly<{ brief: string, full: string }>} Written
- * A value in its brief form, and with all its digits for editing.
+ * A written value. `brief`: with few digits, for display. `full`: with all its digits, for editing.
  */
 
 /**
@@ -19,9 +19,9 @@ export class NumberBox {
   #input;
   #field;
   #drafts;
-  /** Whether a person typed the text, which has not been rewritten since. */
+  /** Whether the text is as the reader typed it. */
   #typed = false;
-  /** @type {number | null} value that resulted from the typed text */
+  /** @type {number | null} value in the state after the typed text was read */
   #meant = null;
   /** @type {Written} */
   #written = { brief: "", full: "" };
@@ -30,7 +30,7 @@ export class NumberBox {
    * @param {HTMLInputElement} input
    * @param {string} field
    * @param {import("assur/state/drafts.js").Drafts} drafts
-   * @param {(value: number) => number | void} set takes the number and returns the value in the state if it differs
+   * @param {(value: number) => number | void} set sets the number, and returns the value in the state if that differs
    */
   constructor(input, field, drafts, set) {
     this.#input = input;
@@ -78,7 +78,7 @@ export class NumberBox {
     }
   }
 
-  /** @param {string} text of a refused value, to be shown all the same */
+  /** @param {string} text of a refused value, which the field shows nevertheless */
   hold(text) {
     this.#input.value = text;
   }

@@ -1,4 +1,4 @@
-// A number of the document in the rail: its symbol and name, a slider if it has one, a number field.
+// A number of the document, as a row in the rail: symbol and name, a slider for some numbers, and a number field.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { make } from "assur/core/dom.js";
 import { withSubscripts } from "assur/core/subscripts.js";
@@ -18,10 +18,11 @@ import { withSubscripts } from "assur/core/subscripts.js";
  *   decimals?: number,
  *   counted?: string,
  * }>} RowKind
- * Letters after a _ in the symbol are a subscript. `id` of the elements and `key` of the words are by default the field; `n` is the {n} of the
- * words, `name` the {n} of the words beside the symbol, which do not repeat the symbol.
- * `decimals`: greatest number of decimals until somebody edits the number; by default it has six significant digits.
- * `counted`: key of the words for a number of the things that the slider counts.
+ * `field`: name of the number in the document. `id`: part of the elements' ids; `key`: part of the words' keys; both
+ * are the field by default. `n`: the {n} of the words. `name`: the {n} of the words beside the symbol, by default
+ * `n`. `symbol`: letters after a _ become a subscript. `decimals`: greatest number of decimals shown while the number
+ * is not edited; by default it has six significant digits. `counted`: key of the words for the value of a slider that
+ * counts things.
  */
 
 export class NumberRow {
@@ -32,7 +33,7 @@ export class NumberRow {
   #slider = null;
   /** @type {SliderRange | undefined} */
   #range;
-  /** @type {(value: number) => string} gives the brief form */
+  /** @type {(value: number) => string} writes a value in its brief form */
   #brief = String;
 
   /**
@@ -49,7 +50,7 @@ export class NumberRow {
     this.#box = new NumberBox(input, field, drafts, set);
     const name = make("label", { class: "name", for: input.id }, [
       make("b", {}, withSubscripts(symbol)),
-      // A name that the symbol contains needs no words.
+      // If the symbol contains the name, no words are needed.
       ...(symbol.endsWith(`_${beside}`) ? [] : [" ", make("span", { "data-t": `name.${key}`, "data-n": beside })]),
     ]);
     this.element = make("div", { class: "row", "data-field": field, style: `--accent: var(--role-${role})` }, [name, input]);
@@ -68,7 +69,7 @@ export class NumberRow {
   }
 
   /**
-   * Sets another range of the slider, from the next shown value on.
+   * Sets another range of the slider, which takes effect when a value is shown next.
    * @param {number} min
    * @param {number} max
    */
@@ -88,9 +89,9 @@ export class NumberRow {
     this.#brief = (value) => (decimals === undefined ? numbers.brief(value) : numbers.upTo(value, decimals)) + unit;
     this.#box.show(value, { brief: this.#brief(value), full: numbers.exact(value) + unit }, invalid);
     if (!range || !this.#slider) return;
-    // A value beyond the slider's range widens it, so that the slider shows the value.
-    // A refused value leaves the slider where it was put.
+    // After a refused value, the slider stays where the reader put it.
     if (this.#drafts.has(this.field)) return;
+    // A value beyond the range of the slider widens the range.
     const [min, max] = [Math.min(range.min, value), Math.max(range.max, value)];
     if (Number(this.#slider.min) !== min) this.#slider.min = String(min);
     if (Number(this.#slider.max) !== max) this.#slider.max = String(max);

@@ -1,4 +1,4 @@
-// Problems of the engine as sentences.
+// Sentences for the problems that the engine reports.
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
 import { called, calledBy, entryNumber, toLine } from "assur/core/names.js";
@@ -10,24 +10,24 @@ import { called, calledBy, entryNumber, toLine } from "assur/core/names.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** A part of an entry of a list, such as `wheels[2].z`. */
+/** A field of an entry in a list, such as `wheels[2].z`. */
 const ENTRY = /^(\w+)\[(\d+)\]\.(\w+)$/;
 /** A dimension of a linkage: `links[5].length`, `links[2].side[1][2]`, `links[2].corner_deg[2]`, `slides[0].offset`, `points[8].x`. */
 const DIMENSION = /^(links|slides|points)\[(\d+)\]\.(\w+?)(?:_deg)?((?:\[\d+\])*)$/;
-/** A length of another mechanism: `l1` and `module` of a mixer, the frame of a synthesis. */
+/** A length in a document other than a linkage: `l1` and `module` of a mixer, the frame of a synthesis. */
 const LENGTH = /^(?:l\d|module|frame|tracers\[\d+\]\.[xy])$/;
-/** Words for the dimensions of links. */
+/** Keys of the names of links' dimensions. */
 const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: "field.links.length", side: "field.links.side", corner: "field.links.corner" }));
-/** A number of a list, such as `bodies.inertia[2]`, or of a list of pairs. */
+/** A number in a list, such as `bodies.inertia[2]`, or in a list of pairs. */
 const NUMBER = /^([\w.]+)\[(\d+)\](?:\[\d\])?$/;
 
-/** Sentences for impossible lengths. */
+/** Keys of the sentences on impossible lengths, by the code of the problem. */
 const OF_LENGTHS = Object.freeze(/** @type {Record<string, string>} */ ({ too_large: "problem.too_large_length", too_small: "problem.too_small_length" }));
 
 /** Parameters of a problem that name a link. */
 const LINKS = Object.freeze(["link", "shaft", "to", "mesh"]);
 
-/** Parameters of a problem that are lengths, except in problems of a rate or an angle. */
+/** Parameters of a problem that are lengths, unless its field is a rate or an angle. */
 const LENGTHS = Object.freeze(["by", "last"]);
 const RATE = /\.rate$/;
 /** An angle: `links[2].corner_deg[2]`, `wheels[0].centre_line_deg`. */
@@ -37,7 +37,7 @@ const ANGLE = /_deg(?:\[|$)/;
  * @param {string} field
  * @param {string} number
  * @param {Words} words
- * @returns {string} the number of a field with its unit, if it is an angle or a length
+ * @returns {string} the number, with its unit if the field is an angle or a length
  */
 export function measuredAs(field, number, words) {
   if (ANGLE.test(field)) return `${number}°`;
@@ -58,7 +58,7 @@ function length({ field = "" }, value, words) {
  * @param {string} field
  * @param {Words} words
  * @param {Document | undefined} document that has the field
- * @returns {string} its name, with the number of a list's entry or the name of a shaft, link or point
+ * @returns {string} name of the field, with the number of its entry in a list or the name of its shaft, link or point
  */
 export function fieldName(field, words, document) {
   const [, of, at, dimension, places] = DIMENSION.exec(field) ?? [];
@@ -81,7 +81,7 @@ export function fieldName(field, words, document) {
 /**
  * @param {{ readonly name: string, readonly points: readonly string[] }} link
  * @param {string} dimension
- * @param {readonly string[]} places indices of its points, as in the field
+ * @param {readonly string[]} places indices of points of the link, as in the field
  * @param {Words} words
  * @returns {string} name of a dimension of a link: the link and, if it has three points or more, the dimension's points
  */
@@ -96,7 +96,7 @@ function ofLink({ name, points }, dimension, places, words) {
  * @param {Problem} problem
  * @param {Words} words
  * @param {Document} [document]
- * @param {(place: number) => number} [onto] brings an angle in degrees onto the reader's scale
+ * @param {(place: number) => number} [onto] maps an angle in degrees to the range that the reader sees
  * @returns {string}
  */
 export function sentence(problem, words, document, onto) {
@@ -106,7 +106,7 @@ export function sentence(problem, words, document, onto) {
 /**
  * @param {Problem} problem
  * @param {Document} [document]
- * @returns {string} key of its sentence, which depends on the field
+ * @returns {string} key of the problem's sentence, which depends on the field and the document
  */
 function keyOf({ code, field = "" }, document) {
   const isLength = ["length", "side"].includes(DIMENSION.exec(field)?.[3] ?? "");

@@ -1,10 +1,10 @@
-// Read-outs: writing one, and hiding one that a lesson asks for.
+// Read-outs: writing a value, and hiding a value that a lesson asks for.
 import { make, write } from "assur/core/dom.js";
 
 /**
  * @param {HTMLElement} output
  * @param {string | readonly (Node | string)[]} said
- * @param {number | undefined} value behind the text
+ * @param {number | undefined} value the number that the text shows
  */
 export function writeReadout(output, said, value) {
   output.removeAttribute("data-asked");

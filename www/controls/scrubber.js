@@ -1,15 +1,15 @@
-// The visible scrubber: its bar, the part up to the input, the knob. It is painted, because a change of style in every
-// frame costs a browser several times as much.
+// Visible part of the scrubber: the bar, its part up to the current input, and the knob. They are painted on a
+// canvas: to change a style in every frame takes a browser several times as long.
 import { Surface } from "assur/canvas/surface.js";
 
 /** @typedef {import("assur/canvas/theme.js").Theme} Theme */
 
-/** Diameter of the knob, width of its rim and thickness of the bar, in pixels; the style sheet has the same. */
+/** Diameter of the knob, width of its rim and thickness of the bar, in pixels, as in the style sheet. */
 const KNOB = 22;
 const RIM = 4;
 const BAR = 6;
 
-/** Opacity of the arcs that can be assembled, on a bar where not all can. */
+/** Opacity of the arcs in which the linkage can be assembled, on a bar with gaps between them. */
 const OPEN = 0.35;
 
 export class Scrubber {
@@ -30,7 +30,8 @@ export class Scrubber {
 
   /**
    * @param {number} part share of the axis up to the input, 0 to 1
-   * @param {readonly (readonly [number, number])[] | null} arcs shares of the axis that can be assembled, if not all of it
+   * @param {readonly (readonly [number, number])[] | null} arcs parts of the axis, from 0 to 1, in which the linkage
+   * can be assembled; null for the whole axis
    */
   show(part, arcs) {
     this.#part = part;

@@ -3,10 +3,10 @@ import { byId, make } from "assur/core/dom.js";
 
 /**
  * @param {import("assur/state/state.js").Kind} kind
- * @param {string} key of its heading
- * @param {string} field name by which a lesson includes it
+ * @param {string} key of the heading's text
+ * @param {string} field name by which a lesson includes the section
  * @param {readonly HTMLElement[]} content
- * @returns {HTMLElement} the section, in its place
+ * @returns {HTMLElement} the section, which is now in the rail
  */
 export function section(kind, key, field, content) {
   const made = make("section", { "data-of": kind, "data-field": field }, [make("h2", { "data-t": key }), ...content]);

@@ -1,4 +1,4 @@
-// The status line: kind and properties of the mechanism, an entry for each.
+// The status line: kind and properties of the mechanism, one entry for each.
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData } from "assur/core/dom.js";
 
@@ -9,8 +9,9 @@ import { byId, make, setData } from "assur/core/dom.js";
 /**
  * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S
  * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, late?: boolean, say: (snapshot: S) => Entry | null }>} Item
- * `title`: key of its title; `say`: gives its content, null if there is none; `late`: it takes some time and is computed only when
- * nothing has changed for a moment.
+ * `title`: key of the entry's title. `n`: the {n} of the title, by default the symbol of the input. `late`: whether
+ * the content takes some time, and is computed only after a moment without changes. `say`: gives the content, or null
+ * if there is none.
  */
 
 /** Time without a change before late entries are computed, in milliseconds. */
@@ -43,7 +44,7 @@ export class StatusLine {
   }
 
   /**
-   * Writes the titles. The {n} of a title is its own number, or the symbol of the input.
+   * Writes the titles. The {n} of a title is the entry's own, or else the symbol of the input.
    * @param {string} symbol
    * @param {import("assur/core/words.js").Words} words
    */
@@ -59,7 +60,7 @@ export class StatusLine {
   render(snapshot) {
     const { words, revision, stale, withheld, coordinate } = snapshot;
     setData(this.#list, "faded", String(stale));
-    // A state that was refused leaves the entries of the last mechanism.
+    // After a refused state, the entries of the last mechanism stay.
     if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
     const shown = `${revision} ${words.lang}`;
     if (shown === this.#shown && withheld === this.#withheld) return;

@@ -1,4 +1,4 @@
-// Switches of the overlays on drawing and plots: a checkbox for each.
+// Switches of the overlays on the drawing and the plots: one checkbox for each overlay.
 import { byId } from "assur/core/dom.js";
 import { SWITCHES, withView } from "assur/state/state.js";
 

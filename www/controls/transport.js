@@ -1,4 +1,4 @@
-// The bottom bar: play and pause, direction, steps, scrubber, exact angle, speed.
+// The bottom bar: play and pause, direction, steps, scrubber, exact input, speed.
 import { NumberBox } from "assur/controls/number-box.js";
 import { Scrubber } from "assur/controls/scrubber.js";
 import { byId, make, write } from "assur/core/dom.js";
@@ -13,7 +13,7 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Choice of speed at which the crank turns with ω₁. */
+/** Entry of the list of speeds for true time, in which the input moves at its rate ω₁. */
 const TRUE_TIME = "true_time";
 
 export const SPEEDS = Object.freeze([0.1, 0.25, 0.5, 1, 2, 4]);
@@ -34,9 +34,9 @@ export class Transport {
   #view = null;
   /** @type {import("assur/engine.js").Cycle | null} cycle shown by the scrubber */
   #cycle = null;
-  /** Start of its axis, in the reader's unit. */
+  /** Start of the scrubber's axis, in the reader's unit. */
   #start = 0;
-  /** @type {[number, number][] | null} shares of the axis that can be assembled, if not all of it */
+  /** @type {[number, number][] | null} parts of the axis, from 0 to 1, in which the linkage can be assembled; null for the whole axis */
   #arcs = null;
   #lang = "";
 
@@ -101,7 +101,7 @@ export class Transport {
   }
 
   /**
-   * Shows a speed; one from a link that is not in the list is added to it.
+   * Shows a speed. A speed that the list lacks, such as one from a link, is added to the list.
    * @param {View} view
    * @param {Words} words
    */
@@ -148,7 +148,7 @@ export class Transport {
   }
 
   /**
-   * Sets the scrubber to the whole axis; its bar has gaps where nothing can be assembled.
+   * Sets the scrubber to the whole axis. Its bar has gaps where the linkage cannot be assembled.
    * @param {Snapshot} snapshot
    * @param {number} first start of the axis, in the reader's unit
    */
@@ -159,7 +159,7 @@ export class Transport {
     this.#scrubber.min = String(first);
     this.#scrubber.max = String(coordinate.last(first));
     const part = (/** @type {number} */ input) => (input - start) / (end - start);
-    // A run goes through all its times, even if it has an end.
+    // If the input is time, the bar has no gaps: every time up to the end can be reached.
     this.#arcs = full || coordinate.moves === "time" ? null : arcs.map(([from, to]) => [part(from), part(to)]);
     const { moves, step } = coordinate;
     write(this.#symbol, coordinate.symbol);

@@ -1,4 +1,4 @@
-// Conversion between degrees, for the screen and the state, and radians, for the engine.
+// Conversion between degrees, used on the page and in the state, and radians, used by the engine.
 
 /** @param {number} degrees */
 export function radians(degrees) {

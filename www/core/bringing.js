@@ -7,12 +7,12 @@ export class Bringing {
   #failed;
   #changed;
   #now;
-  /** @type {Map<string, number>} time of the next request for a part; Infinity while it loads and once it is there */
+  /** @type {Map<string, number>} earliest time of the next request for each part; Infinity while the part loads and after that */
   #due = new Map();
 
   /**
-   * @param {() => void} changed called when a part has arrived or may be requested again
-   * @param {() => void} failed called when a part has failed to arrive
+   * @param {() => void} changed called when a part has loaded or may be requested again
+   * @param {() => void} failed called when a part has failed to load
    * @param {() => number} [now] clock, in milliseconds
    */
   constructor(changed, failed, now = () => performance.now()) {
@@ -23,7 +23,7 @@ export class Bringing {
   }
 
   /**
-   * Loads a part, unless it is there, on its way or has just failed.
+   * Loads a part, unless it has loaded, is loading or has just failed to load.
    * @param {string} name
    * @param {() => Promise<void>} load loads the part and puts it in its place
    */
@@ -39,7 +39,7 @@ export class Bringing {
     }
   }
 
-  /** Forgets failures: the next state that is shown requests those parts again. */
+  /** Forgets failures, so that the next state that is shown requests those parts again. */
   #again() {
     for (const [name, due] of this.#due) if (due !== Infinity) this.#due.delete(name);
     this.#changed();

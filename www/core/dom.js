@@ -1,4 +1,4 @@
-// Finding and making elements. Text goes in as text, never as markup.
+// Finding and making elements. A text is inserted as text, never as markup.
 
 /**
  * @template {HTMLElement} T
@@ -22,7 +22,8 @@ export function byId(id, kind) {
 export function make(tag, attributes = {}, children = []) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    // The policy of a hosted page forbids listeners and styles in attributes: they could be foreign markup.
+    // The security policy of a hosted page forbids listeners and styles in attributes, which foreign markup could
+    // contain.
     if (typeof value === "function") element.addEventListener(name.slice(2), value);
     else if (name === "style") element.style.cssText = value;
     else element.setAttribute(name, value);
@@ -46,8 +47,9 @@ export function makeSvg(tag, attributes = {}, children = []) {
 }
 
 /**
- * Adds the style sheet of a part that is loaded later; everything still works without it.
- * @param {string} name its path in the page
+ * Adds the style sheet of a part of the page that is loaded later. The part works even if the style sheet fails to
+ * load.
+ * @param {string} name path of the style sheet in the page
  * @returns {Promise<unknown>} resolves when the style sheet has loaded or failed to load
  */
 export function addStyle(name) {
@@ -59,7 +61,7 @@ export function addStyle(name) {
 }
 
 /**
- * Writes a text only if it differs, so that the browser does not repeat its layout.
+ * Writes a text only if it differs from the present one, so that the browser does not repeat its layout.
  * @param {Element} element
  * @param {string} text
  */
@@ -68,7 +70,7 @@ export function write(element, text) {
 }
 
 /**
- * Sets a data attribute only if it differs.
+ * Sets a data attribute only if its value changes.
  * @param {HTMLElement} element
  * @param {string} name
  * @param {string} value

@@ -1,11 +1,11 @@
-// Files of the page other than scripts, fetched by their bare names.
+// Files of the page other than scripts, fetched by their names in the import map.
 
 const PACKED = "application/gzip";
 
 /**
  * @param {string} name in the import map
- * @param {string} [type] its media type
- * @returns {Promise<Response>} the file; the one-file page has it compressed
+ * @param {string} [type] media type of the file
+ * @returns {Promise<Response>} the file, unpacked if it is compressed, as in the one-file page
  */
 export async function fetched(name, type = "application/json") {
   const response = await fetch(import.meta.resolve(name));

@@ -1,9 +1,9 @@
-// Names of links in the reader's language: words of the field, or else the links' own names. Numbers of the entries of a list
-// and of the assemblies of a linkage.
+// Names of links in the reader's language: terms of mechanism theory, or else the links' own names. Also numbers of the
+// entries of a list, and of the assemblies of a linkage.
 
 /**
- * Name of a link in the reader's language. Its number goes to the place {n} of the word, or else behind the word. Without a
- * number the word stands alone, without the hyphen or space that joins the two.
+ * Name of a link in the reader's language. The link's number takes the place {n} in the word, or else follows the word.
+ * Without a number, the hyphen or space that would join the two is omitted.
  * @param {string} link
  * @param {import("assur/core/words.js").Words} words
  */
@@ -16,7 +16,8 @@ export function called(link, words) {
 }
 
 /**
- * @param {string} formula structural formula or a term of one: `I(frame,crank) → II₂(rod,slider)`; `+` joins links that are solved as one
+ * @param {string} formula structural formula or a term of one: `I(frame,crank) → II₂(rod,slider)`; `+` joins links
+ * that form one body
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} the formula with the names of its links in the reader's language
  */
@@ -29,7 +30,7 @@ const DASH = "\u2060–\u2060";
 
 /**
  * @param {readonly string[]} points
- * @returns {string} the points with dashes between
+ * @returns {string} the names of the points, with dashes between them
  */
 export function between(points) {
   return points.join(DASH);
@@ -47,7 +48,7 @@ export function calledBy(link, points, words) {
 
 /**
  * @param {string} point
- * @param {readonly string[]} line two points on it
+ * @param {readonly string[]} line two points on the line
  * @returns {string} the point and the line with an arrow between them
  */
 export function toLine(point, line) {
@@ -55,11 +56,12 @@ export function toLine(point, line) {
 }
 
 /**
- * Number of the moving assembly at the drawn input, with the count of all, or of the known ones if there may be more.
+ * Number of the moving assembly at the drawn input, and the count of all assemblies there, or of the known ones if
+ * there may be more.
  * @param {Pick<import("assur/engine.js").MotionSummary, "assembled" | "home">} summary
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} empty if it is unknown
+ * @returns {string} empty if the number is unknown
  */
 export function numbered({ assembled, home }, coordinate, words) {
   if (!assembled) return "";
@@ -67,13 +69,13 @@ export function numbered({ assembled, home }, coordinate, words) {
   return words.text(assembled.whole ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
 }
 
-/** @typedef {(index: number) => string} Numbering number of an entry of a list for readers, by its index from 0 */
+/** @typedef {(index: number) => string} Numbering gives the number that readers see of an entry in a list; `index` starts at 0 */
 
 /** @type {Map<string, Numbering>} by the name of the list */
 const NUMBERINGS = new Map();
 
 /**
- * Sets how readers number the entries of a list of one kind of document.
+ * Sets the numbers that readers see of the entries in a list of one kind of document.
  * @param {string} list
  * @param {Numbering} numbering
  */
@@ -84,7 +86,8 @@ export function numberEntries(list, numbering) {
 /**
  * @param {string} list
  * @param {number} index from 0
- * @returns {string} the number of the entry for readers, from 1 unless a kind of document says otherwise
+ * @returns {string} the number that readers see of the entry; numbers start at 1 unless the kind of document sets
+ * others
  */
 export function entryNumber(list, index) {
   return NUMBERINGS.get(list)?.(index) ?? String(index + 1);

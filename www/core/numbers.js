@@ -9,14 +9,15 @@ const CYRILLIC_E = /[еЕ]/g;
 /** An exponent as browsers write it. */
 const EXPONENT = /[EЕ]([\u2212\d]+)$/;
 
-/** Sizes beyond which a number is written with a power of ten. */
+/** Limits of the absolute values that are written without a power of ten. */
 const HUGE = 1e9;
 const TINY = 1e-6;
 
 /**
- * Reads a number with a decimal point or comma, spaces between digits, a typographic minus, a degree sign, an exponent after a Latin or Cyrillic E.
+ * Reads a number. The number may have a decimal point or comma, spaces between digits, a typographic minus, a degree
+ * sign, and an exponent after a Latin or Cyrillic E.
  * @param {string} text
- * @returns {number | null} null where the text is not one finite number
+ * @returns {number | null} null if the text is not one finite number
  */
 export function parseNumber(text) {
   const plain = text.replace(/[\s°]/g, "").replace(/\u2212/g, "-").replace(CYRILLIC_E, "e");
@@ -28,7 +29,8 @@ export function parseNumber(text) {
 /**
  * @param {number} decimals decimals of a number at rest
  * @param {boolean} playing
- * @returns {number} decimals that can be read in motion: half of them, so that a single decimal in a drawing is dropped
+ * @returns {number} decimals that can be read: in motion half of them, rounded down, so that a single decimal is
+ * dropped
  */
 export function readable(decimals, playing) {
   return playing ? Math.floor(decimals / 2) : decimals;
@@ -36,16 +38,16 @@ export function readable(decimals, playing) {
 
 /**
  * @param {number} exponent
- * @returns {string} 10⁻³
+ * @returns {string} the power of ten, such as 10⁻³
  */
 export function powerOfTen(exponent) {
   return `10${String(exponent).replace("-", "⁻").replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)])}`;
 }
 
-/** Languages whose numbers browsers cannot write, each with one that writes them alike. */
+/** Languages in which browsers cannot write numbers, each with a language that has the same notation. */
 const ALIKE = Object.freeze(new Map([["kk", "ru"]]));
 
-/** Writes numbers with the decimal sign of one language. */
+/** Numbers written in the notation of one language. */
 export class Numbers {
   #locale;
   /** @type {Map<string, Intl.NumberFormat>} */
@@ -64,7 +66,7 @@ export class Numbers {
   }
 
   /**
-   * Plural form of a noun beside a number, by the rules of the language: one, few, many, other.
+   * Plural form of a noun beside a number by the rules of the language, such as one, few, many, other.
    * @param {number} count
    */
   form(count) {
@@ -72,7 +74,7 @@ export class Numbers {
   }
 
   /**
-   * A number with exactly the given decimals.
+   * A number with exactly the given number of decimals.
    * @param {number} value
    * @param {number} decimals
    */
@@ -81,7 +83,7 @@ export class Numbers {
   }
 
   /**
-   * A number with at most the given decimals.
+   * A number with at most the given number of decimals.
    * @param {number} value
    * @param {number} decimals
    */

@@ -1,4 +1,4 @@
-// Refusals with their reasons: codes with parameters, which become sentences where they are shown.
+// Refusals with their reasons. A reason is a code with parameters, which becomes a sentence where it is shown.
 
 /** @typedef {Readonly<{ code: string, field?: string, [parameter: string]: string | number | undefined }>} Problem */
 
@@ -12,7 +12,7 @@ export class Refusal extends Error {
 }
 
 /**
- * Does work and returns a refusal by the engine as problems; any other exception is a fault and is thrown on.
+ * Does work, and returns the problems of a refusal by the engine. Any other exception is a fault, and is thrown again.
  * @template T
  * @param {() => T} work
  * @returns {{ value: T, problems: readonly Problem[] } | { value: null, problems: readonly Problem[] }}

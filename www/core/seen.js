@@ -1,4 +1,4 @@
-// Comparison with the values shown last: what is unchanged is not written again.
+// Comparison with the values shown last, so that a view with unchanged values is not written again.
 
 export class Seen {
   /** @type {readonly unknown[]} */
@@ -6,7 +6,7 @@ export class Seen {
 
   /**
    * @param {...unknown} parts all values that the view depends on
-   * @returns {boolean} whether they equal those of the last call; they are kept for the next
+   * @returns {boolean} whether all values equal those of the last call
    */
   same(...parts) {
     const before = this.#parts;

@@ -1,4 +1,4 @@
-// Origin of the page: a site has notes for teachers beside it, the one-file page has none.
+// Origin of the page: a site, which also has notes for teachers, or the one-file page, which has none.
 
 /**
  * @param {string} lesson

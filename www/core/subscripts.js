@@ -1,12 +1,13 @@
-// Formulas in a line of text, such as x_PQ, written with subscripts; texts with *emphasised* words.
+// Marked texts: letters after a _, as in x_PQ, are written as a subscript, and *words* between asterisks with emphasis.
 import { make } from "assur/core/dom.js";
 
 /** Name of a point that is short enough for a subscript. */
 const LETTER = /^\p{L}\d{0,2}$/u;
 
 /**
+ * Symbol with the names of points as its subscript, if each name is short enough, or else the symbol alone.
  * @param {string} symbol
- * @param {readonly string[]} points whose names become its subscript, if they are letters
+ * @param {readonly string[]} points
  */
 export function lettered(symbol, points) {
   return points.every((point) => LETTER.test(point)) ? `${symbol}_${points.join("")}` : symbol;
@@ -14,7 +15,7 @@ export function lettered(symbol, points) {
 
 /**
  * @param {string} text
- * @returns {(Node | string)[]} the text with the letters after each _ as a subscript
+ * @returns {(Node | string)[]} the text, with the letters and digits after each _ as a subscript
  */
 export function withSubscripts(text) {
   const parts = text.split(/_([\p{L}\d]+)/u);
@@ -22,7 +23,7 @@ export function withSubscripts(text) {
 }
 
 /**
- * Writes a text with its subscripts, only if it differs.
+ * Writes a text with its subscripts, only if it differs from the present one.
  * @param {Element} element
  * @param {string} text
  */
@@ -34,7 +35,7 @@ export function writeSubscripted(element, text) {
 
 /**
  * @param {string} text
- * @returns {(Node | string)[]} the text with words between two * emphasised
+ * @returns {(Node | string)[]} the text, with words between two asterisks emphasised, and with subscripts
  */
 export function marked(text) {
   const parts = text.split(/\*([^*]+)\*/);

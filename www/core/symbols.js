@@ -1,4 +1,4 @@
-// Symbols of quantities: φ₃′, ω₅, ẋ.
+// Symbols of quantities, such as φ₃′, ω₅, ẋ.
 import { called } from "assur/core/names.js";
 
 const STROKES = Object.freeze(["", "′", "″"]);
@@ -14,7 +14,7 @@ const LETTERS = Object.freeze({
   pressure: Object.freeze(["α", "α\u0307", "α\u0308"]),
 });
 
-/** Last parts of the names of measured quantities. */
+/** Last parts of the names of measures, which are quantities that the reader adds. */
 export const MEASURES = Object.freeze(["distance", "corner", "between"]);
 
 /** Quantities whose symbol includes their points or links. */
@@ -31,21 +31,26 @@ export function isLength(what) {
   return LENGTHS.includes(what);
 }
 
-/** Names of the wheels of a mixer. Their angles are ψ₄, ψ₅: φ₅ is the diagonal of its contour (Smelyagin and Prikhodko, (3)). */
+/**
+ * Names of the wheels of a mixer. Their angles are ψ₄, ψ₅, because φ₅ belongs to the diagonal of the contour
+ * (Smelyagin and Prikhodko, (3)).
+ */
 const WHEEL = /^wheel\d+$/;
 
 /**
  * @param {string} of name of a link
  * @param {string | null | undefined} number number of the link
- * @returns {string} the letter of its angle
+ * @returns {string} the letter of the link's angle
  */
 export function letterOfAngle(of, number) {
   return number && WHEEL.test(of) ? "ψ" : "φ";
 }
 
 /**
- * Symbol of a quantity or of its derivative, such as φ₃′, ω₅, ẋ; an angle without a number is named by its link or joint.
- * @param {{ name: string, number?: string | null }} quantity its name, such as `rocker.angle`, `C2.x`
+ * Symbol of a quantity or of its derivative, such as φ₃′, ω₅, ẋ. For an angle without a number, the name of the link
+ * or joint follows.
+ * @param {{ name: string, number?: string | null }} quantity name of the quantity, such as `rocker.angle`, `C2.x`,
+ * and number of its link
  * @param {number} order
  * @param {boolean} physical whether derivatives are with respect to time
  * @param {import("assur/core/words.js").Words} words
@@ -66,7 +71,7 @@ export function symbol({ name, number }, order, physical, words) {
  * @param {string} of names of points, or of links, with hyphens between them
  * @param {string} what last part of the name of the quantity
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} their names joined
+ * @returns {string} the names in the reader's language, joined
  */
 export function calledWhole(of, what, words) {
   return what === "between" ? of.split("-").map((link) => called(link, words)).join("-") : subscript(of);
@@ -75,8 +80,8 @@ export function calledWhole(of, what, words) {
 /**
  * @param {string} name of a quantity
  * @param {number} order of its derivative
- * @returns {string} id of its read-out, also in the lists of read-outs that lessons withhold: `rocker.angle″`, `C.x′`; the name alone
- * could be that of a link, a point or another read-out
+ * @returns {string} id of the read-out, such as `rocker.angle″` or `C.x′`; lessons list the read-outs that they
+ * withhold by these ids
  */
 export function readoutOf(name, order) {
   return name + STROKES[order];

@@ -1,4 +1,4 @@
-// Titles and sources of documents; those of the catalogue are in every language.
+// Titles and sources of documents. Those of the catalogue exist in every language.
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -9,7 +9,7 @@
  * @param {Parameters<Engine["presetOf"]>[0]} state
  * @param {Engine} engine
  * @param {Words} words
- * @returns {string} its name in the gallery, or else its own title, or else the name of its kind
+ * @returns {string} name of the document in the gallery, or else its own title, or else the name of its kind
  */
 export function titleOf(state, engine, words) {
   const preset = engine.presetOf(state);
@@ -22,7 +22,8 @@ export function titleOf(state, engine, words) {
  * @param {import("assur/state/state.js").Documents["linkage"]} linkage
  * @param {Engine} engine
  * @param {Words} words
- * @returns {string} its source: that of the catalogue in the reader's language, any other as it is
+ * @returns {string} source of the linkage: in the reader's language if it is that of the catalogue, or else as it was
+ * written
  */
 export function sourceOf({ origin, source }, engine, words) {
   const { source: noted } = /** @type {{ source?: string }} */ (engine.preset(origin ?? "")?.document ?? {});

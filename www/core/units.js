@@ -14,17 +14,18 @@ export function derived(of, by, order) {
 }
 
 /**
- * @param {Readonly<{ kind: string, order: number, physical: boolean }>} quantity an angle, a length or a derivative of one, with respect to time if physical
- * @param {"angle" | "length" | "time"} moves kind of the input, the variable of all other derivatives
+ * @param {Readonly<{ kind: string, order: number, physical: boolean }>} quantity an angle or a length, or its
+ * derivative: with respect to time if `physical`
+ * @param {"angle" | "length" | "time"} moves kind of the input, with respect to which all other derivatives are taken
  * @param {import("assur/core/words.js").Words} words
- * @returns {string} its unit; angles are in radians
+ * @returns {string} unit of the quantity, if angles are in radians
  */
 export function unitOfRate({ kind, order, physical }, moves, words) {
   const angle = words.text("unit.rad");
   const input = moves === "angle" ? angle : words.unit;
   const by = physical ? words.text("unit.s") : input;
   const of = kind === "angle" ? angle : words.unit;
-  // The angle of a crank adds no unit to a length: the analogue of velocity is a length.
+  // Derivatives of a length with respect to an angle have the unit of the length: the analogue of velocity is a length.
   const bare = order === 0 || (of !== angle && by === angle);
   return bare ? of : derived(of, by, order);
 }

@@ -1,4 +1,4 @@
-// Texts of the page, from lang/*.json and from the folders of lessons; this file only looks them up.
+// Look-up of the page's texts, which are in lang/*.json and in the folders of lessons.
 import { fetched } from "assur/core/fetched.js";
 import { Numbers } from "assur/core/numbers.js";
 import { measured } from "assur/core/units.js";
@@ -9,7 +9,10 @@ export const LANGUAGES = Object.freeze(["en", "ru", "uk", "kk"]);
 /** Units that follow numbers in the texts. */
 const UNITS = "\\{unit\\}|%|px|rpm|об/(?:мин|хв)|айн/мин|(?:min|мин|хв)⁻¹|[NН]·[mм]|m?m|cm|s|kB|MB|м?м(?:/с)?|см|с|[кМ]Б|п[иі]кс";
 
-/** Spaces at which a line may not break: before a unit, at an equals sign before a number, before a dash, after `fig.`, an initial and a Cyrillic word of one letter. */
+/**
+ * Spaces at which a line may not break: before a unit, beside an equals sign before a number, before a dash, and
+ * after `fig.`, an initial or a Cyrillic word of one letter.
+ */
 const HELD = new RegExp(
   [
     `(?<=[\\d}]) (?=(?:${UNITS})(?!\\p{L}))`,
@@ -44,7 +47,7 @@ export class Words {
     this.numbers = new Numbers(lang);
     this.#table = table;
     this.lengths = lengths;
-    /** Unit written beside lengths; empty if they have none. */
+    /** Unit written beside lengths; empty if lengths have no unit. */
     this.unit = lengths === "none" ? "" : this.text(`unit.${lengths}`);
   }
 
@@ -66,7 +69,8 @@ export class Words {
 
   /**
    * @param {string} lang
-   * @param {readonly string[]} [places] paths of the tables in the page, * standing for the language; a later table overrides an earlier one
+   * @param {readonly string[]} [places] paths of the tables in the page, with * for the language; a later table
+   * overrides an earlier one
    * @returns {Promise<Words>}
    */
   static async load(lang, places = ["lang/*"]) {
@@ -85,14 +89,15 @@ export class Words {
     if (text === undefined) return key;
     /** @type {Record<string, string>} */
     const places = { unit: this.unit, ...given };
-    // A missing unit is omitted with its comma, space or brackets.
+    // If there is no unit, the comma, space or brackets around it are also omitted.
     const bare = places.unit ? text : text.replace(UNIT, "");
     return bare.replace(/\{(\w+)\}/g, (place, name) => (Object.hasOwn(places, name) ? places[name] : place));
   }
 
   /**
    * Text with a count. Its plural forms are `key.one`, `key.few`, `key.many`, `key.other`, as the language requires.
-   * A browser without the plural rules of the language uses those of another, whose forms the table may lack, but not `other`.
+   * A browser without the plural rules of the language uses those of another language; the form `other` replaces
+   * forms that the table lacks.
    * @param {string} key
    * @param {number} count value of the place {count}
    * @param {Readonly<Record<string, string>>} [places]
@@ -108,7 +113,8 @@ export class Words {
   }
 
   /**
-   * Writes the constant texts into the elements of the page that name their keys; `data-n` is the {n} of a text.
+   * Writes texts into the elements that name their keys in `data-t` and similar attributes; `data-n` gives the {n} of
+   * a text.
    * @param {ParentNode} root
    */
   fill(root) {
@@ -139,7 +145,7 @@ async function fetchTable(name) {
 
 /**
  * @param {string} text
- * @returns {string} the text with non-breaking spaces within phrases that are read as one
+ * @returns {string} the text, with non-breaking spaces where a line may not break
  */
 export function unbroken(text) {
   return text.replace(HELD, "\u00a0");

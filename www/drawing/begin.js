@@ -14,11 +14,11 @@ export function toggleDrawing(page) {
   model.follow(store.get());
   const { summary } = model;
   if (!(summary.moves ? summary.traceable : "links" in store.get().document)) return;
-  // A draft can only be shown with the drawing tools.
+  // A draft, which does not move, is shown only with the drawing tools.
   const on = !summary.moves || !store.get().view.drawing;
   history.step(() => {
     store.update((state) => withView(state, { drawing: on, playing: on ? false : state.view.playing }));
-    // A document of another kind becomes a linkage.
+    // An edit that moves nothing converts a document of another kind into a linkage.
     if (on && !("links" in store.get().document)) edit(page, { edit: "move", points: [], by: [0, 0] });
   });
 }

@@ -1,4 +1,5 @@
-// Drawing: tools over the drawing, the pointer that uses them, and the panel beside it. Loaded on demand.
+// Drawing mode: the tools over the drawing, the pointer that uses them, and the panel beside the drawing. Loaded on
+// demand.
 import { step, unsay } from "assur/drawing/edit.js";
 import { Hand } from "assur/drawing/hand.js";
 import { paint } from "assur/drawing/marks.js";
@@ -16,10 +17,10 @@ import { inputNow } from "assur/state/change.js";
  * @typedef {import("assur/state/state.js").Documents["linkage"]} Document
  */
 
-/** Key of a copied part in the text of the clipboard. */
+/** Key under which the text of the clipboard holds a copied part of a drawing. */
 const FORMAT = "assur.drawing";
 
-/** Offset of a pasted part from its original, in squares of the grid. */
+/** Offset of a pasted part from its original, to the right and down, in steps of the grid. */
 const BESIDE = 4;
 
 export class Drawing {
@@ -90,7 +91,7 @@ export class Drawing {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    // A document of another kind may have been opened, which is not drawn yet.
+    // A document of another kind may have been opened, and not yet be shown.
     const drawn = this.#on && "links" in this.#document();
     if (!drawn || event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;
@@ -116,7 +117,9 @@ export class Drawing {
     return /** @type {Document} */ (this.#page.store.get().document);
   }
 
-  /** The selected points without traced points, which go with their links. */
+  /**
+   * The selected points and those of selected links. Traced points are left out, because they move with their links.
+   */
   #joints() {
     const document = this.#document();
     const points = new Set(document.points.map(({ name }) => name));
@@ -145,7 +148,7 @@ export class Drawing {
     if (part) this.#paste(part);
   }
 
-  /** @returns {Document | null} the selected part as a drawing */
+  /** @returns {Document | null} the selected part as a drawing of its own; null if there is none */
   #part() {
     if (this.#selection.empty) return null;
     const { points, links } = this.#selection;
@@ -171,7 +174,7 @@ export class Drawing {
   #arrow({ key }) {
     const [right, up] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key] ?? [0, 0];
     if (this.#work.tool !== "select" || this.#selection.empty) {
-      // Enter is for the drawing, not for the focused tool.
+      // The drawing gets the focus, so that Enter does not press the button of a tool.
       const canvas = byId("mechanism", HTMLCanvasElement);
       canvas.tabIndex = -1;
       canvas.focus({ preventScroll: true });
@@ -219,7 +222,7 @@ export class Drawing {
 
 /**
  * @param {string} text of the clipboard
- * @returns {Document | null} the copied part of a drawing; the engine checks it
+ * @returns {Document | null} the copied part of a drawing, which the engine will check; null if the text holds none
  */
 function pasted(text) {
   try {

@@ -1,4 +1,4 @@
-// Edits of a drawing: the engine makes the changed document and decides whether it moves.
+// Edits of a drawing: the engine makes the changed document and determines whether the linkage moves.
 import { attempt } from "assur/core/problem.js";
 import { inputNow } from "assur/state/change.js";
 import { PARTS, withMechanism, withView } from "assur/state/state.js";
@@ -10,11 +10,11 @@ import { PARTS, withMechanism, withView } from "assur/state/state.js";
  * @typedef {{ kind: "draft" | "linkage", document: import("assur/state/state.js").Documents["linkage"], point: string | null, link: string | null, held: boolean }} Drawn
  */
 
-/** Name of the field that shows the reason of a refused edit. */
+/** Name of the field that shows the reason for refusing an edit. */
 const FIELD = "edit";
 
 /**
- * Edits the open document, or shows the reason of a refusal.
+ * Edits the open document, or shows the reason why the edit is refused.
  * @param {Page} page
  * @param {Edit} wanted
  * @returns {Drawn | null}
@@ -36,13 +36,13 @@ export function edit(page, wanted) {
     store.update((state) => withView(state, PARTS));
     model.follow(store.get());
   }
-  // The edit was made in the drawn pose: the driver goes there.
+  // The edited pose is now the drawn pose. The driver goes to the drawn input.
   if (model.sound && model.summary.moves) store.update((state) => model.coordinate.put(state, model.coordinate.place(model.home)));
   return drawn;
 }
 
 /**
- * The edit as a step of its own.
+ * Makes an edit as an undo step of its own.
  * @param {Page} page
  * @param {Edit} wanted
  * @returns {Drawn | null}
@@ -57,7 +57,7 @@ export function step(page, wanted) {
 }
 
 /**
- * Shows the reason of a refusal until the next edit.
+ * Shows the reason for a refusal until the next edit.
  * @param {Page} page
  * @param {string} code of a problem
  */

@@ -1,4 +1,4 @@
-// The pointer while drawing: what a press hits, and what a drag moves.
+// The pointer in drawing mode: the points and links that presses hit and drags move.
 import { attempt } from "assur/core/problem.js";
 import { edit } from "assur/drawing/edit.js";
 import { inputNow } from "assur/state/change.js";
@@ -13,13 +13,13 @@ import { side } from "assur/stage/paper.js";
  * @typedef {{ to(at: Place, free: boolean): void, end(): void }} Drag
  */
 
-/** Greatest distance at which a press takes a joint or a link, in pixels: by a mouse, by a finger. */
+/** Greatest distance at which a press takes a joint or a link, in pixels, first for a mouse, then for a finger. */
 const REACH = Object.freeze({ joint: [16, 26], link: [7, 14] });
 
-/** Event of a press by the keyboard. */
+/** Data of an event for a press by the keyboard. */
 const KEYED = Object.freeze({ pointerType: "mouse", altKey: false, shiftKey: false });
 
-/** Steps of the grid in a square of the paper, by the first digit of its side. */
+/** Number of grid steps along the side of a square of the paper, by the first digit of the side's length. */
 const STEPS = Object.freeze({ 1: 5, 2: 4, 5: 5 });
 
 export class Hand {
@@ -27,18 +27,18 @@ export class Hand {
   #work;
   #selection;
   #changed;
-  /** @type {[Point, Point] | null} frame drawn for a selection */
+  /** @type {[Point, Point] | null} opposite corners of the rectangle that the reader draws to select */
   frame = null;
   /** @type {Point | null} place of the pointer over the paper */
   over = null;
-  /** Whether that pointer is the keyboard's. */
+  /** Whether `over` is the place of the keyboard's pointer. */
   keyed = false;
 
   /**
    * @param {import("assur/app/page.js").Page} page
    * @param {import("assur/drawing/tools.js").Work} work
    * @param {import("assur/drawing/selection.js").Selection} selection
-   * @param {() => void} changed called when only the painting over the drawing changes
+   * @param {() => void} changed called when only the marks over the drawing change
    */
   constructor(page, work, selection, changed) {
     this.#page = page;
@@ -66,7 +66,7 @@ export class Hand {
   }
 
   /**
-   * Moves the keyboard's pointer by a step of the grid; it starts in the middle of the visible area.
+   * Moves the keyboard's pointer along the grid. The pointer starts in the middle of the visible area.
    * @param {number} right steps
    * @param {number} up
    */
@@ -101,7 +101,7 @@ export class Hand {
   }
 
   /**
-   * The drag that begins at a place; null on the paper.
+   * The drag that begins at a place; null if the tool drags nothing there.
    * @param {Place} at
    * @param {PointerEvent} event
    * @returns {Drag | null}
@@ -117,12 +117,12 @@ export class Hand {
       const own = this.#selection.links.has(link) ? this.#selection.all(this.#document()) : this.#document().links.find(({ name }) => name === link)?.points ?? [];
       return this.#carry(own, at);
     }
-    // A finger on the paper pans it.
+    // A finger on the paper pans the view instead.
     return touch ? null : this.#surround(at, event.shiftKey);
   }
 
   /**
-   * Drags one point; dropped on another point, it is joined to that.
+   * Drags one point. If it is dropped on another point, the two are joined.
    * @param {string} point
    * @param {Place} from
    * @param {boolean} touch
@@ -141,18 +141,18 @@ export class Hand {
         onto = near && this.#isPoint(near.name) && this.#isPoint(point) ? near.name : "";
         const [x, y] = near ? [near.x, near.y] : this.#snapped(place, free);
         this.#page.mechanism.ring(onto || point);
-        // Locks may have kept the point away from there.
+        // Locked dimensions may have kept the point away from the other one.
         if (edit(this.#page, { edit: "place", point, at: [x, y] })?.held) onto = "";
       },
       end: () => {
-        // Dragging and joining are one step of undo.
+        // Dragging and joining form one undo step.
         if (onto && edit(this.#page, { edit: "join", points: [point, onto] })) this.#selection.set([onto], []);
       },
     };
   }
 
   /**
-   * Drags points together.
+   * Drags several points by the same distance.
    * @param {readonly string[]} points
    * @param {Place} from
    * @returns {Drag}
@@ -168,7 +168,7 @@ export class Hand {
         const before = this.#page.mechanism.joints().find(({ name }) => name === first);
         const after = edit(this.#page, { edit: "move", points: [...points], by })?.document.points.find(({ name }) => name === first);
         if (!after) return;
-        // Locks may have shortened the movement.
+        // Locked dimensions may have shortened the movement.
         const went = before ? [after.at[0] - before.x, after.at[1] - before.y] : by;
         last[0] += went[0];
         last[1] += went[1];
@@ -195,9 +195,9 @@ export class Hand {
   }
 
   /**
-   * Draws a frame around parts to select.
+   * Draws a rectangle, and selects the points and links inside.
    * @param {Place} from
-   * @param {boolean} more
+   * @param {boolean} more whether to add to the selection instead of replacing it
    * @returns {Drag}
    */
   #surround(from, more) {
@@ -241,15 +241,15 @@ export class Hand {
   /**
    * @param {Place} at
    * @param {Pressed} event
-   * @returns {Target} the target at a place
+   * @returns {Target} the joint at a place, or else the link, or else the paper
    */
   #target(at, event) {
     const touch = event.pointerType === "touch";
-    // Marks on a picture ignore grid and joints.
+    // Marks on a picture ignore the grid and the joints.
     if (this.#work.tool === "picture") return { point: null, link: null, wheel: null, at: this.#snapped(at, true) };
     const joint = this.#joint(at, touch);
     if (joint) return { point: joint.name, link: this.#linkOf(joint.name), wheel: this.#wheelOn(joint.name), at: [joint.x, joint.y] };
-    // With Alt neither the grid nor a link below attracts the place.
+    // With Alt, the press ignores the grid and a link under the pointer.
     const below = event.altKey ? { link: null, wheel: null } : this.#link(at, touch);
     return { point: null, ...below, at: this.#snapped(at, event.altKey) };
   }
@@ -265,7 +265,7 @@ export class Hand {
 
   /**
    * @param {string} point
-   * @returns {string | null} the link of the point, if it has only one
+   * @returns {string | null} the link of the point, if the point is on one link only
    */
   #linkOf(point) {
     const having = this.#document().links?.filter(({ points }) => points.includes(point)) ?? [];
@@ -274,7 +274,7 @@ export class Hand {
 
   /**
    * @param {string} point
-   * @returns {string | null} the last wheel added at the point, if it has other links, too
+   * @returns {string | null} the last wheel added at the point, if the point is on other links, too
    */
   #wheelOn(point) {
     const { links = [], slides = [] } = this.#document();
@@ -299,7 +299,7 @@ export class Hand {
   /**
    * @param {Place} at
    * @param {boolean} free whether the grid is ignored
-   * @returns {[number, number]} the place in the model, on the grid unless that is ignored
+   * @returns {[number, number]} the place in the model, at the nearest point of the grid unless the grid is ignored
    */
   #snapped(at, free) {
     const [x, y] = this.#view.toModel(at.x, at.y);
@@ -321,7 +321,7 @@ function grid(scale) {
 /**
  * @param {number} value
  * @param {number} step
- * @returns {number} the nearest multiple of the step, without rounding error in its decimals
+ * @returns {number} the nearest multiple of the step, without rounding errors in the last decimals
  */
 function round(value, step) {
   return Number((Math.round(value / step) * step).toPrecision(12));

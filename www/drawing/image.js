@@ -1,18 +1,19 @@
-// An image behind a drawing: read from a file, as text for the state and as pixels.
+// An image behind a drawing, read from a file: as text for the state, and as pixels for painting.
 
 /**
  * @typedef {Readonly<{ text: string, pixels: HTMLCanvasElement }>} Image
  */
 
-/** Longer side of a large photograph after shrinking, in pixels, and smaller ones for an image that is still too long. */
+/** Longest side of an image that keeps its size, in pixels. */
 const LONGEST_SIDE = 2000;
+/** Longer sides tried for any other image, in pixels, until the text of the image is short enough. */
 const SIDES = Object.freeze([LONGEST_SIDE, 1400, 1000, 700]);
 const QUALITY = 0.85;
 
-/** Limit of the image's text in a state, in characters; the same as in assur-file. */
+/** Greatest length of an image's text in a state, in characters; the same as in assur-file. */
 const LONGEST = 2_000_000;
 
-/** Types of images that a state takes as they are. */
+/** Text of an image of a type that a state takes without conversion. */
 const TAKEN = /^data:image\/(png|jpeg|webp|gif|svg\+xml);base64,/;
 
 /** Side of an image without a size of its own, such as some vector drawings, in pixels. */
@@ -20,7 +21,7 @@ const SIDE = 1000;
 
 /**
  * @param {File} file
- * @returns {Promise<Image | null>} the image as it is or made smaller, or null if it is no picture
+ * @returns {Promise<Image | null>} the image, converted and made smaller if need be; null if the file is no image
  */
 export async function imageOf(file) {
   try {
@@ -37,7 +38,7 @@ export async function imageOf(file) {
 
 /**
  * @param {string} text of an image
- * @returns {Promise<HTMLCanvasElement | null>} its pixels, if it is a picture
+ * @returns {Promise<HTMLCanvasElement | null>} pixels of the image; null if the text is no image
  */
 export async function pixelsOf(text) {
   try {
@@ -49,7 +50,8 @@ export async function pixelsOf(text) {
 
 /**
  * @param {HTMLImageElement} image
- * @returns {string | undefined} the image as a photograph short enough for a state
+ * @returns {string | undefined} the image in the JPEG format, short enough for a state; undefined if that is not
+ * possible
  */
 function photograph(image) {
   for (const side of SIDES) {
@@ -61,7 +63,7 @@ function photograph(image) {
 
 /**
  * @param {HTMLImageElement} image
- * @param {number} longest pixels of its longer side
+ * @param {number} longest greatest length of the longer side, in pixels
  * @param {string} [ground] colour behind the image
  * @returns {HTMLCanvasElement}
  */
@@ -82,7 +84,7 @@ function painted(image, longest, ground) {
 }
 
 /**
- * @param {string} text of an image; an image element runs no scripts and fetches nothing
+ * @param {string} text of an image; scripts and links inside the image have no effect in an image element
  * @returns {Promise<HTMLImageElement>}
  */
 async function loaded(text) {

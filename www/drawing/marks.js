@@ -1,4 +1,4 @@
-// Marks painted over the drawing while it is edited: the selection, pressed places, the next bar.
+// Marks painted over the drawing while it is edited: the selection, pressed places, the next bar, locked dimensions.
 import { level } from "assur/drawing/tools.js";
 
 /**
@@ -6,12 +6,14 @@ import { level } from "assur/drawing/tools.js";
  *   hand: import("assur/drawing/hand.js").Hand }} Drawn
  */
 
-/** Radius of the ring around a point, width of the line over a link, in pixels. */
+/** Radius of the ring around a point, and width of the line over a link, in pixels. */
 const RING = 10;
 const OVER = 12;
-/** Radius of the ring around a link of one point: a wheel or a block. */
+/** Radius of the ring around a link with only one point, such as a wheel or a block, in pixels. */
 const WHEEL = 22;
-/** Width of the mark of a lock, and distance of an angle's mark from its point, in pixels. */
+/**
+ * Width of a padlock, which marks a locked dimension, and its distance from the vertex of a locked angle, in pixels.
+ */
 const LOCK = 9;
 const AWAY = 24;
 const DASHES = Object.freeze([6, 5]);
@@ -50,7 +52,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   for (const lock of locks) {
     const at = lock.flatMap((name) => [places.get(name) ?? []]);
     if (at.some((place) => place.length < 2)) continue;
-    // The mark of a length is in its middle, the mark of an angle beside its point and between the sides.
+    // The padlock of a length is in the middle of the length; that of an angle is near the vertex, between the sides.
     const [from, to] = [at[0], at[at.length - 1]];
     const middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
     padlock(context, at.length === 2 ? middle : toward(at[1], middle, AWAY * theme.weight), theme);
@@ -58,7 +60,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   const last = work.pressed.at(-1);
   if (hand.over && last) {
     const from = (last.point && places.get(last.point)) || view.toScreen(...last.at);
-    // A guide that is nearly horizontal or vertical becomes so.
+    // A guide that is nearly horizontal or vertical becomes exactly so.
     const to = work.tool === "slide" ? level(last.at, hand.over) : hand.over;
     context.setLineDash([...DASHES]);
     context.beginPath();
@@ -88,8 +90,9 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
 /**
  * @param {readonly number[]} from
  * @param {readonly number[]} to
- * @param {number} way pixels
- * @returns {number[]} the place at that distance towards the other one, or above the first if they coincide
+ * @param {number} way distance in pixels
+ * @returns {number[]} the place at that distance from the first place towards the second, or above the first if the
+ * two coincide
  */
 function toward([x, y], [left, top], way) {
   const length = Math.hypot(left - x, top - y);
@@ -98,7 +101,7 @@ function toward([x, y], [left, top], way) {
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {readonly number[]} place of its middle
+ * @param {readonly number[]} place of the padlock's middle
  * @param {import("assur/canvas/theme.js").Theme} theme
  */
 function padlock(context, [left, top], { colours, weight }) {

@@ -68,7 +68,7 @@ export class Palette {
     page.words.fill(this.element);
   }
 
-  /** Height at the top of the drawing that it covers, in pixels. */
+  /** Height of the part at the top of the drawing that the buttons cover, in pixels. */
   get height() {
     return this.#row.offsetTop + this.#row.offsetHeight;
   }

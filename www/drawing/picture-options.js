@@ -1,4 +1,4 @@
-// Options of the picture behind the drawing, shown beside the tools while its tool is in use.
+// Options of the picture behind the drawing, shown with the tools while the picture tool is in use.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { make } from "assur/core/dom.js";
 import { refuse, unsay } from "assur/drawing/edit.js";
@@ -75,7 +75,7 @@ export class PictureOptions {
   /**
    * @param {Part} part
    * @param {number} value
-   * @returns {number} the resulting value
+   * @returns {number} the value that results in the state
    */
   #lay(part, value) {
     const { base } = this.#picture;

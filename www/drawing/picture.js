@@ -1,21 +1,22 @@
-// A picture behind the drawing: a photograph or scan over which links are drawn. It belongs to the state, is saved in files and undone like
-// the rest, but it is no part of the mechanism: links and exported pictures do not have it.
+// A picture behind the drawing: a photograph or scan over which links are drawn. It is part of the state, and so is
+// saved in files and subject to undo. It is no part of the mechanism: shared addresses and exported pictures leave it
+// out.
 import { degrees, radians } from "assur/core/angles.js";
 import { refuse } from "assur/drawing/edit.js";
 import { imageOf, pixelsOf } from "assur/drawing/image.js";
 import { withFurther } from "assur/state/state.js";
 
 /**
- * @typedef {readonly [number, number]} Place in the model, or on the picture, in its pixels
- * @typedef {Readonly<{ x: number, y: number, length: number, angle: number }>} Base the line between the two marked places: its start, its
- * length and its angle to the x axis in degrees
+ * @typedef {readonly [number, number]} Place in the model, or on the picture in pixels
+ * @typedef {Readonly<{ x: number, y: number, length: number, angle: number }>} Base the line between the two marked
+ * places: coordinates of its start, its length, and its angle to the x axis in degrees
  * @typedef {import("assur/state/state.js").Picture} Picture
  */
 
-/** Limit of the size of a file, in bytes. */
+/** Largest size of a file, in bytes. */
 const LARGEST = 64e6;
 
-/** Share of the view that a new picture takes, and its opacity. */
+/** Share of the view that a new picture fills, and the opacity of a new picture. */
 const SHARE = 0.85;
 const OPACITY = 0.5;
 
@@ -24,9 +25,9 @@ const FARTHEST = 1e9;
 
 export class BackPicture {
   #page;
-  /** The image to which the pixels belong. */
+  /** Text of the image to which the pixels belong. */
   #image = "";
-  /** @type {HTMLCanvasElement | null} null until they are loaded, and if the image is no picture */
+  /** @type {HTMLCanvasElement | null} pixels of the image; null until they are loaded, and if the image cannot be read */
   #pixels = null;
   /** @type {Place[]} marked places on the picture */
   #marks = [];
@@ -52,7 +53,7 @@ export class BackPicture {
     this.#put({ opacity });
   }
 
-  /** Loads the pixels of the state's picture, and reports an image that is no picture. */
+  /** Loads the pixels of the state's picture, and reports an image that cannot be read. */
   async follow() {
     const image = this.#picture?.image ?? "";
     if (image === this.#image) return;
@@ -70,7 +71,7 @@ export class BackPicture {
    * @param {File} file
    * @param {import("assur/canvas/transform.js").Transform} view
    * @param {import("assur/stage/figure.js").Size} size of the visible area, in pixels
-   * @returns {Promise<string | null>} code of a problem with the file
+   * @returns {Promise<string | null>} code of a problem with the file; null if there is none
    */
   async take(file, view, { width, height }) {
     if (file.size > LARGEST) return "picture_too_large";
@@ -130,7 +131,7 @@ export class BackPicture {
   /**
    * Places the picture so that the line between its marks becomes the given one.
    * @param {Base} base
-   * @returns {boolean} whether there are two marks and the line is valid
+   * @returns {boolean} whether the picture was placed: there are two marks, and the length is valid
    */
   lay({ x, y, length, angle }) {
     const now = this.base;
@@ -172,7 +173,7 @@ export class BackPicture {
     context.restore();
   }
 
-  /** @returns {{ pixels: HTMLCanvasElement, origin: Place, right: Place } | null} its pixels, and in the model its upper left corner and the vector of one pixel to the right */
+  /** @returns {{ pixels: HTMLCanvasElement, origin: Place, right: Place } | null} pixels of the picture; in the model, its upper left corner and the vector of one pixel to the right */
   get #frame() {
     const [picture, pixels] = [this.#picture, this.#pixels];
     if (!picture || !pixels || picture.image !== this.#image) return null;
@@ -193,7 +194,7 @@ export class BackPicture {
 
   /**
    * @param {Partial<Picture>} change
-   * @returns {boolean} whether the change is possible
+   * @returns {boolean} whether the change was possible and was made
    */
   #put(change) {
     const picture = this.#picture && { ...this.#picture, ...change };

@@ -1,4 +1,5 @@
-// The panel beside a drawing: reasons why it does not move and remedies, the selection, points in numbers.
+// The panel beside a drawing: reasons why the drawing does not move, with remedies; commands for the selection;
+// coordinates of the points.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
@@ -13,10 +14,10 @@ import { placeTraced } from "assur/state/change.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Names of the acts that lock and unlock, by the number of points. */
+/** Names of the commands that lock and unlock a dimension, by its number of points. */
 const LOCKS = Object.freeze(/** @type {Record<number, string>} */ ({ 2: "lock_length", 3: "lock_angle" }));
 
-/** Tolerance within which an input is the drawn one, in radians or the unit of lengths: places are then those that were typed. */
+/** Tolerance within which an input counts as the drawn one, in radians or the unit of lengths. */
 const DRAWN = 1e-9;
 
 export class DrawingRail {
@@ -28,18 +29,18 @@ export class DrawingRail {
   #element;
   /** @type {{ name: string, label: HTMLElement, inputs: HTMLInputElement[], boxes: NumberBox[] }[]} */
   #rows = [];
-  /** @type {(() => void)[]} rewrite the numbers of the selected link */
+  /** @type {(() => void)[]} functions that rewrite the numbers of the selection */
   #numbers = [];
   #seen = { told: new Seen(), chosen: new Seen(), points: new Seen() };
   /** @type {ReadonlyMap<string, readonly [number, number]>} current places of the points */
   #places = new Map();
-  /** The point whose numbers are typed. */
+  /** The point drawn last, whose coordinates get the digits that are typed over the drawing. */
   #last = "";
 
   /**
    * @param {import("assur/app/page.js").Page} page
    * @param {import("assur/drawing/selection.js").Selection} selection
-   * @param {Readonly<Record<"remove" | "duplicate" | "mirror", () => void>>} acts acts on the selection
+   * @param {Readonly<Record<"remove" | "duplicate" | "mirror", () => void>>} acts commands for the selection
    */
   constructor(page, selection, acts) {
     this.#page = page;
@@ -68,13 +69,12 @@ export class DrawingRail {
     if (!row) return false;
     byId("draw-numbers", HTMLDetailsElement).open = true;
     row.inputs[0].focus();
-    // The pressed key goes into the field, which has the focus now.
     return false;
   }
 
   /**
    * Locks or unlocks the length or the angle of the selection.
-   * @returns {boolean} whether the selection has one
+   * @returns {boolean} whether the selection has a length or an angle to lock
    */
   lock() {
     const { points, links } = this.#selection;
@@ -98,7 +98,7 @@ export class DrawingRail {
   }
 
   /**
-   * Places of the points: in the drawn pose as they were given, elsewhere as in the motion.
+   * Places of the points: in the drawn pose exactly those of the document, in any other pose the computed ones.
    * @param {Pick<Snapshot, "summary" | "frameInput">} snapshot
    * @param {Document} document
    */
@@ -112,7 +112,7 @@ export class DrawingRail {
   }
 
   /**
-   * Shows the acts on the selection.
+   * Shows the buttons and fields for the selection.
    * @param {Document} document
    * @param {Words} words
    */
@@ -162,7 +162,7 @@ export class DrawingRail {
     const focused = this.#chosen.contains(page.activeElement) ? page.activeElement?.id : undefined;
     this.#chosen.replaceChildren(...content);
     words.fill(this.#chosen);
-    // A rebuilt button keeps the focus.
+    // A button with the focus keeps it when it is rebuilt.
     if (focused) page.getElementById(focused)?.focus();
   }
 
@@ -201,7 +201,8 @@ export class DrawingRail {
   }
 
   /**
-   * Fields for the place of a traced point on its link: along the link from its first point, and to the left.
+   * Fields for the place of a traced point on its link: distance from the link's first point along the link, and to
+   * the left.
    * @param {string} point
    * @param {Words} words
    */
@@ -214,7 +215,7 @@ export class DrawingRail {
 
   /**
    * @param {string} link
-   * @returns {(readonly [number, number])[]} places of its first two points
+   * @returns {(readonly [number, number])[]} places of the link's first two points
    */
   #ends(link) {
     const { links } = /** @type {Document} */ (this.#page.store.get().document);
@@ -226,7 +227,7 @@ export class DrawingRail {
   }
 
   /**
-   * A number of the selection, with its name.
+   * Name and field of a number of the selection.
    * @param {string} what
    * @param {Words} words
    * @param {() => number} value
@@ -290,7 +291,10 @@ export class DrawingRail {
     return this.#places.get(name)?.[axis] ?? value;
   }
 
-  /** Takes the places of the document: after an edit the driver is at the drawn input. */
+  /**
+   * Takes the places of the points from the document. They are the current ones, as the driver is at the drawn input
+   * after an edit.
+   */
   #keep() {
     const { points } = /** @type {Document} */ (this.#page.store.get().document);
     this.#places = new Map(points.map((point) => [point.name, point.at]));
@@ -307,7 +311,7 @@ function written(value, { numbers }) {
 
 /**
  * @param {Document} document
- * @returns {string} key of the parts on which the acts on the selection depend
+ * @returns {string} text that changes with each part on which the commands for the selection depend
  */
 function structure({ links, frame, locks }) {
   return JSON.stringify([frame, locks, links.map(({ name, points, centre_of_mass }) => [name, points, centre_of_mass])]);
@@ -317,21 +321,22 @@ function structure({ links, frame, locks }) {
  * @param {Document} document
  * @param {string[]} points selected points
  * @param {readonly string[]} links selected links
- * @returns {string[] | null} the points whose distance, or angle at the second of them, can be locked
+ * @returns {string[] | null} the two points whose distance can be locked, or the three points whose angle at the
+ * second can be
  */
 function lockable(document, points, links) {
   const chosen = document.links.filter(({ name }) => links.includes(name));
   const ends = points.length === 0 && chosen.length === 1 ? chosen[0].points.slice(0, 2) : points;
   const own = ends.every((name) => document.points.some((point) => point.name === name));
-  // A frame around points also selects the links between them.
+  // A rectangle drawn around points also selects the links between them.
   const alone = points.length === 0 || chosen.every((link) => link.points.every((point) => points.includes(point)));
   return own && alone && ends.length in LOCKS ? ends : null;
 }
 
 /**
- * @param {readonly string[]} one lock
+ * @param {readonly string[]} one points of a lock
  * @param {readonly string[]} other
- * @returns {boolean} whether both lock the same: equal points, an angle also with the same vertex
+ * @returns {boolean} whether both lock the same dimension: their points are equal in the same or in reverse order
  */
 function same(one, other) {
   const is = (/** @type {readonly string[]} */ points) => points.join("\n") === other.join("\n");

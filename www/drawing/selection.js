@@ -39,7 +39,7 @@ export class Selection {
     this.links = new Set(links);
   }
 
-  /** @param {Parts} parts parts of the drawing; missing parts are deselected */
+  /** @param {Parts} parts parts of the drawing; points and links that are not among them are deselected */
   keep({ points, links, tracers = [] }) {
     const named = new Set([...points, ...tracers].map(({ name }) => name));
     const linked = new Set(links.map(({ name }) => name));

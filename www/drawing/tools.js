@@ -1,4 +1,4 @@
-// The drawing tools: the effect of a press with each. Presses are remembered until a tool has enough of them.
+// The drawing tools, and the effect of a press with each tool. Presses are remembered until a tool has enough of them.
 import { edit, refuse } from "assur/drawing/edit.js";
 import { BackPicture } from "assur/drawing/picture.js";
 
@@ -6,16 +6,18 @@ import { BackPicture } from "assur/drawing/picture.js";
  * @typedef {import("assur/types/edit.js").End} End
  * @typedef {import("assur/types/edit.js").Outer} Outer
  * @typedef {readonly [number, number]} Place in the model
- * @typedef {{ point: string | null, link: string | null, wheel: string | null, at: Place }} Target pressed target: a point, else a link, else paper; `wheel`: the
- * wheel at that place (an internal gear by its rim), whatever lies over it
- * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: its letter with Alt; `prompts`: names of
- * its prompts in turn, for a dyad by the pair
+ * @typedef {{ point: string | null, link: string | null, wheel: string | null, at: Place }} Target target of a press: a
+ * point, or else a link, or else the paper. `wheel`: the wheel at that place, even if a point or link lies over it; an
+ * internal gear counts only at its rim
+ * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: key that
+ * chooses the tool, together with Alt. `prompts`: names of the tool's prompts in order; for a dyad, one for each kind
+ * of pair
  */
 
-/** Greatest slope at which a line becomes horizontal or vertical. */
+/** Greatest slope, to the horizontal or the vertical, of a line that is made exactly horizontal or vertical. */
 const LEVEL = Math.tan(Math.PI / 24);
 
-/** The pairs of the five dyads: first outer, inner, last outer. */
+/** Pairs of the five dyads, each in the order first outer pair, inner pair, last outer pair. */
 export const DYADS = Object.freeze(["RRR", "RRP", "RPR", "PRP", "RPP"]);
 
 /** @type {readonly Tool[]} */
@@ -36,7 +38,7 @@ export const TOOLS = Object.freeze([
   { name: "remove", key: "X", icon: "M6 6l12 12M18 6 6 18", prompts: ["remove_1"] },
 ]);
 
-/** State shared by the tools, and their access to edits. */
+/** State that the tools share, and the edits that they make. */
 export class Work {
   #page;
   /** The tool in use. */
@@ -50,7 +52,7 @@ export class Work {
   picture;
   /** @type {Target[]} presses not yet used */
   pressed = [];
-  /** Whether the last point of the bars was made by them and is not on the frame. */
+  /** Whether the last bar ends at a new point that is neither on another link nor on the frame. */
   #loose = false;
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -59,7 +61,7 @@ export class Work {
     this.picture = new BackPicture(page);
   }
 
-  /** @param {string} tool tool to use; what was begun with another tool is dropped */
+  /** @param {string} tool tool to use; presses not yet used are forgotten */
   take(tool) {
     this.tool = tool;
     this.rest();
@@ -71,7 +73,7 @@ export class Work {
     return this.picture.there ? 1 + (this.picture.marks.length % 2) : 0;
   }
 
-  /** Drops what was begun. */
+  /** Forgets the presses not yet used. */
   rest() {
     this.pressed = [];
     this.#loose = false;
@@ -97,7 +99,7 @@ export class Work {
   }
 
   /**
-   * Moves the target of a press on a link to the link's first point, which slides and where the guide starts.
+   * Moves the target of a press on a link to the link's first point. This point will slide, and the guide starts there.
    * @param {Target} target
    * @returns {Target}
    */
@@ -124,7 +126,8 @@ export class Work {
   }
 
   /**
-   * Draws bar after bar. A first end on paper is on the frame; pressing the last end again puts that on the frame, too.
+   * Draws bar after bar. A first end on the paper is fixed to the frame. If the last end is pressed again, the bars
+   * end; an end on the paper is then fixed to the frame, too.
    * @param {Target} target
    */
   bars(target) {
@@ -140,7 +143,7 @@ export class Work {
     }
     const made = this.do({ edit: "bar", ends: [end(from), end(target)] });
     if (!made) return;
-    // At an existing point the bars are joined to it and end.
+    // A bar that ends at an existing point is the last one.
     this.pressed = target.point || !made.point ? [] : [{ ...target, point: made.point, link: null, wheel: null }];
     this.#loose = !target.point && !target.link;
   }
@@ -216,7 +219,7 @@ const ACTS = Object.freeze({
   },
   picture: ({ picture }, { at }) => picture.mark(at),
   remove: (work, { point, link, wheel }) => {
-    // A wheel is removed alone and leaves its hinge to the other links.
+    // A wheel at a point is removed alone. The other links keep the point.
     const gone = (point && wheel) || (point ? null : link);
     if (gone) work.do({ edit: "remove", points: [], links: [gone] });
     else if (point) work.do({ edit: "remove", points: [point], links: [] });
@@ -245,7 +248,8 @@ function outerPair(letter, target) {
 /**
  * @param {Place} from
  * @param {Place} to
- * @returns {[number, number]} the second place, moved level with the first or vertically above or below it if nearly so
+ * @returns {[number, number]} the second place, moved if need be so that a nearly horizontal or vertical line from
+ * the first becomes exactly so
  */
 export function level([x, y], [right, up]) {
   const [dx, dy] = [right - x, up - y];

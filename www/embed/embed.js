@@ -1,5 +1,6 @@
-// The page within another page, by the parameters of its address (docs/embedding.md): `?embed=stage&edit=no#jansen`. Loaded
-// if `embed` is one of them; without it the parameters have no effect.
+// The page within another page, set up by parameters of its address (docs/embedding.md), as in
+// `?embed=stage&edit=no#jansen`. Loaded only if `embed` is one of the parameters; otherwise none of them has an
+// effect.
 import { addStyle, setData } from "assur/core/dom.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { LESSONS } from "assur/lessons/index.js";
@@ -25,7 +26,7 @@ const VALUES = Object.freeze(/** @type {Record<string, readonly string[] | RegEx
   lang: LANGUAGES,
 }));
 
-/** Commands that change only the pose or the motion, and further ones that change the mechanism. */
+/** Commands that change only the pose or the motion, and commands that change the mechanism. */
 const MOVING = Object.freeze(["play", "back", "forward", "back10", "forward10", "start", "end", "faster", "slower", "reverse", "close"]);
 const EDITING = Object.freeze(["assembly1", "assembly2", "trace", "undo", "redo"]);
 
@@ -47,7 +48,7 @@ export class Embedding {
       else if (values instanceof RegExp ? values.test(value) : values.includes(value)) given[name] = value;
       else problems.push({ code: "embed_value", name, value });
     }
-    // Steps of lessons ask for changes and open documents of their own.
+    // The steps of a lesson ask for changes, and open documents of their own.
     if (given.edit === "no" && (given.embed === "lesson" || given.lesson)) {
       problems.push({ code: "embed_value", name: "edit", value: "no" });
       delete given.edit;
@@ -58,7 +59,7 @@ export class Embedding {
     for (const [name, value] of Object.entries({ embed, edit, bar })) setData(document.documentElement, name, String(value));
   }
 
-  /** Whether anything may change the mechanism. */
+  /** Whether the mechanism may be changed. */
   get edits() {
     return this.#given.edit !== "no";
   }
@@ -74,7 +75,8 @@ export class Embedding {
   /**
    * @param {import("assur/app/opening.js").Opening} opening
    * @param {boolean} calm whether no motion may start by itself
-   * @returns {Promise<import("assur/app/opening.js").Opening>} the opening changed by the parameters, with the problems of invalid ones
+   * @returns {Promise<import("assur/app/opening.js").Opening>} the opening changed by the parameters, with the
+   * problems of invalid parameters
    */
   async opened({ state, failures }, calm) {
     await addStyle("embed/style.css");
@@ -87,7 +89,7 @@ export class Embedding {
 
   /**
    * @param {Readonly<Record<string, () => void>>} commands of the keys
-   * @returns {Readonly<Record<string, () => void>>} the commands; those that the frame lacks do nothing
+   * @returns {Readonly<Record<string, () => void>>} the commands; those that are not available in the frame do nothing
    */
   commands(commands) {
     const there = new Set([...MOVING, ...(this.edits ? EDITING : [])]);
@@ -98,14 +100,15 @@ export class Embedding {
   /**
    * @param {State} next
    * @param {State} now
-   * @returns {State} the next state if it is allowed; without editing neither the document nor the drawing tools may change
+   * @returns {State} the next state, or the present one if editing is not allowed and the next one changes the
+   * document or draws
    */
   limit(next, now) {
     return this.edits || (next.document === now.document && !next.view.drawing) ? next : now;
   }
 
   /**
-   * Opens the document of a lesson's step, unless the address has a document.
+   * Opens the document of a lesson's step, unless the address holds a document.
    * @param {import("assur/app/page.js").Page} page
    */
   async begin(page) {
