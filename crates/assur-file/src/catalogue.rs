@@ -6,8 +6,8 @@ use assur::structure::roman;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
+use crate::reader::part;
 use crate::text::json;
-use crate::text::part;
 use crate::{
     Document, GearTrainDocument, LinkageDocument, MixerDocument, Problem, SchemeDocument, State,
 };

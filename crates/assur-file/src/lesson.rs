@@ -6,8 +6,9 @@ use serde_json::{Map, Value};
 
 use crate::kinds::Document;
 use crate::problem::Problems;
+use crate::reader::part;
 use crate::state::State;
-use crate::text::{part, within};
+use crate::text::within;
 use crate::view::View;
 use crate::{FORMAT, Problem};
 

@@ -14,6 +14,7 @@ mod kinds;
 mod lesson;
 mod picture;
 mod problem;
+mod reader;
 mod state;
 mod text;
 #[cfg(test)]

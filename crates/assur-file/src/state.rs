@@ -6,7 +6,8 @@ use serde_json::Value;
 use crate::kinds::{Document, Moved};
 use crate::lesson::LessonDocument;
 use crate::problem::Problems;
-use crate::text::{json, part, under, within};
+use crate::reader::part;
+use crate::text::{json, under, within};
 use crate::view::{OpenLesson, View};
 use crate::{LinkageDocument, PictureDocument, Problem};
 

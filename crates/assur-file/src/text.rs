@@ -9,6 +9,7 @@ use serde::de::{
 use serde_json::{Map, Value};
 
 use crate::Problem;
+use crate::reader::part;
 
 /// The character that some editors put before a text to show its encoding.
 const BYTE_ORDER_MARK: char = '\u{feff}';
@@ -121,14 +122,6 @@ impl<'de> Visitor<'de> for Part<'_> {
         }
         Ok(object.into())
     }
-}
-
-/// Converts JSON to a value of a type. An error names the part that has the wrong form.
-pub(crate) fn part<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
-    serde_path_to_error::deserialize(value).map_err(|error| Problem::BadState {
-        path: error.path().to_string(),
-        detail: error.inner().to_string(),
-    })
 }
 
 /// Converts a field of a JSON object to a value of a type, if the field exists.
