@@ -3,7 +3,7 @@ import test, { beforeEach } from "node:test";
 import { Address, addressed } from "assur/state/address.js";
 import { happen } from "assur/tests/window.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
-import { persist } from "assur/state/storage.js";
+import { persist, takeUpAddress } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
 import { withDocument, withFurther, withView } from "assur/state/state.js";
 
@@ -13,7 +13,11 @@ const kept = new Map();
 let entries = [];
 
 globalThis.localStorage = { getItem: (key) => kept.get(key) ?? null, setItem: (key, text) => kept.set(key, text), removeItem: (key) => kept.delete(key) };
-globalThis.sessionStorage = { getItem: () => null, setItem() {}, removeItem() {} };
+globalThis.PerformanceNavigationTiming = class {
+  type = "reload";
+};
+const ofTab = new Map();
+globalThis.sessionStorage = { getItem: (key) => ofTab.get(key) ?? null, setItem: (key, text) => ofTab.set(key, text), removeItem: (key) => ofTab.delete(key) };
 globalThis.document = Object.assign(new EventTarget(), { hidden: false });
 globalThis.location = { href: HOME };
 const go = (put) => (_, __, href) => {
@@ -27,6 +31,7 @@ globalThis.history = {
 
 beforeEach(() => {
   kept.clear();
+  ofTab.clear();
   location.href = `${HOME}#old`;
   entries = [location.href];
 });
@@ -145,3 +150,22 @@ test("an image is kept by itself, once, and one that does not fit is said", (t) 
   t.mock.timers.tick(400);
   assert.equal(unkept, 1);
 });
+
+for (const [when, time] of [["just before", 400], ["when", 0]])
+  test(`a change that is written ${when} the page is left is there after a reload`, (t) => {
+    t.mock.method(performance, "getEntriesByType", () => [new PerformanceNavigationTiming()]);
+    const store = keeping(t);
+    const taken = location.href;
+    store.update((state) => withView(state, { traces: false }));
+    // The browser has already taken the address.
+    t.mock.timers.tick(time);
+    happen("pagehide");
+    const meant = location.href;
+    assert.notEqual(meant, taken);
+    location.href = taken;
+    takeUpAddress();
+    assert.equal(location.href, meant);
+    location.href = taken;
+    takeUpAddress();
+    assert.equal(location.href, taken);
+  });

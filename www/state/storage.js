@@ -120,6 +120,8 @@ export function persist(store, address, sound, ours, unkept) {
   let timer = 0;
   let changed = false;
   let fitted = true;
+  /** The address before the last change of it. A browser that loads the page again may have taken it already. */
+  let before = location.href;
   const images = new KeptImage();
   const save = () => {
     clearTimeout(timer);
@@ -135,7 +137,9 @@ export function persist(store, address, sound, ours, unkept) {
       if (!images.keep(state.picture?.image ?? "")) lost.push("picture");
       if (lost.length > 0) unkept(...lost);
     }
+    const shown = location.href;
     address.show(state);
+    if (location.href !== shown) before = shown;
   };
   sayUnfit = ours ? () => unkept("lesson") : () => {};
   let alone = true;
@@ -154,9 +158,8 @@ export function persist(store, address, sound, ours, unkept) {
     timer ||= setTimeout(save, PERIOD);
   });
   addEventListener("pagehide", () => {
-    const left = location.href;
     save();
-    if (location.href !== left) guarded(() => sessionStorage.setItem(LEFT, JSON.stringify([left, location.href])));
+    if (location.href !== before) guarded(() => sessionStorage.setItem(LEFT, JSON.stringify([before, location.href])));
   });
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) save();
