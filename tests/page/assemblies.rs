@@ -61,7 +61,12 @@ async fn ten_of_fourteen() {
         .await;
     let count = page.text("assembly-count").await;
     assert!(count.contains("10") && count.contains("14"), "{count}");
+    // The map has its place before it comes.
+    let height = "return document.getElementById('assembly-map').getBoundingClientRect().height";
+    let before = page.ask(height).await;
+    assert!(before.as_f64().unwrap() > 100.0, "{before}");
     mapped(&page).await;
+    assert_eq!(page.ask(height).await, before);
     assert_eq!(page.count("#assembly-map path").await, 12);
     assert_eq!(page.count("#assembly-map circle.fold").await, 8);
     assert_eq!(page.count("#assembly-map .map-other").await, 9);

@@ -207,6 +207,8 @@ export class Assemblies {
       write(this.#mapped, words.text(map.whole ? "assemblies.mapped" : "assemblies.mapped_partly", { n: output }));
     }
     this.#map.element.toggleAttribute("hidden", !map);
+    // A map that is awaited has its place already: what stands below it does not move when it comes.
+    this.#map.element.classList.toggle("awaited", !map && !lost);
     if (map) {
       this.#map.element.classList.toggle("faded", !current);
       const fits = current && belonging?.branches.length === all.length && shown !== null;
