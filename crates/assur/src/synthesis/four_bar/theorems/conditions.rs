@@ -170,7 +170,8 @@ fn of_cases(angles: &Angles) -> [Condition; 6] {
 }
 
 /// The condition on the pair z₂, z₃ that theorem 5 omits: z₂ = −a₁ − b₁z₃ is not negative for some z₃ ≥ 0. Here a₁ =
-/// sin(φ₁ − φ₀)/sin(φ₂ − φ₁) and b₁ = sin(φ₃ − φ₁)/sin(φ₂ − φ₁). With this condition theorem 5 is exact.
+/// sin(φ₁ − φ₀)/sin(φ₂ − φ₁) and b₁ = sin(φ₃ − φ₁)/sin(φ₂ − φ₁). With this condition theorem 5 is
+/// exact where (13) holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThirdPair {
     /// a₁ and b₁.
