@@ -417,7 +417,7 @@ export class Engine {
   }
 
   /**
-   * Change made by driving another link, from the current pose.
+   * Change that makes another link the driver. The assembly is followed from the current pose.
    * @param {string} link
    * @param {number} input the current input
    * @returns {Changed}

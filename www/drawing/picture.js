@@ -173,7 +173,7 @@ export class BackPicture {
     context.restore();
   }
 
-  /** @returns {{ pixels: HTMLCanvasElement, origin: Place, right: Place } | null} pixels of the picture; in the model, its upper left corner and the vector of one pixel to the right */
+  /** @returns {{ pixels: HTMLCanvasElement, origin: Place, right: Place } | null} the picture's pixels; in model coordinates, its upper left corner and the vector from one pixel to the next on its right */
   get #frame() {
     const [picture, pixels] = [this.#picture, this.#pixels];
     if (!picture || !pixels || picture.image !== this.#image) return null;

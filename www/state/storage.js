@@ -11,7 +11,7 @@ const KEY = "assur.state";
 const IMAGE = "assur.image";
 /** Number of characters at the end of an image that distinguish it from other images of the same length. */
 const TAIL = 48;
-/** Key of the list of lecturers' lessons whose answers and names are kept: digests, that of the last used lesson at the end. */
+/** Key of the list of lecturers' lessons for which the reader's answers and name are kept: their digests, the most recently used last. */
 const LESSONS = "assur.lessons";
 /** Limit of the number of these lessons, which on a classroom machine would grow for ever. */
 const MOST_LESSONS = 40;
@@ -22,7 +22,7 @@ const ASIDE = "assur.state.unread";
 /** Key, in the storage of one visit, of two addresses: the one at which the page was left, and the intended one. */
 const LEFT = "assur.left";
 
-/** Shortest time between two writes, in milliseconds: browsers limit changes of the address. */
+/** Minimum interval between writes, in milliseconds: browsers limit how often a page may change its address. */
 const PERIOD = 400;
 
 /** @type {Map<string, string>} texts of lessons that the browser refused to keep, by name, until the page is left */

@@ -1,4 +1,5 @@
-//! Points and vectors of the plane. They are different types of nalgebra, so a sum of two points does not compile.
+//! Points and vectors of the plane. They are distinct types of nalgebra, so that adding two points
+//! does not compile.
 
 use crate::Jet;
 

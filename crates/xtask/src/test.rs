@@ -249,7 +249,7 @@ fn page_tests<'a>(
     all: bool,
     words: &[String],
 ) -> Cmd<'a> {
-    // One thread more than processors: a test sometimes waits for its browser.
+    // One more thread than there are processors, because a test may be waiting for its browser.
     let threads = format!("--test-threads={}", processors() + 1);
     page_test(workspace, "page", browser)
         .args(["--", &threads])

@@ -58,8 +58,9 @@ impl Differential {
     /// no other load. For the satellites it is the torque on all of them, with sun, carrier and ring held. The pull-out
     /// torque of a run can be compared with this limit.
     ///
-    /// If the satellites bear no load, the torque on a wheel divided by the periods of that wheel, E sin δ, is the same
-    /// in both meshes. So the weaker mesh sets the limit. The torques on sun, ring and carrier are in the ratio
+    /// Let E be the amplitude of the field's energy of a mesh, and δ its phase. The torque on a wheel divided by the number
+    /// of its periods is E sin δ. If the satellites bear no load, it is the same in both meshes: the weaker one sets the
+    /// limit. The torques on sun, ring and carrier are in the ratio
     /// p₁ : p₄ : −(p₁ + p₄).
     pub fn static_limit(&self, body: Body) -> f64 {
         let [sun, ring] = Mesh::ALL.map(|mesh| self.equations.mesh(mesh));

@@ -187,13 +187,14 @@ impl Change {
     }
 }
 
-/// A change, with an orthonormal basis of the linear forms on the self-stresses that it adds.
+/// A change that gives a pair more freedoms, with an orthonormal basis of the linear forms on the self-stresses that it
+/// adds.
 struct Raise {
     change: Change,
     forms: Vec<PowerForm>,
 }
 
-/// Search for sets of raises.
+/// Search for sets of changes that leave no constraint redundant.
 struct Search {
     /// Possible changes of each pair, with the pairs in the order of names.
     raises: Vec<Vec<Raise>>,

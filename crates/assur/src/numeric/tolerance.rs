@@ -13,7 +13,7 @@ pub(crate) const CONVERGED: f64 = 1e-14;
 pub(crate) const NEGLIGIBLE: f64 = 1e-12;
 
 /// Relative distance up to which points of a drawing coincide, or inputs in a turn: a thousandth of the finest relative
-/// tolerance to which parts are made, 1e-6, and a thousand times [`NEGLIGIBLE`]. Elsewhere a number that is zero in
+/// tolerance to which parts are made, 1e-6, and a thousand times the error of a long computation, 1e-12. Elsewhere a number that is zero in
 /// exact arithmetic, after a computation that may lose six digits.
 pub const COINCIDENT: f64 = 1e-9;
 

@@ -119,7 +119,7 @@ fn driven(graph: &Graph, drivers: &[Driver]) -> Vec<Fault> {
     faults
 }
 
-/// First, for each link, true if pairs connect it to the ground; second, the nodes so connected: these links and the
+/// For each link, whether pairs connect it to the ground, and the list of all nodes so connected: these links and the
 /// points of their hinges.
 fn joined_to_ground(graph: &Graph) -> (Vec<bool>, Vec<usize>) {
     let mut parts = Partition::new(graph.links);

@@ -28,7 +28,8 @@ pub(in crate::motion) struct Knots {
     smooth_roots: Vec<SmoothRoot>,
     /// Maximum distance of neighbouring knots for which a guess is interpolated.
     longest: f64,
-    /// Minimum and maximum of the first margin of each step over all samples, including dropped ones.
+    /// For each step of the plan, minimum and maximum of its first margin ([`State::margins`]) over all samples,
+    /// including dropped ones.
     margins: List<StepId, [f64; 2]>,
 }
 

@@ -4,8 +4,8 @@ use super::bilinear::System;
 use super::solutions::Solutions;
 use crate::{Vector, tolerance};
 
-/// Maximum distance, relative to the links, between the present parameters and those of a branch that is tracked. At
-/// greater distances the extrapolation is a poor guess.
+/// Maximum distance, relative to the lengths of the links, between the present known terms of the group's equations and
+/// those of the last sample of a branch, at which the branch is still extrapolated. Farther off it is a poor guess.
 pub(super) const MAX_DISTANCE: f64 = 0.25;
 /// Maximum extrapolation, in units of the distance between the last two samples. Errors of samples grow with the square
 /// of the extrapolation.
