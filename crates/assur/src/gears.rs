@@ -134,7 +134,7 @@ impl GearPair {
     }
 
     /// Angle of the driven wheel with derivatives, from the angle of the driver: mixer paper (26), with the sign of the
-    /// mesh.
+    /// mesh. The wheels of a linkage turn by Willis's equation instead.
     pub fn driven<const N: usize>(&self, driver: Jet<N>) -> Jet<N> {
         driver * self.ratio()
     }

@@ -1,4 +1,5 @@
-//! Systems of linear equations, solved with nalgebra.
+//! Small systems of linear equations, solved with nalgebra. Groups have an elimination of their own, in
+//! `position::group::elimination`.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OVector, SMatrix, SVector};

@@ -37,8 +37,8 @@
 //!
 //! # Limits of counting
 //!
-//! A count ignores dimensions. A parallelogram with a third rocker moves, but it counts as locked and is refused as
-//! [`Fault::Overconstrained`]. A second satellite between sun and ring would be refused too, but
+//! A count ignores dimensions. A parallelogram with a third rocker moves, but it counts as locked: [`decompose`] refuses
+//! it as [`Fault::Overconstrained`], and [`crate::mechanism::Mechanism`] decides by the rank of its constraints. A second satellite between sun and ring would be refused too, but
 //! [`crate::mechanism::Mechanism`] knows the numbers of teeth and omits the passive mesh of that satellite. Links that
 //! prismatic pairs alone join may have the right count but no definite position: they are refused as
 //! [`Fault::Sliding`]. Every linkage that is not refused can be solved, except at special dimensions.

@@ -1,6 +1,9 @@
 //! Gaussian elimination of a sparse matrix. A plan made for its sparsity pattern fixes the pivots, their order and the
 //! fill-in; structural zeros are never touched. A matrix with more rows than columns belongs to dependent equations:
 //! each column gets one pivot row, and the other rows are left out.
+//!
+//! The general [`crate::numeric::linear`] would allocate in every pose, visit the zeros and give no determinant as a
+//! margin.
 
 /// A pivot and the rows and columns it acts on, as ranges of [`Elimination::lists`].
 #[derive(Clone, Copy, Debug, PartialEq)]
