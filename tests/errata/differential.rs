@@ -229,6 +229,11 @@ fn differential_field_gives_no_work() {
     let efficiency = relations.iter().find(|one| one.item == "004.claim2");
     let efficiency = efficiency.unwrap().value;
     assert!((0.9..0.95).contains(&efficiency), "{efficiency}");
+    // A balance that starts with a loaded field counts from there.
+    run.change(run.differential().clone());
+    for one in run.reading().energy.relations() {
+        assert_eq!((one.value, one.printed), (0.0, Some(0.0)), "{}", one.name);
+    }
     // Before the drive has done any work there is none.
     assert_eq!(loaded().reading().energy.relations().len(), 5);
 }

@@ -76,23 +76,30 @@ pub struct Energy {
     pub dissipated: f64,
     /// Work taken by loads, including torques given over time.
     pub delivered: f64,
-    /// Sum of kinetic and potential energy when the balance was opened.
-    pub opening: f64,
+    /// Kinetic and potential energy at the start of the balance.
+    pub opening: [f64; 2],
 }
 
 impl Energy {
     /// Error of the balance: zero except for errors of the integration.
     pub fn imbalance(&self) -> f64 {
-        let stored = self.kinetic + self.potential - self.opening;
-        stored + self.dissipated + self.delivered - self.driven
+        let [kinetic, potential] = self.stored();
+        kinetic + potential + self.dissipated + self.delivered - self.driven
     }
 
-    /// The paper's energy relations, J. A_d is the work of the drives, A_u the work taken by loads, A_h the losses, A_f
-    /// the energy released by the fields since they were unloaded. ΔE is the kinetic energy less the total energy when
-    /// the balance was opened. The efficiency is η = A_u/A_d, if drives have done work.
+    /// Increase of the kinetic and of the potential energy since the start of the balance.
+    fn stored(&self) -> [f64; 2] {
+        let [kinetic, potential] = self.opening;
+        [self.kinetic - kinetic, self.potential - potential]
+    }
+
+    /// The paper's energy relations, J, since the start of the balance. A_d is the work of the drives, A_u the work taken
+    /// by loads, A_h the losses, A_f the energy released by the fields, ΔE the increase of the kinetic energy. The
+    /// efficiency is η = A_u/A_d, if drives have done work.
     pub fn relations(&self) -> Vec<Relation> {
-        let given = -self.potential;
-        let gained = self.kinetic - self.opening;
+        let [gained, loaded] = self.stored();
+        // Without a sign if it is zero.
+        let given = 0.0 - loaded;
         let needed = self.delivered + self.dissipated + gained - given;
         let one = |item, name, value| Relation::of(item, name, value, value);
         let mut all = vec![

@@ -29,7 +29,7 @@ pub struct Run {
     /// Whole periods of each mesh from which its slipped periods are counted.
     origin: [i64; 2],
     /// Kinetic and potential energy when the energy balance was opened, J.
-    pub(super) opening: f64,
+    pub(super) opening: [f64; 2],
 }
 
 /// Angles and speeds of the bodies at the start, in the order of [`Body::ALL`]. The speed of a body that has a given
@@ -127,7 +127,7 @@ impl Run {
             differential,
             state,
             origin: [0; 2],
-            opening: 0.0,
+            opening: [0.0; 2],
         };
         run.open([0; 2]);
         Ok(run)
@@ -153,8 +153,7 @@ impl Run {
         self.state.works = [(0.0, 0.0); 3];
         let periods = Mesh::ALL.map(|mesh| equations.mesh(mesh).folded(&self.state.angles).0);
         self.origin = std::array::from_fn(|mesh| periods[mesh].saturating_sub(slipped[mesh]));
-        let (kinetic, potential) = self.state.energies(equations);
-        self.opening = kinetic + potential;
+        self.opening = self.state.energies(equations).into();
     }
 
     /// Seconds since the start.
