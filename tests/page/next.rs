@@ -181,6 +181,11 @@ async fn walk_by(id: &str, (hands, screen, lang): Way) {
                 right = other;
             }
         }
+        // A person answers when all is there that is asked about.
+        page.until("what is asked about", async || {
+            page.count("[aria-busy=true]:not([hidden])").await == 0
+        })
+        .await;
         for answer in wrong(&page, right, before).await {
             let verdict = verdict_on(&page, hands, &answer).await;
             assert_eq!(verdict, "not_yet", "{id} {step}: {answer} for {right}");

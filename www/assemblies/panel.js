@@ -197,6 +197,9 @@ export class Assemblies {
     const { summary, words, frameInput } = snapshot;
     const { map, current, lost, belonging } = this.#motions;
     const { cycle, moves, input, numbers } = summary;
+    // At rest the worker also finds which assemblies can be reached.
+    const isAwaited = !lost && (!current || (!snapshot.state.view.playing && shown !== null && !belonging));
+    this.element.setAttribute("aria-busy", String(isAwaited));
     if (map && (this.#drawn !== map || this.#map.lang !== words.lang)) {
       this.#drawn = map;
       this.#map.lang = words.lang;
