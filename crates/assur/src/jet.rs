@@ -70,7 +70,7 @@ impl<const N: usize> Jet<N> {
 
     /// True if the value and all derivatives are finite.
     pub fn is_finite(&self) -> bool {
-        // Zero times a finite number is zero: one sum instead of N comparisons.
+        // Zero times a finite number is zero, but NaN for NaN and infinity: one sum replaces N comparisons.
         self.0.iter().map(|c| 0.0 * c).sum::<f64>() == 0.0
     }
 
@@ -230,8 +230,8 @@ const ARCSINE: [f64; 8] = [
 ];
 const MAX_SINE: f64 = 0.1;
 
-/// The angle of a unit vector. A small angle, as between neighbouring poses, takes a fraction of the time of an
-/// arctangent.
+/// The angle of a unit vector. A small angle, as between neighbouring poses, is found in a fraction of the time that
+/// an arctangent takes.
 fn unit_angle(y: f64, x: f64) -> f64 {
     if x > 0.0 && y.abs() < MAX_SINE {
         let square = y * y;

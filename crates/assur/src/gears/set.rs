@@ -106,7 +106,7 @@ impl GearSet {
     /// Radians, in [−π, π].
     pub fn free_direction(&self) -> f64 {
         let taken: Vec<[f64; 2]> = self.pairs.iter().map(GearPair::shadow).collect();
-        // From the end of the angle that a wheel covers to the start of the next such angle.
+        // Free angle from the end of one wheel's covered angle to the start of the next wheel's.
         let gap = |(wheel, [from, to]): (usize, &[f64; 2])| {
             let others = taken
                 .iter()
@@ -127,7 +127,7 @@ impl GearSet {
     }
 }
 
-/// A reason found for a pair, as a reason for a wheel of the set.
+/// Converts a defect of a pair into a defect of the set, given the driven wheel of the pair.
 fn of_wheel(reason: Invalid, wheel: usize) -> Invalid {
     let dimension = match reason.dimension {
         Dimension::DrivenTeeth(_) => Dimension::DrivenTeeth(wheel),
@@ -200,7 +200,7 @@ mod tests {
 
     const SIXTY: [f64; 6] = [-40.0, 20.0, 80.0, 140.0, 200.0, 260.0];
 
-    /// Every wheel of a set meets the gaps of the common driver.
+    /// The teeth of every driven wheel meet the gaps of the common driver.
     #[test]
     fn teeth_of_every_wheel_meet_gaps() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {

@@ -190,8 +190,8 @@ impl Train {
         .checked()
     }
 
-    /// Finds the planar train with gears in contact for z₁ and z₄: z₂ = (z₄ − z₁)/2; none if z₂ is not whole or too
-    /// small.
+    /// Finds the planar train of gears in contact with z₁ and z₄ teeth, where z₂ = (z₄ − z₁)/2. Returns none if z₂ is
+    /// not whole or is too small.
     ///
     /// # Errors
     /// Those of [`Train::planar`] for the two numbers.

@@ -215,7 +215,7 @@ pub enum Defect {
         links: Vec<String>,
         singularity: Singularity,
     },
-    /// Links whose angle is undetermined as drawn: two hinges coincide that only these links join.
+    /// Links whose angle is undetermined as drawn: two hinges, joined to each other only by these links, coincide.
     CoincidentHinges { links: Vec<String> },
     /// A point that its links put too far from its drawn place for the drawing to select the assembly.
     Misdrawn { point: String, by: f64 },

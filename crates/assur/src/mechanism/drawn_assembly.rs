@@ -184,8 +184,8 @@ impl Layout {
     }
 
     /// Input of a configuration and one input on each side of it, for a singular drawn pose. These inputs are a
-    /// thousandth of a radian apart for a crank. For a slide they are apart by the same fraction of the range as this
-    /// angle is of a turn.
+    /// thousandth of a radian apart for a crank. For a slide their distance is the same fraction of its range as a
+    /// thousandth of a radian is of a turn.
     pub(super) fn entries(&self, at: &Configuration) -> [f64; 3] {
         [0.0, tolerance::NEAR, -tolerance::NEAR].map(|aside| at.input + aside * self.span() / TAU)
     }

@@ -12,7 +12,7 @@ use crate::position::Step;
 /// circuits are searched.
 pub(crate) const MAX_PERIOD: usize = 24;
 
-/// Number of turns that stands for no return: it is greater than in any followed motion.
+/// Number of turns that stands for "never returns"; it is greater than the number of turns of any followed motion.
 pub(crate) const NEVER: usize = 10_000_000;
 
 /// Tolerance within which a rate is a ratio of whole numbers.

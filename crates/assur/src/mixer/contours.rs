@@ -31,7 +31,7 @@ impl Mixer {
         let (sin, cos) = crank.sin_cos();
         let l5 = (l4 - l1 * cos).hypot(l1 * sin);
         let phi5 = (-l1 * sin).atan2(l4 - l1 * cos);
-        // In line the quotient of sines is 0/0; rounded, sin π is not zero.
+        // With links in line the quotient of sines is 0/0, but the rounded sin π is not exactly zero.
         let quotient = if sin.abs() > NEGLIGIBLE {
             -l1 * sin / phi5.sin()
         } else {

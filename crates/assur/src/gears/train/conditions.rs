@@ -116,7 +116,7 @@ impl Layout {
         let satellites = self.counts().satellites;
         let assembly = self.train().differential().assembly(satellites);
         conditions.push(Condition {
-            // In periods of the field, not in teeth.
+            // Counted in periods of the field, not in teeth.
             left: assembly.left / f64::from(self.plates_to_period(coupling)),
             ..assembly
         });

@@ -123,7 +123,7 @@ impl Differential {
         }
     }
 
-    /// The sum a + b. Satellites can be mounted at equal angles if it is a multiple of their number.
+    /// The sum a + b. Satellites can be mounted at equal angles if their number divides this sum.
     pub fn pitches(&self) -> u32 {
         self.sun + self.ring
     }

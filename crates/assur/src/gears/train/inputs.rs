@@ -87,8 +87,8 @@ pub enum InputError {
 }
 
 impl Differential {
-    /// Finds the motion of all shafts from exactly two inputs. It holds for angles as for speeds, because the equation
-    /// is linear with constant coefficients.
+    /// Finds the motion of all shafts from exactly two inputs. The inputs are either all speeds or all angles:
+    /// the equation is linear with constant coefficients, so both satisfy it.
     ///
     /// The train is at rest if both inputs are multiples of other shafts' speeds.
     ///

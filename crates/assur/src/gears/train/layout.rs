@@ -83,7 +83,7 @@ impl Layout {
         Self { train, ..*self }
     }
 
-    /// Number of plates per period of the field; for gears, of teeth per pitch.
+    /// Number of plates per period of the field; 1 for gears in contact.
     pub(super) fn plates_to_period(&self, coupling: Coupling) -> u32 {
         match coupling {
             Coupling::Magnetic if self.alternating => 2,

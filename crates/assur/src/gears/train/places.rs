@@ -46,9 +46,10 @@ impl Train {
 }
 
 impl Layout {
-    /// Mounting of satellites and ring for this number of plates per period: one for teeth and like poles, which face
-    /// gaps, two for alternating poles, where north faces south. The phases of wheels in mesh differ by half a period.
-    /// Satellites that cannot be [mounted](super::Differential::assembly) have this difference only at the sun.
+    /// Mounting angles of satellites and ring. `plates` is the number of plates per period: 1 for teeth and like poles,
+    /// which face gaps, and 2 for alternating poles, where north faces south. The phases of wheels in mesh differ by
+    /// half a period. Satellites that cannot be [mounted](super::Differential::assembly) have this difference only at
+    /// the sun.
     pub fn mounting(&self, plates: u32) -> Mounting {
         let [sun, satellite, step, ring] = self.train().periods(plates);
         let mounted = self.train().ring_mounting_of(plates);

@@ -90,8 +90,8 @@ impl Differential {
         ]
     }
 
-    /// True if no ratio of the differential is larger. The largest ratio characterizes the differential; if z₁ = z₄
-    /// there are two.
+    /// True if no ratio of the differential is larger than this ratio. The largest ratio characterizes the
+    /// differential; if z₁ = z₄, two ratios are largest.
     pub fn is_largest(&self, ratio: &Ratio) -> bool {
         let greater = |other: &Ratio| {
             other.numerator * ratio.denominator > ratio.numerator * other.denominator

@@ -152,7 +152,8 @@ impl Turning {
 
     /// Makes the motion of a train with these inputs.
     ///
-    /// # Errors Every invalid rise time; errors of [`Differential::solve`](super::Differential::solve); two inputs of
+    /// # Errors
+    /// Every invalid rise time; errors of [`Differential::solve`](super::Differential::solve); two inputs of
     /// one shaft; given speeds above [`Self::FASTEST`], or, if there are none, resulting speeds above it.
     pub fn new(train: Train, inputs: &[TimedInput]) -> Result<Self, Vec<InputError>> {
         let rises: Vec<InputError> = inputs.iter().filter_map(rise_fault).collect();
@@ -328,7 +329,7 @@ fn rise_fault(timed: &TimedInput) -> Option<InputError> {
     Some(InputError::Rise { shaft, fault })
 }
 
-/// Time at full speed in which a shaft turns through the same angle, seconds.
+/// Time that a shaft would need at full speed for its angle of rotation since time 0, seconds.
 fn run(time: f64, rise: f64) -> f64 {
     if time < rise {
         time * time / (2.0 * rise)

@@ -83,7 +83,7 @@ impl Layout {
             velocity: carrier * distance + spin * (radius - distance),
         };
         let [sun, ring] = self.rolling_radii(coupling);
-        // The speed of the carrier and the relative speed may cancel except for rounding.
+        // The speed of the carrier and the relative speed may cancel and leave only a rounding error.
         let turns = spin.abs() > 4.0 * f64::EPSILON * (carrier.abs() + (spin - carrier).abs());
         Some(Velocities {
             sun: at(sun),

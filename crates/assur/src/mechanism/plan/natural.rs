@@ -102,9 +102,9 @@ struct Plan<'a> {
     solved: &'a List<BodyId, bool>,
     orientations: &'a List<BodyId, Orientation>,
     inputs: Vec<KnownTerm>,
-    /// Forms of the positions of the known points.
+    /// Linear forms of the positions of the known points.
     points: BTreeMap<PointId, Form>,
-    /// Forms of the origin and turn of the bodies placed so far.
+    /// Linear forms of the origin and turn of the bodies placed so far.
     placed: BTreeMap<BodyId, [Form; 2]>,
     /// Slides that have given the direction of a body.
     by_slide: Vec<SlideId>,
@@ -250,7 +250,7 @@ impl Plan<'_> {
         };
         let free = self.bodies.of(body).iter();
         let free = free.filter(|(point, _)| !self.points.contains_key(point));
-        // Of equal points, `rev` makes `max_by_key` take the first instead of the last.
+        // Of points that rank equally, `rev` makes `max_by_key` take the first instead of the last.
         let best = free
             .rev()
             .max_by_key(|(point, at)| (self.is_far(body, *at), joints(*point)));
@@ -320,7 +320,7 @@ impl Plan<'_> {
         self.placed.insert(body, [origin, turn]);
     }
 
-    /// Form of a direction on a placed body.
+    /// Linear form of a direction on a placed body.
     fn direction(&mut self, body: BodyId, heading: Vector) -> Form {
         match self.placed.get(&body) {
             Some([_, turn]) => turn.by(heading),
@@ -331,7 +331,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Form of a position on a placed body.
+    /// Linear form of a position on a placed body.
     fn place_on(&mut self, body: BodyId, local: Vector) -> Form {
         match self.placed.get(&body) {
             Some([origin, turn]) => origin.plus(&turn.by(local)),

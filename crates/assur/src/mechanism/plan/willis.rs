@@ -113,8 +113,8 @@ impl Solved {
         Some(Adds::Angle)
     }
 
-    /// Bodies for which the equations are solved, each with the factors of the angles of other bodies that give its
-    /// angle.
+    /// Bodies for which the equations are solved. The angle of each body is a linear combination of the angles of the
+    /// bodies listed with it.
     pub(in crate::mechanism) fn ratios(
         &self,
     ) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {
