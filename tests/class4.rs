@@ -94,7 +94,8 @@ fn golden_table() {
 fn constraint_equations() {
     let motion = Motion::new(Mechanism::new(&dwell()).unwrap());
     let mechanism = motion.mechanism();
-    let pairs = mechanism.constraints().iter().map(|one| match one.kind {
+    let constraints = mechanism.constraints();
+    let pairs = constraints.iter().map(|one| match one.kind {
         ConstraintKind::Distance { points: [p, q], .. } => {
             [p, q].map(|point| mechanism.point_name(point))
         }
@@ -125,7 +126,7 @@ fn constraint_equations() {
             ],
             _ => ["x", "y"].map(|axis| row.get(&format!("{name}_{}{axis}", "d".repeat(order)))),
         };
-        for (constraint, [p, q]) in mechanism.constraints().iter().zip(&pairs) {
+        for (constraint, [p, q]) in constraints.iter().zip(&pairs) {
             let [way, rate, bend] = [0, 1, 2].map(|order| {
                 let [p, q] = [p, q].map(|name| tabled(name, order));
                 [p[0] - q[0], p[1] - q[1]]

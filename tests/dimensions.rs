@@ -32,8 +32,8 @@ fn inputs(motion: &Motion) -> [f64; 3] {
 /// The largest residual of the constraint equations: lengths relative to the size, and
 /// angles.
 fn residual(mechanism: &Mechanism, pose: &Pose<1>) -> f64 {
-    let sides = mechanism.constraints().iter();
-    let off = sides.map(|one| {
+    let constraints = mechanism.constraints();
+    let off = constraints.iter().map(|one| {
         let scale = match one.kind {
             ConstraintKind::Distance { .. } | ConstraintKind::Offset { .. } => {
                 mechanism.size().powi(2)

@@ -79,7 +79,7 @@ fn cylinders_of_excavators() {
                 "{what}"
             );
             assert!((left - off_above).abs() < 1e-12, "{what}");
-            for constraint in motion.mechanism().constraints() {
+            for constraint in &motion.mechanism().constraints() {
                 let pose = motion.pose::<3>(input).unwrap();
                 for order in 0..3 {
                     let residual = motion

@@ -169,7 +169,7 @@ fn all_fulfil_their_equations() {
             let q = mechanism.mobility().q() as usize;
             assert_eq!(constraints.len(), 2 * joints.count() - 1 + q, "{name}");
         }
-        for constraint in constraints {
+        for constraint in &constraints {
             kinds[match constraint.kind {
                 ConstraintKind::Distance { .. } => 0,
                 ConstraintKind::Offset { .. } => 1,
@@ -182,7 +182,7 @@ fn all_fulfil_their_equations() {
             let pose = motion
                 .pose::<3>(from + (to - from) * f64::from(k) / 90.0)
                 .unwrap();
-            for constraint in constraints {
+            for constraint in &constraints {
                 for (order, tolerance) in [1e-12, 1e-11, 1e-9].into_iter().enumerate() {
                     let sides = mechanism.sides(&pose, constraint, order);
                     let scale = sides.left.abs() + mechanism.size().powi(2).max(1.0);

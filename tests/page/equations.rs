@@ -109,7 +109,7 @@ async fn equations_of_slides_and_wheels() {
     unfold_of(&page, "whitworth").await;
     agree(&page, "whitworth", 0).await;
     let kinds = document("whitworth").motion().unwrap();
-    let slides = kinds.mechanism().constraints().iter();
+    let slides = kinds.mechanism().constraints().into_iter();
     let slides = slides.filter(|one| matches!(one.kind, ConstraintKind::Offset { .. }));
     let texts = page.text("equations").await;
     assert_eq!(texts.matches("= h·l").count(), slides.count());

@@ -37,9 +37,9 @@ fn residual(motion: &Motion, input: f64) -> f64 {
     let scale = rates.fold([1.0; 3], |most: [f64; 3], rates| {
         [0, 1, 2].map(|order| most[order].max(rates[order]))
     });
-    let all = mechanism.constraints().iter().flat_map(|constraint| {
+    let all = mechanism.constraints().into_iter().flat_map(|constraint| {
         [0, 1, 2].map(|order| {
-            let sides = mechanism.sides(&pose, constraint, order);
+            let sides = mechanism.sides(&pose, &constraint, order);
             sides.residual().abs() / (size * scale[order] + sides.left.abs())
         })
     });

@@ -192,7 +192,7 @@ fn whatever_is_given_of_a_group() {
                 continue;
             };
             let mechanism = motion.mechanism();
-            for constraint in mechanism.constraints() {
+            for constraint in &mechanism.constraints() {
                 let sides = mechanism.sides(&pose, constraint, 0);
                 let scale = sides.left.abs() + mechanism.size().powi(2).max(1.0);
                 assert!(

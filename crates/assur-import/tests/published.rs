@@ -86,7 +86,7 @@ pub(crate) fn keeps_its_lengths(name: &str, document: &LinkageDocument, motion: 
                 "{name}, {link} at {input}: {now}, not {length}"
             );
         }
-        for constraint in mechanism.constraints() {
+        for constraint in &mechanism.constraints() {
             let residual = mechanism.sides(&pose, constraint, 0).residual().abs();
             assert!(
                 residual <= 8.0 * WITHIN * size.max(1.0).powi(2),

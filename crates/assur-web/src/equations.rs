@@ -68,8 +68,10 @@ pub(crate) fn sides<const N: usize>(
     pose: &Pose<N>,
     order: usize,
 ) -> Vec<f64> {
-    let constraints = mechanism.constraints().iter();
-    let sides = constraints.map(|one| mechanism.sides(pose, one, order));
+    let constraints = mechanism.constraints();
+    let sides = constraints
+        .iter()
+        .map(|one| mechanism.sides(pose, one, order));
     sides
         .flat_map(|sides| [sides.left, sides.right, sides.residual()])
         .collect()

@@ -10,6 +10,9 @@ pub fn sort<T: Ord>(list: &mut [T]) {
 
 /// Sorts a list by a comparison; stable.
 pub fn sort_by<T>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
+    if list.is_sorted_by(|a, b| compare(a, b).is_le()) {
+        return;
+    }
     let order = order(list.len(), &|a, b| compare(&list[a], &list[b]));
     permute(list, order);
 }
@@ -17,6 +20,9 @@ pub fn sort_by<T>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
 /// Sorts a list by a key, computed once for each item; stable.
 pub fn sort_by_key<T, K: Ord>(list: &mut [T], key: impl Fn(&T) -> K) {
     let keys: Vec<K> = list.iter().map(key).collect();
+    if keys.is_sorted() {
+        return;
+    }
     permute(list, order(keys.len(), &|a, b| keys[a].cmp(&keys[b])));
 }
 

@@ -23,18 +23,18 @@ pub(crate) fn defects(spec: &LinkageSpec) -> Vec<Defect> {
 }
 
 fn names(spec: &LinkageSpec, found: &mut Vec<Defect>) {
-    let mut points = BTreeSet::new();
-    for point in &spec.points {
-        if !points.insert(point.name.as_str()) {
+    for (k, point) in spec.points.iter().enumerate() {
+        if spec.points[..k]
+            .iter()
+            .any(|other| other.name == point.name)
+        {
             found.push(Defect::Twice {
                 name: point.name.clone(),
             });
         }
     }
-    let mut links = BTreeSet::new();
-    links.insert(FRAME);
-    for link in &spec.links {
-        if !links.insert(link.name.as_str()) {
+    for (k, link) in spec.links.iter().enumerate() {
+        if link.name == FRAME || spec.links[..k].iter().any(|other| other.name == link.name) {
             found.push(Defect::Twice {
                 name: link.name.clone(),
             });
@@ -69,8 +69,8 @@ fn names(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     let named_points = named_points.map(String::as_str);
     let named_links = named_links.map(String::as_str);
     let unknown: BTreeSet<&str> = named_points
-        .filter(|name| !points.contains(name))
-        .chain(named_links.filter(|name| !links.contains(name)))
+        .filter(|name| spec.place(name).is_none())
+        .chain(named_links.filter(|name| *name != FRAME && spec.link(name).is_none()))
         .collect();
     found.extend(unknown.into_iter().map(|name| Defect::UnknownName {
         name: name.to_owned(),

@@ -2,7 +2,6 @@
 
 use crate::Vector;
 use crate::linkage::spec::{Defect, LinkSpec, LinkageSpec, extent};
-use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::plan::structured;
 use crate::mechanism::{Layout, Mechanism, check};
@@ -22,8 +21,8 @@ impl Mechanism {
         if !defects.is_empty() {
             return Err(defects);
         }
-        let resolved = Resolved::new(&spec).map_err(|defect| vec![defect])?;
-        let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
+        let (resolved, rigid) = Resolved::new(&spec).map_err(|defect| vec![defect])?;
+        let (bodies, placements) = rigid.joined(&resolved).map_err(|defect| vec![defect])?;
         let (structure, redundancy) = structured::structured(&resolved, &bodies)?;
         if let Some(redundancy) = redundancy {
             return Err(redundancy.defects);

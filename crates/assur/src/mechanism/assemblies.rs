@@ -125,7 +125,6 @@ impl Mechanism {
         Ok(Self {
             start: self.layout.start(&spec, &drawn)?,
             layout: Arc::clone(&self.layout),
-            constraints: Arc::clone(&self.constraints),
             spec: Arc::new(spec),
             drawn,
         })

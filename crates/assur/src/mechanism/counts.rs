@@ -1,12 +1,12 @@
 //! The numbers of the structural formula W = 3n − 2P₁ − P₂.
 
 use crate::gears::Mesh;
-use crate::index::LinkId;
+use crate::index::{LinkId, PointId};
 use crate::linkage::check;
 use crate::linkage::spec::{Defect, LinkageSpec};
 use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::resolved::Resolved;
-use crate::mechanism::{Layout, Mechanism, Part};
+use crate::mechanism::{DoubledLink, Layout, Mechanism, Part};
 
 /// Numbers from which the mobility is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ impl Mechanism {
     /// Numbers of links and pairs, and the mobility by Chebyshev and Grübler. Wheels in mesh "as printed" have an idler
     /// between them; the idler counts as a link with its hinge and meshes.
     pub fn counts(&self) -> Counts {
-        self.layout.counts
+        self.layout.counts()
     }
 
     /// One wheel for each passive mesh: the satellite, because its hinge joins fewer links than the hinge of sun and
@@ -59,21 +59,37 @@ impl LinkageSpec {
             return Err(defects);
         }
         let one = |defect| vec![defect];
-        let resolved = Resolved::new(self).map_err(one)?;
-        let (bodies, _) = Bodies::new(&resolved, None).map_err(one)?;
-        Ok(counts(&resolved, &bodies))
+        let (resolved, rigid) = Resolved::new(self).map_err(one)?;
+        let (bodies, _) = rigid.joined(&resolved).map_err(one)?;
+        Ok(counts(&bodies, &resolved.doubled, resolved.places.ids()))
     }
 }
 
-/// The counts of a specification.
-pub(super) fn counts(spec: &Resolved<'_>, bodies: &Bodies) -> Counts {
-    let graph = bodies.graph(spec.places.ids());
-    let gears = spec.gears.iter();
-    let idlers = gears.filter(|gear| gear.mesh == Mesh::AsPrinted).count();
-    let passive = bodies.gears.iter().filter(|gear| gear.is_passive).count();
+impl Layout {
+    pub(super) fn counts(&self) -> Counts {
+        counts(
+            &self.bodies,
+            &self.doubled,
+            self.points.ids().take(self.listed),
+        )
+    }
+}
+
+/// Counts of bodies, doubled links and the pairs at the given points.
+pub(super) fn counts(
+    bodies: &Bodies,
+    doubled: &[DoubledLink],
+    points: impl Iterator<Item = PointId>,
+) -> Counts {
+    let graph = bodies.graph(points);
+    let gears = bodies.gears.iter();
+    let idlers = gears
+        .clone()
+        .filter(|gear| gear.by_link.mesh == Mesh::AsPrinted);
+    let (idlers, passive) = (idlers.count(), gears.filter(|gear| gear.is_passive).count());
     // A doubled link has three freedoms and a hinge at each shared point.
-    let doubled = spec.doubled.iter().map(|one| one.shared.len());
-    let (doubled, hinges) = (spec.doubled.len(), doubled.sum::<usize>());
+    let hinges = doubled.iter().map(|one| one.shared.len()).sum::<usize>();
+    let doubled = doubled.len();
     Counts {
         links: graph.links - 1 + idlers + doubled,
         lower_pairs: graph.lower_pairs() + idlers + hinges,

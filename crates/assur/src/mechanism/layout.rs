@@ -18,7 +18,6 @@ pub(crate) struct Layout {
     /// Number of points of the specification without its tracers.
     pub(super) listed: usize,
     pub(super) doubled: Vec<DoubledLink>,
-    pub(super) counts: Counts,
     /// The structure used for solving, with passive links inside their groups.
     pub(super) structure: Structure,
     /// Pairs of bodies that stay parallel to each other, for groups with redundant constraints.
@@ -113,7 +112,6 @@ impl Layout {
             steps: plan.steps,
             placed_by,
             passive: None,
-            counts: counts::counts(resolved, &bodies),
             doubled: resolved.doubled.clone(),
             size: resolved.spec.size(),
             range: plan.range,

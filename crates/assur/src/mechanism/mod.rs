@@ -86,7 +86,6 @@ pub struct Mechanism {
     layout: Arc<Layout>,
     /// The specification as drawn in this configuration.
     spec: Arc<LinkageSpec>,
-    constraints: Arc<[Constraint]>,
     drawn: Configuration,
     start: Start,
 }
@@ -109,8 +108,8 @@ impl Mechanism {
         if !defects.is_empty() {
             return Err(defects);
         }
-        let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
-        let (bodies, placements) = Bodies::new(&resolved, None).map_err(|defect| vec![defect])?;
+        let (resolved, rigid) = Resolved::new(spec).map_err(|defect| vec![defect])?;
+        let (bodies, placements) = rigid.joined(&resolved).map_err(|defect| vec![defect])?;
         let (structure, redundancy) = structured::structured(&resolved, &bodies)?;
         let (mut layout, guess) =
             Layout::new(&resolved, bodies, &placements, structure, &[], None)?;
@@ -124,7 +123,6 @@ impl Mechanism {
             })?,
         };
         Ok(Self {
-            constraints: layout.constraints(&drawn.orientations).into(),
             layout: Arc::new(layout),
             spec: Arc::new(spec.clone()),
             drawn,

@@ -8,7 +8,7 @@ use crate::Point;
 use crate::index::{LinkId, List, PointId, SlideId, StepId};
 use crate::linkage::spec::{Defect, LinkageSpec};
 use crate::mechanism::plan::Drawn;
-use crate::mechanism::plan::body::Bodies;
+use crate::mechanism::plan::body::RigidBodies;
 use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Configuration, Layout, Mechanism, Pose};
 use crate::position::{Cause, Mounting, Sign, State, Step};
@@ -177,7 +177,7 @@ impl Layout {
         setting: Option<Setting>,
         drawn: Drawn<'_>,
     ) -> Result<(Self, Configuration), Vec<Defect>> {
-        let resolved = Resolved::new(spec).map_err(|defect| vec![defect])?;
+        let (resolved, mut rigid) = Resolved::new(spec).map_err(|defect| vec![defect])?;
         // Two links cease to be one body if a dimension changes on only one of the two; one of them may be the frame.
         let (before, after) = (&self.doubled, &resolved.doubled);
         if before != after {
@@ -188,15 +188,15 @@ impl Layout {
                 .map(|one| spec.name_of(Some(one.link)))
                 .collect();
             return Err(vec![Defect::Locked {
-                mobility: self.counts.mobility,
+                mobility: self.counts().mobility,
                 links: links.into_iter().map(str::to_owned).collect(),
             }]);
         }
-        let hinge = match setting {
-            Some(Setting::Hinge(point, at)) => Some((point, at.coords - resolved.origin)),
-            _ => None,
-        };
-        let bodies = Bodies::new(&resolved, hinge);
+        if let Some(Setting::Hinge(point, at)) = setting {
+            let hinge = Some((point, at.coords - resolved.origin));
+            rigid = RigidBodies::new(&resolved, hinge).map_err(|defect| vec![defect])?;
+        }
+        let bodies = rigid.joined(&resolved);
         let (mut bodies, placements) = bodies.map_err(|defect| vec![defect])?;
         if let Some(Setting::Offset(slide, off)) = setting {
             bodies.slides[slide].set_offset(off);

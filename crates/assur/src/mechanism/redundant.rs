@@ -84,8 +84,9 @@ impl Mechanism {
     /// Mobility by count and by rank, with the redundant constraints.
     pub fn mobility(&self) -> Mobility {
         let layout = &self.layout;
+        let counts = layout.counts();
         let has_surplus = layout.structure.groups().any(|group| group.surplus > 0);
-        let redundant = if has_surplus || layout.counts.passive > 0 {
+        let redundant = if has_surplus || counts.passive > 0 {
             layout.redundant(&layout.rows_beside(&self.drawn))
         } else {
             layout.hinges_of_doubled().collect()
@@ -95,8 +96,8 @@ impl Mechanism {
             PairName::Mesh(wheels) => wheels.map(|link| self.spec.name_of(link)).join(" "),
         });
         Mobility {
-            by_count: layout.counts.mobility,
-            by_rank: layout.counts.mobility + redundant.len() as isize,
+            by_count: counts.mobility,
+            by_rank: counts.mobility + redundant.len() as isize,
             redundant: names.collect(),
         }
     }
@@ -114,7 +115,7 @@ impl Layout {
 
     /// True if the rank of the constraints, in the most general of several poses, leaves one freedom for each driver.
     fn rank_allows(&self, rows: &[Rows], drivers: &[structure::Driver]) -> bool {
-        let rank = self.counts.mobility + self.redundant(rows).len() as isize;
+        let rank = self.counts().mobility + self.redundant(rows).len() as isize;
         rank == drivers.len() as isize
     }
 

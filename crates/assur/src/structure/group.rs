@@ -1,6 +1,6 @@
 //! One Assur group of a linkage.
 
-use super::pebbles::Pebbles;
+use super::pebbles::{BODY, Pebbles};
 use super::{Depends, Driver, Fault, Graph, Pair, contour};
 use crate::numeric::graph::Partition;
 use crate::sorting::sort;
@@ -192,8 +192,8 @@ impl Group {
 
 /// Divides links into bodies. The pairs and drivers between the links of a body leave them no relative motion.
 fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>> {
-    if let [link] = links {
-        return vec![vec![*link]];
+    if constraints_between(graph, drivers, links) < BODY {
+        return links.iter().map(|link| vec![*link]).collect();
     }
     let (mut pebbles, _) = Pebbles::count(graph, drivers, |link| links.contains(&link));
     let mut bodies: Vec<Vec<usize>> = vec![];
@@ -204,6 +204,20 @@ fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>>
         }
     }
     bodies
+}
+
+/// Number of constraints between links: two links without relative motion have at least three.
+fn constraints_between(graph: &Graph, drivers: &[Driver], links: &[usize]) -> usize {
+    let inside = |link: &&usize| links.contains(link);
+    let pairs = graph.pairs.iter().map(|pair| {
+        let joined = pair.links().iter().filter(inside).count().saturating_sub(1);
+        match pair {
+            Pair::Revolute(_) | Pair::Prismatic(_) => 2 * joined,
+            Pair::Gear(_) => joined,
+        }
+    });
+    let driven = |driver: &&Driver| driver.links.iter().all(|link| links.contains(link));
+    pairs.sum::<usize>() + drivers.iter().filter(driven).count()
 }
 
 /// Checks that the links of a body are locked even if prismatic pairs join them: with one link as ground, the body must

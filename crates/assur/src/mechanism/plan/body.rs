@@ -40,18 +40,26 @@ pub(in crate::mechanism) struct Placement {
     pub(in crate::mechanism) angle_offset: f64,
 }
 
-impl Bodies {
-    /// Bodies of a specification, and the placements of its links. One hinge of the frame may be moved from its drawn
-    /// position; links, guides and wheels at this hinge stay as drawn.
+/// Bodies without slides and gear couplings, and the placements of the links.
+pub(in crate::mechanism) struct RigidBodies {
+    pub(in crate::mechanism) bodies: Bodies,
+    placements: List<LinkId, Placement>,
+}
+
+impl RigidBodies {
+    /// Joins the bodies by the slides and gear couplings of their specification. Returns the bodies, and the placements
+    /// of the links.
     ///
     /// # Errors
-    /// A link of undetermined orientation; a slide whose point is not on its link, or whose line has two coincident
-    /// points.
-    pub(in crate::mechanism) fn new(
+    /// A slide whose point is not on its link, or whose line has two coincident points.
+    pub(in crate::mechanism) fn joined(
+        self,
         spec: &Resolved<'_>,
-        hinge: Option<(PointId, Vector)>,
-    ) -> Result<(Self, List<LinkId, Placement>), Defect> {
-        let (mut bodies, placements) = Self::rigid(spec, hinge)?;
+    ) -> Result<(Bodies, List<LinkId, Placement>), Defect> {
+        let Self {
+            mut bodies,
+            placements,
+        } = self;
         for slide in spec.slides.ids() {
             let slide = bodies.slide(spec, slide)?;
             bodies.slides.push(slide);
@@ -67,20 +75,21 @@ impl Bodies {
         Ok((bodies, placements))
     }
 
-    /// Bodies and placements without slides and gear couplings.
+    /// Rigid bodies of a specification. One hinge of the frame may be moved from its drawn position; links, guides and
+    /// wheels at this hinge stay as drawn.
     ///
     /// # Errors
     /// A link of undetermined orientation.
-    pub(in crate::mechanism) fn rigid(
+    pub(in crate::mechanism) fn new(
         spec: &Resolved<'_>,
         hinge: Option<(PointId, Vector)>,
-    ) -> Result<(Self, List<LinkId, Placement>), Defect> {
+    ) -> Result<Self, Defect> {
         let place = |point: &PointId| match hinge {
             Some((moved, at)) if moved == *point => (*point, at),
             _ => (*point, spec.places[*point]),
         };
         let frame = spec.frame.iter().map(place).collect();
-        let mut bodies = Self {
+        let mut bodies = Bodies {
             points: vec![frame].into(),
             drawn: vec![(Vector::zeros(), Vector::x())].into(),
             slides: List::default(),
@@ -101,9 +110,11 @@ impl Bodies {
             },
         });
         let placements = placements.collect();
-        Ok((bodies, placements))
+        Ok(Self { bodies, placements })
     }
+}
 
+impl Bodies {
     /// Makes the body of a link. The origin of the body is the link's first point. The axis runs to the second point
     /// or, without a second point, along the guide of the link.
     ///

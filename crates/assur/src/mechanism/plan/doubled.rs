@@ -4,7 +4,7 @@
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::linkage::spec::{Defect, LinkageSpec, extent};
 use crate::mechanism::dimension::along_axis;
-use crate::mechanism::plan::body::Bodies;
+use crate::mechanism::plan::body::{Bodies, RigidBodies};
 use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Layout, Part};
 use crate::position::{conjugate, product};
@@ -102,19 +102,20 @@ impl Resolved<'_> {
     ///
     /// # Errors
     /// A link of undetermined orientation.
-    pub(in crate::mechanism) fn join_doubled(&mut self) -> Result<(), Defect> {
+    pub(in crate::mechanism) fn join_doubled(&mut self) -> Result<RigidBodies, Defect> {
         loop {
-            let (bodies, _) = Bodies::rigid(self, None)?;
+            let rigid = RigidBodies::new(self, None)?;
+            let bodies = &rigid.bodies;
             let before = |body: BodyId| (0..body.index()).map(BodyId::at);
             let mut pairs = bodies
                 .ids()
                 .flat_map(|body| before(body).map(move |base| [body, base]));
-            let found = pairs.find_map(|pair| Doubling::of(&bodies, pair));
-            let Some(doubling) = found else { break };
+            let Some(doubling) = pairs.find_map(|pair| Doubling::of(bodies, pair)) else {
+                self.doubled.sort_unstable();
+                return Ok(rigid);
+            };
             self.join(doubling);
         }
-        self.doubled.sort_unstable();
-        Ok(())
     }
 
     fn join(&mut self, doubling: Doubling) {

@@ -4,6 +4,7 @@ use crate::gears::Mesh;
 use crate::index::{BodyId, Id, LinkId, List, PointId, SlideId};
 use crate::linkage::TracerSpec;
 use crate::linkage::spec::{Defect, DriverSpec, FRAME, LinkageSpec};
+use crate::mechanism::plan::body::RigidBodies;
 use crate::mechanism::plan::doubled::DoubledLink;
 use crate::mechanism::readout::constraint::LinkOrFrame;
 use crate::{Point, Vector};
@@ -84,7 +85,7 @@ impl Driver {
 impl<'a> Resolved<'a> {
     /// # Errors
     /// The first unknown name or similar defect.
-    pub(in crate::mechanism) fn new(spec: &'a LinkageSpec) -> Result<Self, Defect> {
+    pub(in crate::mechanism) fn new(spec: &'a LinkageSpec) -> Result<(Self, RigidBodies), Defect> {
         let names = Names(spec);
         let mut bodies: List<BodyId, LinkOrFrame> = vec![None].into();
         let bases = spec.links.iter().map(|link| {
@@ -153,8 +154,8 @@ impl<'a> Resolved<'a> {
             brought: bodies.same_len(Vec::new()),
             bodies,
         };
-        resolved.join_doubled()?;
-        Ok(resolved)
+        let bodies = resolved.join_doubled()?;
+        Ok((resolved, bodies))
     }
 
     /// The link that a driver turns or moves.

@@ -38,7 +38,7 @@ pub(in crate::mechanism) fn structured(
     let redundant = decompose_redundant(&graph, &drivers);
     let defects = || {
         // Passive meshes remove no freedom.
-        let counts = counts(spec, bodies);
+        let counts = counts(bodies, &spec.doubled, spec.places.ids());
         let mobility = counts.mobility + counts.passive as isize;
         if let Some(gear) = contradicting(bodies, &graph, &drivers) {
             let links = gear

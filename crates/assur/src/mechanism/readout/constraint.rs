@@ -173,8 +173,8 @@ impl Mechanism {
     /// Constraint equations: distances that keep each link rigid, two equations for each slide, and one for each pair
     /// of wheels. If all pairs are hinges, the number of equations is the number of coordinates of moving points less
     /// the mobility.
-    pub fn constraints(&self) -> &[Constraint] {
-        &self.constraints
+    pub fn constraints(&self) -> Vec<Constraint> {
+        self.layout.constraints(&self.drawn.orientations)
     }
 
     /// Both sides of an equation in a pose, or of its derivative with respect to the input, of an order below `N`.
