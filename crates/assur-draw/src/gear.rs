@@ -1,5 +1,4 @@
-//! Outlines of toothed wheels in mesh: involute teeth (pressure angle 20°) of standard proportions,
-//! shortened to avoid undercutting the mate.
+//! Outlines of gears in mesh: standard involute teeth (pressure angle 20°), shortened to avoid undercutting the mate.
 
 use std::f64::consts::PI;
 
@@ -43,8 +42,7 @@ impl Teeth {
                 0.5 * (z + mate)
             };
             let base = pitch * PRESSURE_ANGLE.cos();
-            // Beyond this radius the tip would touch the mate inside the mate's base circle, where
-            // there is no involute.
+            // Beyond this radius the tip would touch the mate inside its base circle, where it has no involute.
             let limit = base.hypot(distance * PRESSURE_ANGLE.sin());
             match (ring, mate_ring) {
                 (false, false) => tip.min(limit),
