@@ -23,8 +23,7 @@ const SHOWN: usize = 16;
 /// Maximum number of characters shown of the host in such a URL.
 const LONGEST_HOST: usize = 60;
 
-/// NAME on the command line: a name of the catalogue, a file, or a link (URL) of another program. A link may have
-/// thousands of characters, so only its beginning is displayed.
+/// NAME on the command line: a catalogue name, a file, or a URL of another program (only its beginning is displayed).
 #[derive(Clone, Debug)]
 pub(crate) struct Name(String);
 

@@ -130,8 +130,7 @@ pub struct Panel {
     pub marks: Vec<Vec<Mark>>,
     /// Values of constant curves, in the order of the series; none for other curves.
     pub levels: Vec<Option<f64>>,
-    /// Points along the curves, to be kept clear of labels: x and y of each point in turn, in screen pixels.
-    /// Neighbouring points are a few pixels apart.
+    /// Points a few pixels apart along the curves, to be kept clear of labels: x and y in turn, screen pixels.
     pub points: Vec<f64>,
 }
 
@@ -200,9 +199,8 @@ impl Chart {
         &self.series
     }
 
-    /// Draws the chart on an area with [`FINE`] units per pixel, and returns its panels, with the positions of the
-    /// text. Margins, lines and dots are `scale` times as large as usual. With `only`, the plot of this order takes the
-    /// whole area.
+    /// Draws the chart on an area with [`FINE`] units per pixel, and returns its panels with the positions of texts.
+    /// Margins, lines and dots are `scale` times as large as usual. With `only`, the plot of this order fills the area.
     ///
     /// # Errors
     /// Errors of the backend. An area too small for a plot is left empty, and no panels are returned.

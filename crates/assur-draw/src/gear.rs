@@ -69,8 +69,7 @@ impl Teeth {
         self.pitch_radius() + depth
     }
 
-    /// Returns the closed outline of the teeth for a module, counter-clockwise. A tooth, which
-    /// points inwards on a ring, is centred on the x axis.
+    /// Returns the closed outline of the teeth for a module, counter-clockwise. A tooth is centred on the x axis.
     pub(crate) fn outline(self, module: f64) -> Vec<Point> {
         let pitch_angle = 2.0 * PI / self.count;
         let flank = self.flank();
@@ -147,8 +146,8 @@ mod tests {
         outline.map(|p| turned(p) + wheel.centre).collect()
     }
 
-    /// At every angle no tooth of a pair cuts into the other wheel by more than a fiftieth of a
-    /// module, and tips reach well into each other's gaps.
+    /// At no angle do teeth cut into the mate by more than a fiftieth of a module. Tips reach well into the mate's
+    /// gaps.
     fn check_pair(wheels: [&Wheel; 2], teeth: [Teeth; 2], what: &str) {
         for step in 0..12 {
             let driver = f64::from(step) * 0.0573;

@@ -91,8 +91,7 @@ impl Sketch {
         &self.names
     }
 
-    /// Returns the rectangle (left, bottom, right, top) that holds the drawing, or an empty sheet if there are no
-    /// points.
+    /// Returns the rectangle around the drawing, or an empty sheet if it has no points: left, bottom, right, top.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }

@@ -70,9 +70,8 @@ impl TrainView {
 /// A pose of a differential relative to an observer, whose own angle and speed are subtracted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrainPose {
-    /// Angles of the bodies in the order of [`Body::ALL`], radians. At zero angles no mesh is
-    /// loaded and the first satellite is on the right. A bevel satellite is then on top; its angle
-    /// is not used, because it follows from the sun's.
+    /// Angles of the bodies in the order of [`Body::ALL`], radians. At zero angles no mesh is loaded and the first
+    /// satellite is on the right, or on top if bevel. A bevel satellite's angle is not used: it follows from the sun's.
     pub angles: [f64; 4],
     /// Speeds of the bodies in the order of [`Body::ALL`], rad/s.
     pub speeds: [f64; 4],

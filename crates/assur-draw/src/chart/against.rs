@@ -71,8 +71,8 @@ pub struct Field {
 }
 
 impl Against {
-    /// Makes the plot of samples that contain two quantities, abscissa and ordinate. `full` states that no derivative
-    /// grows without bound.
+    /// Makes the plot of samples of two quantities, abscissa and ordinate. `full` states that no derivative is
+    /// unbounded.
     pub fn new(
         axes: [Axis; 2],
         role: Role,

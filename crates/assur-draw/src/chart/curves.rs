@@ -81,8 +81,7 @@ pub(crate) struct Curve {
 /// A sample with its input.
 pub type At = (f64, Sample);
 
-/// Makes the plots of the series and of their derivatives from unbroken runs of samples. `full` states that no
-/// derivative grows without bound.
+/// Makes the plots of series and their derivatives from unbroken runs. `full` states that no derivative is unbounded.
 pub(crate) fn plots(
     runs: &[Vec<At>],
     full: bool,
@@ -232,7 +231,8 @@ impl Range {
 
 impl Curve {
     /// Returns the marks with values between `min` and `max` that can be distinguished, in ascending order of the
-    /// input. Of successive marks at nearly the same value (a dwell), only both ends and the curve's extremes are kept.
+    /// input. Of successive marks at nearly equal values, as in a dwell, only both ends and the curve's extremes are
+    /// kept.
     pub(crate) fn marks(&self, min: f64, max: f64) -> Vec<Mark> {
         let inside = |mark: &&Mark| (min..=max).contains(&mark.value);
         let mut marks: Vec<Mark> = self.marks.iter().filter(inside).copied().collect();

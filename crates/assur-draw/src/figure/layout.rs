@@ -75,7 +75,8 @@ impl Layout {
         layout
     }
 
-    /// Returns the corners of a link: two of a bar, three or more of a plate, none of a fixed link without own points.
+    /// Returns a link's corners: two of a bar, three or more of a plate, none of a fixed link without points of its
+    /// own.
     fn outlined(&self, home: Posed<'_, 1>, link: LinkId) -> Vec<Point> {
         let mechanism = home.mechanism;
         let own = mechanism.points_of(link).iter();

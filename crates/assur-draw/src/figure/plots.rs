@@ -17,7 +17,7 @@ const CLEAR: f64 = 15.0 * PI / 180.0;
 /// Share of an arc left out of the ranges of axes next to a dead point at which no dyad comes into line.
 const CLEAR_SHARE: f64 = 0.04;
 
-/// Colours for further curves of the same coordinate, such as `C.x` after `B.x`.
+/// Colours for further coordinates or distances of the same kind, such as `C.x` after `B.x`.
 const FURTHER: [Role; 3] = [Role::Accent2, Role::Accent1, Role::Crank];
 
 /// Returns the kind of a quantity.
@@ -117,8 +117,8 @@ impl Figure {
         })
     }
 
-    /// Returns the roles of the curves. Each link and each coordinate axis has its own colour; further curves of the
-    /// same coordinate have other colours.
+    /// Returns the roles of the curves: one for each link and each coordinate, others for a coordinate of further
+    /// points.
     pub fn plotted_roles(&self, quantities: &[Quantity]) -> Vec<Role> {
         let mut roles: Vec<Role> = Vec::new();
         for quantity in quantities {

@@ -98,7 +98,7 @@ impl Gearing {
         gearing
     }
 
-    /// Adds the idler of a gear coupling, and its wheels if they are new. Returns none if they cannot be drawn.
+    /// Adds the idler and the new wheels of a gear coupling. Returns none if they cannot be drawn.
     fn add(&mut self, layout: &Layout, home: Posed<'_, 1>, gear: &GearSpec) -> Option<()> {
         let mechanism = home.mechanism;
         let link = |name: &String| mechanism.link(name);

@@ -49,7 +49,7 @@ impl Frustum {
         self.ends[0][0] < self.ends[1][0]
     }
 
-    /// Component of the surface normal at an angle towards the viewer; if not positive, the surface is hidden there.
+    /// Component towards the viewer of the surface normal at an angle; if not positive, the surface is hidden there.
     fn turned(&self, projection: &Projection, angle: f64) -> f64 {
         let [[far, wide], [near, narrow]] = self.ends;
         let normal = self.direction(angle) * (far - near) - self.axis * (wide - narrow);
