@@ -9,8 +9,7 @@
 //! | `4, role, label, x, y, dx, dy` | a label whose middle is offset from the point by (dx, dy) text heights |
 //!
 //! Roles and looks are numbers in the order of their enumerations. Labels are indices of the drawing's names
-//! ([`crate::Figure::names`]). Coordinates are those of the model, with y upwards. Numbers are `f32`, enough for a
-//! screen.
+//! ([`crate::Figure::names`]). Coordinates are the model's, y upwards. Numbers are `f32`, precise enough for a screen.
 
 use assur::Point;
 

@@ -71,8 +71,7 @@ pub struct Field {
 }
 
 impl Against {
-    /// Makes the plot of samples of two quantities, abscissa and ordinate. `full` states that no derivative is
-    /// unbounded.
+    /// Makes the plot of two sampled quantities, abscissa and ordinate. `full` states that no derivative is unbounded.
     pub fn new(
         axes: [Axis; 2],
         role: Role,

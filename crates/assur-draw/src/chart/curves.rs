@@ -231,8 +231,7 @@ impl Range {
 
 impl Curve {
     /// Returns the marks with values between `min` and `max` that can be distinguished, in ascending order of the
-    /// input. Of successive marks at nearly equal values, as in a dwell, only both ends and the curve's extremes are
-    /// kept.
+    /// input. Of successive marks at nearly equal values (a dwell), only both ends and the curve's extremes are kept.
     pub(crate) fn marks(&self, min: f64, max: f64) -> Vec<Mark> {
         let inside = |mark: &&Mark| (min..=max).contains(&mark.value);
         let mut marks: Vec<Mark> = self.marks.iter().filter(inside).copied().collect();

@@ -117,8 +117,7 @@ impl Figure {
         })
     }
 
-    /// Returns the roles of the curves: one for each link and each coordinate, others for a coordinate of further
-    /// points.
+    /// Returns the roles of the curves: one per link and per coordinate, others for a coordinate of further points.
     pub fn plotted_roles(&self, quantities: &[Quantity]) -> Vec<Role> {
         let mut roles: Vec<Role> = Vec::new();
         for quantity in quantities {
