@@ -25,7 +25,7 @@ pub(crate) struct Asked {
     assemble: Option<usize>,
 }
 
-/// Writes the table, or the linkage drawn in one assembly. Standard error warns if the table may be incomplete.
+/// Writes the table, with a warning on standard error if it may be incomplete, or the linkage drawn in one assembly.
 ///
 /// # Errors
 /// A document that is not a mechanism; an invalid number; output that cannot be written.

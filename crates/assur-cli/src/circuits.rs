@@ -37,7 +37,7 @@ struct Told<'a> {
     found: Circuits,
 }
 
-/// A dead point or crossing of a branch: its input, kind and links, and the other branch that meets this one there.
+/// A dead point or crossing of a branch, with the other branch that meets this branch there.
 struct Joint<'a> {
     input: f64,
     what: &'static str,

@@ -40,8 +40,7 @@ impl Csv {
         out.write_all(b"\n")
     }
 
-    /// Writes the shortest text that reads back as the same number. Nothing is allocated, because
-    /// long tables consist mainly of numbers.
+    /// Writes the shortest text that reads back as the same number, without allocation: long tables are mainly numbers.
     fn number(self, out: &mut impl Write, value: f64) -> io::Result<()> {
         let mut buffer = zmij::Buffer::new();
         let text = buffer.format(value + 0.0);

@@ -1,4 +1,4 @@
-//! Mobility and redundant constraints: counted, by sections, and by the rank.
+//! Mobility and redundant constraints: by counting, by sections and by rank.
 
 use std::io::Write;
 
@@ -37,8 +37,7 @@ const LINES: [&str; 21] = [
     "replacements",
 ];
 
-/// Writes the report, as text or as JSON. Cuts are taken from the command line, or else from the
-/// document, or else chosen automatically.
+/// Writes the report, as text or as JSON. Cuts come from the command line, else the document, else automatically.
 ///
 /// # Errors
 /// A document that is not a scheme; cuts that are unknown, leave a contour closed or disconnect links; output that

@@ -18,13 +18,12 @@ use crate::words::Words;
 /// Maximum size of a file, in bytes: the largest possible linkage is far smaller.
 const LARGEST: u64 = 4 << 20;
 
-/// Maximum number of characters of a link to another program that are shown after its host.
+/// Maximum number of characters shown after the host in a URL of another program.
 const SHOWN: usize = 16;
-/// Maximum number of characters of the host that are shown.
+/// Maximum number of characters shown of the host in such a URL.
 const LONGEST_HOST: usize = 60;
 
-/// NAME on the command line: a name of the catalogue, a file, or a link (URL) of another program. A link may have
-/// thousands of characters, so only its beginning is displayed.
+/// NAME on the command line: a catalogue name, a file, or a URL of another program (only its beginning is displayed).
 #[derive(Clone, Debug)]
 pub(crate) struct Name(String);
 
@@ -231,8 +230,8 @@ pub(crate) struct Schemed {
     pub(crate) cuts: Vec<Cut>,
 }
 
-/// Reads the named scheme, or the scheme of the named linkage as drawn, movable or not. Standard error lists why a
-/// linkage does not move, except a lack of drivers, which does not affect the count.
+/// Reads the named scheme, or the scheme of the named linkage as drawn, movable or not. The reasons why a linkage does
+/// not move go to standard error, except a lack of drivers, which does not affect the count.
 ///
 /// # Errors
 /// An unknown name or file; every reason why the document is not a scheme.
@@ -268,7 +267,7 @@ pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
     Ok(Schemed { scheme, cuts })
 }
 
-/// Writes why a linkage does not move to standard error, one reason per line; a lack of drivers is not mentioned.
+/// Writes to standard error why a linkage does not move, one reason per line. A lack of drivers is not mentioned.
 fn unmoved(name: &Name, problems: &[Problem]) -> Result<(), Failure> {
     let words = Words::english()?;
     for problem in problems {

@@ -7,7 +7,7 @@ use assur_import::LeftOut;
 use serde::{Deserialize, Serialize};
 use serde_json::{Error, Map, Value};
 
-/// Sentences on files, in place of the page's sentences on its saved settings.
+/// Sentences about faults in files. They replace the page's sentences about its saved settings.
 const OF_FILES: [(&str, &str); 2] = [
     ("problem.bad_state", "{path} has the wrong form: {detail}."),
     ("problem.not_json", "This is not JSON: {detail}."),
@@ -305,7 +305,7 @@ mod tests {
             rust.contains(&word) || word == "usize" || numbered || camel
         };
         let rusty = said.iter().filter(|sentence| {
-            // Keys are not checked: they stand before the fault and in backquotes.
+            // Keys of the file are not checked: they precede the fault or are in backquotes.
             let prose: String = sentence.split('`').step_by(2).collect();
             let prose = prose
                 .split_once(" has the wrong form")

@@ -11,20 +11,17 @@ use crate::list::Role;
 pub struct Annotations {
     /// Colours of links; colours of the other links are assigned in turn.
     pub roles: Vec<(String, Role)>,
-    /// Numbers of links, which are the subscripts of their angles, as in φ₃. The angle of any other link has the name
-    /// of the link.
+    /// Numbers of links, also used as subscripts of their angles, as in φ₃; other angles have the link's name.
     pub numbers: Vec<(String, String)>,
     /// Links whose wheels carry mixing blades, each with the number of blades.
     pub blades: Vec<(String, usize)>,
     /// Numbers written beside wheels.
     pub tags: Vec<Tag>,
-    /// Symbol of the input angle, drawn beside its arc. If a slide is driven, an arrow beside its block is drawn
-    /// instead.
+    /// Symbol of the input angle, drawn beside its arc. A driven slide has an arrow beside its block instead.
     pub input: Option<String>,
     /// Loop vectors: first and last point, and symbol. If the list is not empty, only its vectors are drawn.
     pub loop_vectors: Vec<([String; 2], String)>,
-    /// Angles to be drawn: three points, of which the second is the vertex, and the symbol of the angle from the first
-    /// to the third.
+    /// Angles to be drawn: first point, vertex and third point, and the symbol of the angle from first to third.
     pub corners: Vec<([String; 3], String)>,
     /// The given positions of a synthesis.
     pub given: Vec<GivenPosition>,
@@ -80,8 +77,8 @@ pub struct GivenPosition {
     pub links: Vec<([Point; 2], Role)>,
 }
 
-/// Number of a wheel, written beside its rim. If the wheel's centre is the only point of its link, a plain shaft is
-/// drawn there, with neither hinge nor name.
+/// Number of a wheel, written beside its rim. If the link has no point but the wheel's centre, a plain shaft is drawn
+/// there, with neither hinge nor name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
     /// The link of the wheel.
@@ -95,7 +92,7 @@ pub struct Tag {
 /// Numbers of mixing blades: of the wheel on the rocker's shaft, and of each wheel around it.
 const BLADES: [usize; 2] = [3, 4];
 
-/// Angle from the centre line to the number of a mixer's wheel, radians.
+/// Angle between the centre line and the direction of a mixer's wheel number, radians.
 const BESIDE_LINE: f64 = 1.9;
 
 /// Colours of wheel 4, and of wheels 5, 6, … around it.

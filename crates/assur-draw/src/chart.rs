@@ -1,5 +1,4 @@
-//! Plots of quantities and of their first two derivatives, stacked on one axis of the input, drawn
-//! by plotters on any backend.
+//! Plots of quantities and their first two derivatives, stacked over one input axis, drawn on any plotters backend.
 //!
 //! plotters draws lines and dots only. Tick labels, titles and the labels of zeros and extrema are left to the caller,
 //! at the positions given by each [`Panel`]. (To measure text, plotters would insert elements into the page; and the
@@ -25,8 +24,7 @@ use curves::{Plot, Range};
 pub(crate) use curves::{sampled, sampling};
 pub use ticks::Tick;
 
-/// Units of the backend's coordinates per screen pixel. The coordinates are integers, and a curve in whole pixels would
-/// look stepped.
+/// Units of the backend's integer coordinates per screen pixel; a curve in whole pixels would look stepped.
 pub const FINE: i32 = 16;
 
 /// Room around the plots for tick labels and titles, pixels.
@@ -132,8 +130,7 @@ pub struct Panel {
     pub marks: Vec<Vec<Mark>>,
     /// Values of constant curves, in the order of the series; none for other curves.
     pub levels: Vec<Option<f64>>,
-    /// Points along the curves, to be kept clear of labels: x and y of each point in turn, in screen pixels.
-    /// Neighbouring points are a few pixels apart.
+    /// Points a few pixels apart along the curves, to be kept clear of labels: x and y in turn, screen pixels.
     pub points: Vec<f64>,
 }
 
@@ -146,13 +143,12 @@ pub struct Chart {
     kind: Kind,
     settings: Settings,
     series: Vec<Series>,
-    /// The plot of each order.
+    /// Plots of the derivatives of orders 0, 1 and 2.
     plots: [Plot; 3],
 }
 
 impl Chart {
-    /// Makes the chart of quantities of one kind over a cycle. Samples are in unbroken runs, their quantities in the
-    /// order of `series`.
+    /// Makes the chart of quantities of one kind, in the order of `series`, over a cycle from unbroken runs of samples.
     pub fn new(
         cycle: &Cycle,
         kind: Kind,
@@ -170,8 +166,7 @@ impl Chart {
         }
     }
 
-    /// Makes the chart of quantities of one kind over a span of time, from samples with derivatives with respect to
-    /// time.
+    /// Makes the chart of quantities of one kind over a span of time, from samples with time derivatives.
     pub fn by_time(span: [f64; 2], kind: Kind, series: Vec<Series>, samples: Vec<At>) -> Self {
         let settings = Settings::BY_TIME;
         Self {
@@ -204,9 +199,8 @@ impl Chart {
         &self.series
     }
 
-    /// Draws the chart on an area with [`FINE`] units per pixel, and returns its panels, with the positions of the
-    /// text. Margins, lines and dots are `scale` times as large as usual. With `only`, the plot of this order takes the
-    /// whole area.
+    /// Draws the chart on an area with [`FINE`] units per pixel, and returns its panels with the positions of texts.
+    /// Margins, lines and dots are `scale` times as large as usual. With `only`, the plot of this order fills the area.
     ///
     /// # Errors
     /// Errors of the backend. An area too small for a plot is left empty, and no panels are returned.

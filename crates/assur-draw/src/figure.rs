@@ -96,7 +96,7 @@ pub struct Figure {
     /// Numbers of wheels: the link, the tag, and the index of the text among the names.
     tags: Vec<(LinkId, Tag, usize)>,
     bounds: [f64; 4],
-    /// The unit of symbols, a hundredth of the drawing's size.
+    /// The symbol unit, a hundredth of the drawing's size.
     unit: f64,
     rigid: List,
 }
@@ -214,8 +214,8 @@ impl Figure {
     }
 
     /// Returns the texts to which labels refer by index: the names of the points, then symbols. A symbol may be
-    /// followed by a tab and the name of a read-out, as in `μ` and `C.transmission`. It is written with the value of
-    /// the read-out, an angle (`input` means the input).
+    /// followed by a tab and the name of a read-out, as in `μ` and `C.transmission`. The value of the read-out, an
+    /// angle, is then written after the symbol (`input` is the input).
     pub fn names(&self) -> &[String] {
         self.names.all()
     }

@@ -1,5 +1,4 @@
-//! Outlines of toothed wheels in mesh: involute teeth (pressure angle 20°) of standard proportions,
-//! shortened to avoid undercutting the mate.
+//! Outlines of gears in mesh: standard involute teeth (pressure angle 20°), shortened to avoid undercutting the mate.
 
 use std::f64::consts::PI;
 
@@ -43,8 +42,7 @@ impl Teeth {
                 0.5 * (z + mate)
             };
             let base = pitch * PRESSURE_ANGLE.cos();
-            // Beyond this radius the tip would touch the mate inside the mate's base circle, where
-            // there is no involute.
+            // Beyond this radius the tip would touch the mate inside its base circle, where it has no involute.
             let limit = base.hypot(distance * PRESSURE_ANGLE.sin());
             match (ring, mate_ring) {
                 (false, false) => tip.min(limit),
@@ -71,8 +69,7 @@ impl Teeth {
         self.pitch_radius() + depth
     }
 
-    /// Returns the closed outline of the teeth for a module, counter-clockwise. A tooth, which
-    /// points inwards on a ring, is centred on the x axis.
+    /// Returns the closed outline of the teeth for a module, counter-clockwise. A tooth is centred on the x axis.
     pub(crate) fn outline(self, module: f64) -> Vec<Point> {
         let pitch_angle = 2.0 * PI / self.count;
         let flank = self.flank();
@@ -149,8 +146,7 @@ mod tests {
         outline.map(|p| turned(p) + wheel.centre).collect()
     }
 
-    /// At every angle no tooth of a pair cuts into the other wheel by more than a fiftieth of a
-    /// module, and tips reach well into each other's gaps.
+    /// At no angle do teeth cut into the mate by more than 1/50 of a module. Tips reach well into the mate's gaps.
     fn check_pair(wheels: [&Wheel; 2], teeth: [Teeth; 2], what: &str) {
         for step in 0..12 {
             let driver = f64::from(step) * 0.0573;

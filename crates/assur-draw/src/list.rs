@@ -9,16 +9,14 @@
 //! | `4, role, label, x, y, dx, dy` | a label whose middle is offset from the point by (dx, dy) text heights |
 //!
 //! Roles and looks are numbers in the order of their enumerations. Labels are indices of the drawing's names
-//! ([`crate::Figure::names`]). Coordinates are those of the model, with y upwards. Numbers are `f32`, which is as
-//! precise as a screen.
+//! ([`crate::Figure::names`]). Coordinates are the model's, y upwards. Numbers are `f32`, precise enough for a screen.
 
 use assur::Point;
 
 /// Defines the roles, with their names, in the order of their numbers.
 macro_rules! roles {
     ($($role:ident = $name:literal,)+) => {
-        /// Role of a shape. The painter has one colour for each role, the same in the drawing and in the plots.
-        /// (`Paper` is the background.)
+        /// Role of a shape: its colour, the same in the drawing and in the plots. (`Paper` is the background.)
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[expect(missing_docs, reason = "a role is its name")]
         pub enum Role {

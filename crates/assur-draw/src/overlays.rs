@@ -1,5 +1,4 @@
-//! Overlays of a drawing: paths, centres of mass, analogues of velocity and acceleration, loop vectors, transmission
-//! angles.
+//! Overlays of a drawing: paths, centres of mass, analogues of velocity and acceleration, loop vectors, angles.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -14,8 +13,7 @@ use assur::sorting::sort_by;
 pub struct Overlays {
     /// Whether to draw the paths of the points in [`crate::View::traced`].
     pub traces: bool,
-    /// Whether to draw the centre of mass of each link: as given, or else the middle of a bar or the centroid of a
-    /// plate.
+    /// Whether to draw the centre of mass of each link: as given, else the middle of a bar or centroid of a plate.
     pub centres: bool,
     /// Whether to draw the first two derivatives of moving points with respect to the input.
     pub vectors: bool,
@@ -29,17 +27,16 @@ pub struct Overlays {
     pub numbers: bool,
 }
 
-/// Scales of the vectors of a motion: length in the drawing per unit of the analogue of velocity, and of that of
-/// acceleration.
+/// Scales of the vectors of a motion: drawn length per unit of the analogues of velocity and of acceleration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scales([f64; 2]);
 
 impl Scales {
-    /// Length of the longest vector that counts for the scale, relative to the drawing's size.
+    /// Drawn length of the longest vector that counts for the scale, relative to the drawing's size.
     const LONGEST: f64 = 0.3;
     /// Greatest length of a vector whose tip must be within the drawing, relative to the drawing's size.
     const ROOM: f64 = 0.5;
-    /// Least length of the longest vector, relative to the drawing's size, that is assumed for the scale.
+    /// Lower bound of the longest derivative, from which the scale follows, relative to the drawing's size.
     const LEAST: f64 = 1e-9;
 
     /// Returns the scales for the paths of points over a motion. The longest tenth of each point's vectors does not
@@ -57,7 +54,7 @@ impl Scales {
         }))
     }
 
-    /// Returns the tips that must be within the drawing.
+    /// Returns the tips of vectors that must be within the drawing.
     pub(crate) fn tips(self, points: &[JetPoint<3>], size: f64) -> Vec<Point> {
         let tips = points.iter().flat_map(|joint| {
             [1, 2].map(|order| (joint.place(), joint.derivative(order) * self.0[order - 1]))
@@ -140,7 +137,7 @@ pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, 
     arc(list, look, c, radius, [from, turn], (name, OFF[0]));
 }
 
-/// Horizontal distance of a name from its arc, in text heights: with a value, and of a bare symbol.
+/// Horizontal distance of a name from its arc, in text heights: for a symbol with a value, and for a bare symbol.
 const OFF: [f64; 2] = [2.6, 1.1];
 
 /// Draws an arc that begins at an angle `from` and extends through `turn`, with a name beside its middle.
@@ -230,8 +227,7 @@ mod tests {
     use super::*;
     use assur::Jet;
 
-    /// A distance is drawn as a line with a stroke across each end and its name beside the middle. Nothing is drawn
-    /// between coincident points.
+    /// A distance is drawn as a line with end strokes and its name beside the middle, unless its points coincide.
     #[test]
     fn distances_are_drawn_across() {
         let mut list = List::default();

@@ -136,7 +136,7 @@ pub(crate) fn hatched(list: &mut List, [from, to]: [Point; 2], side: Vector, uni
     }
 }
 
-/// Draws a bar with a slot along it; `half` has half the width of the bar and half that of the slot.
+/// Draws a bar with a slot along it; `half` contains half the width of the bar and half the width of the slot.
 pub(crate) fn slot(list: &mut List, role: Role, [from, to]: [Point; 2], half: [f64; 2]) {
     let around = half.map(|half| capsule(from, to, half));
     list.polygons(role, Look::Solid, &around);
@@ -203,8 +203,7 @@ pub(crate) fn distance(place: Point, from: Point, to: Point) -> f64 {
     (place - nearest(place, from, to)).norm()
 }
 
-/// Returns the distance of a point from a convex plate with counter-clockwise corners: zero on the
-/// plate, none if there are no corners.
+/// Returns the distance of a point from a convex plate, corners counter-clockwise: zero on it, none without corners.
 pub(crate) fn distance_to_plate(place: Point, corners: &[Point]) -> Option<f64> {
     if let [only] = corners {
         return Some((place - only).norm());

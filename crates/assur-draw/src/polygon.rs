@@ -129,7 +129,7 @@ struct Drawing {
 }
 
 impl Drawing {
-    /// Returns the colour of absolute velocity or acceleration; relative vectors are black.
+    /// Returns the colour of absolute velocities or accelerations; relative vectors are black.
     fn role(&self) -> Role {
         match self.order {
             Order::Velocity => Role::Velocity,

@@ -17,8 +17,7 @@ impl Projection {
         Self::from([Vector3::x(), Vector3::y()])
     }
 
-    /// Returns a view with z upwards, along the direction of y turned about z through `round`, and
-    /// from the elevation `above`. Both angles are in radians.
+    /// Returns a view along y turned about z through `round`, from the elevation `above` (radians), with z upwards.
     pub(crate) fn space([round, above]: [f64; 2]) -> Self {
         let ([sin, cos], [high, level]) = ([round.sin(), round.cos()], [above.sin(), above.cos()]);
         let away = Vector3::new(-sin, cos, 0.0);

@@ -178,8 +178,7 @@ impl SchemeFigure {
         self.projection.raised(to, self.places[pair])
     }
 
-    /// Returns the drawing when the last cut is open by a share of its full gap: `n, x, y, θ` of
-    /// the only body, which is the sheet, then a display list.
+    /// Returns the drawing, its last cut open by this share: `n, x, y, θ` of one body, the sheet, and a display list.
     pub fn frame(&self, opened: f64) -> Vec<f32> {
         let moved = self.opened(opened);
         let mut list = List::default();

@@ -14,7 +14,7 @@ const RIM: f64 = 0.05;
 const SHEET: [f64; 4] = [-6.0, -4.0, 6.0, 4.0];
 /// Free margin around the drawing, for new links, relative to the drawing's size.
 const ROOM: f64 = 0.15;
-/// Size, relative to the greatest coordinate, up to which points count as coincident.
+/// Extent of all points, relative to their greatest coordinate, up to which they count as coincident.
 const LEAST: f64 = 1e-3;
 /// Radius of a wheel that is not yet in mesh, in symbol units.
 const WHEEL: f64 = 5.0;
@@ -91,8 +91,7 @@ impl Sketch {
         &self.names
     }
 
-    /// Returns the rectangle that holds the drawing: left, bottom, right, top; without points, an empty sheet to draw
-    /// on.
+    /// Returns the rectangle around the drawing, or an empty sheet if it has no points: left, bottom, right, top.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }
@@ -184,7 +183,7 @@ impl Sketch {
             .map_or(Role::Secondary, |(_, role)| *role)
     }
 
-    /// Whether a support is drawn at a point of the frame: not if the point only defines a line.
+    /// Whether a support is drawn at a point of the frame; not if the point only defines a slide's line.
     fn is_support(&self, name: &String) -> bool {
         let lines = self.draft.slides.iter().filter(|slide| slide.on == FRAME);
         let of_line = lines.flat_map(|slide| &slide.line).any(|end| end == name);
@@ -197,8 +196,7 @@ impl Sketch {
     }
 }
 
-/// Returns the colours of the links: of its state if a link is locked or loose, of the crank if driven, else the next
-/// one.
+/// Returns the colours of the links: those for locked, loose and driven links, or else the next colour in turn.
 fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
     let driven = |name: &str| {
         draft

@@ -51,7 +51,7 @@ pub struct Drawing<'a> {
     pub frame: &'a [f32],
     /// Names, to which labels refer by index.
     pub names: &'a [String],
-    /// Returns the value of a read-out from its name, radians, to be written with labels.
+    /// Function from the name of a read-out to its value, radians, which labels show.
     pub values: &'a dyn Fn(&str) -> Option<f64>,
 }
 
@@ -102,8 +102,7 @@ impl Svg {
         self.height += height;
     }
 
-    /// Adds a chart with this height, pixels: its three plots, with titles and the numbers along
-    /// the axes. `input` is the name of the input.
+    /// Adds a chart with this height, pixels: three plots with titles and numbered axes. `input` is the input's name.
     pub fn chart(&mut self, height: f64, chart: &Chart, input: &str) {
         let size = (self.width as u32, height as u32);
         let _ = writeln!(self.body, "<g transform=\"translate(0 {})\">", self.height);

@@ -53,8 +53,7 @@ pub struct TrainView {
     pub poles: Poles,
     /// The working members: number 7 on each satellite's shaft, number 8 on the carrier.
     pub members: [Option<WorkingMember>; 2],
-    /// Whether to draw the velocities of the first satellite and its instantaneous centre; they are
-    /// not drawn for bevel wheels.
+    /// Whether to draw the velocities and instantaneous centre of the first satellite, except for bevel wheels.
     pub velocities: bool,
 }
 
@@ -71,14 +70,12 @@ impl TrainView {
 /// A pose of a differential relative to an observer, whose own angle and speed are subtracted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrainPose {
-    /// Angles of the bodies in the order of [`Body::ALL`], radians. At zero angles no mesh is
-    /// loaded and the first satellite is on the right. A bevel satellite is then on top; its angle
-    /// is not used, because it follows from the sun's.
+    /// Angles of the bodies in the order of [`Body::ALL`], radians. At zero angles no mesh is loaded and the first
+    /// satellite is on the right, or on top if bevel. A bevel satellite's angle is not used: it follows from the sun's.
     pub angles: [f64; 4],
     /// Speeds of the bodies in the order of [`Body::ALL`], rad/s.
     pub speeds: [f64; 4],
-    /// Torques of the field on sun and ring, from −1 to 1 relative to their greatest values; none
-    /// if they are not shown.
+    /// Torques of the field on sun and ring, relative to their greatest values (−1 to 1); none if not shown.
     pub torques: Option<[f64; 2]>,
     /// Angle of the frame, radians; 0 for an observer on the ground.
     pub ground: f64,

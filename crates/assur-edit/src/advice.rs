@@ -10,8 +10,7 @@ use crate::{Edit, checked, edited};
 const MOST: usize = 6;
 /// Maximum number of edits tried after each edit of the drawing. Each trial builds a mechanism.
 const MOST_SOUGHT: usize = 48;
-/// Maximum number of candidates if pairs of edits are tried. Pairs of more candidates would take longer than
-/// a frame of the animation.
+/// Number of candidates above which pairs of edits are not tried: they would take longer than an animation frame.
 const MOST_TRIED: usize = 16;
 
 /// Advice on a drawing that does not move.
@@ -72,7 +71,7 @@ impl Advice {
     /// The advice on a drawing; none if it moves.
     ///
     /// # Errors
-    /// The problems of single fields.
+    /// The problems of individual fields of the document.
     pub fn of(document: &LinkageDocument) -> Result<Option<Self>, Vec<Problem>> {
         checked(document)?;
         let draft = document.spec();
@@ -101,8 +100,7 @@ impl Advice {
     }
 }
 
-/// The edits after which the drawing moves, among those that a person would try; if there are none,
-/// those after which one more edit lets the drawing move.
+/// The likely edits after which the drawing moves; if there are none, those after which one more edit is enough.
 fn mends(document: &LinkageDocument) -> Vec<Mend> {
     if let Some(exact) = document.spec().made_exact() {
         let (point, by) = (exact.point, exact.by);

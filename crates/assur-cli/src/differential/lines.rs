@@ -76,7 +76,7 @@ fn conditions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()>
     Ok(())
 }
 
-/// Writes similar numbers of teeth that can be built, if the given ones cannot.
+/// Writes similar trains that can be built, if the given train cannot.
 fn suggestions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
     for (coupling, found) in shown(told, "suggestions") {
         if told["can_be_built"][coupling] == true {
@@ -92,7 +92,7 @@ fn suggestions(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()
     Ok(())
 }
 
-/// Returns the entries under a key, for the kinds of coupling to be shown.
+/// Returns those entries under a key that belong to the kinds of coupling shown in the report.
 fn shown<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value)> {
     let couplings = entries(told, "couplings");
     let mut all = entries(told, key);

@@ -117,7 +117,7 @@ fn tie(text: &str) -> Result<Input, String> {
 }
 
 impl Asked {
-    /// Builds the train; none if no satellite is given and none could have gears in contact.
+    /// Builds the train. Returns none if no satellite is given and no satellite allows gears in contact.
     fn train(&self) -> Result<Option<Train>, Vec<TrainError>> {
         let Self { z1, z4, .. } = *self;
         match (self.z2, self.z2_step) {

@@ -199,7 +199,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "formula": mechanism.formula(),
         // Wheels whose constraint repeats that of others, such as further satellites.
         "passive": passive.collect::<Vec<_>>(),
-        // Number of the assemblies known at the drawn input, that input, and whether these are all.
+        // Number of assemblies found at the drawn input, this input, and whether no assembly is missing.
         "assemblies": assemblies.poses.len(),
         "assemblies_at": at(motion.drawn_input()),
         "assemblies_whole": assemblies.whole,

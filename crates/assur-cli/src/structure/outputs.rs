@@ -56,8 +56,8 @@ fn name(mechanism: &Mechanism, link: LinkOrFrame) -> &str {
 
 /// Describes an output, with angles in degrees, and returns whether it moves at all. The description has the least and
 /// greatest value on each arc of the motion (null where a link keeps rotating), the travel in both directions, limit
-/// positions, and the time ratio if the output moves there and back once per turn. If the motion has too many turns to
-/// be searched, it has only their number.
+/// positions, and the time ratio if the output moves there and back once per turn. For a motion with too many turns to
+/// be searched, only the number of turns is given.
 fn output(motion: &Motion, quantity: Quantity) -> (Value, bool) {
     let mechanism = motion.mechanism();
     let profile = match OutputProfile::new(motion, quantity) {

@@ -10,8 +10,7 @@ use crate::words::short;
 const MOST_ROWS: f64 = 1e7;
 /// Default number of steps over the range of a driven slide.
 const STEPS: f64 = 360.0;
-/// Greatest angle accepted from the command line, degrees; a larger one has too few digits left for
-/// its position in a turn.
+/// Greatest angle accepted from the command line, degrees. Beyond it, too few digits remain for fractions of a turn.
 const GREATEST_ANGLE: f64 = 1e9;
 /// Greatest length accepted from the command line.
 const GREATEST_LENGTH: f64 = 1e30;

@@ -94,7 +94,7 @@ pub(super) fn three(found: &ThreePositions, task: &Task) -> String {
     }
 }
 
-/// Explains why the family has no linkage with this l₂.
+/// Explains why the family has no linkage with this length l₂ of the output link.
 pub(super) fn member(error: &MemberError, l2: f64, length: f64) -> String {
     match error {
         MemberError::OutOfRange(range) => {
@@ -161,7 +161,7 @@ pub(super) fn bound(bound: Bound) -> &'static str {
     }
 }
 
-/// Returns whether a condition, or a theorem's premise, holds as printed, and whether its conclusion is true in fact.
+/// States whether a condition (or a theorem's premise) holds as printed, and whether its conclusion is true in fact.
 pub(super) fn asked(holds: bool, truth: bool) -> Value {
     let said = |holds: bool| if holds { "yes" } else { "no" };
     json!({"as_printed": said(holds), "in_fact": said(truth)})

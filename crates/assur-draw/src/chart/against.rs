@@ -71,8 +71,7 @@ pub struct Field {
 }
 
 impl Against {
-    /// Makes the plot of samples that contain two quantities, abscissa and ordinate. If `full`, no
-    /// derivative grows without bound.
+    /// Makes the plot of two sampled quantities, abscissa and ordinate. `full` states that no derivative is unbounded.
     pub fn new(
         axes: [Axis; 2],
         role: Role,
@@ -198,8 +197,7 @@ impl Against {
         Some(field)
     }
 
-    /// Returns the ranges of the axes; for two lengths, or derivatives of lengths of one order,
-    /// their scales are made equal.
+    /// Returns the ranges of the axes; the scales are equal if both are lengths or derivatives of lengths of one order.
     fn fitted(&self, size: [f64; 2]) -> [Range; 2] {
         let [x, y] = &self.axes;
         let alike = x.order == y.order && [x, y].iter().all(|axis| axis.kind == Kind::Length);

@@ -8,8 +8,7 @@ const DASH: f64 = 6.0;
 const GAP: f64 = 4.0;
 
 impl Chart {
-    /// Adds the curves of another chart for each quantity, by name, that both charts have. The axes
-    /// then span both charts.
+    /// Adds the other chart's curve of every quantity whose name is in both charts. The axes then span both charts.
     pub fn compare(&mut self, other: &Self) {
         if self.turns != other.turns || self.kind != other.kind {
             return;

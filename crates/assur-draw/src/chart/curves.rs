@@ -8,7 +8,7 @@ use super::{Series, Settings};
 
 /// Number of samples of a turn of the crank, of an arc shorter than a turn, or of a slide's range.
 const TURN: usize = 720;
-/// Minimum number of samples per turn of a motion over many turns, which a plot cannot show in more detail.
+/// Minimum number of samples per turn. A plot of many turns cannot show more detail.
 const COARSEST_TURN: usize = 60;
 /// Maximum number of sampled values, of all quantities together.
 const MOST_VALUES: usize = 1 << 18;
@@ -81,8 +81,7 @@ pub(crate) struct Curve {
 /// A sample with its input.
 pub type At = (f64, Sample);
 
-/// Makes the plots of the series and of their derivatives from unbroken runs of samples. If `full`,
-/// no derivative grows without bound.
+/// Makes the plots of series and their derivatives from unbroken runs. `full` states that no derivative is unbounded.
 pub(crate) fn plots(
     runs: &[Vec<At>],
     full: bool,
@@ -125,9 +124,8 @@ pub(crate) fn plots(
     })
 }
 
-/// Returns the range of samples of a run at which a derivative is plotted. At the very ends every
-/// derivative, bounded or not, is mere rounding error; the samples next to the ends still have
-/// correct digits and look the same.
+/// Returns the range of samples of a run at which a derivative is plotted. At the very ends every derivative, bounded
+/// or not, is mere rounding error; the samples next to the ends still have correct digits and look the same.
 pub(super) fn told(run: &[At], order: usize, full: bool) -> std::ops::Range<usize> {
     let ends = usize::from(order > 0 && !full && run.len() > 2);
     ends..run.len() - ends
@@ -232,9 +230,8 @@ impl Range {
 }
 
 impl Curve {
-    /// Returns the marks with values between `min` and `max` that can be distinguished, in
-    /// ascending order of the input. Of successive marks at nearly the same value, as in a dwell,
-    /// only the first, the last, and the greatest and least of the curve are kept.
+    /// Returns the marks with values between `min` and `max` that can be distinguished, in ascending order of the
+    /// input. Of successive marks at nearly equal values (a dwell), only both ends and the curve's extremes are kept.
     pub(crate) fn marks(&self, min: f64, max: f64) -> Vec<Mark> {
         let inside = |mark: &&Mark| (min..=max).contains(&mark.value);
         let mut marks: Vec<Mark> = self.marks.iter().filter(inside).copied().collect();

@@ -33,8 +33,7 @@ impl Panel {
     }
 }
 
-/// Returns the range of the input axis: the whole period or, if a crank oscillates over a small part of the period,
-/// only the part in which it moves.
+/// Returns the range of the input axis: the period or, if a crank oscillates over a small part of it, only that part.
 pub(super) fn axis(cycle: &Cycle) -> [f64; 2] {
     let whole = cycle.axis();
     let (Some(_), false, [[from, _], .., [_, to]] | [[from, to]]) =

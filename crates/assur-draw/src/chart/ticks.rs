@@ -68,8 +68,8 @@ pub(super) fn abscissae(range: Range, angle: bool, width: f64, scale: f64) -> Ve
         .collect()
 }
 
-/// Returns ticks of values along the ordinate, about 28 pixels apart, or 18 × `scale` if that is more, to fit larger
-/// text; those of an angle are in degrees.
+/// Returns ticks along the ordinate, in degrees for an angle. The spacing is about 28 pixels, or 18 × `scale` if that
+/// is more, to fit larger text.
 pub(super) fn values(range: Range, angle: bool, height: f64, scale: f64) -> Vec<Tick> {
     let (step, [from, to]) = stepped(range, angle, (18.0 * scale).max(28.0) / height);
     multiples(step, from, to)
@@ -80,8 +80,7 @@ pub(super) fn values(range: Range, angle: bool, height: f64, scale: f64) -> Vec<
         .collect()
 }
 
-/// Returns the step between ticks that are at least the share `apart` of the axis apart, and the range of the axis;
-/// both are in degrees for an angle.
+/// Returns the step between ticks (at least the share `apart` of the axis) and the axis range, in degrees for an angle.
 fn stepped(range: Range, angle: bool, apart: f64) -> (f64, [f64; 2]) {
     let degrees = |value: f64| if angle { value.to_degrees() } else { value };
     let [from, to] = [range.min, range.max].map(degrees);

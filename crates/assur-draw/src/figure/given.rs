@@ -24,8 +24,7 @@ impl Given {
         lines.flat_map(|(ends, _)| ends)
     }
 
-    /// Draws each position: its links as lines, its directions as dashed lines with ring-shaped
-    /// handles, and its number beyond each handle.
+    /// Draws each position: links as lines, directions as dashed lines with handles, and its number beyond each handle.
     pub(super) fn draw(&self, list: &mut List, unit: f64) {
         for (position, number) in &self.0 {
             for (ends, role) in &position.links {

@@ -1,4 +1,4 @@
-//! Functions of points and links in the drawing: joints, supports, bars, plates.
+//! Points and links as they are drawn: joints, supports, bars, plates.
 
 use assur::mechanism::{FRAME, LinkId, LinkOrFrame, Mechanism, PointId, SlideSpec};
 use assur::{Point, Vector};
@@ -8,12 +8,10 @@ use super::{View, roles};
 use crate::list::Role;
 use crate::parts;
 
-/// Half the angle of the sector beyond a link's end, radians. A name is placed there only if the
-/// link is not in this sector.
+/// Half the angle, radians, of the sector beyond a link's end that must be free of its points to hold a name.
 const BEYOND: f64 = 0.9;
 
-/// Features of a mechanism that are the same in all its drawings. Its bodies are the frame and the
-/// links that are not fixed to another body.
+/// Pose-independent features of the drawing. Bodies are the frame and the links that are not fixed to another body.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     roles: Vec<Role>,
@@ -25,7 +23,7 @@ pub(super) struct Layout {
     points: Vec<Pinned>,
 }
 
-/// A point with its functions.
+/// A point as it is drawn.
 #[derive(Clone, Debug)]
 struct Pinned {
     /// Bodies to which the point belongs.
@@ -77,8 +75,7 @@ impl Layout {
         layout
     }
 
-    /// Returns the corners of a link: two of a bar, three or more of a plate. A link without points
-    /// of its own, fixed to another, has none.
+    /// Returns a link's corners: two of a bar, three or more of a plate, none of a fixed link that has no own points.
     fn outlined(&self, home: Posed<'_, 1>, link: LinkId) -> Vec<Point> {
         let mechanism = home.mechanism;
         let own = mechanism.points_of(link).iter();
@@ -109,8 +106,7 @@ impl Layout {
         &self.outlines[link.index()]
     }
 
-    /// Returns the centres of mass assumed for links without a given one: the middle of a bar, the
-    /// centroid of a plate.
+    /// Returns the centres of mass assumed for links without a given one: the middle of a bar, the centroid of a plate.
     pub(super) fn middles(&self, mechanism: &Mechanism) -> impl Iterator<Item = (LinkId, Point)> {
         let own = mechanism.link_ids().filter(|link| {
             let weighed = self.weighed[link.index()];
@@ -146,8 +142,7 @@ impl Layout {
         pinned.pivot.filter(|_| ends).map(|(_, pivot)| pivot)
     }
 
-    /// Returns the link whose colour a point has: the link that turns it about a fixed point, or
-    /// else the first link that lists it.
+    /// Returns the link that colours a point: the one that turns it about a fixed point, else the first that lists it.
     pub(super) fn carrier(&self, point: PointId) -> LinkOrFrame {
         let turned = self.pivot(point).map(|(link, _)| link);
         turned.or(self.link_of(point))
@@ -171,8 +166,7 @@ impl Layout {
         self.is_joint(point) && !self.moves(point)
     }
 
-    /// Returns the size of the support of a fixed pivot, in symbol units, which is smaller under
-    /// the shaft of a wheel. None for other points.
+    /// Returns the size of a fixed pivot's support, symbol units, smaller under a wheel's shaft; none for other points.
     pub(super) fn support(&self, point: PointId) -> Option<f64> {
         let fixed = !self.moves(point);
         let of_links = self.is_joint(point).then_some(1.5);
@@ -196,8 +190,7 @@ impl Layout {
         pinned.block || pinned.slot
     }
 
-    /// Whether anything is drawn at a point. Points that only define a line of the frame and hidden
-    /// centres of mass are invisible.
+    /// Whether a point is visible. Points that only define a line of the frame, and hidden centres of mass, are not.
     pub(super) fn is_drawn(&self, point: PointId) -> bool {
         let hidden = self.is_centre(point) && !self.points[point.index()].shown;
         let seen = !hidden || self.is_joint(point);

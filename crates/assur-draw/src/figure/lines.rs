@@ -22,13 +22,11 @@ const MOST_NAMED: usize = 12;
 /// Choice of lines.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lines {
-    /// Whether to draw the instant centres of all links, and the lines that define the centre of `link` relative to
-    /// `against`.
+    /// Whether to draw all instant centres, and the lines that define the centre of `link` relative to `against`.
     pub centres: bool,
     /// Whether to draw the centrodes of `link`.
     pub centrodes: bool,
-    /// Whether to draw the inflection circle of `link`, the circles of curvature of traced points, and the evolutes of
-    /// their paths.
+    /// Whether to draw the inflection circle of `link`, and the circles of curvature and evolutes of traced paths.
     pub curvature: bool,
     /// The link concerned; by default the first one that is not joined to the frame.
     pub link: Option<LinkId>,
@@ -213,8 +211,7 @@ impl Drawn {
         }
     }
 
-    /// Draws the line through centres, not all at infinity. It ends a little beyond them, or far away if one is
-    /// at infinity.
+    /// Draws the line through instant centres. It ends a little beyond them, or far away if one is at infinity.
     fn line(&self, list: &mut List, through: impl Iterator<Item = Centre>, unit: f64) {
         let mut places = Vec::new();
         let mut way = None;
@@ -294,7 +291,7 @@ impl Figure {
     }
 }
 
-/// Returns all instant centres of a pose; if it has no derivatives, those that follow from positions alone.
+/// Returns all instant centres of a pose; without derivatives, those that follow from positions alone.
 fn all<const N: usize>(Posed { mechanism, pose }: Posed<'_, N>) -> Vec<InstantCentre> {
     if N >= 2 {
         mechanism.instant_centres(pose)

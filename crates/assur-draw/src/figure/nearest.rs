@@ -8,9 +8,8 @@ use super::{Figure, layout};
 use crate::parts::{self, BAR};
 
 impl Figure {
-    /// Finds the link drawn nearest to a position in a pose, and its distance, to attach a new
-    /// point to it. Bars and plates take precedence over wheels. For a link fixed to another, the
-    /// other link is returned. None if no link moves.
+    /// Finds the link drawn nearest to a position in a pose, and its distance, to attach a new point. Bars and plates
+    /// take precedence over wheels. For a link fixed to another, returns the other link. None if no link moves.
     pub fn link_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<(LinkId, f64)> {
         let posed = self.posed(pose);
         let mechanism = posed.mechanism;

@@ -39,8 +39,7 @@ pub(super) struct Number {
 enum Place {
     /// On the link, in a circle.
     On(Point),
-    /// On the driver, in a circle between these points. If the bar is long enough, the number is
-    /// beyond the arc of the angle.
+    /// On the driver, in a circle between these points, beyond the arc of the angle if the bar is long enough.
     Driving([Point; 2]),
     /// Beside the pin of a block or wheel.
     Beside(Point),
@@ -48,8 +47,7 @@ enum Place {
     Support(Point, f64),
 }
 
-/// Returns the numbers of the bodies, as annotated or else in the order of the document. Wheels
-/// with a number beside the rim are left out.
+/// Returns the numbers of bodies, as annotated or else in document order, except wheels with a number beside the rim.
 pub(super) fn numbers(
     home: Posed<'_, 1>,
     layout: &Layout,
@@ -88,8 +86,7 @@ pub(super) fn numbers(
     numbers
 }
 
-/// Returns the position of a link's number: the middle of a plate, or the middle of the longest
-/// part of a bar without a hinge.
+/// Returns the position of a link's number: the middle of a plate, or of the longest part of a bar between two points.
 fn place(home: Posed<'_, 1>, layout: &Layout, link: LinkId) -> Option<Place> {
     let mechanism = home.mechanism;
     let outline = layout.outline(link);

@@ -42,7 +42,7 @@ pub(super) struct Overlaid {
     loop_vectors: Vec<([PointId; 2], usize)>,
     /// Three points, of which the second is the vertex, and name.
     corners: Vec<([PointId; 3], usize)>,
-    /// Outer hinge, inner hinge, other outer hinge, and name.
+    /// Transmission angles: outer hinge, inner hinge, other outer hinge, and name.
     transmission: Vec<([PointId; 3], usize)>,
     /// Measured distance or angle, and name.
     measures: Vec<(Quantity, usize)>,
@@ -227,7 +227,7 @@ impl InputArc {
         })
     }
 
-    /// Draws an arrow from the direction of the base to that of the link, with the name at its middle.
+    /// Draws the arc as an arrow from the direction of the base link to that of the driven link, with its name.
     fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         let from = self.base.map_or(0.0, |base| posed.angle(base));
         let turn = self.least + (posed.angle(self.link) - from - self.least).rem_euclid(TAU);
@@ -249,8 +249,7 @@ impl InputArc {
     }
 }
 
-/// Returns the vertex of the angle between two links: a point that both share, or else the first point of the first
-/// link.
+/// Returns the vertex of the angle between two links: a shared point, or else the first point of the first link.
 fn meeting(mechanism: &Mechanism, links: [LinkId; 2]) -> Option<PointId> {
     let [first, second] = links.map(|link| mechanism.points_of(link));
     let shared = first.iter().find(|point| second.contains(point));

@@ -16,8 +16,8 @@ const TURN: usize = 432;
 const SWING: usize = 360;
 /// Minimum number of points on an arc.
 const LEAST: f64 = 90.0;
-/// Maximum number of bodies placed, over all poses. Over many turns paths cover each other: they are then sampled more
-/// coarsely and, if that is not enough, only the first turns are drawn.
+/// Maximum number of computed body positions, over all poses. Paths over many turns cover each other: they are sampled
+/// more coarsely and, if that is not enough, only the first turns are drawn.
 const MOST_PLACED: usize = 150_000;
 /// Overhead of a pose, expressed as a number of bodies.
 const OF_A_POSE: usize = 8;
@@ -25,8 +25,7 @@ const OF_A_POSE: usize = 8;
 const COARSEST_TURN: usize = 60;
 /// Angle from which a link counts as turning fully; the motion may lack a pose at its ends.
 const ALL_ROUND: f64 = TAU * (1.0 - 3.0 / TURN as f64);
-/// Relative inset of the samples from the ends of an arc. If points coincide at an end, the angles of links there are
-/// mere rounding error.
+/// Relative inset of samples from the ends of an arc, where points may coincide and angles be mere rounding error.
 pub(super) const OFF: f64 = 1e-9;
 /// Number of Newton steps towards the input at which a link turns back; each step doubles the number of correct digits.
 const STEPS: usize = 4;

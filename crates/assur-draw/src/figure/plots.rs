@@ -14,10 +14,10 @@ use crate::list::Role;
 /// Transmission angle above which values count for the ranges of axes. Near dead points, where the links of a dyad come
 /// into line, derivatives grow without bound.
 const CLEAR: f64 = 15.0 * PI / 180.0;
-/// Share of an arc, at a dead point without such a dyad, that is left out of the ranges of axes.
+/// Share of an arc left out of the ranges of axes next to a dead point at which no dyad comes into line.
 const CLEAR_SHARE: f64 = 0.04;
 
-/// Colours of the curves of further points along an axis whose own colour is already used.
+/// Colours for further coordinates or distances of the same kind, such as `C.x` after `B.x`.
 const FURTHER: [Role; 3] = [Role::Accent2, Role::Accent1, Role::Crank];
 
 /// Returns the kind of a quantity.
@@ -117,8 +117,7 @@ impl Figure {
         })
     }
 
-    /// Returns the roles of the curves. Each link and each axis has its own colour; further points on an axis have
-    /// other colours.
+    /// Returns the roles of the curves: one per link and per coordinate, others for a coordinate of further points.
     pub fn plotted_roles(&self, quantities: &[Quantity]) -> Vec<Role> {
         let mut roles: Vec<Role> = Vec::new();
         for quantity in quantities {

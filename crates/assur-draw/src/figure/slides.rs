@@ -21,10 +21,10 @@ const ARROW: f64 = 4.0;
 const BESIDE: f64 = 3.4;
 /// Distance from the walls of a channel up to which its inside is cleared, in symbol units.
 const WALL: f64 = 0.15;
-/// Interval, in poses, at which poses are examined for the side of a guide.
+/// Interval, in poses, between those examined to find the outer side of a guide.
 const LOOKED_AT: usize = 16;
-/// Mean offset of a mechanism from a line, relative to the distance of its points, above which the mechanism counts as
-/// lying on one side.
+/// Mean offset of a mechanism below a line, relative to the mean distance of its points from the line's start, above
+/// which the mechanism counts as lying below the line.
 const ONE_SIDED: f64 = 0.3;
 
 /// A prismatic pair as it is drawn.
@@ -124,8 +124,7 @@ pub(super) fn guides(layout: &Layout, home: Posed<'_, 1>, runs: &[Run], view: &V
     guides
 }
 
-/// Returns the side of a line of the frame that faces away from the mechanism; if the mechanism is on both sides, the
-/// lower one.
+/// Returns the side of a frame line that faces away from the mechanism, or the lower side if both sides have points.
 fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Point; 2]) -> Vector {
     let along = (end - start).normalize();
     let across = Vector::new(along.y, -along.x);
@@ -147,8 +146,7 @@ fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Po
     if below > ONE_SIDED * far { -down } else { down }
 }
 
-/// Returns the ends of the ground line and a point at the lower edge of its hatching; none if it is far from the
-/// drawing.
+/// Returns the ends of the ground line and a point at its hatching's lower edge; none if far from the drawing.
 pub(super) fn ground(
     [left, bottom, right, top]: [f64; 4],
     size: f64,
@@ -200,8 +198,7 @@ impl Guide {
         self.way == Way::Slot && self.on == Some(link)
     }
 
-    /// Draws the guide: a line of the frame with hatching on its outer side, or a rod on a link. A slot is not drawn
-    /// here.
+    /// Draws a guide other than a slot: a line of the frame with hatching on its outer side, or a rod on a link.
     pub(super) fn draw_line(&self, list: &mut List, u: f64) {
         let ends = self.drawn(u);
         list.body(layout::number(self.on));

@@ -98,7 +98,7 @@ impl Gearing {
         gearing
     }
 
-    /// Adds the idler of a coupling and those of its wheels that are not there yet; none if they cannot be drawn.
+    /// Adds the idler and the new wheels of a gear coupling. Returns none if they cannot be drawn.
     fn add(&mut self, layout: &Layout, home: Posed<'_, 1>, gear: &GearSpec) -> Option<()> {
         let mechanism = home.mechanism;
         let link = |name: &String| mechanism.link(name);
@@ -112,7 +112,7 @@ impl Gearing {
         let [from, to] = hinges.map(|point| home.local(carrier, point));
         let between = to - from;
         let line = between.y.atan2(between.x);
-        // Module at which the wheels touch, in proportion to their distance for module 1.
+        // The module is proportional to the distance between the centres; `unit` has module 1.
         let unit = GearPair::new(gear.teeth, gear.mesh, 1.0, line).ok()?;
         let module = between.norm() / unit.driven_wheel().centre.norm();
         let pair = GearPair::new(gear.teeth, gear.mesh, module, line).ok()?;

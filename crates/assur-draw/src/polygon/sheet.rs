@@ -1,5 +1,4 @@
-//! The sheet for the polygons of a motion. Scale and position of the pole are the same over the whole motion, so that
-//! the polygon moves about a fixed pole.
+//! The sheet for the polygons of a motion, with one scale and one fixed pole over the whole motion.
 
 use assur::motion::{InputRate, Motion, Sampling, Shown, Spacing};
 use assur::polygons::{Order, Polygon};
@@ -14,7 +13,6 @@ const POSES: Sampling = Sampling {
     shown: Shown::Spread,
 };
 /// Greatest size of a polygon, relative to the median, that counts for the sheet of a motion without dead points.
-/// Nearly all polygons count.
 const MOST: f64 = 10.0;
 /// Greatest size of a polygon, relative to the median, that counts for the sheet of a motion with dead points, near
 /// which vectors grow without bound.
@@ -71,8 +69,7 @@ impl PolygonSheet {
         Self([x - half, y - half, x + half, y + half])
     }
 
-    /// Returns the sheet for a polygon, and the factor by which its scale is reduced: 1, unless the polygon would not
-    /// fit.
+    /// Returns the sheet for a polygon, and the factor by which its scale is reduced, 1 if the polygon fits.
     pub(super) fn holding(&self, polygon: &Polygon) -> (Rectangle, f64) {
         let sides = around(polygon).into_iter().zip(self.0);
         let over = sides.map(|(side, of)| side / of).fold(0.0, f64::max);
@@ -155,8 +152,7 @@ mod tests {
         poses.map(polygon).collect()
     }
 
-    /// If the crank turns fully, there is one scale; the longest vector takes much of the sheet, which contains the
-    /// pole.
+    /// If the crank turns fully, there is one scale: the longest vector fills much of the sheet, which holds the pole.
     #[test]
     fn a_turning_crank_has_one_scale() {
         let motion = four_bar([1.0, 3.0, 3.0]);

@@ -44,8 +44,7 @@ impl SchemeFigure {
         }
     }
 
-    /// Returns the position of a link's number: beside the middle of a bar or, if a pair is too near, beside another
-    /// point of it.
+    /// Returns the position of a link's number: beside the middle of a bar, or elsewhere on it if a pair is too near.
     fn numbered(&self, body: &Body) -> (Point, [f64; 2]) {
         let nodes = self.seen(body);
         let hull = parts::hull(nodes.clone());

@@ -1,5 +1,4 @@
-//! Opening of a chain at cut pairs. The remaining pairs move a little, as their freedoms allow,
-//! until the halves of each cut separate.
+//! Opening of a chain at cut pairs: the other pairs move slightly, within their freedoms, until the halves separate.
 
 use std::collections::VecDeque;
 
@@ -8,10 +7,10 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
 /// Gap between the halves of a cut pair, relative to the size of the drawing.
 const GAP: f64 = 0.09;
-/// Greatest turn of a pair to open a gap, radians.
+/// Greatest rotation in a pair to open a gap, radians.
 const MOST: f64 = 0.45;
 
-/// Displacement of a slide that has the weight of a turn of one radian, relative to the size of the drawing.
+/// Translation in a pair that counts as much as a turn of one radian, relative to the size of the drawing.
 const LEVER: f64 = 0.3;
 
 /// A displacement in space.
@@ -51,8 +50,7 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Returns the displacements of all links when all cuts but the last are fully open, and the
-    /// last is open by the share `last`.
+    /// Returns the displacements of all links with all cuts fully open, except the last, open by the share `last`.
     pub(super) fn opened(&self, last: f64) -> Vec<Displacement> {
         let pairs = self.scheme.pairs();
         let (reached, order) = self.reach();
@@ -188,8 +186,7 @@ enum Small {
 }
 
 impl Small {
-    /// Selects, from the clearly visible motions of a pair, the one that moves the point `at` most
-    /// in the direction `away`.
+    /// Selects the clearly visible motion of a pair that moves the point `at` farthest in the direction `away`.
     fn of(pair: &Pair, here: Point3, at: Point3, away: Vector3, size: f64) -> Self {
         let axis = pair.axis.unwrap_or_else(Vector3::z);
         let best = || {
@@ -218,8 +215,7 @@ impl Small {
         }
     }
 
-    /// Returns the displacement of the point `at` in the direction `away`, per radian of a turn or
-    /// for the whole translation.
+    /// Returns the displacement of `at` in the direction `away`, per radian of a turn or for the whole translation.
     fn along(&self, here: Point3, at: Point3, away: Vector3) -> f64 {
         match self {
             Self::Turn(axis) => axis.cross(&(at - here)).dot(&away),

@@ -21,8 +21,7 @@ const LOOKS: [(f64, f64, f64, &str); 7] = [
 /// Height of the labels, pixels.
 const TEXT: f64 = 15.0;
 
-/// Painter of display lists. Positions are converted to pixels here, so that the width of lines
-/// does not depend on how a viewer scales them.
+/// Painter of display lists. Positions are converted to pixels, so that line widths do not depend on the scale.
 pub(super) struct Painter<'a> {
     pub(super) shapes: &'a mut String,
     pub(super) labels: String,

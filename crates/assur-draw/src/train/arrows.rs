@@ -7,8 +7,7 @@ const SHAFT: f64 = 0.32;
 /// Length of an arrow's head and half its width, in units of the drawing.
 const HEAD: [f64; 2] = [2.4, 1.1];
 
-/// The outline of an arrow; none if the arrow is too short to be visible. The head takes up at most
-/// half the length.
+/// The outline of an arrow; none if the arrow is too short to be visible. The head takes up at most half the length.
 pub(super) fn arrow(from: Point, to: Point, unit: f64) -> Option<Vec<Point>> {
     let length = (to - from).norm();
     if length.is_nan() || length < 0.3 * unit {

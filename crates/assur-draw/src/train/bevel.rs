@@ -30,8 +30,7 @@ const CLEAR: f64 = 0.1;
 const SHAFT: f64 = 0.5;
 /// Radius of a working member 7, on a satellite's pin, relative to the satellite's radius.
 const SEVENTH: f64 = 0.8;
-/// Working member 8, on the carrier's shaft: its distance from the carrier's cage, and its radius,
-/// relative to the size of the train.
+/// Working member 8, on the carrier's shaft: distance from the cage and radius, relative to the size of the train.
 const EIGHTH: [f64; 2] = [0.85, 0.7];
 /// Distance of the ground below the main axis, relative to the size of the train.
 const FOOT: f64 = 0.55;
@@ -45,9 +44,9 @@ pub(super) struct Bevel {
     layout: Layout,
     view: TrainView,
     projection: Projection,
-    /// For sun and ring: distance of the wide end from the apex, along the wheel's axis, and its radius.
+    /// Wide ends of sun and ring: distance from the apex along the wheel's axis, and radius.
     central: [[f64; 2]; 2],
-    /// Distance of a satellite's wide end from the apex, along the satellite's axis, and its radius.
+    /// Wide end of a satellite: distance from the apex along the satellite's axis, and radius.
     satellite: [f64; 2],
     /// Cosine and sine of the angle between a satellite's axis and the main axis.
     inclination: [f64; 2],
@@ -55,7 +54,7 @@ pub(super) struct Bevel {
     gap: f64,
     /// Length of the pins.
     pin: f64,
-    /// Radius of the carrier's cage, and position of its end on the ring's side along the main axis.
+    /// The carrier's cage: radius, and position along the main axis of its end on the ring's side.
     cage: [f64; 2],
     /// Positions of the outer ends of the shafts of ring and sun along the main axis.
     shafts: [f64; 2],
@@ -67,14 +66,14 @@ pub(super) struct Bevel {
     unit: f64,
 }
 
-/// Radial and tangential direction at an angle about the main axis.
+/// Radial and tangential directions at an angle about the main axis.
 fn turning(angle: f64) -> [Vector3; 2] {
     let (sin, cos) = angle.sin_cos();
-    // The reader looks in the direction of y.
+    // The viewer looks in the direction of y.
     [Vector3::new(0.0, -sin, cos), Vector3::new(0.0, -cos, -sin)]
 }
 
-/// A part of the drawing, with its nearness to the reader.
+/// A part of the drawing, with its nearness to the viewer.
 struct Part {
     near: f64,
     list: List,
@@ -199,8 +198,8 @@ impl Bevel {
         }
     }
 
-    /// The cone of the satellite at the angle `at` about the main axis. Angles about the cone's outward
-    /// axis are measured from the mesh with the sun.
+    /// The cone of the satellite at the angle `at` about the main axis. Angles about its outward axis start at the mesh
+    /// with the sun.
     fn satellite(&self, at: f64) -> Frustum {
         let ([cosine, sine], [outward, ahead]) = (self.inclination, turning(at));
         let [along, radius] = self.satellite;
@@ -224,8 +223,8 @@ impl Bevel {
         })
     }
 
-    /// The angles of the first plates of sun and ring, and that of a satellite's first plate as a function
-    /// of the satellite's angle about the main axis. Wheels in mesh are then half a period of the field apart.
+    /// The angles of the first plates of sun and ring, and that of a satellite's first plate as a function of the
+    /// satellite's angle about the main axis. Wheels in mesh are mounted half a period of the field apart.
     fn mounted(&self, pose: &TrainPose) -> ([f64; 2], impl Fn(f64) -> f64) {
         let [sun, _, _, ring] = pose.angles;
         let [p1, p2, p4] = self.periods();

@@ -10,8 +10,7 @@ use super::wheel::polar;
 /// The radius of the hub.
 const HUB: f64 = 0.16;
 
-/// The outlines of a member of a given radius about the origin, rotated through an angle. Of two
-/// outlines, either both are separate or one is inside the other.
+/// The outlines of a member about the origin, rotated through an angle. Any two outlines are separate or nested.
 pub(super) fn outlines(member: WorkingMember, radius: f64, turned: f64) -> Vec<Vec<Point>> {
     let mut loops = match member {
         WorkingMember::Fan => around(5, &curved(&FAN)),

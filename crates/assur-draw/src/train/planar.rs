@@ -120,8 +120,7 @@ impl Planar {
         [-self.reach, -self.reach, self.reach, self.reach]
     }
 
-    /// The pose of each body: x and y of its centre, and its angle, which includes the mounting angle of
-    /// its plates or teeth.
+    /// The pose of each body: x and y of its centre, and its angle, which includes the mounting of plates or teeth.
     pub(super) fn poses(&self, pose: &TrainPose) -> Vec<[f64; 3]> {
         let [sun, satellite, carrier, ring] = pose.angles;
         let centred = [pose.ground, sun, carrier, ring + self.mounting.ring];
@@ -255,8 +254,7 @@ impl Planar {
         list.circle(wheel.role, Look::Solid, polar(back - 1.6 * size, at), size);
     }
 
-    /// Draws the letters of the poles: on the plate after the marked one and, if poles alternate, on the
-    /// plate after that.
+    /// Draws the letters of the poles on the plate after the marked one and, if poles alternate, on the next.
     fn letters(&self, list: &mut List, wheel: &Wheel) {
         let Rim::Plates(poles) = wheel.rim else {
             return;

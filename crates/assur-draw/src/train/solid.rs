@@ -49,15 +49,14 @@ impl Frustum {
         self.ends[0][0] < self.ends[1][0]
     }
 
-    /// Component, towards the reader, of the surface normal at an angle. If it is not positive, the
-    /// surface is hidden there.
+    /// Component towards the viewer of the surface normal at an angle; if not positive, the surface is hidden there.
     fn turned(&self, projection: &Projection, angle: f64) -> f64 {
         let [[far, wide], [near, narrow]] = self.ends;
         let normal = self.direction(angle) * (far - near) - self.axis * (wide - narrow);
         projection.nearness(Point3::from(normal))
     }
 
-    /// Index of the end that faces the reader.
+    /// Index of the end that faces the viewer.
     pub(super) fn seen_end(&self, projection: &Projection) -> usize {
         usize::from(projection.nearness(Point3::from(self.axis)) < 0.0)
     }
@@ -80,7 +79,7 @@ impl Frustum {
     /// the circle of the other end where the surface is visible.
     fn outline(&self, projection: &Projection) -> Vec<Point> {
         let seen = self.seen_end(projection);
-        // The normal's component towards the reader is a constant plus a cosine of the angle.
+        // The normal's component towards the viewer is a constant plus a cosine of the angle.
         let [ahead, aside] = [0.0, 0.25 * TAU].map(|angle| self.turned(projection, angle));
         let behind = self.turned(projection, 0.5 * TAU);
         let mean = 0.5 * (ahead + behind);
@@ -98,8 +97,8 @@ impl Frustum {
         [front, back].concat()
     }
 
-    /// Draws the outline, which hides everything behind it, and the visible end. Of a cup, it draws the
-    /// rim and both ends, which hide nothing.
+    /// Draws the outline, which hides everything behind it, and the visible end. For a cup, draws the rim and both
+    /// ends, which hide nothing.
     pub(super) fn draw(&self, list: &mut List, projection: &Projection, role: Role) {
         if self.is_around() {
             let [along, radius] = self.ends[0];
@@ -116,8 +115,7 @@ impl Frustum {
         list.polygons(role, Look::Pale, &[self.circle(projection, seen)]);
     }
 
-    /// The visible ones of `count` teeth or plates, in two lists: those with even and those with odd
-    /// indices. The one with index 0 is at the angle `zero`.
+    /// Visible teeth or plates out of `count`, in two lists: even and odd indices. Index 0 is at the angle `zero`.
     pub(super) fn plates(
         &self,
         projection: &Projection,
@@ -142,8 +140,7 @@ impl Frustum {
         corners.to_vec()
     }
 
-    /// Draws a mark at an angle: a radius on the visible end, and a line along the conical surface
-    /// where that is visible.
+    /// Draws a mark at an angle: a radius on the visible end, and a line along the conical surface if visible.
     pub(super) fn mark(&self, list: &mut List, projection: &Projection, role: Role, angle: f64) {
         let end = self.seen_end(projection);
         let rim = projection.place(self.place(end, angle));

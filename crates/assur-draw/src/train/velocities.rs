@@ -12,9 +12,8 @@ use crate::list::{List, Look, Role};
 /// Greatest length of an arrow, in units of the drawing.
 const LONGEST: f64 = 20.0;
 
-/// Draws the triangle on the x-axis, which is the line from the main axis through the satellite. Points
-/// farther than `reach` from the main axis are left out. Arrows are scaled to the available room: their
-/// lengths show only ratios of velocities.
+/// Draws the triangle on the x-axis, the line from the main axis through the satellite, up to `reach` from the main
+/// axis. Arrows are scaled to the available room: their lengths show only ratios of velocities.
 pub(super) fn draw(list: &mut List, velocities: &Velocities, reach: f64, unit: f64) {
     // A margin for the width of arrowheads.
     let reach = reach - 2.0 * unit;

@@ -12,9 +12,9 @@ use crate::parts;
 /// The colours of north and south poles.
 pub(super) const POLES: [Role; 2] = [Role::Accent5, Role::X];
 
-/// Width of a ring's rim behind its teeth or plates, in modules; its minimum, relative to the radius.
+/// Width of a ring's rim behind its teeth or plates: in modules, and its minimum relative to the radius.
 const RIM: (f64, f64) = (2.75, 0.045);
-/// Height of a plate, in modules; its maximum, relative to the wheel's radius.
+/// Height of a plate: in modules, and its maximum relative to the wheel's radius.
 const PLATE: (f64, f64) = (1.1, 0.4);
 /// The share of the pitch that a plate takes up.
 pub(super) const SHARE: f64 = 0.66;
@@ -61,7 +61,7 @@ impl Wheel {
         }
     }
 
-    /// The radius of the backs of its plates, or of the roots of its teeth.
+    /// The radius of the backs of the plates, or of the roots of the teeth.
     pub(super) fn back(&self) -> f64 {
         let radius = self.radius();
         let height = (PLATE.0 * self.module).min(PLATE.1 * radius);
@@ -123,7 +123,7 @@ impl Wheel {
         }
     }
 
-    /// The piece between two radii of the plate at the angle `at`.
+    /// The piece, between two radii, of the plate at the angle `at`.
     fn sector(&self, at: f64, radii: [f64; 2]) -> Vec<Point> {
         let half = 0.5 * SHARE * TAU / f64::from(self.teeth);
         let steps = (2.0 * half / STEP).ceil();

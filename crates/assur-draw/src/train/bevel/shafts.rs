@@ -73,8 +73,7 @@ impl Bevel {
         [shaft, member]
     }
 
-    /// The bearings of sun and ring, each with a foot on the ground. `ground` is the angle of the ground,
-    /// 0 for an observer who stands on it.
+    /// The bearings of sun and ring, each with a foot on the ground; `ground` is the angle of the ground, radians.
     pub(super) fn bearings(&self, ground: f64) -> [Part; 2] {
         let ends = [(self.shafts[0], 1.0), (self.shafts[1], -1.0)];
         ends.map(|(end, inward)| {

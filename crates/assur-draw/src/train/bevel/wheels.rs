@@ -16,7 +16,7 @@ use crate::train::wheel::POLES;
 use crate::train::{Name, role};
 
 impl Bevel {
-    /// Draws a wheel, its teeth or plates, the first of them at the angle `zero`, and its mark.
+    /// Draws a wheel with its mark and its teeth or plates, the first of which is at the angle `zero`.
     fn draw_wheel(&self, list: &mut List, member: Member, body: Body, wheel: &Frustum, zero: f64) {
         let teeth = self.layout.train().teeth(member);
         wheel.draw(list, &self.projection, role(body));

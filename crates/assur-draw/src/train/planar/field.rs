@@ -15,7 +15,7 @@ const FORCE: f64 = 15.0;
 const FIELD: f64 = 3.6;
 
 impl Planar {
-    /// The gaps of a satellite, at the sun and at the ring, each by the distances of its two faces from the main axis.
+    /// The gaps of a satellite at sun and ring: distances of the two faces of each gap from the main axis.
     fn gaps(&self) -> [[f64; 2]; 2] {
         let step = self.step.as_ref().unwrap_or(&self.satellite);
         [
