@@ -175,7 +175,7 @@ axis_distance_mm?: number | null,
  */
 drives: Array<DriveDocument>, 
 /**
- * Working members 7 and 8.
+ * Working members 7 and 8: the tools, such as fans or brushes, that the train drives.
  */
 members: MembersDocument, 
 /**
@@ -191,7 +191,7 @@ loaded: boolean,
  */
 span_s: number, 
 /**
- * Load on the shaft that is not driven. Each knot is a time, s, and a torque against rotation without slip, N·m.
+ * Load on the shaft that is not driven: knots of time, s, and torque, N·m, positive against rotation without slip.
  */
 load: Array<[number, number]>, 
 /**
@@ -301,8 +301,8 @@ plots?: Array<string>,
  */
 traces?: Array<string>, 
 /**
- * Dimensions kept while points are moved by hand, each by its points: two for their distance, three
- * for the angle at the second. They do not affect the motion of the linkage.
+ * Dimensions kept while points are moved by hand. Two points stand for their distance, three for the
+ * angle at the second. These locks do not affect the motion of the linkage.
  */
 locks?: Array<Array<string>>, 
 /**

@@ -14,7 +14,7 @@ const BEYOND: f64 = 1.4;
 /// Distance of each corner of a new triad's plate from the plate's centre, relative to the distance from the centre to
 /// the far end of the bar hinged at this corner.
 const PLATE: f64 = 0.4;
-/// Angle through which the corners are rotated, radians, so that no bar points at the plate's centre.
+/// Angle, radians, through which a new plate is rotated so that no bar points at its centre.
 const TURNED: f64 = 0.5;
 
 type Done = Result<(), LinkageProblem>;
@@ -108,7 +108,7 @@ pub(crate) fn triad(drawing: &mut Drawing, ends: &[End; 3]) -> Done {
     Ok(())
 }
 
-/// A line along which a new slide moves: the place of the slide on it, and the direction.
+/// The line along which a new slide moves: the slide's place on the line, and the line's direction.
 struct Guide {
     along: Line,
     at: Point,

@@ -147,7 +147,7 @@ impl LinkageProblem {
 }
 
 impl LinkageProblem {
-    /// The reason why there is no search for a dwell that varies these dimensions.
+    /// The reason why a search for a dwell that varies these dimensions is refused.
     pub fn refused(
         refused: SearchError,
         mechanism: &Mechanism,
