@@ -101,7 +101,7 @@ x: [number, number],
  */
 input_deg: [number, number], 
 /**
- * φ₂ at the values of y at these two ends, degrees.
+ * φ₂ for the values of y at these two ends, degrees.
  */
 output_deg: [number, number], };
 export type GearDocument = { 
@@ -611,11 +611,11 @@ ground: string,
  */
 pairs: Array<PairDocument>, 
 /**
- * Points of links beyond their pairs, such as the end of an arm.
+ * Points of links that are not pairs, such as the end of an arm.
  */
 ends?: Array<EndDocument>, 
 /**
- * Names of cut pairs, such as `D`. For a compound hinge, the link detached from it follows: `Q:3`.
+ * Names of cut pairs, such as `D`; for a compound hinge also the detached link, such as `Q:3`.
  */
 cut: Array<string>, 
 /**
@@ -623,7 +623,7 @@ cut: Array<string>,
  */
 look_deg: [number, number], 
 /**
- * Number of the practice task, if the scheme is one; the answer is then hidden.
+ * Number of the practice task that the scheme poses, if any; the answer is then hidden.
  */
 task?: number | null, };
 export type ShaftDocument = "sun" | "carrier" | "ring";
@@ -710,8 +710,8 @@ positions: Array<PositionDocument>,
  */
 free: boolean, 
 /**
- * Lengths l₂, l₃ of the chosen member of a family: the member with this l₂ or, if all have the same
- * l₂, with this l₃. Beyond the ends of the family, the nearest end is chosen.
+ * Lengths l₂, l₃ that choose one of the family of linkages for two positions: the one with this l₂ or, if all
+ * have the same l₂, with this l₃. Lengths beyond an end of the family choose that end.
  */
 member?: [number, number] | null, 
 /**
@@ -824,7 +824,7 @@ others: boolean,
  */
 polygons: boolean, 
 /**
- * Whether the instant centres of all links are shown, and the lines that intersect in the centre of `about`
+ * Whether the instant centres of all links are shown, with the lines that locate the instant centre of `about`
  * relative to `relative_to`.
  */
 instant_centres: boolean, 
@@ -845,8 +845,8 @@ about: string,
  */
 relative_to: string, 
 /**
- * Measures between points or links that are drawn and listed, by name: `A-C.distance`,
- * `A-B-C.corner`, `crank-rocker.between`.
+ * Drawn and listed measures between points or links, by name: `A-C.distance`, `A-B-C.corner`,
+ * `crank-rocker.between`.
  */
 measures: Array<string>, 
 /**
