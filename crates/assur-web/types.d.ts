@@ -17,7 +17,7 @@ all: Array<AssemblyHere>,
  */
 shown: number | null, 
 /**
- * Number of complex solutions of the equations of an Assur group; none unless a single group was solved that way.
+ * Number of complex solutions of the Assur group; none unless exactly one is solved over the complex numbers.
  */
 complex: number | null, 
 /**
@@ -52,8 +52,8 @@ export type Belonging = {
  */
 branches: Array<number>, 
 /**
- * For each assembly, the meetings of branches on the way from the chosen assembly. Empty on the same branch; null
- * if the assembly cannot be reached.
+ * For each assembly, indices of the meetings of branches on the way to it from the chosen assembly. Empty if both
+ * are on the same branch; null if the assembly cannot be reached.
  */
 reached: Array<Array<number> | null>, };
 export type Between = { min: number, max: number, stroke: number, };

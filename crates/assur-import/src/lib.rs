@@ -52,7 +52,7 @@ fn quoted(text: &str) -> String {
 /// Result of an import.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Imported {
-    /// The linkage. Its source is set; its title is not, since neither program saves one.
+    /// The linkage. Its source is set; its title is not, since none of the programs saves one.
     pub document: LinkageDocument,
     /// Parts that could not be imported unchanged.
     pub left_out: Vec<LeftOut>,

@@ -39,7 +39,7 @@ pub(crate) struct Bar {
     pub(crate) wheel: bool,
 }
 
-/// A prismatic pair: the joint of a bar, on a line through two joints of another body.
+/// A prismatic pair: a joint of a bar slides along a line through two joints of another body.
 #[derive(Clone, Debug)]
 pub(crate) struct Slide {
     pub(crate) bar: usize,

@@ -13,7 +13,7 @@ impl Names {
         Self(vec![super::FRAME.to_owned()])
     }
 
-    /// Returns an unused name close to the wanted one. If that is empty, the name is a letter for the number.
+    /// Returns an unused name close to the wanted one or, if the wanted name is empty, a letter for the number.
     pub(super) fn take(&mut self, wished: &str, number: usize) -> String {
         let plain: String = wished.chars().filter(|c| !c.is_control()).collect();
         let mut plain = plain.trim().to_owned();
