@@ -737,8 +737,7 @@ name: string,
  */
 link: string, 
 /**
- * Its coordinates on the link: x from the link's first point towards the second, y
- * to the left.
+ * Its coordinates on the link: x from the link's first point towards the second, y to the left.
  */
 at: [number, number], };
 export type VariedDocument = { 

@@ -1,5 +1,4 @@
-//! Problems of input from a person, a file or a URL, as codes with parameters. Their texts are in
-//! `lang/`.
+//! Problems of input from a person, a file or a URL, as codes with parameters. Their texts are in `lang/`.
 
 use std::borrow::Cow;
 

@@ -100,8 +100,7 @@ pub struct TracerDocument {
     pub name: String,
     /// The link to which it is fixed.
     pub link: String,
-    /// Its coordinates on the link: x from the link's first point towards the second, y
-    /// to the left.
+    /// Its coordinates on the link: x from the link's first point towards the second, y to the left.
     pub at: [f64; 2],
 }
 

@@ -357,7 +357,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Lists a driver moved by hand as left out; otherwise lists the first driver's speed, in an entry made by `told`.
+    /// Lists as left out a driver moved by hand or, in the entry made by `told`, the first driver's speed.
     fn driven(&mut self, link: &str, speed: f64, by_hand: bool, told: impl Fn(String) -> LeftOut) {
         let link = link.to_owned();
         if by_hand {

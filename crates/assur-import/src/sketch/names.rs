@@ -8,7 +8,7 @@ const LONGEST: usize = 40;
 pub(super) struct Names(Vec<String>);
 
 impl Names {
-    /// Makes an empty list of link names, in which only the frame's name is in use.
+    /// Makes a list of link names in which only the frame's name is in use.
     pub(super) fn links() -> Self {
         Self(vec![super::FRAME.to_owned()])
     }

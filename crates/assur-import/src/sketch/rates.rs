@@ -34,7 +34,7 @@ pub(super) fn of(
         let offs = cranks().map(|rate| (near(rate, turns) - rate).abs());
         offs.fold(0.0, f64::max)
     };
-    // The smallest number of turns that approximates the rates best.
+    // The best approximation of the rates; of the numbers of turns that give it, the smallest is taken.
     let least = (1..=MOST_TURNS).map(off).fold(f64::INFINITY, f64::min);
     let round = (1..=MOST_TURNS)
         .find(|turns| off(*turns) <= least + 1e-12)

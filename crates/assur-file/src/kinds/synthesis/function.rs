@@ -153,7 +153,7 @@ fn problems(errors: Vec<FunctionError>) -> Vec<Problem> {
             row: row + 1,
         },
     };
-    // In an empty interval of x the values are necessarily equal. This is not reported as well.
+    // The ends of an empty interval of x necessarily have equal values; this is not reported separately.
     let empty = errors.contains(&FunctionError::Interval);
     let told = |error: &FunctionError| !empty || *error != FunctionError::Values;
     errors
