@@ -64,7 +64,7 @@ export type BranchLine = {
  */
 circuit: number, 
 /**
- * Alternating inputs and outputs, split where either wraps: angles in [0, 2π], or the displacement of a slide.
+ * Curve, split where input or output wraps. Inputs and outputs alternate: angles in [0, 2π] or a displacement.
  */
 pieces: Array<Array<number>>, };
 export type ChangedPair = { pair: string, kind: KindDocument, };

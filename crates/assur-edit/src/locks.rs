@@ -12,7 +12,7 @@ use crate::draw::{Drawing, unknown};
 
 /// Tolerance of locks, relative to the drawing's size.
 const HOLDS: f64 = 1e-13;
-/// Distance from its target within which a point counts as arrived, relative to the size.
+/// Greatest distance from a target at which a point counts as having reached it, relative to the size.
 const REACHED: f64 = 1e-9;
 /// Greatest displacement in one step, relative to the size. A longer step might lead to another assembly.
 const STEP: f64 = 0.05;

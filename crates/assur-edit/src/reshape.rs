@@ -27,7 +27,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Moves a traced point, or a point as far as locks allow, to a place.
+    /// Moves a traced point to a place, or another point as near to the place as locks allow.
     pub(crate) fn place(&mut self, point: &str, to: [f64; 2]) -> Done {
         let tracers = &self.document.tracers;
         if let Some(index) = tracers.iter().position(|tracer| tracer.name == point) {

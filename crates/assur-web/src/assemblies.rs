@@ -107,7 +107,7 @@ pub(crate) struct MotionsMap {
 pub(crate) struct BranchLine {
     /// Index of the branch's circuit.
     circuit: usize,
-    /// Alternating inputs and outputs, split where either wraps: angles in [0, 2π], or the displacement of a slide.
+    /// Curve, split where input or output wraps. Inputs and outputs alternate: angles in [0, 2π] or a displacement.
     pieces: Vec<Vec<f64>>,
 }
 

@@ -52,7 +52,7 @@ pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsVa
     serde_json::from_value(value).map_err(|error| bad(error.to_string()))
 }
 
-/// Names the fields that hold NaN or an infinity. They are read as `null`; only nulls are compared with the original.
+/// Names the fields that hold NaN or an infinity. JSON has `null` there, so only nulls are compared with the original.
 fn not_numbers(
     read: &Value,
     given: &dyn Fn() -> JsValue,

@@ -121,7 +121,7 @@ pub struct Synthesis {
     pub task: Task,
     /// The options to choose from.
     pub options: Options,
-    /// Index of the shown solution, from 0; none for a family or trial lengths.
+    /// Index of the shown solution, from 0; none if it belongs to a family or has trial lengths.
     pub number: Option<usize>,
     /// The shown solution.
     pub shown: Solution,
