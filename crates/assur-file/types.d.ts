@@ -101,7 +101,7 @@ x: [number, number],
  */
 input_deg: [number, number], 
 /**
- * φ₂ at the values of y at these two ends, degrees.
+ * φ₂ for the values of y at these two ends, degrees.
  */
 output_deg: [number, number], };
 export type GearDocument = { 
@@ -175,7 +175,7 @@ axis_distance_mm?: number | null,
  */
 drives: Array<DriveDocument>, 
 /**
- * Working members 7 and 8.
+ * Working members 7 and 8: the tools, such as fans or brushes, that the train drives.
  */
 members: MembersDocument, 
 /**
@@ -191,7 +191,7 @@ loaded: boolean,
  */
 span_s: number, 
 /**
- * Load on the shaft that is not driven. Each knot is a time, s, and a torque against rotation without slip, N·m.
+ * Load on the shaft that is not driven: knots of time, s, and torque, N·m, positive against rotation without slip.
  */
 load: Array<[number, number]>, 
 /**
@@ -301,8 +301,8 @@ plots?: Array<string>,
  */
 traces?: Array<string>, 
 /**
- * Dimensions kept while points are moved by hand, each by its points: two for their distance, three
- * for the angle at the second. They do not affect the motion of the linkage.
+ * Dimensions kept while points are moved by hand. Two points stand for their distance, three for the
+ * angle at the second. These locks do not affect the motion of the linkage.
  */
 locks?: Array<Array<string>>, 
 /**
@@ -611,11 +611,11 @@ ground: string,
  */
 pairs: Array<PairDocument>, 
 /**
- * Points of links beyond their pairs, such as the end of an arm.
+ * Points of links that are not pairs, such as the end of an arm.
  */
 ends?: Array<EndDocument>, 
 /**
- * Names of cut pairs, such as `D`. For a compound hinge, the link detached from it follows: `Q:3`.
+ * Names of cut pairs, such as `D`; for a compound hinge also the detached link, such as `Q:3`.
  */
 cut: Array<string>, 
 /**
@@ -623,7 +623,7 @@ cut: Array<string>,
  */
 look_deg: [number, number], 
 /**
- * Number of the practice task, if the scheme is one; the answer is then hidden.
+ * Number of the practice task that the scheme poses, if any; the answer is then hidden.
  */
 task?: number | null, };
 export type ShaftDocument = "sun" | "carrier" | "ring";
@@ -710,8 +710,8 @@ positions: Array<PositionDocument>,
  */
 free: boolean, 
 /**
- * Lengths l₂, l₃ of the chosen member of a family: the member with this l₂ or, if all have the same
- * l₂, with this l₃. Beyond the ends of the family, the nearest end is chosen.
+ * Lengths l₂, l₃ that choose one of the family of linkages for two positions: the one with this l₂ or, if all
+ * have the same l₂, with this l₃. Lengths beyond an end of the family choose that end.
  */
 member?: [number, number] | null, 
 /**
@@ -737,8 +737,7 @@ name: string,
  */
 link: string, 
 /**
- * Its coordinates on the link: x from the link's first point towards the second, y
- * to the left.
+ * Its coordinates on the link: x from the link's first point towards the second, y to the left.
  */
 at: [number, number], };
 export type VariedDocument = { 
@@ -824,7 +823,7 @@ others: boolean,
  */
 polygons: boolean, 
 /**
- * Whether the instant centres of all links are shown, and the lines that intersect in the centre of `about`
+ * Whether the instant centres of all links are shown, with the lines that locate the instant centre of `about`
  * relative to `relative_to`.
  */
 instant_centres: boolean, 
@@ -845,8 +844,8 @@ about: string,
  */
 relative_to: string, 
 /**
- * Measures between points or links that are drawn and listed, by name: `A-C.distance`,
- * `A-B-C.corner`, `crank-rocker.between`.
+ * Drawn and listed measures between points or links, by name: `A-C.distance`, `A-B-C.corner`,
+ * `crank-rocker.between`.
  */
 measures: Array<string>, 
 /**

@@ -17,7 +17,7 @@ all: Array<AssemblyHere>,
  */
 shown: number | null, 
 /**
- * Number of complex solutions of the equations of an Assur group; none unless a single group was solved that way.
+ * Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers.
  */
 complex: number | null, 
 /**
@@ -52,8 +52,8 @@ export type Belonging = {
  */
 branches: Array<number>, 
 /**
- * For each assembly, the meetings of branches on the way from the chosen assembly. Empty on the same branch; null
- * if the assembly cannot be reached.
+ * For each assembly, indices of the meetings of branches on the way to it from the chosen assembly. Empty if both
+ * are on the same branch; null if the assembly cannot be reached.
  */
 reached: Array<Array<number> | null>, };
 export type Between = { min: number, max: number, stroke: number, };
@@ -64,7 +64,7 @@ export type BranchLine = {
  */
 circuit: number, 
 /**
- * Alternating inputs and outputs, split where either wraps: angles in [0, 2π], or the displacement of a slide.
+ * Curve, split where input or output wraps. Inputs and outputs alternate: angles in [0, 2π] or a displacement.
  */
 pieces: Array<Array<number>>, };
 export type ChangedPair = { pair: string, kind: KindDocument, };

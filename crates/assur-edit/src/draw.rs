@@ -10,7 +10,7 @@ use assur_file::{
 use crate::edit::{Edit, End, Line};
 use crate::{dyads, names};
 
-/// Smallest size assumed for a drawing. New parts are placed at distances relative to it.
+/// Least size assumed for a drawing. Distances of new parts are proportional to the size.
 const LEAST: f64 = 1e-6;
 
 /// A drawing during an edit.
@@ -101,7 +101,7 @@ impl Drawing {
         }
     }
 
-    /// Moves the points so that redundant constraints hold exactly, if they nearly hold in the drawing.
+    /// Moves the points so that redundant constraints that nearly hold in the drawing hold exactly.
     fn make_exact(&mut self) {
         if let Some(exact) = self.document.spec().made_exact() {
             for (point, exact) in self.document.points.iter_mut().zip(exact.spec.points) {
@@ -223,7 +223,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Replaces the given dimensions of the links `which` by those of the drawing.
+    /// Replaces the given dimensions of the links that `which` selects by those of the drawing.
     pub(crate) fn redraw(&mut self, which: impl Fn(&LinkDocument) -> bool) {
         let links = self.document.links.iter_mut();
         for link in links.filter(|link| which(link)) {
@@ -281,7 +281,7 @@ impl Drawing {
         }
     }
 
-    /// The two points of a link between which the segment is nearest to a place.
+    /// The two points of a link whose connecting segment is nearest to a place.
     pub(crate) fn side(&self, link: &str, to: Point) -> Result<[String; 2], LinkageProblem> {
         let points = &self.linked(link)?.points;
         let mut best: Option<(f64, [String; 2])> = None;

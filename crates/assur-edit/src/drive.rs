@@ -31,7 +31,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// The link, or the frame, to which both of two links are hinged.
+    /// The link, or the frame, to which both of these links are hinged.
     fn carrier(&self, links: &[String; 2]) -> Result<String, LinkageProblem> {
         let [first, second] = links;
         let own = [&self.linked(first)?.points, &self.linked(second)?.points];

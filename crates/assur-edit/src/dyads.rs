@@ -6,15 +6,14 @@ use assur_file::LinkageProblem;
 use crate::draw::Drawing;
 use crate::edit::{End, Inner, Line, Outer};
 
-/// Distance of the inner joint of a new dyad from the line through its ends, relative to the distance
-/// between the ends.
+/// Distance of the inner joint of a new dyad from the line through its ends, relative to the distance between the ends.
 const OFF: f64 = 0.6;
 /// Length of a new line, relative to the distance from its start to the point that slides on it.
 const BEYOND: f64 = 1.4;
 /// Distance of each corner of a new triad's plate from the plate's centre, relative to the distance from the centre to
 /// the far end of the bar hinged at this corner.
 const PLATE: f64 = 0.4;
-/// Angle through which the corners are rotated, radians, so that no bar points at the plate's centre.
+/// Angle, radians, through which a new plate is rotated so that no bar points at its centre.
 const TURNED: f64 = 0.5;
 
 type Done = Result<(), LinkageProblem>;
@@ -108,7 +107,7 @@ pub(crate) fn triad(drawing: &mut Drawing, ends: &[End; 3]) -> Done {
     Ok(())
 }
 
-/// A line along which a new slide moves: the place of the slide on it, and the direction.
+/// The line along which a new slide moves: the slide's place on the line, and the line's direction.
 struct Guide {
     along: Line,
     at: Point,
@@ -145,8 +144,7 @@ impl Guide {
         }
     }
 
-    /// The guide's line for a slide of the point `point`. A line of the frame is shifted to pass through
-    /// this point.
+    /// The guide's line for a slide of the point `point`. A line of the frame is shifted to pass through this point.
     fn along_from(&self, drawing: &Drawing, point: &str) -> Result<Line, LinkageProblem> {
         Ok(match &self.along {
             Line::Toward(_) => {
@@ -158,7 +156,7 @@ impl Guide {
     }
 }
 
-/// A point above the middle of the segment between two points.
+/// A point beside the middle of the segment between two points, on its upper side.
 fn beside(a: Point, b: Point) -> Point {
     let along = b - a;
     let across = perpendicular(along);

@@ -20,7 +20,7 @@ pub enum Edit {
     Corner { link: String, end: End },
     /// Adds a block that is hinged at a point and slides along a line.
     Block { end: End, along: Line },
-    /// Lets a link slide along a line without rotating relative to it.
+    /// Lets a link slide along a line and keep its angle to the line.
     Slide { link: String, along: Line },
     /// Adds a dyad, the Assur group of Class II. The `outer` pairs join its two links to the existing linkage.
     Dyad { outer: [Outer; 2], inner: Inner },
@@ -65,7 +65,7 @@ pub enum Edit {
         points: Vec<String>,
         links: Vec<String>,
     },
-    /// Adds another drawing, moved by a displacement, to this one. Its parts get names that are free.
+    /// Adds another drawing, moved by a displacement, to this one. The added parts get free names.
     Paste {
         #[cfg_attr(test, ts(type = "LinkageDocument"))]
         drawing: Box<LinkageDocument>,
@@ -96,7 +96,7 @@ pub enum End {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Line {
-    /// A line through two points of a link: the one nearest to the sliding point.
+    /// The line through two points of this link that is nearest to the sliding point.
     Link(String),
     /// A line of the frame from the block towards a place.
     Toward([f64; 2]),

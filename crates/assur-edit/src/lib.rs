@@ -43,7 +43,7 @@ pub struct Edited {
     pub point: Option<String>,
     /// The link added last.
     pub link: Option<String>,
-    /// Whether locks kept a moved point from its target. The point is then as near to it as possible.
+    /// Whether locks kept a moved point from its target. The point is then as near to the target as possible.
     pub is_held: bool,
 }
 

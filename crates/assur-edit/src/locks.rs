@@ -12,21 +12,21 @@ use crate::draw::{Drawing, unknown};
 
 /// Tolerance of locks, relative to the drawing's size.
 const HOLDS: f64 = 1e-13;
-/// Distance at which a point has reached its target, relative to the size.
+/// Greatest distance from a target at which a point counts as having reached it, relative to the size.
 const REACHED: f64 = 1e-9;
 /// Greatest displacement in one step, relative to the size. A longer step might lead to another assembly.
 const STEP: f64 = 0.05;
 /// Least length of the sides of a locked angle, relative to the size. The angle between shorter sides would be
 /// lost in rounding.
 const SHORTEST: f64 = 1e-3;
-/// Gradient of half the squared distance from the targets, relative to the size. Below it, two distances differ
-/// only by rounding, and gradients are compared instead.
+/// Gradient of half the squared distance from the targets, relative to the size. Below this gradient, distances
+/// differ only by rounding, so gradients are compared.
 const FINE: f64 = 1e-5;
-/// Regularisation of the equations of dependent locks. It is too small to affect those of other locks.
+/// Regularisation of the equations of locks: dependent locks need it, and it is too small to affect others.
 const TWICE: f64 = 1e-12;
 /// Greatest correction of a step, relative to the length of the step.
 const ASIDE: f64 = 0.3;
-/// Length down to which a step is halved, relative to the longest step.
+/// Least length of a halved step, relative to the longest step.
 const LEAST_STEP: f64 = 1e-3;
 /// Correction, relative to the size, below which rounding may keep corrections from decreasing further.
 const ROUNDS: f64 = 1e-11;
@@ -38,7 +38,7 @@ const MOST_HALVES: usize = 30;
 #[derive(Clone, Copy, Debug)]
 enum Lock {
     Length([usize; 2], f64),
-    /// Angle at the second point, from the first to the third, radians; and the least length of its sides.
+    /// Points; angle at the second from the first to the third, radians; least permitted length of its sides.
     Angle([usize; 3], f64, f64),
 }
 
@@ -75,7 +75,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Removes locks that name `point` twice, since two points were joined in it, and duplicate locks.
+    /// Removes duplicate locks, and locks that name `point` twice because two points were joined in it.
     pub(crate) fn join_locks(&mut self, point: &str) {
         let mut kept: Vec<Vec<String>> = Vec::new();
         for lock in std::mem::take(&mut self.document.locks) {
@@ -142,7 +142,7 @@ impl Drawing {
         let free: Vec<bool> = names.iter().map(|name| !is_fixed(name)).collect();
         let (places, reached) = held.moved(&before, &free, &targets);
         let named = names.into_iter().zip(places).zip(before);
-        // Points that do not move keep every digit. Points that reach their targets get the exact coordinates of these.
+        // Points at rest keep their exact coordinates; points at their targets get exactly those of the targets.
         let named = named.filter_map(|((name, to), from)| {
             let there = wanted.get(name).filter(|_| reached);
             let moved = (to != from).then_some(to + middle.coords);
@@ -271,8 +271,7 @@ impl Held {
         (at, reached)
     }
 
-    /// The displacements of all points if some are given. The points in `after` follow, so that the locks hold to
-    /// first order.
+    /// Completes the displacements `ways`: the points in `after` follow, so that the locks hold to first order.
     fn after(
         &self,
         at: &[Vector],

@@ -89,7 +89,7 @@ pub(crate) fn called_by_points(document: &LinkageDocument) -> Vec<String> {
     called.map(|link| link.name.clone()).collect()
 }
 
-/// Renames the links in `before`, which were named after their points, if an edit changed these.
+/// Renames the links in `before`, which were named after their points, if their points have changed.
 pub(crate) fn call_by_points(document: &mut LinkageDocument, before: &[String]) {
     for old in before {
         let link = document.links.iter().find(|link| link.name == *old);

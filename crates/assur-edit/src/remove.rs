@@ -91,8 +91,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Removes slides and their drivers. Adds the points of the removed lines to `bared`, if the lines
-    /// are on the frame.
+    /// Removes slides and their drivers. Adds the points of the removed lines of the frame to `bared`.
     fn drop_slides(&mut self, gone: impl Fn(&SlideDocument) -> bool, bared: &mut BTreeSet<String>) {
         let document = &mut self.document;
         let kept: Vec<bool> = document.slides.iter().map(|slide| !gone(slide)).collect();
@@ -183,8 +182,8 @@ impl Drawing {
         Ok(())
     }
 
-    /// Separates the links hinged at a point. The frame or, if the point is not on the frame, the first
-    /// link keeps it; every other link gets a point of its own.
+    /// Separates the links hinged at a point. The frame keeps the point or, if the point is not on the frame,
+    /// the link listed first; every other link gets a point of its own.
     pub(crate) fn part(&mut self, point: &str) -> Done {
         let at = self.at(point)?;
         let on_frame = self.document.frame.iter().any(|one| one == point);

@@ -27,7 +27,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Moves a traced point, or a point as far as locks allow, to a place.
+    /// Moves a traced point to a place, or another point as near to the place as locks allow.
     pub(crate) fn place(&mut self, point: &str, to: [f64; 2]) -> Done {
         let tracers = &self.document.tracers;
         if let Some(index) = tracers.iter().position(|tracer| tracer.name == point) {
@@ -56,7 +56,7 @@ impl Drawing {
         Ok(moved)
     }
 
-    /// Moves points to their targets, as far as locks allow, and points locked to them. A link whose points
+    /// Moves points to their targets, as far as locks allow; points locked to them follow. A link whose points
     /// do not all move alike takes its dimensions from the drawing. The lock `released` is ignored.
     fn go(&mut self, wanted: &BTreeMap<String, Vector>, released: Option<&[String]>) {
         let (places, reached) = self.held(wanted, released);
@@ -101,7 +101,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Gives a link an angle by rotating its points about the first one.
+    /// Gives a link an angle by rotating it about its first point.
     pub(crate) fn turn(&mut self, link: &str, angle_deg: f64) -> Done {
         let [first, second] = self.ends(link)?;
         let [from, to] = [self.at(&first)?, self.at(&second)?];

@@ -87,7 +87,7 @@ pub fn selected(
 }
 
 impl Drawing {
-    /// Adds another drawing, displaced, to the existing one. Its parts get names that are free.
+    /// Adds another drawing, displaced, to the existing one. The added parts get free names.
     pub(crate) fn paste(&mut self, drawing: &LinkageDocument, [x, y]: [f64; 2]) {
         let mut other = drawing.clone();
         for point in &mut other.points {

@@ -189,8 +189,8 @@ pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
     })
 }
 
-/// Places of all mechanisms of the catalogue in the gallery. All of them are built: this takes too long
-/// to be done before a page shows anything.
+/// Places of all mechanisms of the catalogue in the gallery. To find them, every mechanism is built, which
+/// takes too long to be done before a page shows anything.
 ///
 /// # Errors
 /// The problems of a document; a test ensures that there are none.
@@ -299,7 +299,7 @@ pub(crate) fn title(name: &str) -> Option<String> {
 /// Reads a linkage from a file, which contains a state of the page or only a document.
 ///
 /// # Errors
-/// Parts of the wrong form, with their paths; problems of a view or a mixer; a document that does not move.
+/// Parts of the wrong form, with their paths; problems of a view or a mixer; a document without a linkage.
 pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
     document_of(text)?.linkage()
 }

@@ -1,5 +1,4 @@
-//! Problems of input from a person, a file or a URL, as codes with parameters. Their texts are in
-//! `lang/`.
+//! Problems of input from a person, a file or a URL, as codes with parameters. Their texts are in `lang/`.
 
 use std::borrow::Cow;
 
@@ -44,7 +43,7 @@ pub enum Problem {
     ConcentricWheels { field: Field },
     /// A wheel is in internal mesh with both smaller and larger wheels.
     MixedWheels { field: Field },
-    /// Coupler and rocker together do not reach at this crank angle.
+    /// Coupler and rocker together are too short at this crank angle.
     Apart { phi: f64, by: f64 },
     /// Either the coupler or the rocker is too long at this crank angle.
     Inside { phi: f64, by: f64, field: Field },

@@ -49,7 +49,7 @@ struct Fields<'de, 'path> {
     path: &'path mut String,
 }
 
-/// Reader of a variant of an enum: its name alone, or an object with its name as the only key.
+/// Reader of an enum variant, written as its name alone or as an object with that name as the only key.
 struct Variant<'de, 'path> {
     name: &'de str,
     content: Option<&'de Value>,

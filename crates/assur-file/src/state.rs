@@ -18,8 +18,7 @@ pub const FORMAT: f64 = 2.0;
 /// contained the step of the document's only lesson.
 const FIRST_FORMAT: f64 = 1.0;
 
-/// A state of the page, read without regard to unknown keys. Its form is right; its values are checked
-/// by [`State::check`].
+/// A state of the page. Unknown keys are ignored. Its form is valid; [`State::check`] checks its values.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct State {
     /// Version of the saved form, 2.
@@ -92,7 +91,7 @@ impl State {
             linkage.recognise();
         }
         let FirstView { step } = within(value, "view")?.unwrap_or_default();
-        // A document had at most one lesson, named after its origin or its kind.
+        // In the first version a document had at most one lesson, named after the document's origin or kind.
         let id = document.origin().unwrap_or(&kind).to_owned();
         view.lesson = (step > 0).then_some(OpenLesson { id, step });
         Ok(Self {

@@ -1,5 +1,4 @@
-//! Reading of JSON. Duplicate keys are refused, since the value of one of them would be ignored
-//! without notice.
+//! Reading of JSON. Duplicate keys are refused, since the value of one of them would be ignored without notice.
 
 use std::fmt;
 
@@ -35,8 +34,7 @@ pub(crate) fn json(text: &str) -> Result<Value, Problem> {
     })
 }
 
-/// Checks that a JSON text, which is read elsewhere, has no duplicate keys. A text that is not JSON
-/// passes.
+/// Checks that a JSON text, which is read elsewhere, has no duplicate keys. A text that is not JSON passes.
 ///
 /// # Errors
 /// [`Problem::KeyTwice`] with the path of the key.

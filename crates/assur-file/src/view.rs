@@ -69,7 +69,7 @@ pub struct View {
     /// Whether the polygons of velocities and accelerations are shown.
     #[serde(default)]
     pub polygons: bool,
-    /// Whether the instant centres of all links are shown, and the lines that intersect in the centre of `about`
+    /// Whether the instant centres of all links are shown, with the lines that locate the instant centre of `about`
     /// relative to `relative_to`.
     #[serde(default)]
     pub instant_centres: bool,
@@ -85,8 +85,8 @@ pub struct View {
     /// The reference link of the instant centre of `about`; if empty, the frame.
     #[serde(default)]
     pub relative_to: String,
-    /// Measures between points or links that are drawn and listed, by name: `A-C.distance`,
-    /// `A-B-C.corner`, `crank-rocker.between`.
+    /// Drawn and listed measures between points or links, by name: `A-C.distance`, `A-B-C.corner`,
+    /// `crank-rocker.between`.
     #[serde(default)]
     pub measures: Vec<String>,
     /// Plotted quantities: `angles`, or the name of a point, such as `C2`.

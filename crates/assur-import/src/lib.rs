@@ -39,7 +39,7 @@ fn number(text: &str) -> Option<f64> {
 /// Maximum number of characters of a quoted text.
 const LONGEST_QUOTE: usize = 40;
 
-/// Returns the first characters of an outside text, for a message: control characters removed, a cut marked by `…`.
+/// Returns the start of an outside text for a message, without control characters and with `…` where it is cut.
 fn quoted(text: &str) -> String {
     let mut plain = text.chars().filter(|c| !c.is_control());
     let mut quote: String = plain.by_ref().take(LONGEST_QUOTE).collect();
@@ -52,7 +52,7 @@ fn quoted(text: &str) -> String {
 /// Result of an import.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Imported {
-    /// The linkage. Its source is set; its title is not, since neither program saves one.
+    /// The linkage. Its source is set; its title is not, since none of the programs saves one.
     pub document: LinkageDocument,
     /// Parts that could not be imported unchanged.
     pub left_out: Vec<LeftOut>,

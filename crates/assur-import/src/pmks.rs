@@ -1,6 +1,5 @@
-//! Links of PMKS+ (Planar Mechanism Kinematic Simulator, <https://pmksplus.com>). The first form is
-//! plain text, the second is abbreviated; both are read into a [`Plan`](plan::Plan). [`original`]
-//! reads links of the predecessor, PMKS.
+//! Links of PMKS+ (Planar Mechanism Kinematic Simulator, <https://pmksplus.com>). The first form is plain text, the
+//! second is abbreviated; both are read into a [`Plan`](plan::Plan). [`original`] reads links of the predecessor, PMKS.
 
 mod original;
 mod plan;

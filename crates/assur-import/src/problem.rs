@@ -22,7 +22,7 @@ pub enum ImportProblem {
     LinkCut,
     /// A malformed part of a link.
     LinkPart { part: String },
-    /// A tag that does not end or is out of place, by its line in the file.
+    /// The line of a tag that does not end or is out of place.
     MarkupBroken { line: usize },
     /// A value of a part that is not a number or is out of range.
     ImportNumber { part: String, value: String },

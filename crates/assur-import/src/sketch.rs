@@ -39,7 +39,7 @@ pub(crate) struct Bar {
     pub(crate) wheel: bool,
 }
 
-/// A prismatic pair: the joint of a bar, on a line through two joints of another body.
+/// A prismatic pair: a joint of a bar slides along a line through two joints of another body.
 #[derive(Clone, Debug)]
 pub(crate) struct Slide {
     pub(crate) bar: usize,
@@ -127,7 +127,7 @@ impl Sketch {
         self.slides.len() - 1
     }
 
-    /// Adds two points to a body, which define the line of a slide. The line passes through a place, in a direction in
+    /// Adds to a body two points that define the line of a slide. The line passes through a place, in a direction in
     /// radians. The distance of the points is a fraction of the drawing's size.
     pub(crate) fn guide(
         &mut self,

@@ -21,7 +21,7 @@ pub(crate) struct AssembliesHere {
     pub(crate) all: Vec<AssemblyHere>,
     /// Index of the assembly in which the document moves; none if it has no pose at this input.
     pub(crate) shown: Option<usize>,
-    /// Number of complex solutions of the equations of an Assur group; none unless a single group was solved that way.
+    /// Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers.
     complex: Option<usize>,
     /// Whether all assemblies were found.
     whole: bool,
@@ -45,7 +45,7 @@ impl Moving {
         self.document().output(self.mechanism())
     }
 
-    /// Finds all assemblies at an input, in the order of their numbers, and the index of the one that moves.
+    /// Finds all assemblies at an input, in order of number, and the index of the one in which the document moves.
     pub(crate) fn assembled(&self, input: f64) -> (Assemblies, Option<usize>) {
         let mechanism = self.mechanism();
         let following = &mut *self.following().borrow_mut();
@@ -82,7 +82,7 @@ impl Moving {
     }
 }
 
-/// The motions of a document in all assemblies. They take time to find, which is done in a worker of the page.
+/// The motions of a document in all assemblies. The page finds them in a worker, since this takes time.
 #[wasm_bindgen]
 pub struct AllMotions {
     document: Box<dyn Capabilities>,
@@ -107,7 +107,7 @@ pub(crate) struct MotionsMap {
 pub(crate) struct BranchLine {
     /// Index of the branch's circuit.
     circuit: usize,
-    /// Alternating inputs and outputs, split where either wraps: angles in [0, 2π], or the displacement of a slide.
+    /// Curve, split where input or output wraps. Inputs and outputs alternate: angles in [0, 2π] or a displacement.
     pieces: Vec<Vec<f64>>,
 }
 
@@ -127,8 +127,8 @@ pub(crate) struct MeetingPlace {
 pub(crate) struct Belonging {
     /// For each assembly, in the order of their numbers, the index of its branch.
     branches: Vec<usize>,
-    /// For each assembly, the meetings of branches on the way from the chosen assembly. Empty on the same branch; null
-    /// if the assembly cannot be reached.
+    /// For each assembly, indices of the meetings of branches on the way to it from the chosen assembly. Empty if both
+    /// are on the same branch; null if the assembly cannot be reached.
     reached: Vec<Option<Vec<usize>>>,
 }
 

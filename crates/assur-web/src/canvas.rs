@@ -147,9 +147,8 @@ fn width(style: &impl BackendStyle) -> f64 {
     f64::from(style.stroke_width()) / f64::from(FINE)
 }
 
-/// Moves a horizontal or vertical line so that its edges lie between screen pixels; otherwise a
-/// thin line is pale and twice as wide. Returns its width, a whole number of screen pixels. `ratio`
-/// is the number of screen pixels per CSS pixel.
+/// Moves a horizontal or vertical line so that its edges lie between screen pixels; otherwise a thin line would be pale
+/// and twice as wide. Returns the line's width, a whole number of screen pixels. `ratio`: screen pixels per CSS pixel.
 fn sharpened(path: &mut [(f64, f64)], width: f64, ratio: f64) -> f64 {
     let [from, to] = path else {
         return width;

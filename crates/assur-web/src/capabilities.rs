@@ -21,7 +21,7 @@ pub(crate) trait Capabilities {
     /// Summary of the document; its field `moves` says whether it moves.
     fn summary(&self) -> JsValue;
 
-    /// The rigid part of the drawing; by default that of the document's linkage, if it is one.
+    /// The rigid part of the drawing; by default that of the moving linkage, or empty without one.
     fn rigid(&self) -> Rigid<'_> {
         let figure = self.linkage().map(Moving::figure);
         figure.map(Rigid::from).unwrap_or_default()
@@ -139,7 +139,7 @@ pub(crate) trait Moves {
     /// The names of the read-outs.
     fn readout_names(&self) -> Vec<String>;
 
-    /// The input after a step, and a factor: −1 if the input turned back, otherwise 1.
+    /// The input after a step, and −1 if the input turned back, otherwise 1.
     fn advance(&self, input: f64, by: f64) -> (f64, f64);
 
     /// The plots. For an endless motion, they cover the span around an input.

@@ -14,8 +14,8 @@ pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
     value.serialize(&plain).unwrap_or(JsValue::NULL)
 }
 
-/// Reads a state of the page. All values become JSON first, so that the code is compiled only once. JSON has no NaN or
-/// infinity; fields with such numbers are found here.
+/// Reads a state of the page by way of JSON, so that the code of the conversion is compiled only once. JSON has no
+/// NaN or infinity; fields with such numbers are found here.
 ///
 /// # Errors
 /// The fields whose numbers are not finite; otherwise the malformed part.
@@ -52,7 +52,7 @@ pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsVa
     serde_json::from_value(value).map_err(|error| bad(error.to_string()))
 }
 
-/// Names the fields that hold NaN or an infinity. They are read as `null`; only nulls are compared with the original.
+/// Names the fields that hold NaN or an infinity. JSON has `null` there, so only nulls are compared with the original.
 fn not_numbers(
     read: &Value,
     given: &dyn Fn() -> JsValue,

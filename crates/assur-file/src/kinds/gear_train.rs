@@ -73,7 +73,7 @@ pub struct GearTrainDocument {
     pub axis_distance_mm: Option<f64>,
     /// Drives of two of the three shafts.
     pub drives: Vec<DriveDocument>,
-    /// Working members 7 and 8.
+    /// Working members 7 and 8: the tools, such as fans or brushes, that the train drives.
     #[serde(default)]
     pub members: MembersDocument,
     /// The observer in whose frame of reference the train is shown.
@@ -85,7 +85,7 @@ pub struct GearTrainDocument {
     /// Plotted time span, and duration of a run under load.
     #[serde(default = "span")]
     pub span_s: f64,
-    /// Load on the shaft that is not driven. Each knot is a time, s, and a torque against rotation without slip, N·m.
+    /// Load on the shaft that is not driven: knots of time, s, and torque, N·m, positive against rotation without slip.
     #[serde(default)]
     pub load: Vec<[f64; 2]>,
     /// The magnets of the two meshes.

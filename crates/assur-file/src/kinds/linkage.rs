@@ -62,8 +62,8 @@ pub struct LinkageDocument {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub traces: Vec<String>,
-    /// Dimensions kept while points are moved by hand, each by its points: two for their distance, three
-    /// for the angle at the second. They do not affect the motion of the linkage.
+    /// Dimensions kept while points are moved by hand. Two points stand for their distance, three for the
+    /// angle at the second. These locks do not affect the motion of the linkage.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub locks: Vec<Vec<String>>,
@@ -91,7 +91,7 @@ pub struct PointDocument {
     pub at: [f64; 2],
 }
 
-/// A traced point: a point of a link that joins nothing.
+/// A traced point: a point of a link that is not a joint.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
@@ -100,8 +100,7 @@ pub struct TracerDocument {
     pub name: String,
     /// The link to which it is fixed.
     pub link: String,
-    /// Its coordinates on the link: x from the link's first point towards the second, y
-    /// to the left.
+    /// Its coordinates on the link: x from the link's first point towards the second, y to the left.
     pub at: [f64; 2],
 }
 
@@ -174,8 +173,8 @@ pub enum MeshDocument {
     AsPrinted,
 }
 
-/// A driven pair: a crank with its base, or a slide with its range. (Both have the same type. The path
-/// of an error thus ends at the field at fault.)
+/// A driven pair: a crank with its base, or a slide with its range. Both have the same type, so that the
+/// path of an error ends at the field at fault.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]

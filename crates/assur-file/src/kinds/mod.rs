@@ -1,5 +1,4 @@
-//! The kinds of document, with a module for each. A new kind needs a module, and a line in the
-//! list of kinds below.
+//! The kinds of document, with a module for each. A new kind needs a module, and a line in the list of kinds below.
 
 pub(crate) mod draft;
 pub(crate) mod gear_train;

@@ -80,7 +80,7 @@ pub(super) const SYNTHESIS: [Pattern; 6] = [
     ("positions[].weight", Sort::Measure),
 ];
 
-/// The numbers in those fields of a document that match the patterns, in the order of the patterns.
+/// The numbers in the fields that match the patterns, in the order of the patterns.
 pub(super) fn written(document: &impl Serialize, patterns: &[Pattern]) -> Vec<NumberField> {
     let Ok(document) = serde_json::to_value(document) else {
         return Vec::new();

@@ -37,17 +37,17 @@ pub struct SchemeDocument {
     pub ground: String,
     /// The pairs, which also name the links.
     pub pairs: Vec<PairDocument>,
-    /// Points of links beyond their pairs, such as the end of an arm.
+    /// Points of links that are not pairs, such as the end of an arm.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(as = "Option<Vec<EndDocument>>", optional))]
     pub ends: Vec<EndDocument>,
-    /// Names of cut pairs, such as `D`. For a compound hinge, the link detached from it follows: `Q:3`.
+    /// Names of cut pairs, such as `D`; for a compound hinge also the detached link, such as `Q:3`.
     #[serde(default)]
     pub cut: Vec<String>,
     /// Viewing direction of a spatial scheme, degrees: rotation about the z-axis from the y-axis, and elevation.
     #[serde(default = "from_the_front")]
     pub look_deg: [f64; 2],
-    /// Number of the practice task, if the scheme is one; the answer is then hidden.
+    /// Number of the practice task that the scheme poses, if any; the answer is then hidden.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub task: Option<u32>,
 }
@@ -114,7 +114,7 @@ pub enum PlaceDocument {
     Space([f64; 3]),
 }
 
-/// A point of a link beyond its pairs.
+/// A point of a link that is not a pair.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]

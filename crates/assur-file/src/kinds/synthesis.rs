@@ -32,8 +32,8 @@ pub struct SynthesisDocument {
     /// Whether φ₂ and φ₃ are measured from starting angles that may be chosen.
     #[serde(default)]
     pub free: bool,
-    /// Lengths l₂, l₃ of the chosen member of a family: the member with this l₂ or, if all have the same
-    /// l₂, with this l₃. Beyond the ends of the family, the nearest end is chosen.
+    /// Lengths l₂, l₃ that choose one of the family of linkages for two positions: the one with this l₂ or, if all
+    /// have the same l₂, with this l₃. Lengths beyond an end of the family choose that end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub member: Option<[f64; 2]>,
     /// Number of the solution, from 1, in ascending order of the closure error ΣJ. If absent, the solution
@@ -111,7 +111,7 @@ impl SynthesisProblem {
     }
 }
 
-/// Distance from the ends of a family to its outermost members that are shown, relative to the whole family.
+/// Distance of the outermost shown members of a family from its ends, relative to the whole family.
 const ENDS: f64 = 1e-3;
 
 /// The synthesis that a document describes.
@@ -121,7 +121,7 @@ pub struct Synthesis {
     pub task: Task,
     /// The options to choose from.
     pub options: Options,
-    /// Index of the shown solution, from 0; none for a family or trial lengths.
+    /// Index of the shown solution, from 0; none if it belongs to a family or has trial lengths.
     pub number: Option<usize>,
     /// The shown solution.
     pub shown: Solution,

@@ -7,14 +7,14 @@ use super::wheels;
 use crate::LeftOut;
 use crate::sketch::{Body, Driver, Joint, Moves, Sketch, distance, letter};
 
-/// Length of an actuator's cylinder, as a fraction of the actuator's drawn length. Both rod and cylinder are visible.
+/// Length of an actuator's cylinder, as a fraction of the actuator's drawn length. The rod remains visible.
 const CYLINDER: f64 = 0.6;
 
 /// A file during its conversion to a sketch.
 pub(super) struct Conversion<'a> {
     pub(super) parts: &'a Parts,
     pub(super) sketch: Sketch,
-    /// For each link of the file, the index of its bar, if it became one.
+    /// For each link of the file, the index of the bar made from it, if any.
     pub(super) bars: Vec<Option<usize>>,
 }
 
@@ -92,7 +92,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Adds a bar for each wheel and for each link whose points keep their distances.
+    /// Adds a bar for each wheel and for each link that is not an actuator.
     fn links(&mut self) {
         for (k, link) in self.parts.links.iter().enumerate() {
             let joints: Vec<usize> = link
@@ -239,7 +239,7 @@ impl Conversion<'_> {
         point
     }
 
-    /// Makes a link at each input the crank, and fixes the other links at that input to it.
+    /// At each input connector, makes one link the crank and fixes the other links to it.
     fn cranks(&mut self) {
         for (joint, connector) in self
             .parts
@@ -251,7 +251,7 @@ impl Conversion<'_> {
             let here = self
                 .made()
                 .filter(|(_, bar)| self.sketch.bars[*bar].joints.contains(&joint));
-            // A bar can turn only if the input is its only fixed point.
+            // A bar can turn only if it has no fixed point besides the input connector.
             let turns = |bar: usize| {
                 let mut others = self.sketch.bars[bar]
                     .joints
@@ -357,7 +357,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Lists a driver moved by hand as left out; otherwise lists the first driver's speed, in an entry made by `told`.
+    /// Lists as left out a driver moved by hand or, in the entry made by `told`, the first driver's speed.
     fn driven(&mut self, link: &str, speed: f64, by_hand: bool, told: impl Fn(String) -> LeftOut) {
         let link = link.to_owned();
         if by_hand {

@@ -229,7 +229,7 @@ impl Length {
     }
 }
 
-/// Reads the ratio of two wheels; none if the tag has fewer than two.
+/// Reads the ratio of two wheels; none if the tag has fewer than two wheels.
 fn ratio(tag: &Tag<'_>) -> Result<Option<Ratio>, ImportProblem> {
     let wheels = tag
         .all("link")

@@ -10,7 +10,7 @@ use crate::sketch::{Body, Gear};
 /// Permitted numbers of teeth (docs/file-format.md).
 const TEETH: std::ops::RangeInclusive<u32> = 3..=1000;
 
-/// Preferred minimum number of teeth, for a wheel that looks like one. The ratio may require fewer.
+/// Preferred minimum number of teeth: fewer look unlike a wheel, but the ratio may require them.
 const SEEMLY: u32 = 12;
 
 pub(super) fn mesh(conversion: &mut Conversion<'_>, ratio: &Ratio) {

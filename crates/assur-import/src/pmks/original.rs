@@ -102,7 +102,7 @@ fn row<'a>(name: &str, line: &'a str) -> Result<Row<'a>, ImportProblem> {
         _ => None,
     };
     let gears = |word: &&str| word.eq_ignore_ascii_case(GEARS);
-    // The last such word is the kind: a link may also be called R.
+    // The last word that names a kind is the kind: a link may also be called R.
     let at = words
         .iter()
         .rposition(|word| gears(word) || kind(word).is_some());

@@ -49,7 +49,7 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
         unknown: Vec::new(),
     };
     plan.bounded()?;
-    // This form does not list traced points: those on fewer than two links are traced.
+    // This form does not list traced points; points on fewer than two links are traced.
     for pin in &mut plan.pins {
         let links = plan
             .members

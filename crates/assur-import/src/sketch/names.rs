@@ -8,12 +8,12 @@ const LONGEST: usize = 40;
 pub(super) struct Names(Vec<String>);
 
 impl Names {
-    /// Makes an empty list of link names, in which only the frame's name is in use.
+    /// Makes a list of link names in which only the frame's name is in use.
     pub(super) fn links() -> Self {
         Self(vec![super::FRAME.to_owned()])
     }
 
-    /// Returns an unused name close to the wanted one. If that is empty, the name is a letter for the number.
+    /// Returns an unused name close to the wanted one or, if the wanted name is empty, a letter for the number.
     pub(super) fn take(&mut self, wished: &str, number: usize) -> String {
         let plain: String = wished.chars().filter(|c| !c.is_control()).collect();
         let mut plain = plain.trim().to_owned();

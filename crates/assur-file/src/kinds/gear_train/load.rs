@@ -11,14 +11,14 @@ use serde::{Deserialize, Serialize};
 use super::{GearTrainDocument, GearTrainProblem, problem};
 use crate::Problem;
 
-/// Scale of the speeds around 0 within which a member's friction changes sign: relative to the speed of its
-/// shaft without slip, and its minimum in rad/s. A sharper change would only require shorter steps.
+/// Creep speed of a member's friction: as a fraction of its shaft's speed without slip, and its minimum in rad/s.
+/// Friction is proportional to tanh(speed/creep). A smaller creep speed would only require shorter steps.
 const CREEP: (f64, f64) = (0.5, 0.5);
 
 /// Metres in a millimetre.
 const MILLI: f64 = 1e-3;
 
-/// Working members 7 and 8.
+/// Working members 7 and 8: the tools, such as fans or brushes, that the train drives.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(default, deny_unknown_fields)]
@@ -223,7 +223,7 @@ impl GearTrainDocument {
         })
     }
 
-    /// The load as a torque over time. A positive load opposes `speed`, the speed of its shaft without slip.
+    /// The load as a torque over time. A positive load opposes `speed`, the loaded shaft's speed without slip.
     fn pull(&self, speed: f64) -> Result<Profile, Vec<Problem>> {
         if self.load.is_empty() {
             return Ok(Profile::zero());

@@ -6,7 +6,7 @@ use super::spec::driver;
 use super::{LinkageDocument, LinkageProblem};
 use crate::problem::is_plain;
 
-/// Maximum lengths of the lists in a document.
+/// Maximum number of points in a list. The next four constants limit the other lists of a document.
 const MOST_POINTS: usize = 200;
 const MOST_LINKS: usize = 64;
 const MOST_PAIRS: usize = 64;
@@ -17,7 +17,7 @@ const LONGEST_NAME: usize = 40;
 /// Maximum number of characters of a title or source.
 const LONGEST_TEXT: usize = 400;
 
-/// All problems of single fields, with the paths of the fields. If lists are too long, only this is reported.
+/// All problems of single fields, with the paths of the fields; if lists are too long, only these problems.
 pub(super) fn problems(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let found = counts(document);
     if found.is_empty() {

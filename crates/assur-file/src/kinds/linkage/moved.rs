@@ -27,8 +27,8 @@ impl LinkageDocument {
     /// The mechanism that the document describes, drawn in the assembly that moves.
     ///
     /// # Errors
-    /// All problems, each naming the field, or the links and points, at fault; if single fields have
-    /// problems, only these. An assembly that does not exist.
+    /// All problems of single fields or, if there are none, of the mechanism. Each names the field, or the
+    /// links and points, at fault. An assembly that does not exist.
     pub fn mechanism(&self) -> Result<Mechanism, Vec<Problem>> {
         self.check()?;
         let drawn = Mechanism::new(&self.spec()).map_err(Problem::all)?;

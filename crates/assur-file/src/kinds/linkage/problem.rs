@@ -28,7 +28,7 @@ pub enum LinkageProblem {
     BadLength { path: String, value: f64 },
     /// A dwell band whose width is not greater than zero.
     BadBand { path: String, value: f64 },
-    /// A length or shape of a link that is fixed to another link and so has its dimensions from the drawing.
+    /// A length or shape of a link that is fixed to another link and so takes its dimensions from the drawing.
     FixedAsDrawn { path: String },
     /// A driver that is neither a crank nor a slide with its range, or that is both.
     BadDriver { path: String },
@@ -50,8 +50,7 @@ pub enum LinkageProblem {
     Unreached,
     /// The motion could not be followed up to this input.
     Unfollowed,
-    /// Extrema are not computed: the motion repeats only after `turns` turns, and at most `most` turns are
-    /// searched.
+    /// Extrema are not computed: the motion repeats only after `turns` turns, and at most `most` turns are searched.
     TooManyTurns { turns: usize, most: usize },
     /// Links are too short, or too long, to meet.
     LinksApart { links: Vec<String>, by: f64 },
@@ -89,7 +88,7 @@ pub enum LinkageProblem {
         links: Vec<String>,
         last: f64,
     },
-    /// A requirement for a dwell that is not greater than zero, or an arc of more than a turn.
+    /// A requirement for a dwell whose value is not greater than zero or, for the arc, exceeds a turn.
     BadWish { field: Field },
     /// The mechanism has no such output.
     NoOutput,
@@ -97,10 +96,9 @@ pub enum LinkageProblem {
     NothingMoves,
     /// A dimension to be varied that does not exist or is not a single length.
     NoDimension { name: String },
-    /// A range of a dimension that is empty, or excludes the dimension's value.
+    /// A dimension's range that is empty or excludes the dimension's value.
     BadRange { name: String },
-    /// A search from a linkage whose driver cannot turn fully, or that comes close to a
-    /// singular position.
+    /// A search from a linkage whose driver cannot turn fully, or that comes close to a singular position.
     Blocked,
     /// Two points of a drawing that coincide but must be distinct.
     OnePlace { points: [String; 2] },
@@ -147,7 +145,7 @@ impl LinkageProblem {
 }
 
 impl LinkageProblem {
-    /// The reason why there is no search for a dwell that varies these dimensions.
+    /// The reason why a search for a dwell that varies these dimensions is refused.
     pub fn refused(
         refused: SearchError,
         mechanism: &Mechanism,

@@ -20,7 +20,7 @@ pub struct FunctionDocument {
     pub x: [f64; 2],
     /// φ₃ at the two ends of the interval of x, degrees.
     pub input_deg: [f64; 2],
-    /// φ₂ at the values of y at these two ends, degrees.
+    /// φ₂ for the values of y at these two ends, degrees.
     pub output_deg: [f64; 2],
 }
 
@@ -153,7 +153,7 @@ fn problems(errors: Vec<FunctionError>) -> Vec<Problem> {
             row: row + 1,
         },
     };
-    // In an empty interval of x the values are necessarily equal. This is not reported as well.
+    // The ends of an empty interval of x necessarily have equal values; this is not reported separately.
     let empty = errors.contains(&FunctionError::Interval);
     let told = |error: &FunctionError| !empty || *error != FunctionError::Values;
     errors
