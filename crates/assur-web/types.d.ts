@@ -96,7 +96,7 @@ only: Only,
 around: number, };
 export type CircleHere = { point: string, 
 /**
- * The radius and its first two derivatives, with respect to the same variable as on the axes.
+ * Radius with its first two derivatives, with respect to the variable chosen for the axes: input or time.
  */
 radius: [number, number, number] | null, centre: [number, number] | null, reason: import("assur/core/problem.js").Problem | null, };
 export type ClassSummary = { freedoms: number, count: number, };
@@ -174,7 +174,7 @@ export type DeadPointSummary = { input: number, kind: string, links: Array<strin
 export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
 export type DraftSummary = { 
 /**
- * Always null.
+ * Always null: a drawing has no motion.
  */
 moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
 /**
@@ -251,7 +251,8 @@ builds: boolean,
  */
 suggestions: Array<SuggestionSummary>, 
 /**
- * Number of satellite teeth, z₂, with which gears of these z₁ (sun) and z₄ (ring) are in contact, if there is one.
+ * Number of satellite teeth z₂ for which gears with these z₁ (sun), z₄ (ring) mesh; none if there is no such
+ * number.
  */
 in_contact: number | null, mobility: MobilitySummary, 
 /**
@@ -259,11 +260,11 @@ in_contact: number | null, mobility: MobilitySummary,
  */
 gaps: [number, number] | null, axis_distance: number, 
 /**
- * Velocities at the final speeds: distances in mm, velocities in mm/s.
+ * Velocities of points at the final speeds of the shafts; distances in mm, velocities in mm/s.
  */
 velocities: VelocitySummary | null, 
 /**
- * External torques without losses, relative to the sun's.
+ * External torques on the shafts without losses, as multiples of the torque on the sun.
  */
 torques: ShaftNumbers, 
 /**
@@ -424,7 +425,7 @@ ratios: Array<number>,
  */
 overlaps: Array<[number, number]>, 
 /**
- * Direction from wheel 4 in which there is most room.
+ * Direction from wheel 4 in which another wheel has the most room, radians.
  */
 free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
@@ -637,7 +638,7 @@ count: boolean, value: number,
 printed: number | null, };
 export type SchemeSummary = { 
 /**
- * Always null.
+ * Always null: a scheme has no motion.
  */
 moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, planar: boolean, 
 /**
@@ -665,12 +666,12 @@ apart: Array<string>,
  */
 automatic: Array<string>, plane: JudgedSummary | null, space: JudgedSummary | null, 
 /**
- * The first pair with too few data for the rank.
+ * The first pair that lacks data needed for the rank.
  */
 missing: string | null, mended: MendedSummary | null, };
 export type SectionsSummary = { cuts: Array<string>, 
 /**
- * Numbers of remaining pairs with i freedoms.
+ * Numbers Pᵢ of remaining pairs with i freedoms.
  */
 left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
 export type SeriesLayout = { name: string, 

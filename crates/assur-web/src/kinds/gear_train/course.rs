@@ -45,7 +45,7 @@ pub(crate) struct Course {
 
 /// State of the train at a time.
 struct Known {
-    /// Rotation relative to the observer.
+    /// Rotation of the bodies relative to the observer.
     turned: Turned,
     /// Angle of the ground relative to the observer.
     ground: f64,
@@ -94,7 +94,7 @@ impl Course {
         self.recording.is_some()
     }
 
-    /// The reason why a run ends before its span does.
+    /// The reason why a run ended before its span, if it did.
     pub(crate) fn halt(&self) -> Option<Halt> {
         self.recording.as_ref().and_then(Recording::halt)
     }
@@ -316,7 +316,7 @@ const OF_RUN: [&str; 11] = [
     "imbalance",
 ];
 
-/// Values of these read-outs, in the order of [`OF_RUN`].
+/// Values of the read-outs [`OF_RUN`], in the same order.
 fn of_run(reading: &Reading) -> [f64; OF_RUN.len()] {
     let drive = |body| reading.body(body).drive_torque.unwrap_or(0.0);
     let energy = &reading.energy;
