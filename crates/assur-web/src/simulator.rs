@@ -71,7 +71,7 @@ impl Simulator {
         Ok(self.document()?.rigid().names.to_vec())
     }
 
-    /// The display list of everything rigid, grouped by body.
+    /// The display list of all shapes that move rigidly with a body, grouped by body.
     ///
     /// # Errors
     /// A call before the first `set`.
@@ -204,8 +204,8 @@ impl Simulator {
         Ok(change.map_err(one)?.into_js())
     }
 
-    /// The change after a dimension of the summary, by its field, is set to a value at an input: `{document, input}`,
-    /// with `input` only if it had to change. The motion is followed, so the assembly stays the same.
+    /// The change after a dimension, identified by its field in the summary, is set to a value at an input: `{document,
+    /// input}`, with `input` only if it had to change. The motion is followed, so the assembly stays the same.
     ///
     /// # Errors
     /// The reason why the value cannot be set, with the last possible value.
@@ -265,8 +265,8 @@ impl Simulator {
         self.charted(context, request, None)
     }
 
-    /// Draws the plots together with those of another simulator. Of each quantity that both plot,
-    /// the other's curve is thin and dashed.
+    /// Draws the plots together with those of another simulator. For quantities that both plot, the other's curves are
+    /// thin and dashed.
     ///
     /// # Errors
     /// Those of `chart`; a document of the other simulator that does not move.
@@ -319,7 +319,7 @@ impl Simulator {
         Ok(to_js(&self.moves()?.table(steps)))
     }
 
-    /// The same table; `compared` is the table of another linkage at the same inputs.
+    /// The table of `sweep`, in which `compared` is the table of another linkage at the same inputs.
     ///
     /// # Errors
     /// Either document is not a moving linkage.
