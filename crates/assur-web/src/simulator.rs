@@ -147,9 +147,9 @@ impl Simulator {
         Ok(change.map_err(one)?.into_js())
     }
 
-    /// Applies one edit, of the type `Edit`, to the open document in its pose at an input:
-    /// `{kind, document, point, link, held}`, with the parts added last. The result is a linkage
-    /// if it moves, otherwise a drawing.
+    /// Applies one edit, of the type `Edit`, to the open document in its pose at an input: `{kind, document, point,
+    /// link, held}`, with the point and the link that were added last. The result is a linkage if it moves, otherwise a
+    /// drawing.
     ///
     /// # Errors
     /// A document that cannot be edited as a drawing; the reason why the edit is impossible.

@@ -68,7 +68,7 @@ impl Mechanism {
         if angle < TAU { angle } else { 0.0 }
     }
 
-    /// The link whose angle numbers the assemblies by default: the link solved last.
+    /// The link whose angle numbers the assemblies by default: the link whose position is solved last.
     pub fn output(&self) -> Option<LinkId> {
         let bodies = self.steps().iter().flat_map(|step| step.bodies());
         bodies.filter_map(|body| self.link_of(body)).next_back()

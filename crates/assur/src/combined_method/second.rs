@@ -194,8 +194,8 @@ impl Second {
     }
 }
 
-/// Compares ψ′ and ψ″ by the corrected chain alone with their values in the pose, and lists the denominators of the
-/// chain. The chain has no result if a denominator is zero.
+/// Compares ψ′ and ψ″ from the corrected chain alone with their values in the pose. Lists the denominators of the
+/// chain, which has no result if one of them is zero.
 pub(super) fn chain(places: &Places, first: &First) -> Vec<Relation> {
     let mut chained = places.clone();
     let g = first.solved();

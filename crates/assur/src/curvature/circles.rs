@@ -78,7 +78,7 @@ impl Circles {
     pub fn centre_of_curvature(&self, of: Point) -> Option<Point> {
         let r = of - self.pole;
         let square = r.norm_squared();
-        // With r = PA: PW = r (r·D)/r², and AW = r (r·D − r²)/r².
+        // With r = PA and D the diameter: PW = r (r·D)/r², and AW = r (r·D − r²)/r².
         let beyond = square / (r.dot(&self.diameter) - square);
         let centre = of + r * beyond;
         centre.coords.norm_squared().is_finite().then_some(centre)
