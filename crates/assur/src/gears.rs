@@ -65,12 +65,12 @@ impl GearPair {
     /// Makes a pair from numbers entered by a person.
     ///
     /// `teeth` are the numbers of teeth of the driver (z₄) and of the driven wheel (z₅). `module` is in the unit of the
-    /// lengths. `centre_line` is the direction from the centre of the driver to the centre of the driven wheel,
-    /// radians.
+    /// lengths. `centre_line` is the direction from the driver's centre to the driven wheel's, in radians.
     ///
     /// # Errors
     /// Every reason at once: numbers of teeth that are not whole, positive and within [`TEETH`]; a module that is not
-    /// positive; values that are not finite; equal numbers of teeth in internal mesh. The driven wheel has the index 0.
+    /// positive; values that are not finite; equal numbers of teeth in internal mesh. The index 0 is the driven
+    /// wheel's.
     pub fn new(
         teeth: [f64; 2],
         mesh: Mesh,
@@ -123,8 +123,7 @@ impl GearPair {
         self.centre_line
     }
 
-    /// The signed transmission ratio dψ₅/dφ₃: −u in external mesh, +u in
-    /// internal mesh and as printed.
+    /// The signed transmission ratio dψ₅/dφ₃: −u in external mesh, +u in internal mesh and as printed.
     pub fn ratio(&self) -> f64 {
         let u = f64::from(self.driver) / f64::from(self.driven);
         match self.mesh {
@@ -164,7 +163,7 @@ impl GearPair {
         }
     }
 
-    /// The idler that gives the printed sign; None in a real pair.
+    /// The idler that gives the printed sign of the ratio; none for a real pair.
     pub fn idler(&self) -> Option<Wheel> {
         // The ratio does not depend on the teeth of the idler; a small idler keeps the drawing compact.
         let teeth = (self.driver.min(self.driven) / 2).max(12);

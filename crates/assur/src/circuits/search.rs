@@ -2,9 +2,9 @@
 //! Samples are added where a branch may have been missed.
 //!
 //! Completeness: between two neighbouring ends of branches, the number of assemblies is constant unless a branch was
-//! missed. On a missed branch, a conjugate pair of complex assemblies becomes real, and then complex again. Outside
-//! that branch, the squared distance of the pair goes to zero about linearly: its value and slope at a sample predict
-//! the input of the fold. The interval to the next sample is divided until the fold is found or the pair recedes.
+//! missed. At the ends of a missed branch, a conjugate pair of complex assemblies becomes real, and complex again.
+//! Outside the branch, their squared distance goes to zero about linearly: its value and slope at a sample predict the
+//! input of the fold. The interval to the next sample is divided until the fold is found or the pair recedes.
 
 use std::f64::consts::TAU;
 

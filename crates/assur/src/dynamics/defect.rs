@@ -59,15 +59,15 @@ pub enum Quantity {
     Friction(Body),
     /// Creep speed of a friction torque.
     Creep(Body),
-    /// Coefficient of the torque of a load that is proportional to the square of the speed.
+    /// Coefficient of a load's torque that is proportional to the square of the speed.
     Fan(Body),
     /// Maximum torque of a mesh.
     Peak(Mesh),
     /// Damping of a mesh.
     MeshDamping(Mesh),
-    /// Maximum torque of a drive over time.
+    /// Greatest torque of a drive whose torque is given over time.
     DriveTorque(Shaft),
-    /// Maximum given speed of a drive over time.
+    /// Greatest speed of a drive whose speed is given over time.
     DriveSpeed(Shaft),
     /// Ratio of the shaft's speed to the speed of another shaft.
     Ratio(Shaft),

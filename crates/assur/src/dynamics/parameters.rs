@@ -99,14 +99,14 @@ pub struct Load {
     /// Creep speed, rad/s. Friction is proportional to tanh(ω/creep), so a body held by friction still creeps. Used
     /// only if there is friction.
     pub creep: f64,
-    /// Coefficient of the torque of a fan, N·m·s²: against the motion and proportional to the square of the speed.
+    /// Coefficient of a fan's torque, N·m·s²: against the motion, and proportional to the square of the speed.
     pub fan: f64,
 }
 
-/// A magnetic mesh of one satellite.
+/// The magnetic mesh of a central wheel with one satellite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coupling {
-    /// T: maximum torque on the central wheel, N·m.
+    /// Maximum torque T on the central wheel, N·m.
     pub peak: f64,
     /// Damping by eddy currents: torque on the central wheel per slip speed, N·m·s.
     pub damping: f64,

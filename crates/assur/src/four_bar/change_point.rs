@@ -43,8 +43,8 @@ impl FourBar {
 mod tests {
     use super::*;
 
-    /// The links of a parallelogram are in line at 0 and at π. Links 1, 2, 3, 2 are in line only at 0, but the motion
-    /// takes two turns.
+    /// The links of a parallelogram are in line at 0 and at π. Links of lengths 1, 2, 3, 2 are in line only at 0, but
+    /// the motion takes two turns.
     #[test]
     fn in_line() {
         for (lengths, expected) in [

@@ -105,7 +105,7 @@ impl Course {
         Some(recording.at(recording.end()).reading())
     }
 
-    /// End of a time axis that begins at 0.
+    /// End of the time axis, which begins at 0.
     pub(crate) fn end(&self) -> f64 {
         self.recording.as_ref().map_or(self.span, Recording::end)
     }
@@ -218,7 +218,7 @@ impl Course {
         self.chart = Some(Chart::by_time(span, Kind::Angle, self.series(), samples));
     }
 
-    /// Start of the span that contains a time of an endless motion, and samples over that span.
+    /// For a motion without end: start of the span that contains a time, and samples over this span.
     fn around(&self, time: f64) -> (f64, Vec<(f64, Known)>) {
         let start = self.span * (on_axis(time) / self.span).floor();
         let known = (0..=SAMPLES).map(|step| {
