@@ -295,8 +295,7 @@ impl Moving {
         Some(pose.map(|pose| driven.dragged(&self.motion, &pose, input, to)))
     }
 
-    /// Left side, right side and residual of every constraint equation; with order 1 or 2, their
-    /// derivatives of this order.
+    /// Left side, right side and residual of every constraint equation or, for order 1 or 2, of its derivative.
     ///
     /// # Errors
     /// The reason why there is no pose, or why derivatives are unbounded.

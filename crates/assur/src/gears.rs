@@ -69,8 +69,7 @@ impl GearPair {
     ///
     /// # Errors
     /// Every reason at once: numbers of teeth that are not whole, positive and within [`TEETH`]; a module that is not
-    /// positive; values that are not finite; equal numbers of teeth in internal mesh. The index 0 is the driven
-    /// wheel's.
+    /// positive; values that are not finite; equal numbers of teeth in internal mesh. Index 0 means the driven wheel.
     pub fn new(
         teeth: [f64; 2],
         mesh: Mesh,
@@ -229,9 +228,8 @@ mod tests {
         GearPair::new([z4, z5], mesh, 0.02, line).unwrap()
     }
 
-    /// At the pitch point the middle of a tooth meets the middle of a gap, at every driver angle. Measured in pitches,
-    /// the sum (external mesh) or difference (internal mesh) of the phases of two wheels is a half, up to whole
-    /// pitches.
+    /// At the pitch point the middle of a tooth meets the middle of a gap, at every driver angle. In pitches, the sum
+    /// (external mesh) or difference (internal mesh) of the phases of two wheels is a whole number and a half.
     #[test]
     fn teeth_meet_gaps() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {

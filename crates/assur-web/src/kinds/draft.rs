@@ -18,7 +18,7 @@ use crate::summary::HandleSummary;
 /// A drawing, with advice on its motion.
 pub(crate) struct Drawing {
     document: LinkageDocument,
-    /// Why the drawing does not move; none if it could move.
+    /// The reasons why the drawing does not move; none if it could move.
     advice: Option<Advice>,
     sketch: Sketch,
 }

@@ -81,7 +81,7 @@ impl Capabilities for GearTrain {
     }
 }
 
-/// Default knots of a load, as fractions of the span: start of the rise, full load, start of the fall, end.
+/// Default times of a load, as fractions of the span: start of the rise, full load, start of the fall, end.
 const LOADED: [f64; 4] = [0.15, 0.5, 0.7, 0.75];
 
 impl Edited for GearTrain {

@@ -139,8 +139,7 @@ impl Table<'_> {
             } => {
                 let axes = bodies.map(|wheel| mechanism.shared_by([wheel, *carrier]));
                 if let [Some(first), Some(second)] = axes {
-                    // Relative to the carrier, wheels with z₁ and z₂ teeth have angular velocities in the ratio z₂ :
-                    // −z₁.
+                    // Relative to the carrier, wheels with z₁ and z₂ teeth turn at speeds in the ratio z₂ : −z₁.
                     let pitch = hinge(first) * teeth[1] + hinge(second) * teeth[0];
                     tell(*bodies, pitch);
                 }

@@ -9,7 +9,7 @@ use crate::tolerance;
 
 /// Tolerance of poses at a fold, relative to the linkage's size: ten times the root of the input's tolerance.
 const FOLD_TOLERANCE: f64 = 1e-2;
-/// Maximum offset, relative to the domain, from a branch's unmatched end to where the search for the other begins.
+/// Maximum offset, relative to the domain, from an unmatched end to where the search for the other branch begins.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
 /// The meetings of all branches.

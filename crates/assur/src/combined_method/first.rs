@@ -1,5 +1,4 @@
-//! The paper's chain of substitutions for the velocity analogues: the coefficients c and b, Cramer's rule for G, then
-//! the other points.
+//! The paper's substitutions for the velocity analogues: coefficients c and b, Cramer's rule for G, the other points.
 
 use super::places::Places;
 use crate::position::product;

@@ -30,8 +30,7 @@ pub struct CombinedMethod {
 }
 
 impl CombinedMethod {
-    /// Finds the paper's linkage in a mechanism; none if the mechanism has other links, or a driver other than the
-    /// crank AB.
+    /// Finds the paper's linkage in a mechanism; none if other links are present, or another driver than the crank AB.
     pub fn of(mechanism: &Mechanism) -> Option<Self> {
         let spec = mechanism.spec();
         let sorted = |names: &[String]| {

@@ -1,5 +1,4 @@
-//! The paper's chain of substitutions for the acceleration analogues: coefficients d, Cramer's rule, the other points,
-//! ψ″.
+//! The paper's substitutions for the acceleration analogues: coefficients d, Cramer's rule, the other points, ψ″.
 
 use super::first::First;
 use super::places::Places;

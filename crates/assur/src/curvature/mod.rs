@@ -35,8 +35,7 @@ pub struct Curvature {
     pub tangent: Vector,
     /// κ = 1/R, positive if the path bends to the left. Its unit is the inverse of the unit of length.
     pub curvature: f64,
-    /// dκ/ds along the path. Zero if the curvature is stationary: the circle of curvature then has four-point contact
-    /// with the path.
+    /// dκ/ds along the path. If it is zero (stationary curvature), the circle of curvature has four-point contact.
     pub rate: f64,
     /// The centre of curvature; none if the path is straight.
     pub centre: Option<Point>,

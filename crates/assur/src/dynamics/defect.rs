@@ -33,8 +33,7 @@ pub enum Defect {
         /// The shaft whose speed is multiplied.
         to: Shaft,
     },
-    /// The inertia of this body is too small for the torques on it. The body would oscillate or stop too fast for the
-    /// integration.
+    /// The inertia of this body is too small for the torques on it: its motion would be too fast to be integrated.
     TooStiff(Body),
 }
 
@@ -95,8 +94,7 @@ const ANGLE: f64 = 1e6;
 pub(super) struct Defects(pub(super) Vec<Defect>);
 
 impl Defects {
-    /// Finds all defects of single parameters, of the numbers of plates together, and of shafts driven at a multiple of
-    /// another shaft's speed.
+    /// Finds all defects of single parameters, of the numbers of plates together, and of speeds in a fixed ratio.
     pub(super) fn of(parameters: &Parameters) -> Self {
         let mut defects = Self::default();
         defects.plates(parameters);

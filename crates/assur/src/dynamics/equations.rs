@@ -87,8 +87,7 @@ impl Field {
         combination(self.turns, angles)
     }
 
-    /// Generalized torques on the phase: −∂U/∂δ from the field, and that of damping. Multiplied by nᵢ, they are the
-    /// torques on body i.
+    /// Generalized torques on the phase: −∂U/∂δ from the field, and damping. Times nᵢ, they are the torques on body i.
     pub(super) fn forces(&self, phase: f64, rate: f64) -> (f64, f64) {
         (-self.energy * phase.sin(), -self.damping * rate)
     }

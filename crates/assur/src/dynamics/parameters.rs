@@ -96,8 +96,7 @@ pub struct Load {
     pub constant: f64,
     /// Friction torque against the motion at any speed, as from a brush or a scraper, N·m.
     pub friction: f64,
-    /// Creep speed, rad/s. Friction is proportional to tanh(ω/creep), so a body held by friction still creeps. Used
-    /// only if there is friction.
+    /// Creep speed, rad/s: friction is proportional to tanh(ω/creep), so a held body creeps. Used only with friction.
     pub creep: f64,
     /// Coefficient of a fan's torque, N·m·s²: against the motion, and proportional to the square of the speed.
     pub fan: f64,

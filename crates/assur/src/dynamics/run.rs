@@ -222,8 +222,7 @@ impl State {
         Some(())
     }
 
-    /// Advances over an interval of time in equal steps. Their number depends on the state at the start of the
-    /// interval.
+    /// Advances over an interval of time in equal steps, whose number depends on the state at its start.
     fn span(&mut self, equations: &Equations, from: f64, to: f64) -> Option<()> {
         let tick = TICK * equations.rate(&self.angles, &self.speeds);
         if tick.is_nan() || tick > QUICKEST {

@@ -99,8 +99,7 @@ impl Cycle {
         self.period
     }
 
-    /// The arcs on which the loop closes: first and last input of each, in ascending order. The ends belong to the
-    /// arcs.
+    /// The arcs on which the loop closes, in ascending order: first and last input of each, both included.
     pub fn arcs(&self) -> &[[f64; 2]] {
         &self.arcs
     }
@@ -126,7 +125,7 @@ impl Cycle {
         0.5 * (self.arcs[0][0] + self.arcs[0][1])
     }
 
-    /// Shifts `crank` by whole periods into the interval [`Self::axis`] or, if it is longer, into its first period.
+    /// Shifts a `crank` outside the interval [`Self::axis`] by whole periods into the first period of the interval.
     pub fn wrap(&self, crank: f64) -> f64 {
         let [start, end] = self.axis();
         match self.period {

@@ -1,5 +1,4 @@
-//! The four-bar: its loop closure (for analysis, Freudenstein's equation), which [`FourBar::pose`] solves in closed
-//! form.
+//! The four-bar: its loop closure (in analysis, Freudenstein's equation), solved in closed form by [`FourBar::pose`].
 //!
 //! The joints A = (0, 0) and D = (l₄, 0) are on the frame. The crank AB, of length l₁, is at the angle φ₁ from +x, the
 //! coupler BC (l₂) at φ₂, the rocker DC (l₃) at φ₃. The diagonal BD = l₅ divides the loop into two triangles.

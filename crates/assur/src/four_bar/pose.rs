@@ -298,8 +298,7 @@ impl FourBar {
         }
     }
 
-    /// Sign of the area of BCD for this assembly at this crank angle: +1 with C to the left of BD, −1 to the right, 0
-    /// in line.
+    /// Sign of the area of BCD for this assembly at this crank angle: +1 with C to the left of BD, −1 to the right.
     pub(crate) fn side(&self, assembly: Assembly, crank: f64) -> f64 {
         let (sin, cos) = (0.5 * crank).sin_cos();
         let sign = |half: f64, changes: bool| if changes { half.signum() } else { 1.0 };

@@ -140,8 +140,7 @@ impl From<Condition> for ConditionSummary {
     }
 }
 
-/// The angles of all links in each position. The coupler's angle is that of the document or, if none is given, that of
-/// the drawn linkage.
+/// The angles of all links in each position; for the coupler, that of the drawn linkage if the document gives none.
 pub(super) fn angles(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Vec<Angles> {
     let positions = task.positions().iter().zip(&document.positions);
     let all = positions.zip(&shown.closures);
