@@ -31,7 +31,7 @@ pub(crate) struct SweepDimension {
     value: f64,
 }
 
-/// A quantity of a link or a point, or its derivative of an order with respect to the input.
+/// A quantity of a link or a point, or one of its derivatives with respect to the input.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepColumn {

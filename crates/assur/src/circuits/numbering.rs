@@ -91,7 +91,7 @@ impl Motion {
         self.numbered(found, input, output)
     }
 
-    /// Draws the linkage in the assembly with a given number, from 0, at an input.
+    /// Draws the linkage at an input in the assembly with a given number, counted from 0.
     ///
     /// # Errors
     /// No assembly has this number.

@@ -16,8 +16,8 @@ pub struct ChangePoint {
 }
 
 impl FourBar {
-    /// The change points within the axis of the [cycle](FourBar::cycle), except φ₁ = 0 for a deltoid, where the pose is
-    /// undetermined.
+    /// The change points in the interval `axis` of the [cycle](FourBar::cycle), except φ₁ = 0 for a deltoid, where the
+    /// pose is undetermined.
     pub fn change_points(&self) -> Vec<ChangePoint> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();

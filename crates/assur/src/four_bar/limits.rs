@@ -16,7 +16,7 @@ use super::{Assembly, FourBar};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
-    /// Crank angle φ₁ within the axis of the cycle.
+    /// Crank angle φ₁, within the interval `axis` of the cycle.
     pub crank: f64,
     /// Rocker angle φ₃ at this crank angle.
     pub rocker: f64,
