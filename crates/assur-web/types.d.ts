@@ -96,7 +96,7 @@ only: Only,
 around: number, };
 export type CircleHere = { point: string, 
 /**
- * The radius and its first two derivatives, with respect to the same variable as on the axes.
+ * Radius with its first two derivatives, with respect to the variable chosen for the axes: input or time.
  */
 radius: [number, number, number] | null, centre: [number, number] | null, reason: import("assur/core/problem.js").Problem | null, };
 export type ClassSummary = { freedoms: number, count: number, };
@@ -110,7 +110,7 @@ number: number,
  */
 about: string | null, 
 /**
- * The two numbers whose signs are compared; null if they divide by zero.
+ * The two numbers whose signs are compared; null if a denominator is zero.
  */
 values: [number | null, number | null], 
 /**
@@ -174,7 +174,7 @@ export type DeadPointSummary = { input: number, kind: string, links: Array<strin
 export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
 export type DraftSummary = { 
 /**
- * Always null.
+ * Always null: a drawing has no motion.
  */
 moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
 /**
@@ -226,7 +226,7 @@ export type FunctionSummary = {
  */
 curve: Array<[number, number | null]>, 
 /**
- * x and the error where the error is greatest; none if the linkage reaches no part of the interval.
+ * Value of x with the greatest error, and this error; none if the linkage reaches no part of the interval.
  */
 greatest: [number, number] | null, 
 /**
@@ -251,7 +251,7 @@ builds: boolean,
  */
 suggestions: Array<SuggestionSummary>, 
 /**
- * Number of satellite teeth, z₂, with which gears of these z₁ (sun) and z₄ (ring) are in contact, if there is one.
+ * Number of satellite teeth z₂ for which gears with these z₁ (sun) and z₄ (ring) mesh, if there is such a number.
  */
 in_contact: number | null, mobility: MobilitySummary, 
 /**
@@ -259,11 +259,11 @@ in_contact: number | null, mobility: MobilitySummary,
  */
 gaps: [number, number] | null, axis_distance: number, 
 /**
- * Velocities at the final speeds: distances in mm, velocities in mm/s.
+ * Velocities of points at the final speeds of the shafts; distances in mm, velocities in mm/s.
  */
 velocities: VelocitySummary | null, 
 /**
- * External torques without losses, relative to the sun's.
+ * External torques on the shafts without losses, as multiples of the torque on the sun.
  */
 torques: ShaftNumbers, 
 /**
@@ -339,7 +339,7 @@ instantaneous: boolean, };
 export type LeftOutSummary = { values: [number, number], holds: boolean, };
 export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
 /**
- * Whether the length is known before the point is found.
+ * Whether the length of the vector is known before the point is found.
  */
 known: boolean, };
 export type LimitSummary = { input: number, value: number, };
@@ -424,7 +424,7 @@ ratios: Array<number>,
  */
 overlaps: Array<[number, number]>, 
 /**
- * Direction from wheel 4 in which there is most room.
+ * Direction from wheel 4 in which another wheel has the most room, radians.
  */
 free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /**
@@ -550,12 +550,12 @@ bounds: [number, number, number, number],
  */
 bar: number, 
 /**
- * Factor by which this picture's scale is smaller than the usual scale of the motion; 1 if the polygon fits.
+ * Usual scale of the motion divided by the scale of this picture; 1 if the polygon fits at the usual scale.
  */
 smaller: number, };
 export type PolygonStepHere = { 
 /**
- * Kind of step: the pole, a vector equation, points by the image of their link, points of a group that is no dyad.
+ * Kind of step: pole, vector equation, points by the image of their link, points of a group that is not a dyad.
  */
 kind: "pole" | "equation" | "image" | "group", 
 /**
@@ -637,7 +637,7 @@ count: boolean, value: number,
 printed: number | null, };
 export type SchemeSummary = { 
 /**
- * Always null.
+ * Always null: a scheme has no motion.
  */
 moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, planar: boolean, 
 /**
@@ -665,12 +665,12 @@ apart: Array<string>,
  */
 automatic: Array<string>, plane: JudgedSummary | null, space: JudgedSummary | null, 
 /**
- * The first pair with too few data for the rank.
+ * The first pair that lacks data needed for the rank.
  */
 missing: string | null, mended: MendedSummary | null, };
 export type SectionsSummary = { cuts: Array<string>, 
 /**
- * Numbers of remaining pairs with i freedoms.
+ * Numbers Pᵢ of remaining pairs with i freedoms.
  */
 left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
 export type SeriesLayout = { name: string, 
@@ -725,7 +725,7 @@ export type SweepColumn = {
  */
 name: string, 
 /**
- * The quantity in parts; none if the name is sufficient.
+ * Kind, subject and order of the quantity; none if the name is sufficient.
  */
 quantity: SweepQuantity | null, };
 export type SweepDimension = { kind: "length" | "x" | "y", 
@@ -750,7 +750,7 @@ export type SynthesisSummary = {
  */
 from: "family" | "exact" | "found" | "trial", 
 /**
- * The numbered solutions, in the order of their numbers.
+ * The numbered solutions, in numerical order.
  */
 solutions: Array<SolutionSummary>, 
 /**
@@ -758,7 +758,7 @@ solutions: Array<SolutionSummary>,
  */
 shown: Array<number>, 
 /**
- * Whether the output's angles were probably given for the opposite direction, turned through 180°.
+ * Whether the output's angles were probably given in the direction from D to C, and so are off by 180°.
  */
 turned: boolean, 
 /**
@@ -862,7 +862,7 @@ coupler: number,
  */
 error: number, 
 /**
- * Terms of the main equation: left side, Z, e₀·e₂/z₃, e₀·e₃/z₂. Links have unit vectors eᵢ and zᵢ = lᵢ/l₀.
+ * Terms of the main equation: e₂·e₃, Z, e₀·e₂/z₃, e₀·e₃/z₂, with eᵢ the unit vectors of the links and zᵢ = lᵢ/l₀.
  */
 equation: [number, number, number, number], 
 /**
@@ -870,7 +870,7 @@ equation: [number, number, number, number],
  */
 at: number, 
 /**
- * Gap of the contour if the coupler has this angle.
+ * Gap of the contour at the coupler angle `at`.
  */
 open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
 /**
@@ -878,12 +878,12 @@ open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummar
  */
 pair: LeftOutSummary | null, 
 /**
- * Ranges of l₁ for which l₂ and for which l₃ is positive. A null range is empty; a null maximum means no limit.
- * Null altogether if condition (13) fails.
+ * Ranges of l₁ for which l₂ is positive, and for which l₃ is; null if condition (13) fails. A null range is empty;
+ * a null maximum means no limit.
  */
 ranges: [[number, number | null] | null, [number, number | null] | null] | null, 
 /**
- * Range of l₁ for which all lengths are positive; null if it is empty. A null maximum means no limit; equal ends a single l₁.
+ * Range of l₁ for which all lengths are positive, null if empty; its ends are equal if only one l₁ is possible.
  */
 interval: [number, number | null] | null, };
 export type WeightedSummary = { 

@@ -20,7 +20,7 @@ pub(crate) struct CurvatureHere<'a> {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CircleHere<'a> {
     point: &'a str,
-    /// The radius and its first two derivatives, with respect to the same variable as on the axes.
+    /// Radius with its first two derivatives, with respect to the variable chosen for the axes: input or time.
     radius: Option<[f64; 3]>,
     centre: Option<[f64; 2]>,
     #[cfg_attr(test, ts(type = "import(\"assur/core/problem.js\").Problem | null"))]

@@ -12,7 +12,7 @@ use crate::convert::{read, thrown, to_js};
 use crate::kinds::Redrawn;
 use crate::profile::band;
 
-/// Requirements on the first plotted output. The band of its dwell is in the document.
+/// Requirements on the first plotted output. The document gives the width of the band within which it dwells.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Wishes {
@@ -23,7 +23,7 @@ pub(crate) struct Wishes {
     movable: Vec<Movement>,
 }
 
-/// A dimension that may change, by its field; `by` is the greatest change either way, as a fraction of the value.
+/// A dimension that may change, named by its field. `by` is its greatest change either way, as a fraction of its value.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Movement {
@@ -66,8 +66,8 @@ pub(crate) struct ReachedSummary {
 
 #[wasm_bindgen]
 impl Design {
-    /// Starts a search from the linkage of a state. `wishes` is `{arc, stroke, movable: [{field, by}]}`; `by` is a
-    /// fraction of the dimension with that field.
+    /// Starts a search from the linkage of a state. `wishes` is `{arc, stroke, movable: [{field, by}]}`; `by` is the
+    /// greatest change of the dimension, as a fraction of its value.
     ///
     /// # Errors
     /// Every problem of the state; if it has none, the first problem of the wishes.
@@ -83,10 +83,9 @@ impl Design {
         Self::of(&state, &wishes).map_err(thrown)
     }
 
-    /// Evaluates the next mechanism: `{judged, accepted, before, reached: {arc, stroke, residual,
-    /// singularity_margin}, end, document}`. `reached` describes the best mechanism so far;
-    /// `before` is the residual at the start. `end` is `fulfilled`, `settled` or null. `document`
-    /// has the changed fields, if the mechanism was accepted.
+    /// Evaluates the next mechanism: `{judged, accepted, before, reached: {arc, stroke, residual, singularity_margin},
+    /// end, document}`. `before` is the residual at the start; `reached` describes the best mechanism so far. `end` is
+    /// `fulfilled`, `settled` or null. `document` has the changed fields, if the mechanism was accepted.
     pub fn step(&mut self) -> JsValue {
         let Progress {
             judged,
@@ -150,7 +149,7 @@ impl Design {
         })
     }
 
-    /// Fields of the document that change with the best linkage so far.
+    /// Fields of the document that change if the best linkage so far replaces the original.
     fn redrawn(&self) -> Redrawn {
         Redrawn::of(self.search.mechanism().spec())
     }

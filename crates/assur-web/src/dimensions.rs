@@ -30,10 +30,10 @@ pub(crate) struct DimensionSummary<'a> {
     step: f64,
 }
 
-/// Minimum number of steps over the range of a slider; a step is a power of ten.
+/// Minimum number of steps over the range of a slider on the page; a step is a power of ten.
 const STEPS: f64 = 200.0;
 
-/// Step of a slider over a range, and the range with both ends rounded to whole steps.
+/// Rounds both ends of a range to whole steps of the page's slider. Returns the range and the step.
 fn stepped(range: [f64; 2]) -> ([f64; 2], f64) {
     let digits = ((range[1] - range[0]) / STEPS).log10().floor() as i32;
     // Division by a whole power of ten gives the number closest to the decimal.

@@ -7,12 +7,12 @@ use assur::mechanism::{Mechanism, PointId, Pose};
 use assur::motion::Motion;
 use assur_file::LinkageDocument;
 
-/// The handle of the driver: the point whose drag moves the input.
+/// The handle of the driver: the point that is dragged to change the input.
 #[derive(Clone, Copy)]
 pub(crate) enum Driven {
     /// The end of a crank that turns about its pivot.
     Crank { pivot: PointId, end: PointId },
-    /// A point that slides along a line, from its first point towards its second.
+    /// A point that slides on a line, which is directed from its first point to its second.
     Slide { line: [PointId; 2], end: PointId },
 }
 
@@ -24,7 +24,7 @@ impl Driven {
         }
     }
 
-    /// The input that brings the dragged point nearest to a place, starting from a pose.
+    /// The input that brings the dragged point nearest to a target position, starting from a pose.
     pub(crate) fn dragged(self, motion: &Motion, pose: &Pose<1>, input: f64, to: Point) -> f64 {
         let at = |point: PointId| motion.mechanism().place(pose, point).place();
         match self {
@@ -47,7 +47,7 @@ impl Driven {
         }
     }
 
-    /// The handle of a document's only driver; none for a crank on a moving link.
+    /// The handle of the driver, if the document has one driver and it is not a crank on a moving link.
     pub(crate) fn of(document: &LinkageDocument, mechanism: &Mechanism) -> Option<Self> {
         let [driver] = &document.drivers[..] else {
             return None;

@@ -3,8 +3,8 @@
 use assur::mechanism::{Constraint, ConstraintKind, FRAME, LinkOrFrame, Mechanism, PointId, Pose};
 use serde::Serialize;
 
-/// Subject of a constraint equation. `points` are P and Q; for an offset, the sliding point S comes before P and Q,
-/// which define its line. `on` and `carrier` are the bodies relative to which links turn.
+/// Subject of a constraint equation. The `points` of an offset are the sliding point and two points of its line. `on`
+/// and `carrier` are the bodies relative to which links turn.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]
@@ -62,7 +62,7 @@ impl<'a> EquationSummary<'a> {
     }
 }
 
-/// Left side, right side and residual of each equation in turn.
+/// Left side, right side and residual of every equation, in the order of the equations.
 pub(crate) fn sides<const N: usize>(
     mechanism: &Mechanism,
     pose: &Pose<N>,

@@ -2,7 +2,7 @@
 
 use assur::Point;
 
-/// Everything at an input, as [`crate::Simulator::at`] returns it.
+/// All values at an input, as [`crate::Simulator::at`] returns them.
 #[derive(Default)]
 pub(crate) struct Here {
     pub(crate) frame: Vec<f32>,
@@ -12,7 +12,7 @@ pub(crate) struct Here {
 }
 
 impl Here {
-    /// The frame and the positions of the handles of a document that never moves.
+    /// Makes the values for a document that never moves: an animation frame and the positions of the handles.
     pub(crate) fn still(frame: Vec<f32>, handles: impl Iterator<Item = Point>) -> Self {
         Self {
             frame,

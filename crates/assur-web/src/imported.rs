@@ -7,8 +7,8 @@ use wasm_bindgen::prelude::*;
 
 use crate::convert::to_js;
 
-/// Result of an import. The document is a field of its own: `flatten` would compile the code for
-/// every kind of document once more.
+/// Result of an import. The document is a field of its own, because with serde's `flatten` the code for every kind of
+/// document would be compiled a second time.
 #[derive(Serialize)]
 struct Read {
     read: Document,
@@ -21,8 +21,8 @@ pub fn is_import(text: &str) -> bool {
     assur_import::recognised(text)
 }
 
-/// Reads a PMKS+ link or a Linkage file: `{read: {kind, document}, left_out}`. `left_out` lists
-/// codes of what could not be imported unchanged. The document may be unable to move.
+/// Reads a PMKS+ link or a Linkage file: `{read: {kind, document}, left_out}`. `left_out` lists codes of features that
+/// could not be imported unchanged. The document may be unable to move.
 ///
 /// # Errors
 /// The part that cannot be read.

@@ -18,7 +18,7 @@ use crate::pair::Pair;
 
 mod reading;
 
-/// Expresses the reason why an input has no pose, or no derivatives, as a problem.
+/// Turns the reason why an input has no pose, or no derivatives, into a problem.
 pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
 
 /// A linkage in motion with its drawing.
@@ -148,7 +148,7 @@ impl Moving {
         self
     }
 
-    /// Replaces the handles of points, which can then not be traced, by these handles. The driver keeps its handle.
+    /// Replaces the handles of points, except the driver's, by these handles. Points can then not be traced.
     pub(crate) fn held_by(mut self, handles: impl Iterator<Item = Handle>) -> Self {
         let driven = (self.driven).map(|driven| HandlePlace::Point(driven.end()));
         self.handles.retain(|handle| Some(handle.at) == driven);
@@ -257,8 +257,8 @@ impl Moving {
         &self.handles
     }
 
-    /// The document redrawn in the pose at an input. At the drawn input it is unchanged, unless a
-    /// link has a length or shape of its own.
+    /// The document redrawn in the pose at an input. At the drawn input it is unchanged, unless a link has a length or
+    /// shape other than it is drawn with.
     pub(crate) fn drawn(&self, input: f64) -> Result<LinkageDocument, Problem> {
         let own = |link: &LinkDocument| link.length.is_some() || link.shape.is_some();
         let document = &self.document;
@@ -278,12 +278,12 @@ impl Moving {
         pose.map_err(|unsolved| self.problem(&unsolved))
     }
 
-    /// Expresses a missing pose, or missing derivatives, as a problem of the document.
+    /// Turns a missing pose, or missing derivatives, into a problem of the document.
     pub(crate) fn problem(&self, unsolved: &Unsolved) -> Problem {
         (self.explain)(self.mechanism(), unsolved)
     }
 
-    /// The input after a point is dragged to a place; none if the point is not the driver's handle.
+    /// The input after a point is dragged towards a target position; none if the point is not the driver's handle.
     pub(crate) fn driven_to(
         &self,
         point: PointId,
@@ -295,13 +295,12 @@ impl Moving {
         Some(pose.map(|pose| driven.dragged(&self.motion, &pose, input, to)))
     }
 
-    /// Left side, right side and residual of every constraint equation; with order 1 or 2, their
-    /// derivatives of this order.
+    /// Left side, right side and residual of every constraint equation or, for order 1 or 2, of its derivative.
     ///
     /// # Errors
     /// The reason why there is no pose, or why derivatives are unbounded.
     pub(crate) fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, Problem> {
-        // Order 0 needs no derivatives, so it works at a dead point.
+        // Order 0 needs no derivatives, and so works at a dead point.
         if order == 0 {
             return Ok(sides(self.mechanism(), &self.pose(input)?, 0));
         }
@@ -324,7 +323,7 @@ fn overlays(view: &View) -> Overlays {
     }
 }
 
-/// Lines for lecturers in a view.
+/// Lines that a view shows in lectures: instant centres, centrodes, curvature.
 fn lines(view: &View, mechanism: &Mechanism) -> Lines {
     Lines {
         centres: view.instant_centres,

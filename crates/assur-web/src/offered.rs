@@ -46,7 +46,7 @@ pub fn role_names() -> Vec<String> {
     ROLES.map(str::to_owned).to_vec()
 }
 
-/// Positions on the function of the synthesis in a state: with Chebyshev spacing or, if `even`, at equal steps.
+/// Positions on the wanted function of a state's synthesis: with Chebyshev spacing or, if `even`, at equal steps.
 ///
 /// # Errors
 /// The problems of the function, or a state without one.

@@ -31,7 +31,7 @@ pub(crate) struct PolygonPictureHere {
     bounds: [f64; 4],
     /// Length of the scale bar.
     bar: f64,
-    /// Factor by which this picture's scale is smaller than the usual scale of the motion; 1 if the polygon fits.
+    /// Usual scale of the motion divided by the scale of this picture; 1 if the polygon fits at the usual scale.
     smaller: f64,
 }
 
@@ -39,7 +39,7 @@ pub(crate) struct PolygonPictureHere {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub(crate) struct PolygonStepHere {
-    /// Kind of step: the pole, a vector equation, points by the image of their link, points of a group that is no dyad.
+    /// Kind of step: pole, vector equation, points by the image of their link, points of a group that is not a dyad.
     #[cfg_attr(test, ts(type = "\"pole\" | \"equation\" | \"image\" | \"group\""))]
     kind: &'static str,
     /// The unknown point of the equation.
@@ -65,7 +65,7 @@ pub(crate) struct LegHere {
     )]
     kind: &'static str,
     length: f64,
-    /// Whether the length is known before the point is found.
+    /// Whether the length of the vector is known before the point is found.
     known: bool,
 }
 

@@ -37,8 +37,7 @@ pub(crate) struct PhaseSummary {
     arc: [f64; 2],
 }
 
-/// The width of a band in the unit of the page, and in the unit of the engine. Without a given
-/// width, the default is used.
+/// The width of a band in the units of the page and of the engine; without a given width, the default.
 pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>) -> (f64, f64) {
     if quantity.is_angle() {
         let width = width.unwrap_or(BAND);
@@ -52,8 +51,7 @@ pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>
 }
 
 impl ProfileSummary {
-    /// Summarises the profile of a quantity. The width of the band for dwells is in degrees, or in
-    /// the unit of the lengths.
+    /// Summarises the profile of a quantity. The dwell band's width is in degrees, or in the unit of the lengths.
     pub(crate) fn new(
         mechanism: &Mechanism,
         quantity: Quantity,

@@ -71,7 +71,7 @@ impl Simulator {
         Ok(self.document()?.rigid().names.to_vec())
     }
 
-    /// The display list of everything rigid, grouped by body.
+    /// The display list of all shapes that move rigidly with a body, grouped by body.
     ///
     /// # Errors
     /// A call before the first `set`.
@@ -147,9 +147,8 @@ impl Simulator {
         Ok(change.map_err(one)?.into_js())
     }
 
-    /// Applies one edit, of the type `Edit`, to the open document in its pose at an input:
-    /// `{kind, document, point, link, held}`, with the parts added last. The result is a linkage
-    /// if it moves, otherwise a drawing.
+    /// Applies an `Edit` to the open document in its pose at an input: `{kind, document, point, link, held}`, with the
+    /// point and the link added last. The result is a linkage if it moves, otherwise a drawing.
     ///
     /// # Errors
     /// A document that cannot be edited as a drawing; the reason why the edit is impossible.
@@ -158,8 +157,7 @@ impl Simulator {
         draft::edit(self.document()?, &edit, input).map_err(thrown)
     }
 
-    /// Copies links and points of the open document, in its pose at an input, to a separate linkage
-    /// for the edit `paste`.
+    /// Copies links and points of the open document, in its pose at an input, to a linkage for the edit `paste`.
     ///
     /// # Errors
     /// A document that cannot be edited as a drawing.
@@ -204,8 +202,8 @@ impl Simulator {
         Ok(change.map_err(one)?.into_js())
     }
 
-    /// The change after a dimension of the summary, by its field, is set to a value at an input: `{document, input}`,
-    /// with `input` only if it had to change. The motion is followed, so the assembly stays the same.
+    /// The change after a dimension, identified by its field, is set to a value at an input: `{document, input}`, with
+    /// `input` only if it had to change. The motion is followed, so the assembly stays the same.
     ///
     /// # Errors
     /// The reason why the value cannot be set, with the last possible value.
@@ -233,8 +231,7 @@ impl Simulator {
         Ok(to_js(&here.ok_or_else(|| one(unknown("assembly")))?))
     }
 
-    /// The change after an assembly is chosen by its number at an input: `{document}` with the
-    /// changed fields, or nothing.
+    /// The change after an assembly is chosen by its number at an input: `{document}` with changed fields, or nothing.
     ///
     /// # Errors
     /// No such assembly.
@@ -265,8 +262,7 @@ impl Simulator {
         self.charted(context, request, None)
     }
 
-    /// Draws the plots together with those of another simulator. Of each quantity that both plot,
-    /// the other's curve is thin and dashed.
+    /// Draws the plots with another simulator's. Of quantities that both plot, the other's curves are thin and dashed.
     ///
     /// # Errors
     /// Those of `chart`; a document of the other simulator that does not move.
@@ -319,7 +315,7 @@ impl Simulator {
         Ok(to_js(&self.moves()?.table(steps)))
     }
 
-    /// The same table; `compared` is the table of another linkage at the same inputs.
+    /// The table of `sweep`, in which `compared` is the table of another linkage at the same inputs.
     ///
     /// # Errors
     /// Either document is not a moving linkage.

@@ -82,8 +82,7 @@ pub(crate) struct MotionSummary<'a> {
     profile: Option<ProfileSummary>,
 }
 
-/// Numbers of moving links, lower pairs and higher pairs; degrees of freedom by rank and by count. A hinge of k links
-/// counts as k − 1 pairs.
+/// Numbers of moving links, lower and higher pairs; mobility by rank and by count. A hinge of k links is k − 1 pairs.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CountsSummary {
@@ -149,8 +148,8 @@ pub(crate) struct TransmissionSummary<'a> {
     input: Option<f64>,
 }
 
-/// Profile of an output over the motion. For each arc, `swing` is null if the output keeps rotating; `turns` is the
-/// total travel per cycle, there and back, in turns. If not `searched`, only the name is set.
+/// Profile of an output over the motion. `swing` and `turns` have a value for each arc: `swing` is null if the output
+/// keeps rotating; `turns` is the travel there and back. If not `searched`, only the name is set.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct OutputSummary {
@@ -279,7 +278,7 @@ impl<'a> MotionSummary<'a> {
             pressed: false,
         });
         let plotted = moving.plotted().iter();
-        // The first plotted quantity is usually an output; its motion is then searched only once.
+        // The first plotted quantity is usually an output, so its motion is not searched again for the outputs.
         let outputs = moving.outputs();
         let profiles = outputs.iter().map(|one| {
             let name = one.name(mechanism, 0);

@@ -31,13 +31,13 @@ pub(crate) struct SweepDimension {
     value: f64,
 }
 
-/// A quantity of a link or a point, or its derivative of an order with respect to the input.
+/// A quantity of a link or a point, or one of its derivatives with respect to the input.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SweepColumn {
     /// Name of the column, as in all tables: `rocker.dangle`.
     name: String,
-    /// The quantity in parts; none if the name is sufficient.
+    /// Kind, subject and order of the quantity; none if the name is sufficient.
     quantity: Option<SweepQuantity>,
 }
 
@@ -66,13 +66,13 @@ pub(crate) struct SweepRow {
 }
 
 impl SweepTable {
-    /// Tabulates the motion, with this many steps per turn of the crank or per range of a driven slide, and where it
-    /// turns back.
+    /// Tabulates the motion at this many steps per turn of a crank, or over the range of a driven slide, and at the
+    /// inputs where the motion turns back.
     pub(crate) fn of(moving: &Moving, steps: u32) -> Self {
         Self::at(moving, &places(moving, steps))
     }
 
-    /// The same table, with a table of another mechanism at the same inputs.
+    /// Tabulates the motion as [`Self::of`] does, with a table of another mechanism at the same inputs.
     pub(crate) fn beside(moving: &Moving, steps: u32, other: &Moving) -> Self {
         let places = places(moving, steps);
         Self {

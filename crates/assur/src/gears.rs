@@ -65,12 +65,11 @@ impl GearPair {
     /// Makes a pair from numbers entered by a person.
     ///
     /// `teeth` are the numbers of teeth of the driver (z₄) and of the driven wheel (z₅). `module` is in the unit of the
-    /// lengths. `centre_line` is the direction from the centre of the driver to the centre of the driven wheel,
-    /// radians.
+    /// lengths. `centre_line` is the direction from the driver's centre to the driven wheel's, in radians.
     ///
     /// # Errors
     /// Every reason at once: numbers of teeth that are not whole, positive and within [`TEETH`]; a module that is not
-    /// positive; values that are not finite; equal numbers of teeth in internal mesh. The driven wheel has the index 0.
+    /// positive; values that are not finite; equal numbers of teeth in internal mesh. Index 0 means the driven wheel.
     pub fn new(
         teeth: [f64; 2],
         mesh: Mesh,
@@ -123,8 +122,7 @@ impl GearPair {
         self.centre_line
     }
 
-    /// The signed transmission ratio dψ₅/dφ₃: −u in external mesh, +u in
-    /// internal mesh and as printed.
+    /// The signed transmission ratio dψ₅/dφ₃: −u in external mesh, +u in internal mesh and as printed.
     pub fn ratio(&self) -> f64 {
         let u = f64::from(self.driver) / f64::from(self.driven);
         match self.mesh {
@@ -164,7 +162,7 @@ impl GearPair {
         }
     }
 
-    /// The idler that gives the printed sign; None in a real pair.
+    /// The idler that gives the printed sign of the ratio; none for a real pair.
     pub fn idler(&self) -> Option<Wheel> {
         // The ratio does not depend on the teeth of the idler; a small idler keeps the drawing compact.
         let teeth = (self.driver.min(self.driven) / 2).max(12);
@@ -230,9 +228,8 @@ mod tests {
         GearPair::new([z4, z5], mesh, 0.02, line).unwrap()
     }
 
-    /// At the pitch point the middle of a tooth meets the middle of a gap, at every driver angle. Measured in pitches,
-    /// the sum (external mesh) or difference (internal mesh) of the phases of two wheels is a half, up to whole
-    /// pitches.
+    /// At the pitch point the middle of a tooth meets the middle of a gap, at every driver angle. In pitches, the sum
+    /// (external mesh) or difference (internal mesh) of the phases of two wheels is a whole number and a half.
     #[test]
     fn teeth_meet_gaps() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {

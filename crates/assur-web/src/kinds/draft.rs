@@ -27,7 +27,7 @@ pub(crate) struct Drawing {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DraftSummary<'a> {
-    /// Always null.
+    /// Always null: a drawing has no motion.
     #[cfg_attr(test, ts(type = "null"))]
     moves: Option<&'static str>,
     bounds: [f64; 4],
@@ -58,7 +58,7 @@ struct Drawn {
     point: Option<String>,
     /// The link that was added last.
     link: Option<String>,
-    /// Whether locks stopped the edit short of its target.
+    /// Whether locked lengths or angles kept the edit from reaching its target.
     held: bool,
 }
 
@@ -177,7 +177,7 @@ pub(crate) fn edit(
     }))
 }
 
-/// Makes a separate drawing of links and points of the open document, in its pose at an input.
+/// Copies the given links and points of the open document, in its pose at an input, to a separate drawing.
 ///
 /// # Errors
 /// A document that cannot be edited as a drawing.

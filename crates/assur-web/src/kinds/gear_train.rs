@@ -81,11 +81,11 @@ impl Capabilities for GearTrain {
     }
 }
 
-/// Default times of a load, as fractions of the span: it begins, is full, begins to fall, is gone.
+/// Default times of a load, as fractions of the span: start of the rise, full load, start of the fall, end.
 const LOADED: [f64; 4] = [0.15, 0.5, 0.7, 0.75];
 
 impl Edited for GearTrain {
-    /// The greatest torque of the load is the only dimension. A new value keeps the times of the load.
+    /// Sets the greatest torque of the load, the only dimension of a train. The times of the load stay the same.
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         if field != "load" {
             return Err(vec![unknown(field)]);
@@ -110,7 +110,7 @@ impl Edited for GearTrain {
                 .map(|[time, torque]| [*time, torque * (value / most)])
                 .collect()
         } else {
-            // A load that was set to zero keeps its times.
+            // A load that was set to zero has kept its times.
             let times: Vec<f64> = self.document.load.iter().map(|[time, _]| *time).collect();
             let times = <[f64; 4]>::try_from(times);
             let [from, full, until, off] =

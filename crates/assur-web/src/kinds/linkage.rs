@@ -23,7 +23,7 @@ use crate::summary::MotionSummary;
 /// A linkage with its drawing.
 pub(crate) struct Linkage {
     moving: Moving,
-    /// The linkage in terms of the paper on the combined method, if it is the paper's mechanism, with any lengths.
+    /// The linkage in the notation of the paper on the combined method; none if it is another mechanism.
     of_paper: Option<CombinedMethod>,
 }
 
@@ -188,7 +188,7 @@ impl Edited for Linkage {
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
         let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
-        // Among equivalent values of an angle, the nearest is set, and reported in a refusal.
+        // Of all values that give the same angle, the one nearest to the present value is set, or named in a refusal.
         let value = mechanism.nearest(dimension, of_field(dimension, value));
         let changed = self.moving.motion().changed(dimension, value, input);
         let changed = changed

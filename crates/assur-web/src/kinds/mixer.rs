@@ -35,7 +35,7 @@ pub(crate) struct MixerSummary<'a> {
     ratios: Vec<f64>,
     /// Pairs of peripheral wheels that would overlap.
     overlaps: Vec<[usize; 2]>,
-    /// Direction from wheel 4 in which there is most room.
+    /// Direction from wheel 4 in which another wheel has the most room, radians.
     free_direction: f64,
 }
 

@@ -75,7 +75,7 @@ pub(crate) fn of(moving: &Moving, input: f64) -> Result<SchemeDocument, Problem>
     Ok(document)
 }
 
-/// Makes a task for practice, by its number.
+/// Makes the practice task with this number.
 pub(crate) fn task(number: u32) -> SchemeDocument {
     let mut document = SchemeDocument::new(&generated(number));
     document.task = Some(number);
@@ -90,7 +90,7 @@ impl Capabilities for Scheme {
     fn rigid(&self) -> Rigid<'_> {
         Rigid {
             names: self.figure.names(),
-            // Nothing is rigid: any link may move when a cut opens.
+            // Empty, because any link may move when a cut opens.
             list: &[],
         }
     }
@@ -110,7 +110,7 @@ impl Capabilities for Scheme {
 }
 
 impl Edited for Scheme {
-    /// Moves a pair of two links, if nothing is cut: in an open chain a pair is not drawn in its place.
+    /// Moves a pair of two links, unless a cut is made: the pairs of an open chain are not drawn in place.
     fn drag(&self, point: &str, _input: f64, to: Point) -> Result<Change, Problem> {
         let handle = self.handles.iter().find(|handle| handle.name == point);
         let handle = handle.ok_or_else(|| unknown(point))?;

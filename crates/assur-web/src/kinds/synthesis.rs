@@ -22,15 +22,15 @@ use crate::handle::{Handle, HandlePlace};
 use crate::moving::Moving;
 use summary::SynthesisSummary;
 
-/// Minimum distance of a direction's handle from its pivot, as a fraction of the frame and of the link. The joint of
-/// the link then stays free.
+/// Distance of an angle's handle from the pivot of its link: the greater of these fractions of the frame and of the
+/// link. The handle is then clear of the link's joint.
 const REACH: [f64; 2] = [0.62, 1.25];
 
-/// Minimum distance of a coupler's handle from the coupler's joint with the input, as a fraction of the frame and of
-/// the coupler. Both ends of the coupler then stay free.
+/// Distance of a coupler's handle from the coupler's joint with the input: the greater of these fractions of the frame
+/// and of the coupler. The handle is then clear of both ends.
 const REACH_OF_COUPLER: [f64; 2] = [0.25, 0.6];
 
-/// Step of a dragged direction, degrees; a hand is no more precise.
+/// Step of a dragged direction, degrees. A hand cannot set an angle more precisely.
 const STEP_DEG: f64 = 0.1;
 
 /// The links and their colours.

@@ -1,4 +1,4 @@
-//! Instant centres by Kennedy's theorem: from those given by pairs to all others, line by line.
+//! Instant centres by Kennedy's theorem: pairs give the first centres, and lines through known centres the others.
 
 use super::projective::{Place, at, towards};
 use super::{InstantCentre, Source};
@@ -7,7 +7,7 @@ use crate::mechanism::{Joint, Mechanism, Pose};
 use crate::perpendicular;
 use crate::tolerance;
 
-/// A known centre or line as a triple of length 1, with a bound on its error.
+/// Homogeneous coordinates of a known centre or line, of length 1, with a bound on their error.
 #[derive(Clone, Copy)]
 struct Known {
     place: Place,
@@ -97,7 +97,7 @@ impl Table<'_> {
         });
     }
 
-    /// Adds the centres given by a pair.
+    /// Adds the instant centres that a pair gives.
     fn join<const N: usize>(&mut self, pose: &Pose<N>, joint: &Joint) {
         let mechanism = self.mechanism;
         let hinge = |point: PointId| {
@@ -106,7 +106,7 @@ impl Table<'_> {
         };
         let mut tell = |bodies: [BodyId; 2], place: Place| {
             let place = place.normalize();
-            // If two bodies share two joints, the first joint counts.
+            // If two bodies share two joints, the centre of the first joint is kept.
             if place.norm_squared().is_finite() && self.of(bodies).is_none() {
                 self.add(
                     bodies,
@@ -139,7 +139,7 @@ impl Table<'_> {
             } => {
                 let axes = bodies.map(|wheel| mechanism.shared_by([wheel, *carrier]));
                 if let [Some(first), Some(second)] = axes {
-                    // Relative to the carrier, the angular velocities of wheels with z₁ and z₂ teeth are as z₂ to −z₁.
+                    // Relative to the carrier, wheels with z₁ and z₂ teeth turn at speeds in the ratio z₂ : −z₁.
                     let pitch = hinge(first) * teeth[1] + hinge(second) * teeth[0];
                     tell(*bodies, pitch);
                 }
@@ -147,8 +147,8 @@ impl Table<'_> {
         }
     }
 
-    /// Intersects two of Kennedy's lines for two bodies. The lines are those of the first two other bodies with an
-    /// accurate intersection or, if there are none, of the two with the most accurate one.
+    /// Intersects two of Kennedy's lines for two bodies. Each line belongs to one other body: the first two with an
+    /// accurate intersection are used or, if there are none, the two with the most accurate one.
     fn crossing(&self, [first, second]: [BodyId; 2]) -> Option<([BodyId; 2], Known)> {
         let lines = self.mechanism.bodies().filter_map(|by| {
             let line = self.of([first, by])?.joined(self.of([by, second])?)?;

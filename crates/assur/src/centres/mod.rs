@@ -34,11 +34,10 @@ pub enum Centre {
 /// Derivation of an instant centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// The links are joined. The centre is at their hinge, at infinity perpendicular to their slide, or at the pitch
-    /// point of wheels in mesh.
+    /// The links are joined. The centre is at a hinge, at infinity normal to a slide, or at the pitch point of a mesh.
     Joint,
-    /// Intersection of two of Kennedy's lines through centres `P`. For the links i and j, by the links k and l, these
-    /// are the lines `P_ik P_kj` and `P_il P_lj`.
+    /// Intersection of two of Kennedy's lines. For links i and j, by the links k and l that are given here, they are
+    /// `P_ik P_kj` and `P_il P_lj`, with `P` the centre of two links.
     Kennedy([BodyId; 2]),
     /// From the velocities of the links: no two lines lead to the centre, or the lines are nearly parallel.
     Velocities,

@@ -1,11 +1,11 @@
-//! Domain of the input in which assemblies are searched, and the period of the assemblies.
+//! Domain of the input over which assemblies are searched for, and the period of the assemblies.
 
 use std::f64::consts::TAU;
 
 use crate::mechanism::Mechanism;
 use crate::motion::{MAX_TURNS, Motion};
 
-/// Range of the input in which assemblies are searched.
+/// Range of the input over which assemblies are searched for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Domain {
     pub(super) ends: [f64; 2],

@@ -7,9 +7,9 @@ use crate::motion::{DeadPoint, DeadPointKind, Motion};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Tolerance of poses at a fold, relative to the linkage's size: ten times the square root of the input's tolerance.
+/// Tolerance of poses at a fold, relative to the linkage's size: ten times the root of the input's tolerance.
 const FOLD_TOLERANCE: f64 = 1e-2;
-/// Maximum offset from an unmatched end, relative to the domain, at which the search for the other branch begins.
+/// Maximum offset, relative to the domain, from an unmatched end to where the search for the other branch begins.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
 /// The meetings of all branches.
@@ -141,7 +141,7 @@ impl Meetings {
     }
 }
 
-/// Dead points of a motion at which it must meet another motion; dead points with links at infinity are excluded.
+/// Dead points at which a motion must meet another motion. Those with links at infinity are excluded.
 pub(super) fn folds(motion: &Motion) -> impl Iterator<Item = &DeadPoint> {
     let dead_points = motion.dead_points().iter();
     dead_points.filter(|dead| dead.kind.is_dead_point() && dead.kind != DeadPointKind::Parallel)

@@ -68,7 +68,7 @@ impl Mechanism {
         if angle < TAU { angle } else { 0.0 }
     }
 
-    /// The link whose angle numbers the assemblies by default: the link solved last.
+    /// The link whose angle numbers the assemblies by default: the link whose position is solved last.
     pub fn output(&self) -> Option<LinkId> {
         let bodies = self.steps().iter().flat_map(|step| step.bodies());
         bodies.filter_map(|body| self.link_of(body)).next_back()
@@ -91,7 +91,7 @@ impl Motion {
         self.numbered(found, input, output)
     }
 
-    /// Draws the linkage in the assembly with a given number, from 0, at an input.
+    /// Draws the linkage at an input in the assembly with a given number, counted from 0.
     ///
     /// # Errors
     /// No assembly has this number.

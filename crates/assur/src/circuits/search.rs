@@ -2,9 +2,9 @@
 //! Samples are added where a branch may have been missed.
 //!
 //! Completeness: between two neighbouring ends of branches, the number of assemblies is constant unless a branch was
-//! missed. On a missed branch, a conjugate pair of complex assemblies becomes real, and then complex again. Outside
-//! that branch, the squared distance of the pair goes to zero about linearly: its value and slope at a sample predict
-//! the input of the fold. The interval to the next sample is divided until the fold is found or the pair recedes.
+//! missed. At the ends of a missed branch, a conjugate pair of complex assemblies becomes real, and complex again.
+//! Outside the branch, their squared distance goes to zero about linearly: its value and slope at a sample predict the
+//! input of the fold. The interval to the next sample is divided until the fold is found or the pair recedes.
 
 use std::f64::consts::TAU;
 
@@ -18,17 +18,17 @@ use crate::tolerance;
 
 /// Position of a new sample, as a fraction of an interval. Avoids special poses, in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// Distance of the extrapolated zero, in gaps, below which a complex pair counts as about to become real.
+/// A complex pair counts as about to become real if its extrapolated zero is less than this many gaps away.
 const EXTRAPOLATION: f64 = 1.5;
-/// Fraction of a gap. A pair that becomes real earlier belongs to a new branch, not to a known one at the gap's end.
+/// A pair that becomes real before this fraction of a gap belongs to a new branch, not to the one at the gap's end.
 const EARLY: f64 = 0.8;
 
 /// Density of the search for all motions of a linkage, and the limits of its work. The default finds all motions in the
-/// tests of this engine. A denser search takes longer, and finds branches over shorter intervals without extra samples.
+/// tests of this engine. A denser search is slower, and finds branches that exist only over a shorter interval.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Thoroughness {
-    /// Number of initial samples per turn, or over the range of a slide, for linkages of dyads alone: 144. Such samples
-    /// are cheap, and for many sets of dimensions pairs become real only over a short interval.
+    /// Number of initial samples per turn, or over the range of a slide, for linkages of dyads alone: 144. Many of
+    /// these have further assemblies only over a short interval, and a sample of dyads is cheap.
     pub samples_of_dyads: usize,
     /// Number of initial samples per turn, or over the range of a slide, for linkages with other groups: 24.
     pub samples_of_groups: usize,
@@ -61,7 +61,7 @@ struct Sample {
     input: f64,
     assemblies: usize,
     complex: Vec<ComplexPair>,
-    /// Squared sines of the angles between guides; where one is zero, links go to infinity.
+    /// Squared sines of the angles between guides. At a zero, links go to infinity.
     parallel: Vec<ComplexPair>,
 }
 
@@ -69,7 +69,7 @@ struct Sample {
 struct Division<'a> {
     input: f64,
     sample: Option<&'a Sample>,
-    /// Numbers of branches that start at a fold at this input: towards greater inputs, and towards smaller inputs.
+    /// Numbers of branches that start at a fold at this input and run to greater inputs, and to smaller inputs.
     starts: [usize; 2],
 }
 
@@ -272,7 +272,7 @@ impl<'a> Search<'a> {
                 (None, None) => true,
                 _ if gap < tolerance::TRIPLE_ROOT * span => false,
                 _ => {
-                    // For links that go to infinity, narrower gaps are not divided: a shorter branch is missed.
+                    // If links go to infinity, small gaps are not divided; a branch shorter than such a gap is missed.
                     let is_wide = gap > tolerance::NEAR * span;
                     let may_miss = |sample: Option<&Sample>, sense, known| {
                         sample.is_some_and(|sample| {
@@ -309,7 +309,7 @@ impl<'a> Search<'a> {
 }
 
 impl Sample {
-    /// True if more complex pairs may become real within a gap than `known` branches start at its end.
+    /// True if more complex pairs may become real within a gap than there are known branches starting at its end.
     fn may_become_real(&self, sense: f64, gap: f64, known: usize) -> bool {
         let mut expected = 0;
         for distance in zeros(&self.complex, sense, EXTRAPOLATION * gap) {
@@ -323,7 +323,7 @@ impl Sample {
 
     /// True if links may go to infinity within a gap.
     fn may_go_to_infinity(&self, sense: f64, gap: f64) -> bool {
-        // The double zero of a square is twice as far as the zero of its linear extrapolation.
+        // A squared sine has a double zero, which is twice as far as the zero of the linear extrapolation.
         zeros(&self.parallel, sense, 0.5 * EXTRAPOLATION * gap)
             .next()
             .is_some()

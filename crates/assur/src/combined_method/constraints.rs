@@ -1,5 +1,4 @@
-//! The paper's constraint equations (1) and (2), the ratios (3) to (5) of the rigid triangles, and the motion of the
-//! crank.
+//! The paper's constraint equations (1) and (2), ratios (3) to (5) of the rigid triangles, and the motion of the crank.
 
 use super::places::{Places, Way};
 use crate::position::product;
@@ -254,8 +253,7 @@ fn differences(places: &Places) -> Vec<Relation> {
         .collect()
 }
 
-/// The letters of fig. 1: two sides of each rigid triangle, the angle from the first to the second, and the length of
-/// CD.
+/// The letters of fig. 1: two sides of each rigid triangle, the angle from one to the other, and the length of CD.
 fn letters(places: &Places) -> Vec<Relation> {
     let sides = [
         (["g", "t", "η_H"], places.gh(), places.f_l()),

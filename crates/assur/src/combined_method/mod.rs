@@ -2,9 +2,9 @@
 //! analogues from the constraint equations. The paper's equations (1) to (6), coefficients and chain of substitutions
 //! are evaluated here.
 //!
-//! The crank AB turns about the fixed A, the triangle GHL about the fixed H, the output CD about the fixed D. The link
-//! BE drives the triangle EFG, which the link FK joins to the triangle CKL. The values of [`CombinedMethod::relations`]
-//! come from the pose, not from the paper's chain, which divides by x_EB, x_CD, Δ, Λ and 1 − |f_L|².
+//! The crank AB turns about the fixed point A, the triangle GHL about H, the output CD about D. The link BE drives the
+//! triangle EFG, which the link FK joins to the triangle CKL. The values of [`CombinedMethod::relations`] come from the
+//! pose, not from the paper's chain, which divides by terms that may be zero.
 
 mod constraints;
 mod first;
@@ -30,8 +30,7 @@ pub struct CombinedMethod {
 }
 
 impl CombinedMethod {
-    /// Finds the paper's linkage in a mechanism; none if the mechanism has other links, or a driver other than the
-    /// crank AB.
+    /// Finds the paper's linkage in a mechanism; none if other links are present, or another driver than the crank AB.
     pub fn of(mechanism: &Mechanism) -> Option<Self> {
         let spec = mechanism.spec();
         let sorted = |names: &[String]| {
@@ -57,8 +56,7 @@ impl CombinedMethod {
     }
 
     /// The paper's relations in a pose of that mechanism, in the order of the paper. Lengths are in the unit of the
-    /// drawing, derivatives are with respect to the crank angle. A relation is left out if a denominator of its value
-    /// is zero.
+    /// drawing, derivatives are with respect to the crank angle. Relations with a zero denominator are left out.
     pub fn relations(&self, mechanism: &Mechanism, pose: &Pose<3>) -> Vec<Relation> {
         let places = Places::new(self.points.map(|point| mechanism.place(pose, point)));
         let first = First::new(&places);

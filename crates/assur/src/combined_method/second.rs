@@ -1,5 +1,4 @@
-//! The paper's chain of substitutions for the acceleration analogues: coefficients d, Cramer's rule, the other points,
-//! ψ″.
+//! The paper's substitutions for the acceleration analogues: coefficients d, Cramer's rule, the other points, ψ″.
 
 use super::first::First;
 use super::places::Places;
@@ -194,8 +193,8 @@ impl Second {
     }
 }
 
-/// Compares ψ′ and ψ″ by the corrected chain alone with their values in the pose, and lists the denominators of the
-/// chain. The chain has no result if a denominator is zero.
+/// Compares ψ′ and ψ″ from the corrected chain alone with their values in the pose. Lists the denominators of the
+/// chain, which has no result if one of them is zero.
 pub(super) fn chain(places: &Places, first: &First) -> Vec<Relation> {
     let mut chained = places.clone();
     let g = first.solved();

@@ -51,7 +51,7 @@ pub(super) fn rows(places: &Places, first: &First, second: &Second) -> Vec<Relat
     named.collect()
 }
 
-/// Coefficients of x and y in the scalar product of `way` with ratio·(x + iy), where (x, y) is the analogue of a point.
+/// Coefficients of x and y in the scalar product of `way` with ratio·(x + iy), with (x, y) the analogue of a point.
 fn against(ratio: Vector, way: Vector) -> Vector {
     product(conjugate(ratio), way)
 }

@@ -12,9 +12,8 @@ const PLACES: Sampling = Sampling {
     shown: Shown::First,
 };
 
-/// Samples a curve at ascending inputs and divides it into continuous pieces. With each value, `at` also returns a number
-/// that changes sign where the curve passes through infinity. A new piece begins at a change of sign, and after a pose
-/// without a value.
+/// Samples a curve at ascending inputs, in continuous pieces. With each value, `at` also returns a number that changes
+/// sign where the curve passes through infinity. A piece ends at a change of sign, and before a pose without a value.
 pub(super) fn along<const N: usize, T>(
     motion: &Motion,
     mut at: impl FnMut(f64, &Pose<N>) -> Option<(T, f64)>,

@@ -1,5 +1,5 @@
-//! Centrodes: the path of the pole in the frame is the fixed centrode, its path on the link the moving centrode. The
-//! moving centrode rolls on the fixed one.
+//! Centrodes: the paths of the pole, the instant centre of a link and the frame. Its path in the frame is the fixed
+//! centrode; its path on the link is the moving centrode, which rolls on the fixed one.
 
 use super::along::along;
 use crate::index::LinkId;

@@ -1,5 +1,4 @@
-//! Curvature in the whole plane of a link at an instant: pole, pole tangent, inflection circle, return circle, Ball's
-//! point.
+//! Curvature in the plane of a link at an instant: pole, pole tangent, inflection circle, return circle, Ball's point.
 
 use crate::index::BodyId;
 use crate::mechanism::{Mechanism, Pose};
@@ -9,10 +8,10 @@ use crate::{Point, Vector, perpendicular};
 /// The inflection circle, the return circle and Ball's point of a body that turns relative to the frame, at an instant.
 ///
 /// Let p be the position of the pole, θ the angle of the body, and r the vector from the pole to a point of the body,
-/// all as complex numbers. The velocity of the point is θ′ i r, the acceleration (θ″ i − θ′²) r − θ′ i p′. Its path has
-/// no curvature if these are parallel: if r² = r·D with D = −i p′/θ′, on a circle through the pole that is tangent to
-/// p′ there. For any other point the centre of curvature is on its ray from the pole, by Euler (1765) and Savary
-/// (1845).
+/// all as complex numbers. The velocity of the point is θ′ i r, its acceleration (θ″ i − θ′²) r − θ′ i p′. Its path has
+/// no curvature if the two are parallel: if r² = r·D with D = −i p′/θ′. These points are on a circle that passes
+/// through the pole in the direction p′. For any other point, the centre of curvature is on the ray from the pole
+/// through the point (Euler, 1765; Savary, 1845).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circles {
     /// The instant centre of the body and the frame.
@@ -78,7 +77,7 @@ impl Circles {
     pub fn centre_of_curvature(&self, of: Point) -> Option<Point> {
         let r = of - self.pole;
         let square = r.norm_squared();
-        // With r = PA: PW = r (r·D)/r², and AW = r (r·D − r²)/r².
+        // With r = PA and D the diameter: PW = r (r·D)/r², and AW = r (r·D − r²)/r².
         let beyond = square / (r.dot(&self.diameter) - square);
         let centre = of + r * beyond;
         centre.coords.norm_squared().is_finite().then_some(centre)

@@ -8,8 +8,8 @@ use crate::mechanism::Pose;
 use crate::motion::Motion;
 
 /// Centres of curvature of a point's path over a motion, at ascending inputs and in continuous pieces. At an inflection
-/// of the path the centre passes through infinity and changes sides. At a cusp of the path, and at an input without a
-/// pose with derivatives, there is no centre. A cusp of the evolute is the centre for a point of stationary curvature.
+/// of the path the centre passes through infinity to the other side. At a cusp of the path, or without a pose with
+/// derivatives, there is no centre. A cusp of the evolute marks a point of stationary curvature.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Evolute {
     /// The pieces, at ascending inputs.

@@ -1,6 +1,6 @@
-//! Curvature of paths: the centre of curvature with its own motion, the circles of a link that give this centre for all
-//! points of the link at once, and the centrodes. All follow from derivatives with respect to the input: the curvature
-//! from two of them, its rate from three. Nothing depends on the speed of the input.
+//! Curvature of paths: the centre of curvature and its motion, the circles that give this centre for all points of a
+//! link at once, and the centrodes. All follow from derivatives with respect to the input: the curvature from two of
+//! them, its rate from three. Nothing depends on the speed of the input.
 //!
 //! See Dijksman, *Motion Geometry of Mechanisms*, and Hall, *Kinematics and Linkage Design*, ch. 5.
 
@@ -35,8 +35,7 @@ pub struct Curvature {
     pub tangent: Vector,
     /// κ = 1/R, positive if the path bends to the left. Its unit is the inverse of the unit of length.
     pub curvature: f64,
-    /// dκ/ds along the path. Zero if the curvature is stationary: the circle of curvature then has four-point contact
-    /// with the path.
+    /// dκ/ds along the path. If it is zero (stationary curvature), the circle of curvature has four-point contact.
     pub rate: f64,
     /// The centre of curvature; none if the path is straight.
     pub centre: Option<Point>,

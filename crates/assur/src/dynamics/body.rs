@@ -7,7 +7,7 @@ use crate::gears::train::Shaft;
 pub enum Body {
     /// The sun, link 1.
     Sun,
-    /// The satellites, link 2: all alike, and at one angle.
+    /// The satellites, link 2: all alike, and all turned through the same angle.
     Satellite,
     /// The carrier, link 3.
     Carrier,

@@ -33,8 +33,7 @@ pub enum Defect {
         /// The shaft whose speed is multiplied.
         to: Shaft,
     },
-    /// The inertia of this body is too small for the torques on it. The body would oscillate or stop too fast for the
-    /// integration.
+    /// The inertia of this body is too small for the torques on it: its motion would be too fast to be integrated.
     TooStiff(Body),
 }
 
@@ -59,15 +58,15 @@ pub enum Quantity {
     Friction(Body),
     /// Creep speed of a friction torque.
     Creep(Body),
-    /// Coefficient of the torque of a load that is proportional to the square of the speed.
+    /// Coefficient of a load's torque that is proportional to the square of the speed.
     Fan(Body),
     /// Maximum torque of a mesh.
     Peak(Mesh),
     /// Damping of a mesh.
     MeshDamping(Mesh),
-    /// Maximum torque of a drive over time.
+    /// Greatest torque of a drive whose torque is given over time.
     DriveTorque(Shaft),
-    /// Maximum given speed of a drive over time.
+    /// Greatest speed of a drive whose speed is given over time.
     DriveSpeed(Shaft),
     /// Ratio of the shaft's speed to the speed of another shaft.
     Ratio(Shaft),
@@ -95,8 +94,7 @@ const ANGLE: f64 = 1e6;
 pub(super) struct Defects(pub(super) Vec<Defect>);
 
 impl Defects {
-    /// Finds all defects of single parameters, of the numbers of plates together, and of shafts driven at a multiple of
-    /// another shaft's speed.
+    /// Finds all defects of single parameters, of the numbers of plates together, and of speeds in a fixed ratio.
     pub(super) fn of(parameters: &Parameters) -> Self {
         let mut defects = Self::default();
         defects.plates(parameters);

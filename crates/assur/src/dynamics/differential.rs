@@ -54,14 +54,13 @@ impl Differential {
         field.energy * field.wheel_periods
     }
 
-    /// Maximum torque that can be slowly applied to a body, N·m, with the other two of sun, carrier and ring held and
-    /// no other load. For the satellites it is the torque on all of them, with sun, carrier and ring held. The pull-out
-    /// torque of a run can be compared with this limit.
+    /// Maximum torque that can be slowly applied to a body, N·m, if the other two of sun, carrier and ring are held and
+    /// there is no other load. For the satellites it is the torque on all of them, with sun, carrier and ring held. The
+    /// pull-out torque of a run can be compared with this limit.
     ///
-    /// Let E be the amplitude of the field's energy of a mesh, and δ its phase. The torque on a wheel divided by the number
-    /// of its periods is E sin δ. If the satellites bear no load, it is the same in both meshes: the weaker one sets the
-    /// limit. The torques on sun, ring and carrier are in the ratio
-    /// p₁ : p₄ : −(p₁ + p₄).
+    /// Let E be the amplitude of the energy of a mesh's field, and δ its phase. The torque on a wheel, divided by its
+    /// number of periods, is E sin δ. If the satellites bear no load, this is the same in both meshes: the smaller E
+    /// sets the limit. The torques on sun, ring and carrier are in the ratio p₁ : p₄ : −(p₁ + p₄).
     pub fn static_limit(&self, body: Body) -> f64 {
         let [sun, ring] = Mesh::ALL.map(|mesh| self.equations.mesh(mesh));
         let [p1, p4] = [sun.wheel_periods, ring.wheel_periods];
@@ -77,14 +76,14 @@ impl Differential {
         }
     }
 
-    /// Natural frequency of the phase of one mesh without the other mesh, rad/s: the square root of E Σ nᵢ²/Jᵢ over the
-    /// bodies that are free to move, where nᵢ is the coefficient of the angle φᵢ in the phase.
+    /// Natural frequency of the phase Σ nᵢφᵢ of one mesh without the other mesh, rad/s: the square root of E Σ nᵢ²/Jᵢ
+    /// over the bodies free to move, with E the amplitude of the field's energy and Jᵢ the moments of inertia.
     pub fn swing_rate(&self, mesh: Mesh) -> f64 {
         self.equations.stiffness(mesh).sqrt()
     }
 
-    /// Speeds of all bodies, in the order of [`Body::ALL`], at which no mesh slips. They follow from the speeds of sun
-    /// and ring by Willis's equation, rad/s.
+    /// Speeds of all bodies, rad/s, in the order of [`Body::ALL`], at which no mesh slips. They follow from the speeds
+    /// of sun and ring by Willis's equation.
     pub fn synchronous(&self, sun: f64, ring: f64) -> [f64; 4] {
         let equations = &self.equations;
         let [p1, p4] = Mesh::ALL.map(|mesh| equations.mesh(mesh).wheel_periods);

@@ -47,7 +47,7 @@ pub(super) struct Field {
     pub(super) factors: [f64; N],
     /// Periods of the field per turn of the central wheel.
     pub(super) wheel_periods: f64,
-    /// Energy kE, J: half the potential barrier between two periods of the field.
+    /// Energy amplitude kE over all k satellites, J: half the potential barrier between two periods of the field.
     pub(super) energy: f64,
     /// Generalized damping torque on the phase δ per unit rate of δ, N·m·s.
     pub(super) damping: f64,
@@ -87,8 +87,7 @@ impl Field {
         combination(self.turns, angles)
     }
 
-    /// Generalized torques on the phase: −∂U/∂δ of the field, and damping. Multiplied by nᵢ, they are the torques on
-    /// body i.
+    /// Generalized torques on the phase: −∂U/∂δ from the field, and damping. Times nᵢ, they are the torques on body i.
     pub(super) fn forces(&self, phase: f64, rate: f64) -> (f64, f64) {
         (-self.energy * phase.sin(), -self.damping * rate)
     }
@@ -250,8 +249,8 @@ impl Equations {
         }
     }
 
-    /// Torques of the drives. For a body with a given speed the torque is the residual of the body's equation of
-    /// motion.
+    /// Torques of the drives. The torque on a body with a given speed is the residual of the equations of motion of
+    /// this body and of the bodies that follow it.
     pub(super) fn drive_torques(
         &self,
         driving: &Driving,

@@ -3,9 +3,8 @@
 //! The method is of order 6 and symplectic: without damping the energy oscillates within bounds and does not drift
 //! (Hairer, Lubich, Wanner: *Geometric Numerical Integration*, theorem II.1.5 on the order, IV.2.2 on quadratic
 //! invariants, VI.4.2 on the symplectic map). It is A-stable, and all its stages are inside the step. Compositions of
-//! explicit maps of an order above 2 also step backwards, which is unstable with damping. The stages are found by
-//! fixed-point iteration, which contracts by a factor of about (hΩ)²/12, where h is the step and Ω the greatest natural
-//! frequency.
+//! explicit maps also step backwards if their order exceeds 2, which is unstable with damping. The stages are found by
+//! fixed-point iteration, which contracts by about (hΩ)²/12, with h the step and Ω the greatest natural frequency.
 
 use crate::tolerance;
 

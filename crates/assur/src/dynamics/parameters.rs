@@ -96,17 +96,16 @@ pub struct Load {
     pub constant: f64,
     /// Friction torque against the motion at any speed, as from a brush or a scraper, N·m.
     pub friction: f64,
-    /// Creep speed, rad/s. Friction is proportional to tanh(ω/creep), so a body held by friction still creeps. Used
-    /// only if there is friction.
+    /// Creep speed, rad/s: friction is proportional to tanh(ω/creep), so a held body creeps. Used only with friction.
     pub creep: f64,
-    /// Coefficient of the torque of a fan, N·m·s²: against the motion and proportional to the square of the speed.
+    /// Coefficient of a fan's torque, N·m·s²: against the motion, and proportional to the square of the speed.
     pub fan: f64,
 }
 
-/// A magnetic mesh of one satellite.
+/// The magnetic mesh of a central wheel with one satellite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coupling {
-    /// T: maximum torque on the central wheel, N·m.
+    /// Maximum torque T on the central wheel, N·m.
     pub peak: f64,
     /// Damping by eddy currents: torque on the central wheel per slip speed, N·m·s.
     pub damping: f64,

@@ -40,8 +40,8 @@ pub struct BodyReading {
     pub load_torque: f64,
 }
 
-/// Readings of a mesh, for all satellites together. The wheel is the central wheel of the mesh, the sun or the ring.
-/// Values are positive in the positive sense of the wheel.
+/// Readings of a mesh, for all satellites together. "The wheel" is the mesh's central wheel, the sun or the ring;
+/// values are positive in the positive sense of its rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshReading {
     /// Load angle Δ: angle of the wheel ahead of its nearest unloaded position, at most half a period, radians.
@@ -62,8 +62,8 @@ pub struct MeshReading {
     pub synchronous: bool,
 }
 
-/// Energies and works, J. Works are counted from the start of the energy balance: from the start of the run, or from the
-/// last change of the parameters of the differential gear.
+/// Energies and works, J. Works are counted from the start of the energy balance: the start of the run, or the last
+/// change of the parameters of the differential.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy {
     /// Kinetic energy.
@@ -93,12 +93,12 @@ impl Energy {
         [self.kinetic - kinetic, self.potential - potential]
     }
 
-    /// The paper's energy relations, J, since the start of the balance. A_d is the work of the drives, A_u the work taken
-    /// by loads, A_h the losses, A_f the energy released by the fields, ΔE the increase of the kinetic energy. The
-    /// efficiency is η = A_u/A_d, if drives have done work.
+    /// The paper's energy relations, J, since the start of the balance: A_d is the work of the drives, A_u the work
+    /// taken by loads, A_h the losses, A_f the energy released by the fields, ΔE the increase of the kinetic energy.
+    /// The efficiency is η = A_u/A_d, if drives have done work.
     pub fn relations(&self) -> Vec<Relation> {
         let [gained, loaded] = self.stored();
-        // Without a sign if it is zero.
+        // Subtracted from zero to avoid −0.
         let given = 0.0 - loaded;
         let needed = self.delivered + self.dissipated + gained - given;
         let one = |item, name, value| Relation::of(item, name, value, value);
@@ -174,7 +174,7 @@ impl Run {
         let (state, equations) = (&self.state, &self.differential().equations);
         let field = equations.mesh(mesh);
         let periods = field.factors[mesh.wheel().index()];
-        // The phase in the equations has a sense of its own; readings give it in the sense of the wheel.
+        // In the equations the phase of the ring's mesh falls as the ring turns forward; in the readings it rises.
         let sense = periods.signum();
         let (_, phase) = field.folded(&state.angles);
         let rate = field.phase(&state.speeds);

@@ -59,7 +59,7 @@ impl Recording {
         let mut run = self.start.clone();
         run.state = self.states[from.saturating_sub(1)];
         let ticks = (time - run.time()) * f64::from(TICKS_PER_SECOND);
-        // Steps that were possible once are possible again.
+        // Cannot fail: the same steps were made for the recording.
         let gone = run.advance((ticks.max(0.0) as u32).min(APART));
         debug_assert!(gone.is_ok() || self.halt.is_some(), "{gone:?}");
         run

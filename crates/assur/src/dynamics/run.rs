@@ -28,7 +28,7 @@ pub struct Run {
     pub(super) state: State,
     /// Whole periods of each mesh from which its slipped periods are counted.
     origin: [i64; 2],
-    /// Kinetic and potential energy when the energy balance was opened, J.
+    /// Kinetic and potential energy at the start of the energy balance, J.
     pub(super) opening: [f64; 2],
 }
 
@@ -65,7 +65,7 @@ pub(super) struct State {
     past: Past,
     /// Current number of halvings of a tick.
     halvings: u32,
-    /// Works of drives, damping and loads since the balance was opened, each with its rounding error, J.
+    /// Works of drives, damping and loads since the start of the balance, each with its rounding error, J.
     pub(super) works: [(f64, f64); 3],
     pub(super) slips: [Slip; 2],
 }
@@ -139,13 +139,13 @@ impl Run {
     }
 
     /// Continues with another differential from the current state, for example after a change of a load or a drive.
-    /// Given speeds jump to their new values; a new energy balance is opened.
+    /// Given speeds jump to their new values; a new energy balance is started.
     pub fn change(&mut self, differential: Differential) {
         self.differential = differential;
         self.open(self.state.slips.map(|slip| slip.periods));
     }
 
-    /// Sets given speeds, opens a new energy balance, and sets the numbers of slipped periods.
+    /// Sets given speeds, starts a new energy balance, and sets the numbers of slipped periods.
     fn open(&mut self, slipped: [i64; 2]) {
         let equations = &self.differential.equations;
         self.state.follow(equations, self.state.time());
@@ -222,8 +222,7 @@ impl State {
         Some(())
     }
 
-    /// Advances over an interval of time in equal steps. Their number depends on the state at the start of the
-    /// interval.
+    /// Advances over an interval of time in equal steps, whose number depends on the state at its start.
     fn span(&mut self, equations: &Equations, from: f64, to: f64) -> Option<()> {
         let tick = TICK * equations.rate(&self.angles, &self.speeds);
         if tick.is_nan() || tick > QUICKEST {
@@ -290,7 +289,7 @@ impl State {
         Some(())
     }
 
-    /// Sets the speeds at a time of bodies with given speeds and of bodies that follow other bodies.
+    /// Sets, for a given time, the speeds of bodies with given speeds and of bodies that follow other bodies.
     fn follow(&mut self, equations: &Equations, time: f64) {
         for (body, follows) in equations.following.iter().enumerate() {
             if let Following::Speed(profile) = follows {

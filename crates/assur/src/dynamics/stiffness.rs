@@ -30,7 +30,7 @@ impl Stiffness {
 
 impl Equations {
     /// Response of each body to a generalized torque with the coefficients n: n²/J if the body moves under torques,
-    /// otherwise 0. Its n and J include the bodies that follow it.
+    /// otherwise 0. The n and J of a body include those of the bodies that follow it.
     fn yielding(&self, factors: &[f64; N]) -> [f64; N] {
         let mut sums = *factors;
         for (body, follows) in self.following.iter().enumerate() {
@@ -87,7 +87,7 @@ impl Equations {
         let passing = Mesh::ALL.map(|mesh| {
             let field = self.mesh(mesh);
             let rate = field.phase(speeds);
-            // Rate of the phase at the lowest potential of the field. During slip it is the same in every period.
+            // Rate of the phase when the potential of the field is lowest. During slip it is the same in every period.
             let height = field.potential(field.folded(angles).1) / field.energy;
             (rate * rate + 2.0 * self.stiffness(mesh) * height).sqrt()
         });

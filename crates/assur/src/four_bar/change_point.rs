@@ -16,8 +16,8 @@ pub struct ChangePoint {
 }
 
 impl FourBar {
-    /// The change points within the axis of the [cycle](FourBar::cycle), except φ₁ = 0 for a deltoid, where the pose is
-    /// undetermined.
+    /// The change points in the interval `axis` of the [cycle](FourBar::cycle), except φ₁ = 0 for a deltoid, where the
+    /// pose is undetermined.
     pub fn change_points(&self) -> Vec<ChangePoint> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();
@@ -43,8 +43,8 @@ impl FourBar {
 mod tests {
     use super::*;
 
-    /// The links of a parallelogram are in line at 0 and at π. Links 1, 2, 3, 2 are in line only at 0, but the motion
-    /// takes two turns.
+    /// The links of a parallelogram are in line at 0 and at π. Links of lengths 1, 2, 3, 2 are in line only at 0, but
+    /// the motion takes two turns.
     #[test]
     fn in_line() {
         for (lengths, expected) in [

@@ -99,8 +99,7 @@ impl Cycle {
         self.period
     }
 
-    /// The arcs on which the loop closes: first and last input of each, in ascending order. The ends belong to the
-    /// arcs.
+    /// The arcs on which the loop closes, in ascending order: first and last input of each, both included.
     pub fn arcs(&self) -> &[[f64; 2]] {
         &self.arcs
     }
@@ -126,7 +125,7 @@ impl Cycle {
         0.5 * (self.arcs[0][0] + self.arcs[0][1])
     }
 
-    /// Shifts `crank` by whole periods into the axis, or into the first period of an axis longer than that.
+    /// Shifts a `crank` outside the interval [`Self::axis`] by whole periods into the first period of the interval.
     pub fn wrap(&self, crank: f64) -> f64 {
         let [start, end] = self.axis();
         match self.period {
@@ -187,8 +186,8 @@ impl Cycle {
 impl FourBar {
     /// The crank angles of the motion.
     ///
-    /// The loop closes if P ≥ 0 and Q ≥ 0, the two factors of the area (see the module): if cos²(φ₁/2) and sin²(φ₁/2)
-    /// each reach a lower bound. The ends of the arcs are dead points.
+    /// The loop closes if the factors P and Q of the squared area (see the module) are not negative: if cos²(φ₁/2) and
+    /// sin²(φ₁/2) are at or above their lower bounds. The ends of the arcs are dead points.
     pub fn cycle(&self) -> Cycle {
         // At the end of an arc P or Q is zero, and tan²(φ₁/2) is minus the ratio of this factor's values at φ₁ = 0 and
         // π. An acos would lose digits near 0 and π.

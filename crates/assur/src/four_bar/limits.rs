@@ -10,13 +10,13 @@ use super::{Assembly, FourBar};
 /// ```
 /// use assur::{Assembly, FourBar};
 /// let limits = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap().limits(Assembly::First);
-/// // Crank and coupler in line: 5 of a triangle 3-4-5.
+/// // Crank and coupler in line: the hypotenuse 5 of a triangle 3-4-5.
 /// assert!((limits[0].crank - 0.75f64.atan()).abs() < 1e-12);
 /// assert!((limits[0].rocker.to_degrees() - 90.0).abs() < 1e-12);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
-    /// Crank angle φ₁ within the axis of the cycle.
+    /// Crank angle φ₁, within the interval `axis` of the cycle.
     pub crank: f64,
     /// Rocker angle φ₃ at this crank angle.
     pub rocker: f64,
@@ -84,12 +84,11 @@ impl FourBar {
         let [l1, l2, l3, l4] = self.lengths;
         let ([k1, k2, k3], [s1, s2, s3, s4]) = (self.k, self.slack);
         let perimeter = self.perimeter();
-        // 16 times the squared area of triangle ACD, which has the sides l₃, l₄ and AC: l₁ + l₂ outstretched, |l₂ − l₁|
-        // folded.
+        // 16 times the squared area of triangle ACD, in which AC is l₁ + l₂ outstretched and |l₂ − l₁| folded.
         let apart = (l4 - l3) * (l4 + l3);
         let outstretched = k2 * perimeter * s3 * s4;
         let folded = k1 * k3 * s1 * s2;
-        // Crank angle less the direction of AC if folded, and the side of BD on which C then lies if C is above AD.
+        // If folded: crank angle less the direction of AC, and the side of BD on which C lies if C is above AD.
         let beyond = if l2 > l1 { (PI, 1.0) } else { (0.0, -1.0) };
         let mut found = Vec::new();
         for (reach, area, (turn, side)) in [

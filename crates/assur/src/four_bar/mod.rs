@@ -1,5 +1,4 @@
-//! The four-bar: its loop closure (for analysis, Freudenstein's equation), which [`FourBar::pose`] solves in closed
-//! form.
+//! The four-bar: its loop closure (in analysis, Freudenstein's equation), solved in closed form by [`FourBar::pose`].
 //!
 //! The joints A = (0, 0) and D = (l₄, 0) are on the frame. The crank AB, of length l₁, is at the angle φ₁ from +x, the
 //! coupler BC (l₂) at φ₂, the rocker DC (l₃) at φ₃. The diagonal BD = l₅ divides the loop into two triangles.
@@ -16,9 +15,9 @@
 //!
 //! P = s₁ s₄ − 4 l₁ l₄ sin²(φ₁/2),  Q = s₂ s₃ − 4 l₁ l₄ cos²(φ₁/2),
 //!
-//! Of the two forms of a factor, the one with the smaller of |sin| and |cos| is free of cancellation. If a k is zero,
-//! the linkage has a change point: √P or √Q is a multiple of cos(φ₁/2) or sin(φ₁/2), which changes sign there. With
-//! that sign the pose follows the smooth branch of the motion.
+//! Of the two forms of a factor, the one with the smaller of |sin| and |cos| is free of cancellation. If k₁, k₂ or k₃
+//! is zero, the linkage has a change point: √P or √Q is a multiple of cos(φ₁/2) or sin(φ₁/2), which changes sign there.
+//! With that sign the pose follows the smooth branch of the motion.
 
 mod change_point;
 mod cycle;
@@ -50,7 +49,7 @@ pub enum Link {
     Frame,
 }
 
-/// The two ways of closing the loop: σ = +1 with C to the left of the diagonal from B to D, σ = −1 with C to the right.
+/// The two ways of closing the loop. For σ = +1 C is to the left of the diagonal from B to D, for σ = −1 to the right.
 /// In a linkage with a change point, σ is the side of C just after φ₁ = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Assembly {
@@ -100,9 +99,8 @@ impl FourBar {
     /// Makes the linkage with lengths l₁ … l₄ (crank, coupler, rocker, frame), all in the same unit.
     ///
     /// # Errors
-    /// Every reason at once: a length that is not finite, not positive, out of
-    /// range (10⁻⁹ … 10⁹ and at least 10⁻⁹ of the longest), or not shorter than
-    /// the other three together.
+    /// Every reason at once: a length that is not finite, not positive, out of range (10⁻⁹ … 10⁹ and at least 10⁻⁹ of
+    /// the longest), or not shorter than the other three together.
     pub fn new(lengths: [f64; 4]) -> Result<Self, Vec<Invalid>> {
         let longest = lengths
             .into_iter()

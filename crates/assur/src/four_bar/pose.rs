@@ -46,15 +46,14 @@ pub enum Unsolved {
     Apart {
         /// Crank angle.
         crank: f64,
-        /// The missing length.
+        /// Length by which coupler and rocker together are too short.
         by: f64,
     },
-    /// B and D are too close: the longer of coupler and rocker exceeds the other
-    /// and the diagonal together.
+    /// B and D are too close: the longer of coupler and rocker exceeds the other and the diagonal together.
     Inside {
         /// Crank angle.
         crank: f64,
-        /// The missing length.
+        /// Length by which the longer link exceeds the other and the diagonal together.
         by: f64,
         /// Coupler or rocker.
         longer: Link,
@@ -85,9 +84,9 @@ impl FourBar {
     /// The pose at crank angle `crank` (φ₁, radians, any number of turns) with `N − 1` derivatives: `pose::<1>` for
     /// positions, `pose::<3>` for φ′ and φ″.
     ///
-    /// Each angle is φ₅ + σ atan2(4S, dot product), with φ₅ the direction of BD: mixer paper (3)–(7), with the quadrant
-    /// kept. This is differentiated directly and stays exact through a change point. The paper's (10)–(13) divide by
-    /// sin(φ₃ − φ₂).
+    /// Each angle is φ₅ + σ atan2(4S, dot product), with φ₅ the direction of BD: mixer paper (3)–(7), but in the
+    /// correct quadrant. This is differentiated directly and stays exact through a change point. The paper's (10)–(13)
+    /// divide by sin(φ₃ − φ₂).
     ///
     /// # Errors
     /// [`Unsolved`] with the angle and the reason.
@@ -299,8 +298,7 @@ impl FourBar {
         }
     }
 
-    /// Sign of the area of BCD for this assembly at this crank angle: +1 with C to the left of BD, −1 to the right, 0
-    /// in line.
+    /// Sign of the area of BCD for this assembly at this crank angle: +1 with C to the left of BD, −1 to the right.
     pub(crate) fn side(&self, assembly: Assembly, crank: f64) -> f64 {
         let (sin, cos) = (0.5 * crank).sin_cos();
         let sign = |half: f64, changes: bool| if changes { half.signum() } else { 1.0 };

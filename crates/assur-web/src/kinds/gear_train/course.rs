@@ -45,7 +45,7 @@ pub(crate) struct Course {
 
 /// State of the train at a time.
 struct Known {
-    /// Rotation relative to the observer.
+    /// Rotation of the bodies relative to the observer.
     turned: Turned,
     /// Angle of the ground relative to the observer.
     ground: f64,
@@ -94,7 +94,7 @@ impl Course {
         self.recording.is_some()
     }
 
-    /// The reason why a run ends before its span does.
+    /// The reason why a run ended before its span, if it did.
     pub(crate) fn halt(&self) -> Option<Halt> {
         self.recording.as_ref().and_then(Recording::halt)
     }
@@ -105,7 +105,7 @@ impl Course {
         Some(recording.at(recording.end()).reading())
     }
 
-    /// End of a time axis that begins at 0.
+    /// End of the time axis, which begins at 0.
     pub(crate) fn end(&self) -> f64 {
         self.recording.as_ref().map_or(self.span, Recording::end)
     }
@@ -218,7 +218,7 @@ impl Course {
         self.chart = Some(Chart::by_time(span, Kind::Angle, self.series(), samples));
     }
 
-    /// Start of the span that contains a time of an endless motion, and samples over that span.
+    /// For a motion without end: start of the span that contains a time, and samples over this span.
     fn around(&self, time: f64) -> (f64, Vec<(f64, Known)>) {
         let start = self.span * (on_axis(time) / self.span).floor();
         let known = (0..=SAMPLES).map(|step| {
@@ -316,7 +316,7 @@ const OF_RUN: [&str; 11] = [
     "imbalance",
 ];
 
-/// Values of these read-outs, in the order of [`OF_RUN`].
+/// Values of the read-outs [`OF_RUN`], in the same order.
 fn of_run(reading: &Reading) -> [f64; OF_RUN.len()] {
     let drive = |body| reading.body(body).drive_torque.unwrap_or(0.0);
     let energy = &reading.energy;

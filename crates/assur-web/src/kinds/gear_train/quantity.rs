@@ -16,11 +16,11 @@ pub(crate) const MESHES: [&str; 2] = ["sun", "ring"];
 pub(crate) enum Quantity {
     /// The angle of a body, by its index in [`Body::ALL`](assur::dynamics::Body::ALL), relative to the observer.
     Angle(usize),
-    /// The load angle of a mesh, by its index in [`Mesh::ALL`], with all slips counted.
+    /// The load angle of a mesh, by its index in [`Mesh::ALL`], including the angle of all slips.
     LoadAngle(usize),
 }
 
-/// Finds the quantities plotted for a choice of the page; none for an unknown choice.
+/// Finds the quantities plotted for an option of the page; none for an unknown option.
 pub(crate) fn plotted(plot: &str, loaded: bool) -> Option<Vec<Quantity>> {
     match plot {
         "angles" => Some(Quantity::angles().collect()),

@@ -41,15 +41,15 @@ pub(crate) struct GearTrainSummary<'a> {
     builds: bool,
     /// Similar trains that can be built, if this one cannot.
     suggestions: Vec<SuggestionSummary>,
-    /// Number of satellite teeth, z₂, with which gears of these z₁ (sun) and z₄ (ring) are in contact, if there is one.
+    /// Number of satellite teeth z₂ for which gears with these z₁ (sun) and z₄ (ring) mesh, if there is such a number.
     in_contact: Option<u32>,
     mobility: MobilitySummary,
     /// Gaps between the magnets at sun and ring, mm.
     gaps: Option<[f64; 2]>,
     axis_distance: f64,
-    /// Velocities at the final speeds: distances in mm, velocities in mm/s.
+    /// Velocities of points at the final speeds of the shafts; distances in mm, velocities in mm/s.
     velocities: Option<VelocitySummary>,
-    /// External torques without losses, relative to the sun's.
+    /// External torques on the shafts without losses, as multiples of the torque on the sun.
     #[serde(with = "ShaftNumbers")]
     #[cfg_attr(test, ts(as = "ShaftNumbers"))]
     torques: Shafts,
@@ -160,7 +160,7 @@ pub(crate) struct PullSummary {
     max: f64,
 }
 
-/// Early end of a run: the body that turned too fast, and the time.
+/// Early end of a run: its time, and the body that turned too fast.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct HaltSummary {

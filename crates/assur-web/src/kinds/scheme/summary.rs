@@ -19,7 +19,7 @@ const FOLLOWED: usize = 60;
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SchemeSummary<'a> {
-    /// Always null.
+    /// Always null: a scheme has no motion.
     #[cfg_attr(test, ts(type = "null"))]
     moves: Option<&'static str>,
     bounds: [f64; 4],
@@ -44,7 +44,7 @@ pub(crate) struct SchemeSummary<'a> {
     automatic: Vec<String>,
     plane: Option<JudgedSummary<'a>>,
     space: Option<JudgedSummary<'a>>,
-    /// The first pair with too few data for the rank.
+    /// The first pair that lacks data needed for the rank.
     missing: Option<String>,
     mended: Option<MendedSummary<'a>>,
 }
@@ -86,7 +86,7 @@ pub(crate) struct ClassSummary {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SectionsSummary<'a> {
     cuts: Vec<String>,
-    /// Numbers of remaining pairs with i freedoms.
+    /// Numbers Pᵢ of remaining pairs with i freedoms.
     left: Vec<ClassSummary>,
     open: usize,
     removed: usize,
@@ -217,7 +217,7 @@ impl<'a> SchemeSummary<'a> {
     }
 }
 
-/// The pair with missing data, if that is the reason.
+/// The pair with missing data, if this is why there is no rank.
 fn lacking(why: &NoRank) -> Option<String> {
     match why {
         NoRank::NoPlace(pair) | NoRank::NoAxis(pair) | NoRank::NoForm(pair) => Some(pair.clone()),

@@ -43,8 +43,8 @@ impl PlaneSummary {
         })
     }
 
-    /// Number of positions that some l₃ closes, over l₁ (coupler) and l₂ (output). Theorems 1 and 2
-    /// hold where this is the number of all positions.
+    /// Number of positions in which some l₃ closes the linkage, over l₁ (coupler) and l₂ (output). Theorems 1 and 2
+    /// hold where all positions can be closed.
     pub(super) fn closed(task: &Task) -> Self {
         let positions = 0..task.positions().len();
         Self::new(task, |coupler, output| {

@@ -18,11 +18,11 @@ pub(crate) struct SynthesisSummary<'a> {
     /// Source of the solutions.
     #[cfg_attr(test, ts(type = "\"family\" | \"exact\" | \"found\" | \"trial\""))]
     from: &'static str,
-    /// The numbered solutions, in the order of their numbers.
+    /// The numbered solutions, in numerical order.
     solutions: Vec<SolutionSummary>,
     /// Numbers of the solutions, from 1, in the order in which they are shown.
     shown: Vec<usize>,
-    /// Whether the output's angles were probably given for the opposite direction, turned through 180°.
+    /// Whether the output's angles were probably given in the direction from D to C, and so are off by 180°.
     turned: bool,
     /// Number of the drawn solution, from 1.
     number: Option<usize>,
@@ -51,7 +51,7 @@ pub(crate) struct SynthesisSummary<'a> {
 pub(crate) struct FunctionSummary {
     /// Values of x at equal steps, each with the error of y; null if the linkage does not reach x.
     curve: Vec<(f64, Option<f64>)>,
-    /// x and the error where the error is greatest; none if the linkage reaches no part of the interval.
+    /// Value of x with the greatest error, and this error; none if the linkage reaches no part of the interval.
     greatest: Option<(f64, f64)>,
     /// Whether the linkage covers the whole interval without a break.
     complete: bool,

@@ -26,20 +26,20 @@ pub(crate) struct WantedSummary {
     coupler: f64,
     /// Gap of the contour at the coupler.
     error: f64,
-    /// Terms of the main equation: left side, Z, e₀·e₂/z₃, e₀·e₃/z₂. Links have unit vectors eᵢ and zᵢ = lᵢ/l₀.
+    /// Terms of the main equation: e₂·e₃, Z, e₀·e₂/z₃, e₀·e₃/z₂, with eᵢ the unit vectors of the links and zᵢ = lᵢ/l₀.
     equation: [f64; 4],
     /// Coupler angle φ₁ at which the conditions are evaluated, radians.
     at: f64,
-    /// Gap of the contour if the coupler has this angle.
+    /// Gap of the contour at the coupler angle `at`.
     open: f64,
     conditions: Vec<ConditionSummary>,
     theorems: Vec<TheoremSummary>,
     /// The condition omitted by theorem 5.
     pair: Option<LeftOutSummary>,
-    /// Ranges of l₁ for which l₂ and for which l₃ is positive. A null range is empty; a null maximum means no limit.
-    /// Null altogether if condition (13) fails.
+    /// Ranges of l₁ for which l₂ is positive, and for which l₃ is; null if condition (13) fails. A null range is empty;
+    /// a null maximum means no limit.
     ranges: Option<[Option<Range>; 2]>,
-    /// Range of l₁ for which all lengths are positive; null if it is empty. A null maximum means no limit; equal ends a single l₁.
+    /// Range of l₁ for which all lengths are positive, null if empty; its ends are equal if only one l₁ is possible.
     interval: Option<Range>,
 }
 
@@ -67,7 +67,7 @@ pub(crate) struct WeightedSummary {
     drawn: f64,
 }
 
-/// A printed condition.
+/// A condition as printed in the paper.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ConditionSummary {
@@ -75,7 +75,7 @@ pub(crate) struct ConditionSummary {
     number: u8,
     /// The length that the condition concerns.
     about: Option<&'static str>,
-    /// The two numbers whose signs are compared; null if they divide by zero.
+    /// The two numbers whose signs are compared; null if a denominator is zero.
     values: [Option<f64>; 2],
     /// Whether the condition holds as printed.
     holds: bool,
@@ -140,8 +140,7 @@ impl From<Condition> for ConditionSummary {
     }
 }
 
-/// The angles of all links in each position. The coupler's angle is that of the document or, if none is given, that of
-/// the drawn linkage.
+/// The angles of all links in each position; for the coupler, that of the drawn linkage if the document gives none.
 pub(super) fn angles(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Vec<Angles> {
     let positions = task.positions().iter().zip(&document.positions);
     let all = positions.zip(&shown.closures);
@@ -217,7 +216,7 @@ impl PrintedSummary {
 }
 
 impl WeightedSummary {
-    /// Makes the summary for at least three positions with angles from the frame; none if the fit has no lengths.
+    /// Makes the summary for three or more positions without free starting angles; none if the fit finds no lengths.
     pub(super) fn new(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Option<Self> {
         let enough = task.positions().len() >= 3 && !document.free;
         let found = enough.then(|| weighted_difference(task)).flatten()?;
