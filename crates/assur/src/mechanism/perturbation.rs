@@ -136,8 +136,7 @@ impl Assembled {
     /// Neighbour with a given setting, at an input.
     ///
     /// # Errors
-    /// The links that come apart or would move too far for a neighbour; or the defects, if the changed linkage
-    /// is no mechanism.
+    /// The links that come apart or would move too far; or the defects, if the changed linkage is not a mechanism.
     pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, NoNeighbour> {
         let spec = match setting {
             Setting::Place(link, point, at) => self.layout.placed(&self.spec, link, point, at),

@@ -138,7 +138,7 @@ impl Layout {
     fn rows(&self, pose: &Predictor) -> Rows {
         let place = |anchor: BodyPoint| pose.place(anchor).value() / self.size;
         let blank = || DVector::zeros(3 * self.placed_by.len());
-        // Row of the velocity of a body relative to another at a position: its component in the direction `way`.
+        // Row of the component, in the direction `way`, of the velocity of a body relative to another at a position.
         let along = |at: Vector, way: Vector, [body, base]: [BodyId; 2]| {
             let mut row = blank();
             for (of, sign) in [(body, 1.0), (base, -1.0)] {
@@ -243,8 +243,7 @@ impl Layout {
     }
 
     /// Structure with passive links as separate steps. None if a redundant constraint fails near the drawn pose, or if
-    /// the mobility by rank differs from the number of drivers. Drivers that are compatible only at their given rates
-    /// exceed this mobility.
+    /// the mobility by rank differs from the number of drivers. It is less if drivers agree only at their given rates.
     fn shown(&self, redundancy: &Redundancy, at: &Configuration) -> Option<Structure> {
         let rows = self.rows_beside(at);
         let Redundancy { graph, drivers, .. } = redundancy;

@@ -259,7 +259,7 @@ impl Plan<'_> {
             self.points.insert(point, form);
             return;
         }
-        // For a block with one point, or known points too close together, the direction is the unknown.
+        // If the body has one point, or its known points are too close together, its direction is the unknown.
         let turn = self.unknown(self.orientations[body].turn, 1.0);
         self.conditions
             .push((body, Condition::Unit(turn.clone(), 0.0)));
