@@ -1,5 +1,4 @@
-//! Dimensions of a linkage: single numbers to be read, and to be set by sliders, by dragging in the drawing, or by
-//! searches.
+//! Dimensions of a linkage: numbers to be read, or to be set with a slider, by dragging in the drawing or by a search.
 
 use crate::index::{BodyId, LinkId, PointId, SlideId};
 use crate::linkage::spec::{DriverSpec, LinkSpec, LinkageSpec, SlideSpec};

@@ -168,8 +168,8 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// Layout of a specification drawn in a known pose, with one setting that differs from the drawing, and the
-    /// configuration of this layout before it is assembled.
+    /// Layout of a linkage drawn in a known pose, with one setting that differs from the drawing. It is returned with
+    /// its configuration before assembly.
     fn with_setting(
         &self,
         spec: &LinkageSpec,

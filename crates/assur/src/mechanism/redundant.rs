@@ -1,4 +1,4 @@
-//! Redundant constraints: groups that have more constraints than freedoms but move all the same.
+//! Redundant constraints: groups that move although their constraints outnumber their freedoms.
 //!
 //! Every constraint of such a group gives an equation of the group. In each pose pivoting selects independent
 //! equations, one for each unknown; the residuals of the other equations are checked. Bodies that stay parallel, such
@@ -243,7 +243,7 @@ impl Layout {
     }
 
     /// Structure with passive links as separate steps. None if a redundant constraint fails near the drawn pose, or if
-    /// the mobility by rank differs from the number of drivers. It is less if drivers agree only at their given rates.
+    /// the mobility by rank is not the number of drivers. It is lower if drivers are compatible only at their rates.
     fn shown(&self, redundancy: &Redundancy, at: &Configuration) -> Option<Structure> {
         let rows = self.rows_beside(at);
         let Redundancy { graph, drivers, .. } = redundancy;

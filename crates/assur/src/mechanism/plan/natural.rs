@@ -219,8 +219,8 @@ impl Plan<'_> {
         places.fold(0.0, |most, at| most.max((at - from).norm()))
     }
 
-    /// True if a position on a body is so far from the known points of the body that it determines the whole body
-    /// together with any of these points.
+    /// True if a position on a body is far enough from the body's known points to determine the whole body together
+    /// with any of these points.
     fn is_far(&self, body: BodyId, at: Vector) -> bool {
         let mut known = self.bodies.of(body).iter();
         known.all(|(point, other)| {
