@@ -1,5 +1,4 @@
-//! Points and vectors of the plane. They are distinct types of nalgebra, so that adding two points
-//! does not compile.
+//! Points and vectors of the plane. They are distinct types of nalgebra, so adding two points does not compile.
 
 use crate::Jet;
 
@@ -57,7 +56,7 @@ impl<const N: usize> JetPoint<N> {
     }
 
     /// The `order`-th derivative with respect to the input: the analogue of velocity for order 1, of acceleration for
-    /// order 2. Zero for an order that is not carried.
+    /// order 2. Zero if `order` is `N` or more.
     pub fn derivative(&self, order: usize) -> Vector {
         Vector::new(self.x.derivative(order), self.y.derivative(order))
     }

@@ -64,7 +64,7 @@ impl BodyId {
 }
 
 impl StepId {
-    /// The first step. It stands for the whole plan if no single step fails.
+    /// The first step. It stands for the whole plan if a failure concerns no single step.
     pub(crate) const FIRST: Self = Self(0);
 }
 

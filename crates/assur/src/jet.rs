@@ -48,7 +48,7 @@ impl<const N: usize> Jet<N> {
         Self(coefficients)
     }
 
-    /// The Taylor coefficient of an order; zero for an order that is not carried.
+    /// The Taylor coefficient of an order; zero if `order` is `N` or more.
     pub(crate) fn coefficient(&self, order: usize) -> f64 {
         self.0.get(order).copied().unwrap_or(0.0)
     }
@@ -58,7 +58,7 @@ impl<const N: usize> Jet<N> {
         self.derivative(0)
     }
 
-    /// The `order`-th derivative with respect to the input; zero for an order that is not carried.
+    /// The `order`-th derivative with respect to the input; zero if `order` is `N` or more.
     pub fn derivative(&self, order: usize) -> f64 {
         let factorial = match order {
             0 | 1 => 1.0,
@@ -70,7 +70,7 @@ impl<const N: usize> Jet<N> {
 
     /// True if the value and all derivatives are finite.
     pub fn is_finite(&self) -> bool {
-        // Zero times a finite number is zero, but NaN for NaN and infinity: one sum replaces N comparisons.
+        // The product 0·c is 0 if c is finite, and NaN otherwise, so one sum replaces N comparisons.
         self.0.iter().map(|c| 0.0 * c).sum::<f64>() == 0.0
     }
 

@@ -127,7 +127,7 @@ impl GearSet {
     }
 }
 
-/// Converts a defect of a pair into a defect of the set, given the driven wheel of the pair.
+/// Converts a defect of a pair to a defect of the set; `wheel` is the index of the pair's driven wheel.
 fn of_wheel(reason: Invalid, wheel: usize) -> Invalid {
     let dimension = match reason.dimension {
         Dimension::DrivenTeeth(_) => Dimension::DrivenTeeth(wheel),
@@ -169,7 +169,7 @@ impl GearPair {
             .collect()
     }
 
-    /// First and last direction from the driver's centre that is covered by the tip circles.
+    /// Start and end of the angle that the tip circles cover, seen from the driver's centre.
     fn shadow(&self) -> [f64; 2] {
         // Half the angle that a tip circle covers; a quarter turn if it contains the driver's centre.
         let disc = |Disc { centre, radius }: Disc| {
@@ -252,8 +252,8 @@ mod tests {
 
     #[test]
     fn overlaps_are_where_tips_pass() {
-        // Six wheels of 18 teeth around a driver of 36 do not overlap. Their centres are at a radius of 27 modules: two
-        // at an angle β to each other are 54 sin(β/2) modules apart and need 20.
+        // Six wheels of 18 teeth around a driver of 36 do not overlap. Their centres are 27 modules from the driver's.
+        // Two centres at an angle β are 54 sin(β/2) modules apart, and the wheels touch at 20 modules.
         let even = set(36.0, &[18.0; 6], &SIXTY, Mesh::External);
         assert_eq!(even.overlaps(), [] as [[usize; 2]; 0]);
         let clear = 2.0 * (20.0 / 54.0_f64).asin().to_degrees();

@@ -1,6 +1,6 @@
 //! Epicyclic trains of two freedoms: sun 1, satellite 2, carrier 3, ring 4.
 //!
-//! One linear equation relates the three coaxial shafts, the [`Differential`]. The [`Train`] is the set of wheels that
+//! One linear equation, the [`Differential`], relates the three coaxial shafts. The [`Train`] is the set of wheels that
 //! realizes this equation, and the [`Layout`] gives their dimensions. Speeds are in radians per any unit of time,
 //! positive counter-clockwise.
 //!
@@ -83,7 +83,7 @@ pub enum TrainError {
         /// Number of teeth of the ring, z₄.
         ring: u32,
     },
-    /// Bevel wheels with these numbers of teeth have no pitch cones with a common apex: |z₄ − z₁| < 2 z₂ does not hold.
+    /// The pitch cones of these bevel wheels cannot have a common apex: |z₄ − z₁| ≥ 2 z₂.
     NoCones {
         /// Number of teeth of the sun, z₁.
         sun: u32,
@@ -167,7 +167,7 @@ impl Train {
     /// Makes a bevel train with z₁, z₂ and z₄ teeth. In the differential of a car's axle, z₄ = z₁.
     ///
     /// # Errors
-    /// Every reason at once: invalid numbers as in [`Train::planar`]; wheels without pitch cones of a common apex.
+    /// Every reason at once: invalid numbers as in [`Train::planar`]; wheels whose pitch cones have no common apex.
     pub fn bevel(teeth: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         Self::whole(Kind::Bevel, teeth)
     }
@@ -190,11 +190,11 @@ impl Train {
         .checked()
     }
 
-    /// Finds the planar train of gears in contact with z₁ and z₄ teeth, where z₂ = (z₄ − z₁)/2. Returns none if z₂ is
+    /// Finds the planar train with z₁ and z₄ teeth whose gears are in contact: z₂ = (z₄ − z₁)/2. Returns none if z₂ is
     /// not whole or is too small.
     ///
     /// # Errors
-    /// Those of [`Train::planar`] for the two numbers.
+    /// Those of [`Train::planar`] for z₁ and z₄.
     pub fn in_contact(sun_and_ring: [f64; 2]) -> Result<Option<Self>, Vec<TrainError>> {
         let [sun, ring] = planar_shafts(sun_and_ring)?;
         let twice = ring - sun;
@@ -225,7 +225,7 @@ impl Train {
 
     /// The equation of the three shafts.
     pub fn differential(&self) -> Differential {
-        // If the satellite is a single wheel, z₂ = z₂′, the weights are z₁ and z₄.
+        // For a single-wheel satellite (z₂ = z₂′) the weights are z₁ and z₄.
         let common = num_integer::gcd(self.satellite, self.step);
         Differential::of(
             self.sun * (self.step / common),

@@ -133,7 +133,7 @@ fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<
         shape.get(index).copied()
     };
     let coincide = |a: &String, b: &String| {
-        // A link may be small in the drawing, so its size is taken from its own shape.
+        // Points of a shape are compared with the size of the shape, because the link may be drawn at another scale.
         let (ends, size) = match (in_shape(a), in_shape(b), own) {
             (Some(a), Some(b), Some((_, shape))) => {
                 ((Some(a), Some(b)), extent(shape.iter().map(|at| at.coords)))
@@ -250,8 +250,8 @@ fn meshing(spec: &LinkageSpec, gear: &GearSpec, found: &mut Vec<Defect>) {
 }
 
 impl LinkageSpec {
-    /// All defects that can be found without the geometry of the whole linkage. None if everything named exists and the
-    /// numbers are valid.
+    /// All defects that can be found without the geometry of the whole linkage. Empty if everything named exists and
+    /// all numbers are valid.
     pub fn defects(&self) -> Vec<Defect> {
         defects(self)
     }

@@ -81,10 +81,10 @@ pub struct SlideSpec {
     pub line: [String; 2],
 }
 
-/// A gear coupling of two links hinged to the same carrier. With the angles θ₁ and θ₂ of the links and θ₀ of the
-/// carrier, `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` (R. Willis, *Principles of Mechanism*, 1841). The drawing gives the
-/// constant. A wheel with no point but its hinge is mounted so that the angles of both wheels relative to the carrier
-/// are zero together.
+/// A gear coupling of two links hinged to the same carrier: `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` (R. Willis,
+/// *Principles of Mechanism*, 1841). The links have z₁ and z₂ teeth and the angles θ₁ and θ₂; the carrier has the angle
+/// θ₀. The drawing gives the constant. A wheel with no point but its hinge is mounted so that the angles of both wheels
+/// relative to the carrier are zero together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSpec {
     /// The two links in mesh.
@@ -207,8 +207,7 @@ pub enum Defect {
     MeshContradicts { links: [String; 2] },
     /// A group of these links that cannot be solved yet.
     Unsupported { links: Vec<String> },
-    /// Links of a group that cannot be joined in the drawn position. `by` is the distance between the joints that
-    /// should coincide.
+    /// Links of a group that cannot be joined as drawn. `by` is the distance between the joints that should coincide.
     Open { links: Vec<String>, by: f64 },
     /// Links of a group drawn in a singular position, at a dead point.
     Singular {
@@ -217,7 +216,7 @@ pub enum Defect {
     },
     /// Links whose angle is undetermined as drawn: two hinges, joined to each other only by these links, coincide.
     CoincidentHinges { links: Vec<String> },
-    /// A point that its links put too far from its drawn place for the drawing to select the assembly.
+    /// A point so far from its drawn place, once its links are joined, that the drawing cannot select the assembly.
     Misdrawn { point: String, by: f64 },
 }
 

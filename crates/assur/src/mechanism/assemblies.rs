@@ -40,8 +40,8 @@ pub struct Assemblies {
 }
 
 /// Assemblies of a linkage at successive inputs. If an input is near the previous one, the solutions of groups are
-/// tracked from there, in at most a tenth of the time of a new search. The tracked set is complete if its solutions are
-/// distinct and their number is that of the general case. If in doubt, all solutions are computed anew.
+/// tracked from the previous input, in at most a tenth of the time of a new search. The tracked set is complete if its
+/// solutions are distinct and as numerous as in the general case. If in doubt, all solutions are computed anew.
 #[derive(Clone, Debug)]
 pub struct Following {
     mechanism: Mechanism,
@@ -51,7 +51,7 @@ pub struct Following {
 }
 
 impl Following {
-    /// All assemblies at an input, as by [`Mechanism::assemblies_at`].
+    /// All assemblies at an input: see [`Mechanism::assemblies_at`].
     pub fn at(&mut self, input: f64) -> Assemblies {
         let Self {
             mechanism,
@@ -74,8 +74,8 @@ pub(crate) struct Found<const N: usize> {
     /// Pairs of complex conjugate solutions, of groups and of dyads out of reach. Empty unless derivatives are
     /// computed.
     pub(crate) unreal: Vec<ComplexPair>,
-    /// Square of the sine of the angle between two guides that must cross. At a zero of the sine bodies go to infinity;
-    /// near this zero, links joined to these bodies may be within reach over a short interval.
+    /// Squared sine of the angle between two guides that must cross. If the guides are parallel, the bodies on them are
+    /// at infinity; near that input, links joined to these bodies may be within reach over a short interval.
     pub(crate) parallel: Vec<ComplexPair>,
     pub(crate) whole: bool,
 }
@@ -263,8 +263,7 @@ impl<'a, const N: usize> Search<'a, N> {
         self.at.signs[*step] = Sign::Plus;
     }
 
-    /// Places the bodies of a step, then those of the remaining steps. `solved` is true if the step's unknowns are
-    /// solved.
+    /// Places the bodies of a step, then those of the remaining steps. `solved`: the step's unknowns are already known.
     fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>, solved: bool) {
         if self.tries == 0 || self.found.ways.len() == self.most {
             self.found.whole = false;
@@ -283,7 +282,7 @@ impl<'a, const N: usize> Search<'a, N> {
                 }
                 self.join(rest, state);
             }
-            // Unlike the margins of a dyad, those of a group are not squares.
+            // The margins of a group, unlike those of a dyad, are not under square roots.
             Err(_) if matches!(self.layout.steps[step], Step::Group(_)) => {}
             Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
                 let negative = state.margins[step].into_iter();

@@ -71,7 +71,7 @@ impl DrivenFourBar<'_> {
         let mut found = Vec::new();
         for input in crossings.chain(swings) {
             let ahead = (input - from).rem_euclid(period);
-            // Rounding may put a change point that is at the start of the arc just before the start.
+            // Rounding may put a change point at the start of the arc just before the start.
             let ahead = if ahead > period * (1.0 - tolerance::NEGLIGIBLE) {
                 0.0
             } else {
@@ -172,9 +172,8 @@ impl Mechanism {
             .collect()
     }
 
-    /// Angle of the first crank less the input, if this crank carries one of two hinges. The angle is measured at the
-    /// pivot of the crank, from the direction to the other hinge to the direction to the hinge on the crank. None if
-    /// the other hinge moves.
+    /// Angle at the pivot of the first crank, from the fixed one of two hinges to the other hinge, less the input. None
+    /// unless one hinge is fixed and the other is on this crank.
     fn lead_of(&self, hinges: [BodyPoint; 2]) -> Option<f64> {
         let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
             [true, false] => hinges,

@@ -42,7 +42,7 @@ impl Mechanism {
                 let shares = |link: &&Part| link.points.iter().any(|point| own.contains(point));
                 links.iter().filter(shares).count()
             };
-            // If both wheels share points with the same number of links, the second is taken.
+            // If both wheels share points with equal numbers of links, the second wheel is taken.
             wheels.rev().min_by_key(sharing)
         })
     }

@@ -1,5 +1,4 @@
-//! Dimensions of a linkage: single numbers to be read, and to be set by sliders, by dragging in the drawing, or by
-//! searches.
+//! Dimensions of a linkage: numbers to be read, or to be set with a slider, by dragging in the drawing or by a search.
 
 use crate::index::{BodyId, LinkId, PointId, SlideId};
 use crate::linkage::spec::{DriverSpec, LinkSpec, LinkageSpec, SlideSpec};
@@ -70,8 +69,8 @@ impl Mechanism {
         all.filter(|dimension| self.has(*dimension)).collect()
     }
 
-    /// True if a dimension exists. A point of a link gives no dimension if the link is one body with the frame, or with
-    /// a link that must keep its shape, and shares the point with this frame or link.
+    /// True if a dimension exists. A point that a link shares with the frame, or with a link that must keep its shape,
+    /// gives no dimension if the two are one body.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {
@@ -153,8 +152,8 @@ impl Mechanism {
 }
 
 impl Dimension {
-    /// Setting that gives this dimension a value in a drawn linkage. A side from the second point must be set by the
-    /// corner instead.
+    /// Setting that gives this dimension a value in a drawn linkage. A side from the second point must be set through
+    /// the corner instead.
     pub(crate) fn setting(self, spec: &LinkageSpec, value: f64) -> Setting {
         let at = |point: PointId| spec.points[point.index()].at;
         let placed = |link: LinkId, point: usize, angle: f64, side: f64| {
@@ -256,7 +255,7 @@ impl LinkageSpec {
     }
 }
 
-/// Shape of a link. Two points are put on the x-axis, because only their distance matters.
+/// Shape of a link. If it has only two points, they are put on the x-axis, because only their distance matters.
 pub(super) fn along_axis(shape: Vec<Point>) -> Vec<Point> {
     match shape[..] {
         [from, to] => vec![Point::origin(), Point::new((to - from).norm(), 0.0)],

@@ -15,8 +15,8 @@ use crate::{Point, tolerance};
 
 /// Maximum distance of a point from its drawn position, relative to the size of the linkage.
 const MISDRAWN: f64 = 0.3;
-/// Maximum number of doublings of the step back from an input just beyond a dead point. The first step is the rounding
-/// unit of the input.
+/// Number of inputs tried on each side of a rounded input, which may be just beyond a dead point. Their distances from
+/// the rounded input are 0, 1, 3, 7, … times its rounding unit.
 const BACK: u32 = 24;
 /// Maximum deviation, in radians, of a wheel from its drawn angle that counts as rounding. A whole turn of the driving
 /// body shifts a wheel by more, unless the wheel has tens of thousands of teeth.
@@ -76,8 +76,8 @@ impl Layout {
         Ok(Start { input, pose })
     }
 
-    /// Mounts the wheels of a step as drawn. Each whole turn by which the angle of the driving body differs from the
-    /// drawing turns a wheel through a fraction of a turn.
+    /// Mounts the wheels of a step as drawn. If the driving body's angle differs from its drawn angle by whole turns,
+    /// each of these turns rotates a wheel through a fraction of a turn.
     fn mount(&self, step: StepId, at: &mut Configuration, state: &mut State<1>) {
         match &self.steps[step] {
             Step::Group(group) => {
@@ -183,9 +183,8 @@ impl Layout {
         inputs.find(|input| self.solve(*input, signs, at, state).is_ok())
     }
 
-    /// Input of a configuration and one input on each side of it, for a singular drawn pose. These inputs are a
-    /// thousandth of a radian apart for a crank. For a slide their distance is the same fraction of its range as a
-    /// thousandth of a radian is of a turn.
+    /// Input of a configuration and one input on each side of it, for a singular drawn pose. Neighbouring inputs are
+    /// 0.001 rad apart for a crank, and 0.001/2π of its range for a slide.
     pub(super) fn entries(&self, at: &Configuration) -> [f64; 3] {
         [0.0, tolerance::NEAR, -tolerance::NEAR].map(|aside| at.input + aside * self.span() / TAU)
     }

@@ -79,8 +79,7 @@ impl Mechanism {
             .filter(|link| self.spec.is_crank(&links[link.index()]))
     }
 
-    /// Structure of the mechanism: drivers and Assur groups, then passive links. A link of the structure is the index
-    /// of a body.
+    /// Structure of the mechanism: drivers and Assur groups, then passive links. Links are given as indices of bodies.
     pub fn structure(&self) -> &Structure {
         let layout = &self.layout;
         let shown = layout.passive.as_ref();

@@ -136,8 +136,7 @@ impl Assembled {
     /// Neighbour with a given setting, at an input.
     ///
     /// # Errors
-    /// The links that come apart or would move too far for a neighbour; or the defects, if the changed linkage
-    /// is no mechanism.
+    /// The links that come apart or would move too far; or the defects, if the changed linkage is not a mechanism.
     pub(crate) fn neighbour(&self, setting: Setting, input: f64) -> Result<Self, NoNeighbour> {
         let spec = match setting {
             Setting::Place(link, point, at) => self.layout.placed(&self.spec, link, point, at),
@@ -169,8 +168,8 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// Layout of a specification drawn in a known pose, with one setting that differs from the drawing, and the
-    /// configuration of this layout before it is assembled.
+    /// Layout of a linkage drawn in a known pose, with one setting that differs from the drawing. It is returned with
+    /// its configuration before assembly.
     fn with_setting(
         &self,
         spec: &LinkageSpec,

@@ -8,14 +8,14 @@ use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::mechanism::{Layout, Mechanism};
 use crate::position::Step;
 
-/// Maximum period of the drivers, in turns of the first crank. It also limits the period of a linkage with wheels whose
-/// circuits are searched.
+/// Maximum period of the drivers, in turns of the first crank. Circuits of a linkage with wheels are searched up to the
+/// same period.
 pub(crate) const MAX_PERIOD: usize = 24;
 
 /// Number of turns that stands for "never returns"; it is greater than the number of turns of any followed motion.
 pub(crate) const NEVER: usize = 10_000_000;
 
-/// Tolerance within which a rate is a ratio of whole numbers.
+/// Tolerance within which a rate counts as a ratio of whole numbers.
 const WHOLE: f64 = 1e-11;
 
 /// Number of turns of the first crank after which every driver has returned. None if the first driver is a slide, or a

@@ -1,4 +1,4 @@
-//! Redundant constraints: groups that have more constraints than freedoms but move all the same.
+//! Redundant constraints: groups that move although their constraints outnumber their freedoms.
 //!
 //! Every constraint of such a group gives an equation of the group. In each pose pivoting selects independent
 //! equations, one for each unknown; the residuals of the other equations are checked. Bodies that stay parallel, such
@@ -139,7 +139,7 @@ impl Layout {
     fn rows(&self, pose: &Predictor) -> Rows {
         let place = |anchor: BodyPoint| pose.place(anchor).value() / self.size;
         let blank = || DVector::zeros(3 * self.placed_by.len());
-        // Row of the velocity of a body relative to another at a position: its component in the direction `way`.
+        // Row of the component, in the direction `way`, of the velocity of a body relative to another at a position.
         let along = |at: Vector, way: Vector, [body, base]: [BodyId; 2]| {
             let mut row = blank();
             for (of, sign) in [(body, 1.0), (base, -1.0)] {
@@ -244,8 +244,7 @@ impl Layout {
     }
 
     /// Structure with passive links as separate steps. None if a redundant constraint fails near the drawn pose, or if
-    /// the mobility by rank differs from the number of drivers. Drivers that are compatible only at their given rates
-    /// exceed this mobility.
+    /// the mobility by rank is not the number of drivers. It is lower if drivers are compatible only at their rates.
     fn shown(&self, redundancy: &Redundancy, at: &Configuration) -> Option<Structure> {
         let rows = self.rows_beside(at);
         let Redundancy { graph, drivers, .. } = redundancy;

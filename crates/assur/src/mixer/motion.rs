@@ -34,7 +34,7 @@ impl Mixer {
 
     fn moved(&self, spec: &LinkageSpec) -> Result<Motion, Unmoved> {
         let mechanism = Mechanism::new(spec).map_err(Unmoved::Defects)?;
-        // If the drawing fits both assemblies, it is redrawn in the assembly of the mixer.
+        // The drawing may show the other assembly; the mechanism is then redrawn in the mixer's assembly.
         let redrawn = mechanism.with_four_bar(self.assembly);
         Ok(Motion::new(redrawn.unwrap_or(mechanism)))
     }

@@ -24,7 +24,7 @@ impl Mixer {
     pub fn spec(&self) -> Result<LinkageSpec, Unsolved> {
         let cycle = self.linkage.cycle();
         if cycle.is_full() {
-            // Any crank angle would do.
+            // If the crank turns fully, any crank angle can be drawn.
             return self.spec_at(1.0);
         }
         self.spec_on(cycle.arcs()[0])

@@ -33,7 +33,7 @@ impl Tracer {
     pub const MOST: usize = 6;
 }
 
-/// Checks that traced points have valid coordinates and are on bodies of a mixer with a given number of peripheral
+/// Checks that traced points have valid coordinates and are on bodies that exist. `wheels` is the number of peripheral
 /// wheels.
 pub(super) fn check(tracers: &[Tracer], wheels: usize) -> Result<(), Vec<Invalid>> {
     let mut reasons = Vec::new();

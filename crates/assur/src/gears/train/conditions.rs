@@ -30,7 +30,7 @@ pub enum ConditionKind {
 }
 
 impl ConditionKind {
-    /// Name of the condition for programs.
+    /// Identifier of the condition in machine-readable output.
     pub fn code(self) -> &'static str {
         match self {
             Self::Coaxiality => "coaxiality",
@@ -92,8 +92,8 @@ impl Condition {
 }
 
 impl Differential {
-    /// The condition that this number of satellites can be mounted at equal angles. For stepped satellites, if all are
-    /// alike, (z₁z₂′ + z₂z₄)/gcd(z₂, z₂′) replaces z₁ + z₄.
+    /// The condition that this number of satellites can be mounted at equal angles. For stepped satellites, all of them
+    /// identical, (z₁z₂′ + z₂z₄)/gcd(z₂, z₂′) replaces z₁ + z₄.
     pub fn assembly(&self, satellites: u32) -> Condition {
         Condition {
             kind: ConditionKind::Assembly,
@@ -116,7 +116,7 @@ impl Layout {
         let satellites = self.counts().satellites;
         let assembly = self.train().differential().assembly(satellites);
         conditions.push(Condition {
-            // Counted in periods of the field, not in teeth.
+            // The sum z₁ + z₄ is counted in periods of the field, not in teeth.
             left: assembly.left / f64::from(self.plates_to_period(coupling)),
             ..assembly
         });

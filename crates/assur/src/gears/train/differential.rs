@@ -21,7 +21,7 @@ impl Shaft {
     /// All shafts.
     pub const ALL: [Self; 3] = [Self::Sun, Self::Carrier, Self::Ring];
 
-    /// Index of the shaft among sun, satellite, carrier and ring.
+    /// Index of the shaft in the order sun, satellite, carrier, ring.
     pub fn index(self) -> usize {
         match self {
             Self::Sun => 0,
@@ -104,7 +104,7 @@ impl Differential {
         Self { sun, ring }
     }
 
-    /// The differential of a planar train with z₁ and z₄ teeth, whatever the satellites.
+    /// The differential of a planar train with z₁ and z₄ teeth. It does not depend on the satellites.
     ///
     /// # Errors
     /// Every reason at once: numbers that are not whole, positive and within [`TEETH`](crate::gears::TEETH); a ring not

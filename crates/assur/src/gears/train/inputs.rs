@@ -74,8 +74,8 @@ pub enum InputError {
         /// Number of inputs.
         given: usize,
     },
-    /// The shaft turns at a multiple of another shaft's speed that, with the other input, does not determine the
-    /// motion: the train is at rest or moves at any speed.
+    /// The ratio of the shaft's speed to another shaft's, with the other input, leaves the motion undetermined: the
+    /// train may be at rest or move at any speed.
     SingularTie {
         /// The shaft of the input.
         shaft: Shaft,

@@ -19,9 +19,9 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Makes a layout from numbers entered by a person: the number of satellites, the module m, which gives a wheel
-    /// with z teeth the diameter d = m z, and the axis distance. The axis distance a_w, from the central axis to a
-    /// satellite's axis, is for magnets only; none means equal gaps at sun and ring.
+    /// Makes a layout from numbers entered by a person: the number of satellites, the module m, and the axis distance
+    /// a_w. A wheel with z teeth has the diameter d = m z. The distance a_w, from the central axis to a satellite's
+    /// axis, is used for magnets only; without it the gaps at sun and ring are equal.
     ///
     /// # Errors
     /// Every reason at once: a number of satellites outside 1 to [`GearSet::MOST`](crate::gears::GearSet::MOST);
@@ -37,7 +37,7 @@ impl Layout {
         if let Err(fault) = Fault::check_positive(module, LENGTH) {
             reasons.push(TrainError::Module { fault });
         }
-        // Enough for one module per tooth of the largest wheel.
+        // The upper limit is the diameter of a wheel of 1000 teeth with the greatest module.
         let range = (LENGTH.0, 1e3 * LENGTH.1);
         if let Some(Err(fault)) = axis_distance.map(|given| Fault::check_positive(given, range)) {
             reasons.push(TrainError::AxisDistance { fault });
@@ -113,7 +113,7 @@ impl Layout {
             [Member::Sun, Member::Satellite, Member::Step, Member::Ring]
                 .map(|member| f64::from(self.train.teeth(member)));
         match (self.train.kind(), coupling, self.axis_distance) {
-            // The middle of the satellite's pitch circle: r₂ cot δ₂ sin Σ, with pitch radius r₂ and pitch angle δ₂.
+            // The satellite's pitch circle, of radius r₂ and pitch angle δ₂, has its centre at r₂ cot δ₂ sin Σ.
             (Kind::Bevel, ..) => 0.25 * self.module * (sun + ring),
             (_, Coupling::Contact, _) => 0.5 * self.module * (sun + satellite),
             (_, Coupling::Magnetic, Some(given)) => given,
@@ -130,9 +130,8 @@ impl Layout {
         planar.then_some([distance - least, most - distance])
     }
 
-    /// Clearances between teeth of the standard addendum m at sun and ring, if magnets have such teeth:
-    /// [gaps](Self::gaps) less two addenda. Negative if the teeth reach into one another, so that no wheel can slip.
-    /// None for bevel wheels.
+    /// Clearances at sun and ring between tips of magnets with teeth of the standard addendum m: [gaps](Self::gaps)
+    /// less two addenda. Negative if the teeth reach into one another; wheels then cannot slip. None for bevel wheels.
     pub fn tip_clearances(&self) -> Option<[f64; 2]> {
         let teeth = 2.0 * ADDENDUM * self.module;
         self.gaps().map(|gaps| gaps.map(|gap| gap - teeth))
@@ -148,8 +147,8 @@ impl Layout {
         ]
     }
 
-    /// Sine of half the angle that a satellite covers, seen from the central axis, up to the tips of its teeth if gears
-    /// are in contact.
+    /// Sine of half the angle that a satellite covers, seen from the central axis. Teeth are included for gears in
+    /// contact.
     pub(super) fn half_width(&self, coupling: Coupling) -> f64 {
         let teeth = |member| f64::from(self.train.teeth(member));
         let largest = teeth(Member::Satellite).max(teeth(Member::Step));

@@ -26,7 +26,7 @@ pub struct Mounting {
 
 impl Train {
     /// Mounting angle of the ring for which teeth meet gaps at all satellites that can be
-    /// [mounted](super::Differential::assembly). A tooth (or a plate) of the sun, and an inward one of the ring, are
+    /// [mounted](super::Differential::assembly). A tooth (or a plate) of the sun, and an inward tooth of the ring, are
     /// centred on the zero directions of these wheels. Like poles of unloaded magnets are positioned in the same way.
     pub fn ring_mounting(&self) -> f64 {
         self.ring_mounting_of(1)
@@ -38,7 +38,7 @@ impl Train {
         (PI + step * (PI - PI / satellite)) / ring
     }
 
-    /// Numbers of periods of the wheels z₁, z₂, z₂′ and z₄, for this number of teeth (or plates) per period.
+    /// Numbers of periods around the wheels z₁, z₂, z₂′ and z₄; `plates` is the number of teeth (or plates) per period.
     fn periods(&self, plates: u32) -> [f64; 4] {
         let members = [Member::Sun, Member::Satellite, Member::Step, Member::Ring];
         members.map(|member| f64::from(self.teeth(member)) / f64::from(plates))
@@ -57,7 +57,7 @@ impl Layout {
         let one = |k: u32| {
             let line = TAU * f64::from(k) / f64::from(count);
             let at_sun = line + PI + (line * sun - PI) / satellite;
-            // A shift by a period of the field at the sun changes the phase of z₂′ at the ring.
+            // Mounting the satellite one period further at the sun changes the phase of z₂′ at the ring.
             let off = |period: u32| {
                 let angle = at_sun + TAU * f64::from(period) / satellite;
                 let phase = ring * (line - mounted) - step * (line - angle);

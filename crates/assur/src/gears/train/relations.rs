@@ -7,8 +7,8 @@ impl Layout {
     /// The paper's relations at these speeds of sun, satellite, carrier and ring, rad/s, in the order of the paper.
     /// None for stepped and bevel trains, which the paper does not treat. Lengths are in the unit of the module.
     ///
-    /// For magnets only: δ₁₂ and δ₂₄ are the gaps between pitch circles at sun and ring, c₁₂ and c₂₄ the clearances
-    /// between tips of standard teeth.
+    /// Given for magnets only: the gaps δ₁₂ and δ₂₄ between pitch circles at sun and ring, and the clearances c₁₂ and
+    /// c₂₄ between tips of standard teeth.
     pub fn relations(&self, coupling: Coupling, speeds: &[f64; 4]) -> Vec<Relation> {
         if self.train().kind() != Kind::Planar {
             return Vec::new();

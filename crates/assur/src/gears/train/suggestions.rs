@@ -13,7 +13,7 @@ pub struct Suggestion {
 }
 
 impl Layout {
-    /// Maximum total change to search. It is less for stepped satellites: their fourth wheel adds many candidates.
+    /// Maximum total change of teeth in the search; less for stepped satellites, whose fourth wheel adds candidates.
     fn reach(&self) -> i32 {
         match self.train().kind() {
             Kind::Planar | Kind::Bevel => 60,

@@ -153,8 +153,8 @@ impl Turning {
     /// Makes the motion of a train with these inputs.
     ///
     /// # Errors
-    /// Every invalid rise time; errors of [`Differential::solve`](super::Differential::solve); two inputs of
-    /// one shaft; given speeds above [`Self::FASTEST`], or, if there are none, resulting speeds above it.
+    /// Every invalid rise time; errors of [`Differential::solve`](super::Differential::solve); two inputs of one
+    /// shaft; given speeds above [`Self::FASTEST`], or otherwise resulting speeds above this limit.
     pub fn new(train: Train, inputs: &[TimedInput]) -> Result<Self, Vec<InputError>> {
         let rises: Vec<InputError> = inputs.iter().filter_map(rise_fault).collect();
         let asked: Vec<Input> = inputs.iter().map(|timed| timed.input).collect();
@@ -167,7 +167,7 @@ impl Turning {
         let driven = |shaft: &Shaft| asked.iter().any(|input| input.shaft == *shaft);
         let free: Vec<Shaft> = Shaft::ALL.into_iter().filter(|one| !driven(one)).collect();
         let ([free], [one, other]) = (&free[..], inputs) else {
-            // If two shafts have no input, both inputs are of the same shaft.
+            // If two shafts have no input, both inputs drive the third shaft.
             let shaft = asked[0].shaft;
             return Err(vec![InputError::Twice { shaft }]);
         };
@@ -205,8 +205,8 @@ impl Turning {
                     Motor::Other(factor)
                 }
                 (Drive::Tied { factor, .. }, Drive::Given(_)) => {
-                    // This shaft turns by x = factor · free. The equation of the three shafts then makes x a multiple
-                    // of the other driven shaft's motion.
+                    // This shaft turns through `factor` times the angle of the free shaft. By the equation of the
+                    // three shafts, its angle is then a multiple of the other driven shaft's angle.
                     let weight = |shaft| train.differential().weight(shaft) as f64;
                     let [this, other] = [one, other].map(|input| weight(input.input.shaft));
                     Motor::Other(-factor * other / factor.mul_add(this, weight(*free)))
@@ -303,7 +303,7 @@ impl Turning {
         })
     }
 
-    /// Motor that moves a driven shaft, and the factor by which its motion is multiplied.
+    /// Motor that moves a driven shaft, and the ratio of the shaft's motion to that of the motor.
     fn motor(&self, this: usize) -> (Motor, f64) {
         match (self.driven[this].1, self.driven[1 - this].1) {
             (Motor::Other(factor), other) => (other, factor),

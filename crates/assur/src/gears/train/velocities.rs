@@ -39,7 +39,7 @@ pub struct PointVelocity {
     pub velocity: f64,
 }
 
-/// Velocities of a satellite in the plane. Plotted over the radius they lie on a straight line: the velocity triangle.
+/// Velocities of a satellite in the plane: a straight line if plotted against the radius (the velocity triangle).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Velocities {
     /// Rolling point on the sun, where satellite and sun have the same velocity.

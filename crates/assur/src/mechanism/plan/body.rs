@@ -151,7 +151,7 @@ impl Bodies {
         Ok(())
     }
 
-    /// Adds to a body the points of a link fixed to it; returns the angle of the link on the body.
+    /// Adds a link's points to the body to which the link is fixed; returns the link's angle relative to the body.
     fn fix(&mut self, spec: &Resolved<'_>, body: BodyId, points: &[PointId]) -> f64 {
         let (origin, turn) = self.drawn[body];
         let own = |way: Vector| product(way, conjugate(turn));

@@ -219,8 +219,8 @@ impl Plan<'_> {
         places.fold(0.0, |most, at| most.max((at - from).norm()))
     }
 
-    /// True if a position on a body is so far from the known points of the body that it determines the whole body
-    /// together with any of these points.
+    /// True if a position on a body is far enough from the body's known points to determine the whole body together
+    /// with any of these points.
     fn is_far(&self, body: BodyId, at: Vector) -> bool {
         let mut known = self.bodies.of(body).iter();
         known.all(|(point, other)| {
@@ -259,7 +259,7 @@ impl Plan<'_> {
             self.points.insert(point, form);
             return;
         }
-        // For a block with one point, or known points too close together, the direction is the unknown.
+        // If the body has one point, or its known points are too close together, its direction is the unknown.
         let turn = self.unknown(self.orientations[body].turn, 1.0);
         self.conditions
             .push((body, Condition::Unit(turn.clone(), 0.0)));

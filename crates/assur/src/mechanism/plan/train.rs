@@ -24,8 +24,8 @@ impl Placed<'_> {
         self.bodies.active_gears().filter(of_it).collect()
     }
 
-    /// Mounts the wheels of a group whose orientation no point and no guide shows. The first coupling that determines
-    /// the angle of such a wheel relative to the carrier sets this angle: zero when the angle of the mate is zero.
+    /// Mounts those wheels of a group whose orientation no point or guide shows. The first coupling that determines
+    /// such a wheel's angle relative to the carrier sets this angle to zero at the zero angle of the mating wheel.
     /// Driven wheels are left out, because their coordinates give their angles.
     pub(in crate::mechanism) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
         let round = group.iter().copied();
@@ -42,7 +42,7 @@ impl Placed<'_> {
         }
     }
 
-    /// A wheel not yet mounted, whose mate and carrier are known, and its angle.
+    /// A wheel not yet mounted, with its angle, if the orientations of its mating wheel and carrier are known.
     fn mounted(&self, group: &[BodyId], waiting: &[BodyId]) -> Option<(BodyId, f64)> {
         self.couplings(group).into_iter().find_map(|gear| {
             let mut unknown = gear.all().into_iter().filter(|body| waiting.contains(body));
@@ -65,8 +65,8 @@ impl Placed<'_> {
             .fold(0.0, |sum, term| sum + term)
     }
 
-    /// Step of a group that is a train: its bodies have hinges and meshes but no slides, and it has as many meshes as
-    /// bodies. None for any other group.
+    /// Step of a group that is a train: its bodies have hinges and meshes but no slides, with one mesh per body. None
+    /// for any other group.
     ///
     /// # Errors
     /// The numbers of teeth do not determine the angles of the train.

@@ -65,7 +65,7 @@ pub enum ConstraintKind {
 /// Values of both sides of a constraint equation, or of one of its derivatives, in a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sides {
-    /// Left side, evaluated with one position for each point.
+    /// Left side in the pose. A point has one position, whichever link carries the point.
     pub left: f64,
     /// Required value of the left side.
     pub right: f64,
@@ -177,8 +177,9 @@ impl Mechanism {
         self.layout.constraints(&self.drawn.orientations)
     }
 
-    /// Both sides of an equation in a pose, or of its derivative with respect to the input, of an order below `N`.
-    /// Derivatives of squared distances are halved, as in papers: `x x′ + y y′ = 0`, `x x″ + y y″ = −(x′² + y′²)`.
+    /// Both sides, in a pose, of an equation (`order` 0) or of its `order`-th derivative with respect to the input;
+    /// `order` is below `N`. Derivatives of squared distances are halved, as in papers: `x x′ + y y′ = 0`,
+    /// `x x″ + y y″ = −(x′² + y′²)`.
     pub fn sides<const N: usize>(
         &self,
         pose: &Pose<N>,

@@ -17,8 +17,7 @@ pub struct Multiple {
 
 impl Mechanism {
     /// Angle of a link as a linear function of another link's angle, at all inputs. For a wheel or a carrier of a
-    /// train, the other link is the only body that turns it. Without such a body, the function is of the link's own
-    /// angle.
+    /// train, the other link is the only one that turns it; if several links turn it, its own angle is the argument.
     pub fn multiple_of(&self, link: LinkId) -> Multiple {
         self.layout.multiple_of(link, self.mounting())
     }

@@ -66,8 +66,8 @@ impl Quantity {
         }
     }
 
-    /// Name of the quantity or a derivative of it. The letter d stands `order` times before the kind: `C.ddx` is the
-    /// second derivative of `C.x`.
+    /// Name of the quantity, or of its derivative of a given order. The kind is preceded by `order` letters d: `C.ddx`
+    /// is the second derivative of `C.x`.
     pub fn name(self, mechanism: &Mechanism, order: usize) -> String {
         let (of, what) = (self.subject(mechanism), self.kind_name());
         let prefix = "d".repeat(order);
@@ -119,9 +119,9 @@ impl Quantity {
         matches!(self, Self::Distance(_) | Self::Corner(_) | Self::Between(_))
     }
 
-    /// True for an angle without sense: the acute angle between two lines, or the angle at a corner. The angle is
-    /// folded where its sides are in line or, between lines, at right angles. Its rate jumps at a fold, which is not
-    /// counted as an extremum.
+    /// True for an undirected angle: the acute angle between two lines, or the angle at a corner. The angle is folded
+    /// where its sides are in line or, between lines, at right angles. Its rate jumps at a fold, which is not counted
+    /// as an extremum.
     pub fn is_folded(self) -> bool {
         matches!(
             self,
@@ -139,8 +139,8 @@ impl Quantity {
         }
     }
 
-    /// Ratio of the folded angle to an acute angle: 2 for a corner, folded at every half turn; 1 for the angle between
-    /// two lines, folded at every quarter turn.
+    /// Maximum of the folded angle, in quarter turns: 2 for a corner, folded at every half turn; 1 for the angle
+    /// between two lines, folded at every quarter turn.
     fn folds(self) -> f64 {
         if matches!(self, Self::Corner(_)) {
             2.0

@@ -11,12 +11,11 @@ use crate::position::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, 
 
 /// Condition between linear forms. It gives one equation or two.
 pub(in crate::mechanism) enum Condition {
-    /// Unit length of a direction. The number is the length of the link in this direction, which makes the residual a
-    /// length.
+    /// Unit length of a direction. The number is the distance between two points in this direction, or 0; multiplied
+    /// by this distance, the residual is a length.
     Unit(Form, f64),
     Zero(Form),
-    /// Component of the vector `way` along a direction of length 1. The angle constraint with index `mesh` gives its
-    /// value.
+    /// Component of the vector `way` along a unit direction. The angle constraint with index `mesh` prescribes it.
     Along {
         direction: Form,
         way: Form,
@@ -25,8 +24,8 @@ pub(in crate::mechanism) enum Condition {
     /// Turns of bodies with the coefficients of their angles, and the index of the angle constraint that gives the
     /// weighted sum of these angles.
     AngleConstraint(Vec<(Form, f64)>, usize),
-    /// Vector `way` parallel to a direction. The factor `length` makes the residual a length. It is 1, or 0 if both
-    /// forms are directions.
+    /// Vector `way` parallel to a direction. `length` is 1 if `way` joins two points, so that the residual is a length,
+    /// and 0 if `way` is itself a direction.
     Line {
         direction: Form,
         way: Form,
