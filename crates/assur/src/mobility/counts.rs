@@ -41,7 +41,7 @@ impl Scheme {
     }
 }
 
-/// Mobility W: the freedoms of the links, `freedoms` for each, less the constraints of their pairs.
+/// Mobility W: `freedoms` of each link, less the constraints of the pairs.
 fn mobility(freedoms: isize, links: usize, pairs: &BTreeMap<u8, usize>) -> isize {
     let constraints = pairs
         .iter()
@@ -61,9 +61,9 @@ impl Counts {
         mobility - self.spatial
     }
 
-    /// Number q of redundant constraints of a planar scheme whose pairs have one freedom each, in the plane and in
-    /// space. It is q = ΣS + 2(n − P₁), where S = 5 for each of the P₁ − n cut pairs (mobility paper, (6)). This gives
-    /// 3 for each independent loop. None for other schemes.
+    /// Number q of redundant constraints in space, for a planar scheme whose pairs have one freedom each, both in the
+    /// plane and in space: q = ΣS + 2(n − P₁), with S = 5 for each of the P₁ − n cut pairs (mobility paper, (6)). This
+    /// is 3 for each independent loop. None for other schemes.
     pub fn redundant_by_plane(&self) -> Option<isize> {
         let one = |pairs: &BTreeMap<u8, usize>| pairs.keys().eq([&1]);
         let applies = self.planar.is_some() && one(&self.pairs) && one(&self.spatial_pairs);

@@ -43,7 +43,7 @@ impl Scheme {
     /// Cut with a given name: the name of a pair, or the names of a compound hinge and a link, as in `Q:3`.
     ///
     /// # Errors
-    /// There is no such pair, no such link in it, or the link of a compound hinge is missing.
+    /// The scheme has no such pair, the pair has no such link, or a compound hinge is named without a link.
     pub fn cut_named(&self, name: &str) -> Result<Cut, CutError> {
         if let Some(pair) = self.pair(name) {
             let joined = &self.pairs()[pair];

@@ -40,7 +40,7 @@ pub(super) struct Eliminated {
     free: Vec<Free>,
 }
 
-/// Pivot row: the unknown of its column as a linear combination of free unknowns and of unknowns eliminated later.
+/// Pivot row: the unknown of its column in terms of free unknowns and of unknowns eliminated later.
 #[derive(Clone, Debug)]
 struct Pivot {
     column: usize,
@@ -251,8 +251,7 @@ impl System {
     }
 }
 
-/// Index and absolute value of the entry of greatest absolute value in rows from `from` on and columns from `from` to
-/// `to`.
+/// Index and absolute value of the entry largest in absolute value, in the rows `from..` and the columns `from..to`.
 fn greatest(entries: &[f64], width: usize, from: usize, to: usize) -> (usize, f64) {
     let mut greatest = (from * width + from, 0.0);
     for (row, line) in entries.chunks_exact(width).enumerate().skip(from) {
@@ -278,7 +277,6 @@ impl Eliminated {
         self.pivots.len()
     }
 
-    /// The free columns.
     pub(super) fn free(&self) -> impl ExactSizeIterator<Item = usize> + '_ {
         self.free.iter().map(|free| free.column)
     }

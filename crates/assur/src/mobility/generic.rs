@@ -71,8 +71,7 @@ impl Scheme {
         Ok(Generic::Instantaneous)
     }
 
-    /// Linear combination of all motions of the drawn pose: twists of the links, scaled so that the greatest component
-    /// is 1.
+    /// Linear combination of all motions of the drawn pose: twists of the links with a greatest component of 1.
     fn way(&self, forms: &[Form], space: Space) -> Vec<Screw> {
         let motions = Constraints::new(self, forms, space)
             .motions(self)

@@ -21,8 +21,8 @@ const PRESSURE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 impl SchemeSpec {
     /// The scheme of a linkage in a pose. A hinge is named after its point, a slide after its point or its sliding
     /// link, and a contact of wheels in mesh is P. Links fixed to each other are one link. Wheels that mesh "as
-    /// printed" have an idler between them, as in [`Mechanism::counts`]. A mesh of wheels with a common centre has no
-    /// place.
+    /// printed" have an idler between them, as in [`Mechanism::counts`]. The contact of wheels with a common centre has
+    /// no position.
     pub fn of(mechanism: &Mechanism, pose: &Pose<1>) -> Self {
         Self::of_sound(&mechanism.drawn_in(pose))
     }
@@ -92,7 +92,7 @@ impl Parts<'_> {
         }
     }
 
-    /// Names of the bodies that have a point, in the order of the specification.
+    /// Names of the bodies to which a point belongs, in the order of the specification.
     fn joined(&self, point: &String) -> Vec<String> {
         let spec = self.spec;
         let on_frame = spec.frame.contains(point).then_some(FRAME);

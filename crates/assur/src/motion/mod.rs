@@ -50,8 +50,8 @@ use turn_count::range_between;
 
 /// Number of samples per turn in the search for extrema. One sample is also the unit of length of continuation steps.
 const SAMPLES_PER_TURN: usize = 360;
-/// Maximum number of turns of a motion searched for extrema, and maximum number of visits to one crank angle. A plot
-/// could not resolve more turns, and wheels that carry nothing may need a million.
+/// Maximum number of turns searched for extrema, and of inputs listed for one crank angle. A plot could not resolve
+/// more turns; wheels that carry nothing may need a million.
 pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input

@@ -1,4 +1,4 @@
-//! Smooth roots at change points of dyads that are not on the driven crank.
+//! Smooth roots ([`SmoothRoot`]) at change points of dyads that are not on the driven crank.
 
 use std::sync::Arc;
 

@@ -36,7 +36,7 @@ pub enum Refusal {
     LoopOpen {
         /// Last possible value, rounded to its known digits.
         last: f64,
-        /// Distance of the value from the last possible one.
+        /// Difference between the wanted and the last possible value.
         by: f64,
         /// Links that cannot be joined beyond the last possible value.
         links: Vec<LinkId>,
@@ -90,7 +90,7 @@ impl Motion {
         let Some(mut obstacle) = path.obstacle else {
             return self.arrived(&path);
         };
-        // The last value is rounded towards the start and tried, up to three times: its path may be different.
+        // The last value, rounded towards the start, is tried up to three times: its path may meet another obstacle.
         let unit = 10_f64.powf((RESOLUTION * width).log10().ceil());
         let mut last = at(path.length);
         for _ in 0..3 {

@@ -26,7 +26,7 @@ pub(in crate::motion) struct Knots {
     first: f64,
     /// Smooth roots of steps around change points.
     smooth_roots: Vec<SmoothRoot>,
-    /// Maximum distance of neighbouring knots for which a guess is interpolated.
+    /// Maximum distance between neighbouring knots at which a guess is interpolated.
     longest: f64,
     /// For each step of the plan, minimum and maximum of its first margin ([`State::margins`]) over all samples,
     /// including dropped ones.
@@ -88,7 +88,7 @@ impl Knots {
         }
     }
 
-    /// Extends the ranges of the margins by the ranges of other samples.
+    /// Extends the ranges of the margins to include the ranges of other samples.
     fn include_margins(&mut self, others: impl Iterator<Item = [f64; 2]>) {
         if self.margins.len() == 0 {
             self.margins = others.collect();
@@ -187,7 +187,7 @@ impl Knots {
         let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
             return;
         };
-        // The gain of each angle, rounded to whole turns: near a singular pose the two angles differ in the last
+        // Gain of each angle, in whole turns: near a singular pose the angles of the two knots differ in the last
         // digits. An idle wheel may have gained a fraction of a turn; its angle is computed from the wheel that drives
         // it.
         let pairs = last.orientations.iter().zip(first.orientations.iter());
@@ -280,7 +280,7 @@ impl Knot {
             && widths[1] <= MAX_INTERVAL_RATIO * widths[0];
         let turns_little = self.turned + after.turned <= MAX_TURN;
         let same_signs = [before, after].iter().all(|knot| knot.signs == self.signs);
-        // Over an interval longer than a step of a group, the continuation would give a better guess.
+        // Over an interval longer than a step of a group, continuation gives a better guess than interpolation.
         let is_short = widths[0] + widths[1] <= longest;
         let reproduced = || {
             let mut guesses = before.interpolated(after, self.input);

@@ -71,8 +71,8 @@ struct Prediction<'a> {
 }
 
 impl<'a> Prediction<'a> {
-    /// Predicts the pose a step `width` away. Orientations are kept: no body turns through half a turn in a certified
-    /// step.
+    /// Predicts the pose a step `width` away, with the present orientations: no body turns through half a turn in a
+    /// certified step.
     fn of(here: &Predictor, orientations: &'a List<BodyId, Orientation>, width: f64) -> Self {
         let value = |jet: Jet<4>| {
             let orders = (0..4).rev();

@@ -32,7 +32,7 @@ impl Sample {
 
 /// Sample inputs of each arc, evenly spaced and graded towards the inputs from `in_line`, at which the crank is in line
 /// with the outer hinges of a dyad. Near a change point, or if the hinges nearly meet, the motion there may change
-/// within any small angle. A full cycle is centred on input 0, near which floating-point numbers are densest.
+/// abruptly. A full cycle is centred on input 0, near which floating-point numbers are densest.
 pub(super) fn grids(
     cycle: &Cycle,
     in_line: &dyn Fn([f64; 2]) -> Vec<f64>,

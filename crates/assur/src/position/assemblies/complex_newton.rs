@@ -41,7 +41,7 @@ impl System {
                 || change <= tolerance::CONVERGED
                 || change < tolerance::COINCIDENT && change >= 0.5 * last
         };
-        // At a double root convergence is only linear, so the last step may be larger.
+        // At a double root convergence is only linear, so a larger last step is accepted.
         let found = newton(MAX_STEPS, step, is_last);
         found
             .map_or_else(|last| last < tolerance::TRIPLE_ROOT, |()| true)

@@ -30,7 +30,7 @@ use nalgebra::{DMatrix, DVector, Schur};
 use super::bilinear::{Affine, Bilinear, C, ONE, System, ZERO};
 use crate::tolerance;
 
-/// Angle, in radians, between the numbers ρ of successive hidden directions. No root is at infinite t for all of them.
+/// Angle, in radians, between the numbers ρ of successive hidden directions. No root has infinite t for every ρ.
 const RHO_STEP: f64 = 2.15;
 /// Maximum number of QR iterations per row.
 const MAX_QR_ITERATIONS: usize = 60;
@@ -312,7 +312,7 @@ fn add([real, imaginary]: &mut [Vec<f64>; 2], at: usize, by: C, sense: f64) {
     imaginary[2 * at + 1] += sense * by.re;
 }
 
-/// Combination of loops without a set of directions. Coefficients: c₀, then of the hidden and of the other directions.
+/// Combination of loops without a set of directions: coefficients c₀, of the hidden direction, and of the others.
 fn combination(rows: &[Vec<C>], without: u32, others: u32) -> Vec<C> {
     let columns: Vec<usize> = (0..others)
         .filter(|k| without & (1 << k) != 0)

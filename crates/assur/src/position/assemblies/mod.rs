@@ -1,5 +1,5 @@
-//! All assemblies of an Assur group with its inputs solved, by Dixon's determinant for groups of hinges and by homotopy
-//! for others.
+//! All assemblies of an Assur group whose inputs are solved, by Dixon's determinant for groups of hinges and by
+//! homotopy for others.
 //!
 //! The list of solutions counts as complete if their number is that for general dimensions: 2, 6, or 14 to 20 for one,
 //! two or three unknowns. For more unknowns it counts as complete if two hidden directions agree. This is a check, not
@@ -44,7 +44,7 @@ pub(crate) struct GroupAssembly {
 pub(crate) struct GroupAssemblies {
     /// The real assemblies.
     pub(crate) real: Vec<GroupAssembly>,
-    /// True if the assemblies need no Newton steps, because they are tracked and have no derivatives.
+    /// True if the assemblies need no Newton steps: they were tracked, and no derivatives are wanted.
     pub(crate) solved: bool,
     /// Number of complex assemblies, including the real ones.
     pub(crate) complex: usize,
@@ -196,7 +196,7 @@ impl Group {
         for equation in &self.equations {
             match *equation {
                 Equation::Unit(one) => equations.push(Bilinear::Unit(form(one))),
-                // The complex form contains the imaginary part.
+                // One complex form stands for both the real and the imaginary equation.
                 Equation::Real(one) => zeros.push(form(one)),
                 Equation::Imaginary(_) => {}
                 Equation::Line { axis, vector } => {

@@ -63,8 +63,8 @@ impl Group {
         known.chain(driven).collect()
     }
 
-    /// All assemblies from their extrapolations; None if they are not distinct. The flag is false if some became real
-    /// or complex.
+    /// All assemblies from their extrapolations; None if they are not distinct. The flag is false if some assemblies
+    /// became real or complex.
     fn track<const N: usize>(
         &self,
         extrapolation: &Extrapolation<'_>,
