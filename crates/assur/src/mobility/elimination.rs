@@ -149,8 +149,7 @@ impl System {
         rows * width
     }
 
-    /// Merges fronts into one that begins with the columns of the block, and leaves the old fronts empty. `starts` is
-    /// scratch space.
+    /// Merges fronts into one that begins with the columns of the block, and empties them. `starts` is scratch space.
     fn merged(&mut self, block: usize, fronts: &[usize], starts: &mut [usize]) -> Front {
         let mut blocks = vec![block];
         starts[block] = 0;
@@ -287,8 +286,8 @@ impl Eliminated {
             .extend(columns.map(|column| Free { column, before }));
     }
 
-    /// Basis of the null space. In each vector one free unknown is 1 and the other free unknowns are 0. The vectors of
-    /// a kept block come last.
+    /// Basis of the null space: in each vector one free unknown is 1, and the others are 0. The vectors of a kept block
+    /// come last.
     pub(super) fn solutions(&self) -> impl DoubleEndedIterator<Item = Vec<f64>> + '_ {
         self.free.iter().map(|free| {
             let mut values = vec![0.0; self.columns];
@@ -298,8 +297,7 @@ impl Eliminated {
         })
     }
 
-    /// Generic linear combination of the solutions of the wanted free unknowns. No two coefficients are in a simple
-    /// ratio.
+    /// Generic linear combination of the solutions of the wanted free unknowns, with coefficients in no simple ratio.
     pub(super) fn mixture(&self, wanted: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut values = vec![0.0; self.columns];
         for column in self.free().filter(|column| wanted(*column)) {

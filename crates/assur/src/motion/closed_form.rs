@@ -49,8 +49,7 @@ struct Rocker<'a> {
 }
 
 impl Motion {
-    /// Inputs of the extrema of the angle of a four-bar's rocker, or of a wheel driven by the rocker; None for other
-    /// quantities.
+    /// Inputs of the extrema of the angle of a four-bar's rocker or of a wheel it drives; None for other quantities.
     pub(super) fn limits_in_closed_form(&self, quantity: Quantity) -> Option<Vec<f64>> {
         let Rocker {
             closed, assembly, ..

@@ -16,8 +16,7 @@ pub struct LimitPosition {
 }
 
 impl OutputProfile<'_> {
-    /// Limit positions of the whole motion, in ascending order of input: roots of the rate at which the rate changes
-    /// sign.
+    /// Limit positions of the whole motion, in ascending order of input: roots of the rate at which its sign changes.
     pub fn limits(&self) -> Vec<LimitPosition> {
         let limit = |[input, value]: &[f64; 2]| LimitPosition {
             input: *input,

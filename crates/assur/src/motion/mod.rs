@@ -219,20 +219,17 @@ impl Motion {
         &self.cycle
     }
 
-    /// The assembly signs at an input.
     pub(crate) fn signs_at(&self, input: f64) -> AssemblySigns {
         let mut guess = Vec::new();
         let (signs, _) = self.knots.near(self.cycle.wrap(input), &mut guess);
         signs.clone()
     }
 
-    /// Number of knots of the motion.
     pub(crate) fn knot_count(&self) -> usize {
         self.knots.count()
     }
 
-    /// Input of the drawn pose, reduced by whole turns to the cycle; the middle of the first arc if that input has no
-    /// pose.
+    /// Input of the drawn pose, reduced by whole turns to the cycle; if it has no pose, the middle of the first arc.
     pub fn drawn_input(&self) -> f64 {
         self.drawn_input
     }

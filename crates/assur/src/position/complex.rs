@@ -104,7 +104,6 @@ impl<const N: usize> Complex<N> {
         found
     }
 
-    /// The scalar product.
     pub(crate) fn dot(self, other: Self) -> Jet<N> {
         self.x() * other.x() + self.y() * other.y()
     }

@@ -12,8 +12,7 @@ pub(crate) struct Crank {
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
-    /// Offset of the driven angle from the body's angle relative to its base: a link may be rotated relative to its
-    /// body.
+    /// Offset of the driven angle from the angle between body and base: a link may be rotated relative to its body.
     pub(crate) angle_offset: f64,
     pub(crate) law: DriveLaw,
 }

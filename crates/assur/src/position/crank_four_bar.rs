@@ -74,8 +74,7 @@ impl CrankFourBar {
         })
     }
 
-    /// Places the links. Far from poses in line they are placed as the links of any dyad, which is as exact and takes
-    /// less than half the time.
+    /// Places the links. Far from poses in line, placement as in any dyad is as exact and takes less than half as long.
     #[inline(always)]
     pub(super) fn place<const N: usize>(
         &self,

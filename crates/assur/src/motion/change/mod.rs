@@ -49,8 +49,8 @@ pub enum Refusal {
 
 /// Resolution of the last possible value, relative to the range of the dimension, before rounding to a power of ten.
 const RESOLUTION: f64 = 2e-4;
-/// Steps by which the input gives way, relative to the span of the input. The first is also the distance kept from the
-/// input at which the loop opens.
+/// Steps by which the input gives way, relative to its span. The first is also the distance kept from the input at
+/// which the loop opens.
 const INPUT_STEPS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
 
 impl Motion {

@@ -3,8 +3,7 @@
 /// Taylor coefficients of a function at an end, orders 0 to 3.
 pub(super) type Taylor = [f64; 4];
 
-/// Values of several Hermite polynomials at an input. Each end is given by its input and the coefficients of all
-/// functions.
+/// Values of several Hermite polynomials at an input. Each end has its input and the coefficients of all functions.
 pub(super) fn interpolated<'a>(
     [(from, start), (to, end)]: [(f64, &'a [Taylor]); 2],
     input: f64,

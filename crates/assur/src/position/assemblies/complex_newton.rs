@@ -5,8 +5,7 @@ use crate::numeric::newton::{MAX_STEPS, is_exact, newton};
 use crate::tolerance;
 
 impl System {
-    /// Derivatives of the unknowns and conjugates of a solution with respect to the input; None if the solution is
-    /// singular.
+    /// Derivatives of a solution's unknowns and conjugates with respect to the input; None if the solution is singular.
     pub(super) fn rate(&self, at: &[C]) -> Option<Vec<C>> {
         let (z, w) = at.split_at(self.unknowns);
         let mut workspace = Workspace::new(self.unknowns);

@@ -11,8 +11,7 @@ use crate::tolerance;
 
 /// Maximum step of the homotopy parameter: a path has at least ten steps, predicted with an error of order 5.
 const MAX_STEP: f64 = 0.1;
-/// Maximum number of corrector steps. From an error of 10⁻³, two steps reach 10⁻¹² with quadratic convergence, and the
-/// third confirms this.
+/// Maximum number of corrector steps: two reduce an error of 10⁻³ to 10⁻¹² (quadratically), and a third confirms this.
 const MAX_CORRECTOR_STEPS: usize = 3;
 
 /// Lehmer's random number generator with a fixed seed, for the same paths every time.

@@ -101,7 +101,6 @@ impl Tracker {
 }
 
 impl Extrapolation<'_> {
-    /// The extrapolated solutions.
     pub(super) fn solutions(&self) -> Solutions {
         let Branch { last, before, .. } = self.branch;
         let mut expected = last.solutions.clone();
