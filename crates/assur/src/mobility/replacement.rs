@@ -187,7 +187,7 @@ impl Change {
     }
 }
 
-/// A change, with an orthonormal basis of the linear forms on the self-stresses that its added freedoms give.
+/// A change, with an orthonormal basis of the linear forms given by its added freedoms.
 struct Raise {
     change: Change,
     forms: Vec<PowerForm>,

@@ -48,7 +48,7 @@ use crate::{Cycle, tolerance};
 use continuation::{Continuation, End, Knots, longest_step};
 use turn_count::range_between;
 
-/// Number of samples per turn in the search for extrema. One sample is also the unit of length of continuation steps.
+/// Number of samples per turn in the search for extrema. Their spacing is also the unit of continuation steps.
 const SAMPLES_PER_TURN: usize = 360;
 /// Maximum number of turns searched for extrema, and of inputs listed for one crank angle. A plot could not resolve
 /// more turns; wheels that carry nothing may need a million.

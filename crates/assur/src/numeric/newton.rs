@@ -32,7 +32,7 @@ pub(crate) fn newton(
     Err(last)
 }
 
-/// True if the error after a step is only rounding: in quadratic convergence the next step is `change`
+/// True if the error after a step is only rounding: with quadratic convergence the next step is about `change`
 /// (`change`/`last`)².
 pub(crate) fn is_exact(change: f64, last: f64) -> bool {
     last.is_finite() && change * (change / last).powi(2) <= NEGLIGIBLE_STEP

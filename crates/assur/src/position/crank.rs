@@ -4,7 +4,7 @@ use super::{BodyPoint, Cause, DriveLaw, Enclosure, Predictor, Solvable, State, S
 use crate::Vector;
 use crate::index::{BodyId, PointId, StepId};
 
-/// Body hinged to the frame or a moving body, the base. The angle of the body from the base is linear in the input.
+/// Body hinged to the frame or a moving body, the base. Its angle relative to the base is linear in the input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Crank {
     pub(crate) body: BodyId,

@@ -19,7 +19,7 @@ use crate::{Jet, tolerance};
 
 /// Maximum number of steps tried along the curve; step lengths are halved and doubled.
 pub(super) const MAX_TRIES: usize = 48;
-/// Maximum uncertainty of a point due to rounding, relative to the step: far below the turn allowed to a tangent.
+/// Maximum uncertainty of a point due to rounding, relative to the step: far below the maximum turn of the tangent.
 const MAX_UNCERTAINTY: f64 = 0.02;
 /// Minimum cosine of the turn of the tangent in a step. Over a turn of 26° the curve is nearly circular.
 const MIN_COSINE: f64 = 0.9;

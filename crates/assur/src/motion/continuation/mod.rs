@@ -56,7 +56,7 @@ pub(super) struct Continuation<'a> {
     orientations: List<BodyId, Orientation>,
     /// Bodies whose whole turns are tracked.
     tracked: Vec<BodyId>,
-    /// Smooth roots of the change points already passed, as exact as the poses near the change points.
+    /// Smooth roots of the change points already passed, as exact as the nearby poses.
     pub(super) smooth_roots: Vec<SmoothRoot>,
     /// The next input at which the motion may repeat.
     repeats: f64,

@@ -118,7 +118,7 @@ impl Extrapolation<'_> {
         expected
     }
 
-    /// Linear extrapolation of a square, relative to its last value; None if there is only one sample.
+    /// Linear extrapolation of a squared quantity, relative to its last value; None if there is only one sample.
     pub(super) fn growth(&self, square: impl Fn(&Solutions) -> f64) -> Option<f64> {
         let before = self.branch.before.first()?;
         let last = square(&self.branch.last.solutions);
