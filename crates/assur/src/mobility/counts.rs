@@ -9,8 +9,7 @@ use super::Scheme;
 pub struct Counts {
     /// Number of moving links, n.
     pub links: usize,
-    /// Number P_i of pairs with i freedoms in the scheme's space: the plane or space. A hinge of k links counts as k −
-    /// 1.
+    /// Number P_i of pairs with i freedoms in the scheme's own space, plane or space. A k-link hinge counts as k − 1.
     pub pairs: BTreeMap<u8, usize>,
     /// Number of pairs with i freedoms in space, for each i.
     pub spatial_pairs: BTreeMap<u8, usize>,
