@@ -8,12 +8,12 @@ use super::elimination::System;
 use super::screw::{Form, IN_PLANE, Screw, basis};
 use super::{Pair, Scheme, Space};
 
-/// Constraint wrenches of each pair between its first link and any other link, in the space of the motions.
+/// Constraint wrenches of each pair between its first link and any of its other links, for motions in one [`Space`].
 pub(super) struct Constraints {
     wrenches: Vec<Vec<Screw>>,
     /// Indices of the components of a screw in this space.
     components: &'static [usize],
-    /// First column of the unknowns of each pair, then the number of columns.
+    /// First column of the unknowns of each pair; at the end, the number of all columns.
     starts: Vec<usize>,
 }
 
@@ -39,7 +39,7 @@ impl Constraints {
     }
 
     /// Equations of equilibrium of every moving link under the stresses of the pairs alone. Their matrix is the
-    /// transpose of the constraints and has the same rank; their solutions are the self-stresses.
+    /// transpose of that of [`Self::motions`], with the same rank; their solutions are the self-stresses.
     pub(super) fn equilibrium(&self, scheme: &Scheme) -> System {
         let sizes = self
             .starts
@@ -152,8 +152,8 @@ impl Space {
 }
 
 impl Pair {
-    /// Sign of a link in the constraints between the first link of the pair and another of its links, `other`, counted
-    /// from 0. The sign of any third link is zero.
+    /// Sign of a link in the constraints between the pair's first link and its link number `other` + 1: −1 for the
+    /// first link, 1 for the other link, 0 for any third link.
     pub(super) fn sign(&self, link: usize, other: usize) -> f64 {
         if self.links.first() == Some(&link) {
             -1.0

@@ -9,10 +9,9 @@ use super::Scheme;
 pub struct Counts {
     /// Number of moving links, n.
     pub links: usize,
-    /// Numbers P_i of pairs with i freedoms in the scheme's own space, the plane or space. A hinge of k links counts as
-    /// k − 1.
+    /// Number P_i of pairs with i freedoms in the scheme's own space, plane or space. A k-link hinge counts as k − 1.
     pub pairs: BTreeMap<u8, usize>,
-    /// Numbers of pairs with i freedoms in space.
+    /// Number of pairs with i freedoms in space, for each i.
     pub spatial_pairs: BTreeMap<u8, usize>,
     /// Mobility W by Chebyshev and Grübler for a planar scheme, W = 3n − 2P₁ − P₂ (mobility paper, (1)).
     pub planar: Option<isize>,
@@ -41,7 +40,7 @@ impl Scheme {
     }
 }
 
-/// Mobility W: the freedoms of the links, `freedoms` for each, less the constraints of their pairs.
+/// Mobility W: `freedoms` of each link, less the constraints of the pairs.
 fn mobility(freedoms: isize, links: usize, pairs: &BTreeMap<u8, usize>) -> isize {
     let constraints = pairs
         .iter()
@@ -61,9 +60,9 @@ impl Counts {
         mobility - self.spatial
     }
 
-    /// Number q of redundant constraints of a planar scheme whose pairs have one freedom each, in the plane and in
-    /// space. It is q = ΣS + 2(n − P₁), where S = 5 for each of the P₁ − n cut pairs (mobility paper, (6)). This gives
-    /// 3 for each independent loop. None for other schemes.
+    /// Number q of redundant constraints in space, for a planar scheme whose pairs have one freedom each, both in the
+    /// plane and in space: q = ΣS + 2(n − P₁), with S = 5 for each of the P₁ − n cut pairs (mobility paper, (6)). This
+    /// is 3 for each independent loop. None for other schemes.
     pub fn redundant_by_plane(&self) -> Option<isize> {
         let one = |pairs: &BTreeMap<u8, usize>| pairs.keys().eq([&1]);
         let applies = self.planar.is_some() && one(&self.pairs) && one(&self.spatial_pairs);
@@ -97,9 +96,8 @@ pub(super) mod tests {
         Scheme::new(&spec).unwrap()
     }
 
-    /// Mobilities in the plane and in space. Four-bar: 3·3 − 2·4 and 6·3 − 5·4; five-bar: 3·4 − 2·5 and 6·4 − 5·5. A
-    /// contour of two spheres and two hinges: 6·3 − 5 − 3 − 3 − 5 in space, where one freedom is the rotation of the
-    /// coupler about its axis.
+    /// Mobilities in the plane and in space. Four-bar: 3·3 − 2·4 and 6·3 − 5·4; five-bar: 3·4 − 2·5 and 6·4 − 5·5.
+    /// Contour of two spheres and two hinges, in space: 6·3 − 5 − 3 − 3 − 5; its coupler can turn about its axis.
     #[test]
     fn contours() {
         use PairKind::{Revolute, Spherical};

@@ -33,7 +33,7 @@ pub enum CutError {
     WhichLink { pair: String },
     /// This pair was cut before, and nothing is left to cut.
     CutTwice { pair: String },
-    /// A contour is still closed: the shortest one is given, by its pairs in order.
+    /// A contour is still closed; the pairs of the shortest one are listed in order.
     StillClosed { pairs: Vec<String> },
     /// These links are disconnected from the ground.
     CutOff { links: Vec<String> },
@@ -43,7 +43,7 @@ impl Scheme {
     /// Cut with a given name: the name of a pair, or the names of a compound hinge and a link, as in `Q:3`.
     ///
     /// # Errors
-    /// There is no such pair, no such link in it, or the link of a compound hinge is missing.
+    /// The scheme has no such pair, the pair has no such link, or a compound hinge is named without a link.
     pub fn cut_named(&self, name: &str) -> Result<Cut, CutError> {
         if let Some(pair) = self.pair(name) {
             let joined = &self.pairs()[pair];
@@ -78,8 +78,7 @@ impl Scheme {
         }
     }
 
-    /// Cuts that open every contour. A depth-first search from the ground takes the pairs in their order; a pair that
-    /// leads to a visited link is cut.
+    /// Cuts that open every contour. A depth-first search from the ground cuts each pair that leads to a visited link.
     pub fn automatic(&self) -> Vec<Cut> {
         let pairs_of = self.pairs_of();
         let mut been = vec![false; self.links().len()];

@@ -15,7 +15,6 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    /// The drawn placement.
     pub(super) fn drawn() -> Self {
         Self {
             rotation: Rotation3::identity(),
@@ -33,7 +32,7 @@ impl Placement {
         }
     }
 
-    /// Distance from the drawn pose: the greater of the angle of rotation and the displacement of the centre.
+    /// Distance from the drawn pose: the greater of the angle of rotation and the displacement at the scheme's centre.
     pub(super) fn distance(&self) -> f64 {
         self.rotation.angle().max(self.shift.norm())
     }
@@ -47,18 +46,18 @@ impl Placement {
     }
 }
 
-/// A pair between two links away from the drawn pose.
+/// A pair after its two links have been displaced.
 pub(super) struct Displaced {
-    /// Half of the pair on the first link. This link has the cylinder around a ball, or the plane of a contact. The
-    /// second axis of a universal pair is on the second link.
+    /// Place and directions of the pair, fixed to the first link, which carries the cylinder around a ball or the plane
+    /// of a contact. Only the second axis of a universal pair is fixed to the second link.
     pub(super) form: Form,
     /// Violation of each constraint, in the order of [`Form::constraints`].
     pub(super) gaps: Vec<f64>,
 }
 
 impl Displaced {
-    /// A pair of the drawn pose after its links are displaced. Surfaces in contact are known to first order only: the
-    /// first link has the plane of contact, the second link the line or point of contact.
+    /// Displaces the two links of a drawn pair. Surfaces in contact are known to first order only: the first link has
+    /// the plane of contact, the second link the line or point of contact.
     pub(super) fn new(drawn: &Form, [first, second]: [&Placement; 2]) -> Self {
         let [a, b] = [first.carries(drawn), second.carries(drawn)];
         let across = b.place - a.place;

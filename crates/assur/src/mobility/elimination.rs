@@ -40,7 +40,7 @@ pub(super) struct Eliminated {
     free: Vec<Free>,
 }
 
-/// Pivot row: the unknown of its column as a linear combination of free unknowns and of unknowns eliminated later.
+/// Pivot row: the unknown of its column in terms of free unknowns and of unknowns eliminated later.
 #[derive(Clone, Debug)]
 struct Pivot {
     column: usize,
@@ -149,8 +149,7 @@ impl System {
         rows * width
     }
 
-    /// Merges fronts into one that begins with the columns of the block, and leaves the old fronts empty. `starts` is
-    /// scratch space.
+    /// Merges fronts into one that begins with the columns of the block, and empties them. `starts` is scratch space.
     fn merged(&mut self, block: usize, fronts: &[usize], starts: &mut [usize]) -> Front {
         let mut blocks = vec![block];
         starts[block] = 0;
@@ -251,8 +250,7 @@ impl System {
     }
 }
 
-/// Index and absolute value of the entry of greatest absolute value in rows from `from` on and columns from `from` to
-/// `to`.
+/// Index and absolute value of the entry largest in absolute value, in the rows `from..` and the columns `from..to`.
 fn greatest(entries: &[f64], width: usize, from: usize, to: usize) -> (usize, f64) {
     let mut greatest = (from * width + from, 0.0);
     for (row, line) in entries.chunks_exact(width).enumerate().skip(from) {
@@ -278,7 +276,6 @@ impl Eliminated {
         self.pivots.len()
     }
 
-    /// The free columns.
     pub(super) fn free(&self) -> impl ExactSizeIterator<Item = usize> + '_ {
         self.free.iter().map(|free| free.column)
     }
@@ -289,8 +286,8 @@ impl Eliminated {
             .extend(columns.map(|column| Free { column, before }));
     }
 
-    /// Basis of the null space. In each vector one free unknown is 1 and the other free unknowns are 0. The vectors of
-    /// a kept block come last.
+    /// Basis of the null space: in each vector one free unknown is 1, and the others are 0. The vectors of a kept block
+    /// come last.
     pub(super) fn solutions(&self) -> impl DoubleEndedIterator<Item = Vec<f64>> + '_ {
         self.free.iter().map(|free| {
             let mut values = vec![0.0; self.columns];
@@ -300,8 +297,7 @@ impl Eliminated {
         })
     }
 
-    /// Generic linear combination of the solutions of the wanted free unknowns. No two coefficients are in a simple
-    /// ratio.
+    /// Generic linear combination of the solutions of the wanted free unknowns, with coefficients in no simple ratio.
     pub(super) fn mixture(&self, wanted: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut values = vec![0.0; self.columns];
         for column in self.free().filter(|column| wanted(*column)) {

@@ -32,8 +32,8 @@ pub enum Generic {
 }
 
 impl Scheme {
-    /// Mobility by rank in a pose nearby. A small step is made along a motion of the drawn pose, then the pairs are
-    /// closed again.
+    /// Mobility by rank in a pose nearby. It is reached by a small step along a motion of the drawn pose, after which
+    /// the pairs are closed again.
     ///
     /// # Errors
     /// The data that the rank needs and the scheme lacks.
@@ -71,8 +71,7 @@ impl Scheme {
         Ok(Generic::Instantaneous)
     }
 
-    /// Linear combination of all motions of the drawn pose: twists of the links, scaled so that the greatest component
-    /// is 1.
+    /// Linear combination of all motions of the drawn pose: twists of the links with a greatest component of 1.
     fn way(&self, forms: &[Form], space: Space) -> Vec<Screw> {
         let motions = Constraints::new(self, forms, space)
             .motions(self)

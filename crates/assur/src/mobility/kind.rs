@@ -23,9 +23,8 @@ pub enum PairKind {
     Planar,
     /// A ball in a cylinder: turns about all axes, slides along the axis of the cylinder.
     SphereInCylinder,
-    /// A cylinder on a plane, or any two surfaces in line contact: the second direction is that of the line. Higher
-    /// pairs of planar mechanisms, cams and wheels in mesh, are of this kind; their line is normal to the plane of
-    /// motion.
+    /// A cylinder on a plane, or any two surfaces in line contact; the second direction is that of the line. Cams and
+    /// meshing wheels of planar mechanisms are of this kind, with the line normal to the plane of motion.
     CylinderOnPlane,
     /// A ball on a plane, or any two surfaces in point contact.
     SphereOnPlane,
@@ -72,8 +71,7 @@ impl PairKind {
         !matches!(self, Self::Spherical | Self::Class(_))
     }
 
-    /// True if more than two links can meet in the pair. The relative motion is then of the same kind for any two of
-    /// these links.
+    /// True if more than two links can meet in the pair, with relative motions of the same kind for any two of them.
     pub fn joins_many(self) -> bool {
         matches!(
             self,

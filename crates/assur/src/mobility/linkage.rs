@@ -12,7 +12,7 @@ use crate::{Point, Vector, perpendicular};
 /// Name of the contact of wheels in mesh: P, the letter of the pitch point in textbooks.
 const PITCH_POINT: &str = "P";
 
-/// Name of the idler that a mesh as printed implies.
+/// Name of the idler implied by a mesh as printed in the paper.
 const IDLER: &str = "idler";
 
 /// Pressure angle α of involute gears (ISO 53), between the line of action and the common tangent of the pitch circles.
@@ -21,14 +21,12 @@ const PRESSURE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 impl SchemeSpec {
     /// The scheme of a linkage in a pose. A hinge is named after its point, a slide after its point or its sliding
     /// link, and a contact of wheels in mesh is P. Links fixed to each other are one link. Wheels that mesh "as
-    /// printed" have an idler between them, as in [`Mechanism::counts`]. A mesh of wheels with a common centre has no
-    /// place.
+    /// printed" have an idler between them ([`Mechanism::counts`]). A contact of coaxial wheels has no position.
     pub fn of(mechanism: &Mechanism, pose: &Pose<1>) -> Self {
         Self::of_sound(&mechanism.drawn_in(pose))
     }
 
-    /// The scheme of a linkage with its pairs as drawn. The linkage need not move: it may be locked, have too few
-    /// drivers, or not close.
+    /// The scheme of a linkage with its pairs as drawn, even if it is locked, has too few drivers, or does not close.
     ///
     /// # Errors
     /// Names that refer to nothing, and all other defects that leave no pairs to count.
@@ -92,7 +90,7 @@ impl Parts<'_> {
         }
     }
 
-    /// Names of the bodies that have a point, in the order of the specification.
+    /// Names of the bodies to which a point belongs, in the order of the specification.
     fn joined(&self, point: &String) -> Vec<String> {
         let spec = self.spec;
         let on_frame = spec.frame.contains(point).then_some(FRAME);

@@ -39,8 +39,7 @@ pub enum NoRank {
     NotPlanar,
 }
 
-/// Mobility by rank in the drawn pose. Pairs and links are in the order of their names, whatever their order in the
-/// scheme.
+/// Mobility by rank in the drawn pose. Pairs and links are in the order of their names, not in that of the scheme.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RankReport {
     /// Mobility W: number of independent motions.

@@ -63,7 +63,7 @@ impl Scheme {
         }
         if let (Some(planar), Some(verdict)) = (counts.planar, plane) {
             let mobility = verdict.mobility as isize;
-            // A number helps only where the count fails.
+            // This relation is listed only if the count differs from the mobility by rank.
             if mobility != planar {
                 relation("001.planarW", "W", mobility, planar);
             }

@@ -78,8 +78,8 @@ impl Scheme {
                         PowerForm::from_iterator(bears.len(), powers)
                     })
                 });
-                // The forms of the added freedoms must be independent. Existing freedoms give no forms, and a change
-                // that relieves no self-stress does not help.
+                // The forms of the added freedoms must be independent. The forms of existing freedoms are zero, and a
+                // change that relieves no self-stress does not help.
                 let added = change.kind.freedoms() - self.pairs()[pair].kind.freedoms();
                 let forms = independent(&[], powers);
                 let helps = forms.len() == usize::from(added) * self.pairs()[pair].count();
@@ -120,8 +120,8 @@ impl Scheme {
         spec
     }
 
-    /// Changes to forms that have the freedoms of a pair and more. Directions free to choose are in general position;
-    /// they depend on `place`, the index of the pair in the order of names.
+    /// Changes that keep the freedoms of a pair and add others. Directions free to choose are in general position; they
+    /// depend on `place`, the index of the pair in the order of names.
     fn others(&self, pair: usize, place: usize) -> Vec<Change> {
         let Pair { kind, links, .. } = &self.pairs()[pair];
         let (axis, second) = (self.pairs()[pair].axis, self.pairs()[pair].second);
@@ -187,8 +187,7 @@ impl Change {
     }
 }
 
-/// A change that gives a pair more freedoms, with an orthonormal basis of the linear forms on the self-stresses that it
-/// adds.
+/// A change, with an orthonormal basis of the linear forms given by its added freedoms.
 struct Raise {
     change: Change,
     forms: Vec<PowerForm>,
@@ -209,7 +208,7 @@ struct Search {
 }
 
 impl Search {
-    /// Changes `pairs` pairs, from index `from` on, so that they add `missing` forms independent of the forms in
+    /// Chooses changes of `pairs` pairs, from index `from` on, that add `missing` forms independent of the forms in
     /// `taken`. Returns false if there are more results than wanted, or the work is exhausted.
     fn choose(&mut self, from: usize, pairs: usize, missing: usize, taken: &[PowerForm]) -> bool {
         if pairs == 0 {
@@ -256,7 +255,7 @@ impl Search {
     }
 }
 
-/// Orthonormal basis of what `forms` add to the forms in `taken`.
+/// Orthonormal basis of the part of `forms` that is independent of the forms in `taken`.
 fn independent(taken: &[PowerForm], forms: impl Iterator<Item = PowerForm>) -> Vec<PowerForm> {
     let mut new: Vec<PowerForm> = vec![];
     for form in forms {

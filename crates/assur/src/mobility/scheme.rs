@@ -190,8 +190,7 @@ impl Scheme {
         Scale::of(&self.pairs)
     }
 
-    /// Place and directions of a pair, in units of `scale`; None if one of them is missing, or for a
-    /// [`PairKind::Class`].
+    /// Place and directions of a pair, in units of `scale`; None if one is missing, or for a [`PairKind::Class`].
     pub(super) fn form(&self, pair: usize, scale: &Scale) -> Option<Form> {
         let pair = &self.pairs[pair];
         let kind = match pair.kind {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, VecDeque};
 use super::screw::{Screw, basis};
 use super::{Cut, CutError, Scheme};
 
-/// A scheme opened by cuts, with its mobility W. The own space of a planar scheme is the plane.
+/// A scheme opened by cuts, with its mobility W. Its own space is the plane if it is planar, and otherwise space.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sections {
     /// The cuts, in the order in which they were given.
@@ -223,8 +223,7 @@ impl Open {
         Some(pairs)
     }
 
-    /// Nodes of the first contour found by a search from a link. From a link of the shortest contour, it is the
-    /// shortest.
+    /// Nodes of the first contour found by a search from a link: the shortest one if the link is on it.
     fn contour_at(&self, link: usize) -> Option<Vec<usize>> {
         let mut from = vec![None; self.near.len()];
         let mut queue = VecDeque::from([link]);

@@ -52,8 +52,7 @@ pub enum SchemeDefect {
     SamePair { pair: String },
     /// The pair joins a link to itself.
     PairWithItself { pair: String, link: String },
-    /// The pair has fewer than two links, or more than two although its kind joins only two. Kinds that join more:
-    /// [`PairKind::joins_many`].
+    /// The pair has fewer than two links, or more than two although its kind joins only two ([`PairKind::joins_many`]).
     LinksOfPair { pair: String, count: usize },
     /// The number of freedoms of the pair is impossible: it must be 1 to 5 in space, and 1 or 2 in the plane.
     FreedomsOfPair { pair: String, freedoms: u8 },

@@ -49,8 +49,7 @@ struct Rocker<'a> {
 }
 
 impl Motion {
-    /// Inputs of the extrema of the angle of a four-bar's rocker, or of a wheel driven by the rocker; None for other
-    /// quantities.
+    /// Inputs of the extrema of the angle of a four-bar's rocker or of a wheel it drives; None for other quantities.
     pub(super) fn limits_in_closed_form(&self, quantity: Quantity) -> Option<Vec<f64>> {
         let Rocker {
             closed, assembly, ..
@@ -98,7 +97,7 @@ impl Motion {
 }
 
 /// The dead point of a four-bar at an end of an arc. The diagonal from the crank pin to the rocker pivot grows with the
-/// crank angle φ₁ from 0 to π. So coupler and rocker are folded at an end towards 0, and stretched at an end towards π.
+/// crank angle φ₁ from 0 to π. So coupler and rocker are folded if the arc ends towards 0, stretched if towards π.
 pub(super) fn dead_point(
     closed: &DrivenFourBar<'_>,
     [from, to]: [f64; 2],

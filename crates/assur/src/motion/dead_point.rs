@@ -1,5 +1,4 @@
-//! Dead points: the ends of a motion. Dead points of dyads are found in `continuation::obstacle`, and folds of groups
-//! in `continuation::fold`.
+//! Dead points: ends of a motion, found in `continuation::obstacle` for dyads and in `continuation::fold` for groups.
 
 use crate::index::StepId;
 
@@ -23,8 +22,7 @@ pub enum DeadPointKind {
     Range,
     /// Pose too close to a singular pose, or to another branch, to be continued with certainty; not a known dead point.
     NearSingular,
-    /// Limit of the computing work: the motion may continue, perhaps in smaller steps, but is not followed. Not a dead
-    /// point.
+    /// Limit of the computing work: the motion may continue, but is not followed. Not a dead point.
     Unfollowed,
 }
 

@@ -1,5 +1,5 @@
-//! The exact drawing nearest to a drawing whose redundant constraints only nearly hold, because it was drawn by hand or
-//! is from a file with four decimals.
+//! The exact drawing nearest to one whose redundant constraints only nearly hold, because it was drawn by hand or is
+//! from a file with four decimals.
 //!
 //! The unknowns are the points in the drawing and in several poses of its motion. Each constrained quantity has the
 //! same value in every pose as in the drawing. The Gauss–Newton method finds the solution with the least change of the
@@ -24,8 +24,7 @@ const DRAWING_WEIGHT: f64 = 1e2;
 /// Relative tolerances of the rank for the initial poses, tried in turn. Near a singular pose a large tolerance keeps
 /// the error of the drawing from growing.
 const INITIAL_RANKS: [f64; 3] = [1e-3, 1e-2, 3e-4];
-/// Relative tolerances of the rank for the solution, tried in turn: the size of the vanishing singular values depends
-/// on the mechanism.
+/// Relative tolerances of the rank for the solution, tried in turn: the vanishing singular values vary in size.
 const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
 
 /// An exact drawing near a given one.
@@ -57,8 +56,7 @@ impl LinkageSpec {
         })
     }
 
-    /// The drawing with its points in new places; None if a point moves too far, or if the linkage cannot move or
-    /// locks.
+    /// The drawing with its points moved; None if a point moves too far, or if the linkage cannot move or locks.
     fn moved(&self, places: Vec<Point>) -> Option<MadeExact> {
         let size = self.size();
         let mut spec = self.clone();
@@ -165,8 +163,7 @@ impl System {
         })
     }
 
-    /// Column of the x-coordinate of a point in a pose. Pose 0 is the drawing; it has the points of the frame for all
-    /// poses.
+    /// Column of the x-coordinate of a point in a pose. Pose 0, the drawing, has the points of the frame for all poses.
     fn column(&self, pose: usize, point: usize) -> usize {
         let pose = if self.fixed[point] { 0 } else { pose };
         2 * (pose * self.drawn.len() + point)
@@ -249,8 +246,7 @@ impl System {
         (residuals, jacobian)
     }
 
-    /// The drawing followed by poses around it that nearly satisfy the constraints, and the crank angles of these
-    /// poses.
+    /// The drawing and poses around it that nearly satisfy the constraints, with the crank angles of these poses.
     fn start(&mut self, rank: f64) -> Option<(DVector<f64>, Vec<f64>)> {
         let drawn = self.drawn.iter().flat_map(|place| [place.x, place.y]);
         let drawn: Vec<f64> = drawn.collect();
@@ -320,8 +316,7 @@ impl System {
                 let difference = rotation(other) - one.map_or(0.0, rotation);
                 2.0 * (0.5 * difference).sin().abs()
             });
-            // The factor 2 is for the two ends of a link. The mean over the poses is tested, because one pose may be
-            // inexact.
+            // A link has two ends, hence the factor 2. The mean over the poses is tested: a single pose may be inexact.
             deviations.sum::<f64>() <= 2.0 * NEARLY * count
         };
         let mut parallel = Vec::new();

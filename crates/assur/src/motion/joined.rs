@@ -20,8 +20,7 @@ pub enum Unjoinable {
 
 impl Motion {
     /// Union with the motion of another drawing of the same linkage over other inputs: a linkage whose crank turns back
-    /// may be assembled on another arc. The arcs of `other` are shifted by whole turns to follow the arcs of this
-    /// motion.
+    /// may be assembled on another arc. The arcs of `other` are shifted by whole turns to follow those of this motion.
     ///
     /// # Errors
     /// The motions belong to different linkages, or overlap.

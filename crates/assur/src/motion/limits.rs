@@ -16,8 +16,7 @@ pub struct LimitPosition {
 }
 
 impl OutputProfile<'_> {
-    /// Limit positions of the whole motion, in ascending order of input: roots of the rate at which the rate changes
-    /// sign.
+    /// Limit positions of the whole motion, in ascending order of input: roots of the rate at which its sign changes.
     pub fn limits(&self) -> Vec<LimitPosition> {
         let limit = |[input, value]: &[f64; 2]| LimitPosition {
             input: *input,
@@ -80,8 +79,8 @@ impl OutputProfile<'_> {
         }
     }
 
-    /// Inputs at which the quantity may turn back on an arc, with its values: limit positions, change points, and the
-    /// ends of the arc. There is at least one.
+    /// Inputs at which the quantity may turn back on an arc, and its values there: limit positions, change points, and
+    /// the ends of an arc that is not a full cycle; if there are none, the drawn input.
     fn turnings(&self, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
         let cycle = self.motion.cycle();
         let within = |input: &f64| (from..=to).contains(input);

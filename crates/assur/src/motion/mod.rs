@@ -48,10 +48,10 @@ use crate::{Cycle, tolerance};
 use continuation::{Continuation, End, Knots, longest_step};
 use turn_count::range_between;
 
-/// Number of samples per turn in the search for extrema. One sample is also the unit of length of continuation steps.
+/// Number of samples per turn in the search for extrema. Their spacing is also the unit of continuation steps.
 const SAMPLES_PER_TURN: usize = 360;
-/// Maximum number of turns of a motion searched for extrema, and maximum number of visits to one crank angle. A plot
-/// could not resolve more turns, and wheels that carry nothing may need a million.
+/// Maximum number of turns searched for extrema, and of inputs listed for one crank angle. A plot could not resolve
+/// more turns; wheels that carry nothing may need a million.
 pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
@@ -219,20 +219,17 @@ impl Motion {
         &self.cycle
     }
 
-    /// The assembly signs at an input.
     pub(crate) fn signs_at(&self, input: f64) -> AssemblySigns {
         let mut guess = Vec::new();
         let (signs, _) = self.knots.near(self.cycle.wrap(input), &mut guess);
         signs.clone()
     }
 
-    /// Number of knots of the motion.
     pub(crate) fn knot_count(&self) -> usize {
         self.knots.count()
     }
 
-    /// Input of the drawn pose, reduced by whole turns to the cycle; the middle of the first arc if that input has no
-    /// pose.
+    /// Input of the drawn pose, reduced by whole turns to the cycle; if it has no pose, the middle of the first arc.
     pub fn drawn_input(&self) -> f64 {
         self.drawn_input
     }

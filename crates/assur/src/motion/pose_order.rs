@@ -27,7 +27,6 @@ macro_rules! pose_orders {
 pose_orders!(1, 2, 3, 4, 5, 6);
 
 impl Motion {
-    /// Solves the pose at an input.
     fn solve<const N: usize>(&self, input: f64, pose: &mut Pose<N>) -> Result<(), Unsolved> {
         let wrapped = self.cycle.wrap(input);
         let unsolved = |(step, cause)| Unsolved { input, step, cause };

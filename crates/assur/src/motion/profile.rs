@@ -190,8 +190,7 @@ impl<'a> OutputProfile<'a> {
         let margin = tolerance::COINCIDENT * (band[1] - band[0]);
         let inside = |value: f64| value >= band[0] - margin && value <= band[1] + margin;
         let edge = |value: f64| band[usize::from(value > band[1])];
-        // The input at which the quantity leaves the band, on the piece that ends at the first station outside the
-        // band.
+        // The input at which the quantity leaves the band, on the piece that ends at the first station outside it.
         let end = |sense: isize| -> Option<f64> {
             let mut last = self.station(station)?[0];
             for distance in 1..=self.stations.len() as isize {

@@ -1,4 +1,4 @@
-//! Smooth roots at change points of dyads that are not on the driven crank.
+//! Smooth roots ([`SmoothRoot`]) at change points of dyads that are not on the driven crank.
 
 use std::sync::Arc;
 
@@ -82,7 +82,6 @@ impl Motion {
         Some(self.mechanism.steps()[step].square(margins))
     }
 
-    /// The margins of a step, with their derivatives.
     fn margins(&self, step: StepId, input: f64) -> Option<[Jet<KNOWN>; 2]> {
         let input = self.cycle.wrap(input);
         let mut state = self.mechanism.blank_state();

@@ -135,7 +135,6 @@ impl Motion {
         }
     }
 
-    /// The values of columns in a pose.
     fn values<const N: usize>(
         &self,
         columns: &[Column],

@@ -103,8 +103,8 @@ impl Motion {
         Ok(found.min_by(|a, b| b.angle.total_cmp(&a.angle)))
     }
 
-    /// Acute angles at all inputs at which `angle` can be extreme: the extrema of `function`, a monotone function of
-    /// the angle, the ends of arcs, the change points, and the drawn pose.
+    /// Acute angles at all inputs at which `angle` can be extreme: the extrema of `function` (a monotone function of
+    /// the angle), the ends of arcs, the change points, and the drawn pose.
     fn extreme(
         &self,
         angle: Quantity,

@@ -9,9 +9,8 @@ use crate::mechanism::Mechanism;
 /// Range between two ends, and the whole turns subtracted from the followed inputs.
 ///
 /// The range begins within half a period of 0, whatever the drawn pose. If the motion was given up at an end, the
-/// motion beyond that end is unknown. Inputs are then shifted and wrapped only if the period is one turn and the range
-/// is not longer, so that the angle of the crank alone determines the pose. Otherwise inputs keep the whole turns of
-/// the drawn input.
+/// motion beyond is unknown. Inputs are then shifted and wrapped only if the period is one turn and the range is at
+/// most a turn, so that the crank angle alone determines the pose. Otherwise inputs keep the turns of the drawn input.
 pub(super) fn range_between(mechanism: &mut Mechanism, ends: [DeadPoint; 2]) -> (Cycle, f64) {
     let [first, last] = ends.map(|end| end.input);
     let given_up = ends.iter().any(|end| end.kind.is_given_up());

@@ -14,7 +14,7 @@ pub(crate) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> O
     solution.iter().all(|x| x.is_finite()).then_some(solution)
 }
 
-/// Solution of N linear equations with a symmetric matrix, by Cholesky's method; None if not positive definite.
+/// Solution of N linear equations with a symmetric matrix, by Cholesky's method; None if it is not positive definite.
 pub(crate) fn solve_positive_definite<const N: usize>(
     matrix: [[f64; N]; N],
     right: [f64; N],

@@ -1,11 +1,11 @@
-//! Newton's method for systems of equations that compute their own steps. Groups have their own loop with buffers
-//! (`position::group`): it runs most often, and it does not apply its last step.
+//! Newton's method; the caller computes the steps. Groups have a loop of their own with buffers (`position::group`): it
+//! runs most often, and it does not apply its last step.
 
-/// Maximum number of steps from a nearby guess, where convergence is quadratic: each step doubles the digits.
+/// Maximum number of steps from a nearby guess, where convergence is quadratic: each step doubles the correct digits.
 pub(crate) const MAX_STEPS: usize = 12;
 /// Maximum number of steps from a drawing, which may be far from a solution.
 pub(crate) const MAX_STEPS_FROM_DRAWING: usize = 40;
-/// Maximum size of a predicted step, relative to the unknowns, that is only rounding and not worth taking.
+/// Size of a predicted step, relative to the unknowns, up to which the step is only rounding and not worth taking.
 const NEGLIGIBLE_STEP: f64 = 1e-17;
 
 /// Applies steps until `is_last` holds for the sizes of the last step and of the step before it. `step` applies one
@@ -32,7 +32,7 @@ pub(crate) fn newton(
     Err(last)
 }
 
-/// True if the error after a step is only rounding. With quadratic convergence the next step is about `change`
+/// True if the error after a step is only rounding: with quadratic convergence the next step is about `change`
 /// (`change`/`last`)².
 pub(crate) fn is_exact(change: f64, last: f64) -> bool {
     last.is_finite() && change * (change / last).powi(2) <= NEGLIGIBLE_STEP

@@ -9,8 +9,7 @@ fn value(coefficients: &[f64], x: f64) -> f64 {
     terms.fold(0.0, |sum, coefficient| sum * x + coefficient)
 }
 
-/// All real roots within an interval between −1 and 1, ascending. Between neighbouring roots of the derivative the
-/// polynomial has at most one root.
+/// All real roots in an interval within [−1, 1], ascending: at most one between neighbouring roots of the derivative.
 fn roots_within(coefficients: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
     let size: f64 = coefficients.iter().map(|c| c.abs()).sum();
     if coefficients.len() < 2 || size == 0.0 {

@@ -12,9 +12,9 @@ pub(crate) const CONVERGED: f64 = 1e-14;
 /// counts as zero, and so does the sine of the angle between directions, which are then parallel.
 pub(crate) const NEGLIGIBLE: f64 = 1e-12;
 
-/// Relative distance up to which points of a drawing coincide, or inputs in a turn: a thousandth of the finest relative
-/// tolerance to which parts are made, 1e-6, and a thousand times the error of a long computation, 1e-12. Elsewhere a number that is zero in
-/// exact arithmetic, after a computation that may lose six digits.
+/// Relative distance within which points of a drawing, or inputs of a turn, coincide: a thousandth of the finest
+/// relative tolerance of manufacture, 1e-6, and a thousand times the error of a long computation, 1e-12. Also the bound
+/// on a number that is zero in exact arithmetic, after a computation that may lose six digits.
 pub const COINCIDENT: f64 = 1e-9;
 
 /// Half of the digits, √ε rounded down: the accuracy to which a double root is known.
@@ -26,8 +26,8 @@ pub(crate) const DISTINCT: f64 = 1e-7;
 /// A third of the digits, ∛ε rounded down: the step of a difference quotient, and the accuracy of a triple root.
 pub(crate) const TRIPLE_ROOT: f64 = 1e-6;
 
-/// A thousandth: near a singular pose, or far enough from one input to count as another. At this distance the next term
-/// of an expansion is a millionth, [`TRIPLE_ROOT`].
+/// A thousandth: a pose this far from a singular one is near it, and inputs this far apart are different. At this
+/// distance the next term of an expansion is a millionth, [`TRIPLE_ROOT`].
 pub(crate) const NEAR: f64 = 1e-3;
 
 /// Maximum absolute value of a length, a coordinate, a time or a load, in any unit. Cubes of ratios of such values are

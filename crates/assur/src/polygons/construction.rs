@@ -67,7 +67,7 @@ fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
     })
 }
 
-/// Equations of a step; none for a group that is not a dyad, or for a body without further points.
+/// Equations of a step; none for a group that is not a dyad, or for a body without other points.
 pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     match &mechanism.steps()[step] {
         Step::Epicyclic(geared) => {
@@ -83,7 +83,7 @@ pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     }
 }
 
-/// Equation for the first further point of a body whose rotation about a hinge is known.
+/// Equation for the first other point of a body whose rotation about a hinge is known.
 fn driven(mechanism: &Mechanism, body: BodyId, hinge: PointId) -> Option<Equations> {
     let mut points = mechanism
         .points_on(body)

@@ -100,8 +100,8 @@ impl<const N: usize> Sheet<'_, N> {
         }
     }
 
-    /// Stages of the polygon for a step: its equations, then the images of its bodies. Points shared with a body of an
-    /// earlier step are already known.
+    /// Stages of the polygon for a step: its equations, then the images of its bodies without points that are already
+    /// known.
     fn step(&self, step: StepId) -> Vec<Stage> {
         let placing = &self.mechanism.steps()[step];
         let bodies = placing.bodies();

@@ -10,7 +10,7 @@
 //! of mechanisms and machines*, and Hall, *Kinematics and Linkage Design*). In a group that is not a dyad, no point has
 //! two such equations from known points. The points of such a group are given without a construction.
 //!
-//! Points are exact derivatives and legs come from the formulas, so a polygon closes within rounding.
+//! The points are computed as exact derivatives and the legs by these formulas; a polygon closes within rounding.
 
 mod construction;
 mod drawn;
@@ -84,8 +84,7 @@ pub struct Route {
 pub struct Stage {
     /// The step of the plan; None for the frame, whose points are at the pole.
     pub step: Option<StepId>,
-    /// The point given by the equations. None if the points follow from the image of their link, or cannot be
-    /// constructed.
+    /// The point given by the equations; None if the points follow from images of links or have no construction.
     pub target: Option<Node>,
     /// Routes to the target, if there is a target: one for a driven point, otherwise two.
     pub routes: Vec<Route>,
@@ -119,8 +118,7 @@ pub struct Polygon {
 }
 
 impl Mechanism {
-    /// Polygon of a pose for a speed and acceleration of the input. The pose must have derivatives of the polygon's
-    /// order.
+    /// Polygon of a pose for a speed and acceleration of the input. The pose must have the derivatives of `order`.
     pub fn polygon<const N: usize>(
         &self,
         pose: &Pose<N>,

@@ -84,8 +84,8 @@ impl<const N: usize> Complex<N> {
         self.scaled(self.norm_squared().sqrt().recip())
     }
 
-    /// Vector of constant length with a given value and a given scalar product with another vector, order by order. If
-    /// the other vector is short, these conditions lose no digits of the derivatives, but closed forms do.
+    /// Vector of constant length, from its value and, in all orders, its scalar product with another vector. If the
+    /// other vector is short, these conditions lose no digits of the derivatives, as closed forms would.
     pub(super) fn of_constant_length(value: Vector, other: Self, product: Jet<N>) -> Self {
         let along = value.normalize();
         let across = crate::perpendicular(along);
@@ -104,7 +104,6 @@ impl<const N: usize> Complex<N> {
         found
     }
 
-    /// The scalar product.
     pub(crate) fn dot(self, other: Self) -> Jet<N> {
         self.x() * other.x() + self.y() * other.y()
     }

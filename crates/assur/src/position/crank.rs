@@ -4,7 +4,7 @@ use super::{BodyPoint, Cause, DriveLaw, Enclosure, Predictor, Solvable, State, S
 use crate::Vector;
 use crate::index::{BodyId, PointId, StepId};
 
-/// Body hinged to the frame or a moving body, the base. The angle of the body from the base is linear in the input.
+/// Body hinged to the frame or a moving body, the base. Its angle relative to the base is linear in the input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Crank {
     pub(crate) body: BodyId,
@@ -12,8 +12,7 @@ pub(crate) struct Crank {
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
-    /// Offset of the driven angle from the body's angle relative to its base: a link may be rotated relative to its
-    /// body.
+    /// Offset of the driven angle from the angle between body and base: a link may be rotated relative to its body.
     pub(crate) angle_offset: f64,
     pub(crate) law: DriveLaw,
 }

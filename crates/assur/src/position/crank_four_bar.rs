@@ -8,8 +8,8 @@ use super::{Angle, Arm, CLOSE, Cause, Complex, Mounting, Orientation, Sign, Stat
 use crate::index::BodyId;
 use crate::{Assembly, FourBar, Unsolved, Vector};
 
-/// Minimum, relative to (l₂ + l₃)², of the margins P and Q of the dyad's triangle far from poses in line. With greater
-/// margins roots lose at most two digits.
+/// Minimum of the margins P = (l₂ + l₃)² − r² and Q = r² − (l₂ − l₃)², with the diagonal r, relative to (l₂ + l₃)².
+/// Above it the links are far from in line, and roots lose at most two digits.
 const MIN_MARGIN: f64 = 1.0 / 64.0;
 
 /// A four-bar whose crank is the driver.
@@ -25,7 +25,7 @@ pub(crate) struct CrankFourBar {
     pub(crate) rocker: BodyId,
     /// Offsets of the angles of the bodies of coupler and rocker from φ₂ and φ₃.
     arm_offsets: [f64; 2],
-    /// Margins P and Q above which the links are placed as those of any dyad; infinite if they never are.
+    /// Margins P and Q above which the links are placed like those of any dyad; infinite if they never are.
     min_margin: f64,
     /// Angles of the bodies of coupler and rocker at φ₂ = φ₃ = π/2, each with the unit vector in its direction.
     across: [(f64, Vector); 2],
@@ -74,8 +74,7 @@ impl CrankFourBar {
         })
     }
 
-    /// Places the links. Far from poses in line they are placed as the links of any dyad, which is as exact and takes
-    /// less than half the time.
+    /// Places the links. Far from poses in line, placement as in any dyad is as exact and takes less than half as long.
     #[inline(always)]
     pub(super) fn place<const N: usize>(
         &self,

@@ -59,7 +59,7 @@ impl Motion {
         });
         let limits = turning_points(self, &|input| coordinate(input).ok(), mechanism.size())?;
         let limits = limits.into_iter().map(|limit| limit.value);
-        // Ends are added because a dead point has a position but no derivative.
+        // A dead point has a position but no derivative, so the ends of the arcs are added to the limits.
         let ends = self.cycle.arcs().iter().flatten().copied();
         let ends = ends.chain(self.change_points.iter().copied());
         let ends = ends.chain([self.drawn_input]).filter_map(|input| {
@@ -72,8 +72,7 @@ impl Motion {
         Ok(moves.then_some(range))
     }
 
-    /// Returns the linkage with a further driver, given by its index, at a new rate, starting from the pose at an
-    /// input.
+    /// Returns the linkage with a new rate of a further driver, given by its index, starting from the pose at an input.
     ///
     /// # Errors
     /// The defects of the linkage at the new rate.

@@ -5,11 +5,11 @@ use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 
 /// Step length below which the input gives way: ten halvings of the whole range.
 const MIN_STEP: f64 = 1.0 / 1024.0;
-/// Maximum number of steps tried. Only in a few of them does the input give way.
+/// Maximum number of steps tried; the input gives way only in a few of them.
 const MAX_TRIES: usize = 200;
 
-/// Part of a path followed so far. Lengths are relative to the range of the dimension, so a short change and a longer
-/// one follow the same path.
+/// Part of a path followed so far. Lengths are relative to the range of the dimension, so the path of a short change is
+/// the beginning of that of a longer one.
 pub(super) struct Path {
     pub(super) here: Assembled,
     pub(super) length: f64,
@@ -61,8 +61,8 @@ impl Path {
     }
 }
 
-/// Finds the neighbour at another input at which the step whose loop opened has the largest margin. Up to eight further
-/// steps in the same sense are taken while the margin grows.
+/// Finds, among neighbours at other inputs, the one with the largest margin of the step whose loop opened. Up to eight
+/// further steps in the same sense are taken while the margin grows.
 fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assembled> {
     let margin = |one: &Assembled| one.margin(open.step);
     let better = |a: &Assembled, b: &Assembled| margin(a).total_cmp(&margin(b));

@@ -6,14 +6,14 @@ use crate::index::StepId;
 use crate::position::{KNOWN, Predictor, SmoothRoot, State};
 use crate::{Jet, tolerance};
 
-/// Distance from a change point, relative to the span of the input, within which margins lose too many digits. Poses
-/// ahead are also probed at this distance.
+/// Distance from a change point, relative to the span of the input, within which the margins ([`State::margins`]) lose
+/// too many digits. Poses ahead are also probed at this distance.
 pub(super) const PROBE_DISTANCE: f64 = 1e-5;
-/// Maximum relative deviation of a square from its Taylor series at a change point. The deviation is far smaller so
-/// near to the change point; a larger one indicates another singularity nearby.
+/// Maximum relative deviation of the square under a root from its Taylor series at a change point. So near to a change
+/// point it is usually far smaller; a larger one indicates another singularity nearby.
 const MAX_DEVIATION: f64 = 0.1;
 
-/// A change point: steps of the plan whose links pass through in line at one input.
+/// A change point: steps of the plan whose links come into line at the same input and pass through.
 pub(super) struct ChangePoint {
     input: f64,
     steps: Vec<StepId>,
@@ -22,9 +22,9 @@ pub(super) struct ChangePoint {
 }
 
 impl Continuation<'_> {
-    /// Change point just ahead; None if no change point is near enough to be recognized. A step that depends on its
-    /// links may fail first. The step of the change point is therefore `failed` or precedes `failed` in the plan.
-    /// Newton's method for the minimum of a margin converges from within a thousandth of the input's span.
+    /// Change point just ahead; None if none is near enough to be recognized. A step that depends on the links in line
+    /// may fail first, so the step of the change point is `failed` or precedes it in the plan. Newton's method for the
+    /// minimum of a margin converges from within a thousandth of the input's span.
     pub(super) fn change_point_ahead(&self, failed: StepId, width: f64) -> Option<ChangePoint> {
         if width.abs() > tolerance::NEAR * self.mechanism.span() {
             return None;

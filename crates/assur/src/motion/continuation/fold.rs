@@ -19,9 +19,9 @@ use crate::{Jet, tolerance};
 
 /// Maximum number of steps tried along the curve; step lengths are halved and doubled.
 pub(super) const MAX_TRIES: usize = 48;
-/// Maximum uncertainty of a point due to rounding, relative to the step: far below the turn allowed to a tangent.
+/// Maximum uncertainty of a point due to rounding, relative to the step: far below the maximum turn of the tangent.
 const MAX_UNCERTAINTY: f64 = 0.02;
-/// Minimum cosine of the angle through which the tangent turns in a step: 26°, over which the curve is nearly circular.
+/// Minimum cosine of the turn of the tangent in a step. Over a turn of 26° the curve is nearly circular.
 const MIN_COSINE: f64 = 0.9;
 
 /// Curve of the poses of a group. Its coordinates are the unknowns, scaled to unit size, followed by the scaled input.
@@ -91,7 +91,7 @@ impl Continuation<'_> {
                 return None;
             }
             here = next;
-            // The step is doubled after a turn below a third of the maximum, which reduces 1 − cos to about a ninth.
+            // The step is doubled after a turn below a third of the maximum, where 1 − cos is about a ninth as large.
             if 9.0 * (1.0 - cosine) <= 1.0 - MIN_COSINE {
                 step_len *= 2.0;
             }

@@ -3,8 +3,7 @@
 /// Taylor coefficients of a function at an end, orders 0 to 3.
 pub(super) type Taylor = [f64; 4];
 
-/// Values of several Hermite polynomials at an input. Each end is given by its input and the coefficients of all
-/// functions.
+/// Values of several Hermite polynomials at an input. Each end has its input and the coefficients of all functions.
 pub(super) fn interpolated<'a>(
     [(from, start), (to, end)]: [(f64, &'a [Taylor]); 2],
     input: f64,
@@ -18,8 +17,8 @@ pub(super) fn interpolated<'a>(
     })
 }
 
-/// Weights of the Taylor coefficients of one end, at the fraction `u` of `width` from this end. They are the
-/// polynomials that vanish with three derivatives at the other end.
+/// Weights of the Taylor coefficients of one end, at the fraction `u` of `width` from this end: the polynomials that
+/// vanish with three derivatives at the other end.
 fn weights(u: f64, width: f64) -> [f64; 4] {
     let rest = (1.0 - u).powi(4);
     let x = u * width;

@@ -26,10 +26,9 @@ pub(in crate::motion) struct Knots {
     first: f64,
     /// Smooth roots of steps around change points.
     smooth_roots: Vec<SmoothRoot>,
-    /// Maximum distance of neighbouring knots for which a guess is interpolated.
+    /// Maximum distance between neighbouring knots at which a guess is interpolated.
     longest: f64,
-    /// For each step of the plan, minimum and maximum of its first margin ([`State::margins`]) over all samples,
-    /// including dropped ones.
+    /// Minimum and maximum of each step's first margin ([`State::margins`]) over all samples, including dropped ones.
     margins: List<StepId, [f64; 2]>,
 }
 
@@ -88,7 +87,7 @@ impl Knots {
         }
     }
 
-    /// Extends the ranges of the margins by the ranges of other samples.
+    /// Extends the ranges of the margins to include the ranges of other samples.
     fn include_margins(&mut self, others: impl Iterator<Item = [f64; 2]>) {
         if self.margins.len() == 0 {
             self.margins = others.collect();
@@ -164,7 +163,6 @@ impl Knots {
         }
     }
 
-    /// The assembly sign of a step at an input.
     pub(in crate::motion) fn sign(&self, step: StepId, input: f64) -> Sign {
         self.list[self.index_at(input)].signs[step]
     }
@@ -180,16 +178,15 @@ impl Knots {
         self.smooth_roots.push(smooth);
     }
 
-    /// Shifts the knots of a full cycle to inputs from 0 to `period`, and adds one knot before them and one after.
-    /// Angles stay continuous.
+    /// Shifts the knots of a full cycle to inputs from 0 to `period`, with one more knot on either side. Angles stay
+    /// continuous.
     pub(in crate::motion) fn begin_at_zero(&mut self, period: f64) {
         // The last knot repeats the first one, a period later.
         let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
             return;
         };
-        // The gain of each angle, rounded to whole turns: near a singular pose the two angles differ in the last
-        // digits. An idle wheel may have gained a fraction of a turn; its angle is computed from the wheel that drives
-        // it.
+        // Gain of each angle in whole turns: near a singular pose the two knots differ in the last digits. An idle
+        // wheel may have gained a fraction of a turn; its angle is computed from the wheel that drives it.
         let pairs = last.orientations.iter().zip(first.orientations.iter());
         let gains = pairs.map(|(b, a)| crate::angle::whole_turns(b.angle - a.angle));
         let gains: Vec<f64> = gains.collect();
@@ -272,15 +269,14 @@ impl Knots {
 }
 
 impl Knot {
-    /// True if interpolation between two neighbours reproduces this knot to half of the digits. One Newton step from
-    /// such a guess is exact.
+    /// True if interpolation between two neighbours gives half of this knot's digits; one Newton step gives the rest.
     fn is_redundant_between(&self, before: &Self, after: &Self, longest: f64) -> bool {
         let widths = [before, after].map(|knot| (knot.input - self.input).abs());
         let even = widths[0] <= MAX_INTERVAL_RATIO * widths[1]
             && widths[1] <= MAX_INTERVAL_RATIO * widths[0];
         let turns_little = self.turned + after.turned <= MAX_TURN;
         let same_signs = [before, after].iter().all(|knot| knot.signs == self.signs);
-        // Over an interval longer than a step of a group, the continuation would give a better guess.
+        // Over an interval longer than a step of a group, continuation gives a better guess than interpolation.
         let is_short = widths[0] + widths[1] <= longest;
         let reproduced = || {
             let mut guesses = before.interpolated(after, self.input);

@@ -56,7 +56,7 @@ pub(super) struct Continuation<'a> {
     orientations: List<BodyId, Orientation>,
     /// Bodies whose whole turns are tracked.
     tracked: Vec<BodyId>,
-    /// Smooth roots of the change points already passed, as exact as the poses near the change points.
+    /// Smooth roots of the change points already passed, as exact as the nearby poses.
     pub(super) smooth_roots: Vec<SmoothRoot>,
     /// The next input at which the motion may repeat.
     repeats: f64,
@@ -71,8 +71,7 @@ struct Prediction<'a> {
 }
 
 impl<'a> Prediction<'a> {
-    /// Predicts the pose a step `width` away. Orientations are kept: no body turns through half a turn in a certified
-    /// step.
+    /// Predicts the pose a step `width` away, with present orientations: in a certified step no body makes half a turn.
     fn of(here: &Predictor, orientations: &'a List<BodyId, Orientation>, width: f64) -> Self {
         let value = |jet: Jet<4>| {
             let orders = (0..4).rev();
@@ -150,8 +149,8 @@ impl<'a> Continuation<'a> {
         let longest = longest_step(self.mechanism);
         let mut width = longest;
         let mut successes = STEPS_BEFORE_LONGER;
-        // The search for a singular pose of a group is expensive. It begins when steps become short, and is repeated
-        // only at shorter steps.
+        // The search for a singular pose of a group is expensive: it begins at short steps, and is repeated at shorter
+        // ones.
         let short = tolerance::NEGLIGIBLE * self.mechanism.span();
         let mut searched_at = short;
         while (target - self.input) * sense > 0.0 {
@@ -260,7 +259,6 @@ impl<'a> Continuation<'a> {
         self.add_knot(knots, turned);
     }
 
-    /// Adds a knot at the current pose.
     fn add_knot(&self, knots: &mut Knots, turned: f64) {
         let pose = (&self.here, self.orientations.clone());
         knots.push(self.input, &self.signs, pose, turned);
@@ -291,7 +289,6 @@ impl<'a> Continuation<'a> {
         self.mechanism.solve(input, &self.signs, near, state)
     }
 
-    /// Solves the trial pose at an input.
     fn solve_trial(&mut self, input: f64) -> Result<(), StepId> {
         let predicted = Prediction::of(&self.here, &self.orientations, input - self.input);
         let near = predicted.near(&self.smooth_roots);

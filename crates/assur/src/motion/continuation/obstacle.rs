@@ -16,8 +16,7 @@ impl Continuation<'_> {
     /// Nearest fold of any group just ahead. Near a fold the rates of dependent groups grow without bound, so a
     /// dependent group may be the first one that cannot be certified.
     pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
-        // Near a fold, steps shorten in proportion to the distance from it. At short steps the fold is within this
-        // window.
+        // Near a fold, steps shorten in proportion to its distance. If steps are short, the fold is within this window.
         let window = tolerance::DISTINCT * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let steps = self.mechanism.steps().ids();
@@ -107,7 +106,6 @@ impl Continuation<'_> {
         })
     }
 
-    /// The dead point of a step at an input.
     fn dead_point_at(&self, input: f64, step: StepId, cause: Cause) -> DeadPoint {
         let mut probe: State<1> = self.mechanism.blank_state();
         let solved = self.solve(input, &mut probe);

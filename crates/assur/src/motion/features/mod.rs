@@ -49,8 +49,7 @@ pub struct TooManyTurns {
 
 impl Motion {
     /// Zeros and extrema of quantities and of their first two derivatives with respect to time, by [`features`].
-    /// Quantities that are multiples of one another are searched once. A jump of a folded angle is neither a zero nor
-    /// an extremum.
+    /// Quantities that are multiples of one another are searched once. Jumps of folded angles do not count.
     ///
     /// # Errors
     /// The motion has too many turns to be searched.
@@ -132,8 +131,8 @@ impl Motion {
         part.max(1e-3 * self.mechanism().size())
     }
 
-    /// Features of a folded angle from those of the unfolded angle. Folding may swap maxima and minima; it leaves no
-    /// zeros.
+    /// Features of a folded angle from those of the unfolded angle. Folding may swap maxima and minima; no zeros
+    /// remain.
     fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
         let with_sense = |extremum: Extremum| {
             let pose = self.pose::<3>(extremum.input);

@@ -4,8 +4,7 @@ use super::samples::{Sample, Samples};
 use crate::sorting::sort_by;
 use crate::{Cycle, tolerance};
 
-/// Samples at which a function (`order` 0) or its derivative (`order` 1) vanishes, within the cycle and in ascending
-/// order of input.
+/// Samples within the cycle at which a function (`order` 0) or its derivative (`order` 1) vanishes, sorted by input.
 pub(super) fn ordered_roots(
     cycle: &Cycle,
     arcs: &[Samples],
@@ -29,8 +28,7 @@ pub(super) fn ordered_roots(
     });
     let mut ordered: Vec<Sample> = cells.flatten().collect();
     sort_by(&mut ordered, |a, b| a.input.total_cmp(&b.input));
-    // Near a root, rounding may change the sign several times, except near input 0, where floating-point numbers are
-    // densest.
+    // Rounding may change the sign several times near a root, but not near input 0, where doubles are densest.
     ordered
         .dedup_by(|later, one| later.input - one.input <= tolerance::CONVERGED * later.input.abs());
     let [start, end] = cycle.axis();

@@ -32,7 +32,7 @@ impl Sample {
 
 /// Sample inputs of each arc, evenly spaced and graded towards the inputs from `in_line`, at which the crank is in line
 /// with the outer hinges of a dyad. Near a change point, or if the hinges nearly meet, the motion there may change
-/// within any small angle. A full cycle is centred on input 0, near which floating-point numbers are densest.
+/// abruptly. A full cycle is centred on input 0, near which floating-point numbers are densest.
 pub(super) fn grids(
     cycle: &Cycle,
     in_line: &dyn Fn([f64; 2]) -> Vec<f64>,
@@ -66,8 +66,7 @@ pub(super) fn grids(
     Ok(cycle.arcs().iter().copied().map(graded).collect())
 }
 
-/// Refuses a full cycle with too many turns to be searched. The arc of a motion that turns back may contain any number
-/// of turns.
+/// Refuses a full cycle with too many turns to be searched. A motion that turns back may have any number of turns.
 pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
     let [start, end] = cycle.axis();
     let turns = ((end - start) / TAU).round() as usize;
@@ -82,8 +81,7 @@ pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
 
 /// Closes the samples of a full cycle; other samples are unchanged. Samples of a derivative stay centred on the start
 /// of the cycle, and the last one takes the values of the first. Samples of the function itself are moved to run from
-/// the start to the end, with the start repeated at the end. An angle that turns fully continues from its value one
-/// cycle earlier.
+/// the start to the end, where the start is repeated. An angle that turns fully continues from cycle to cycle.
 pub(super) fn closed(
     cycle: &Cycle,
     mut samples: Samples,

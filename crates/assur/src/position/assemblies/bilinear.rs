@@ -6,7 +6,6 @@ use nalgebra::Complex;
 use super::complex_newton::Workspace;
 use crate::tolerance;
 
-/// A complex number.
 pub(super) type C = Complex<f64>;
 
 pub(super) const ZERO: C = C::new(0.0, 0.0);

@@ -5,8 +5,7 @@ use crate::numeric::newton::{MAX_STEPS, is_exact, newton};
 use crate::tolerance;
 
 impl System {
-    /// Derivatives of the unknowns and conjugates of a solution with respect to the input; None if the solution is
-    /// singular.
+    /// Derivatives of a solution's unknowns and conjugates with respect to the input; None if the solution is singular.
     pub(super) fn rate(&self, at: &[C]) -> Option<Vec<C>> {
         let (z, w) = at.split_at(self.unknowns);
         let mut workspace = Workspace::new(self.unknowns);
@@ -41,7 +40,7 @@ impl System {
                 || change <= tolerance::CONVERGED
                 || change < tolerance::COINCIDENT && change >= 0.5 * last
         };
-        // At a double root convergence is only linear, so the last step may be larger.
+        // At a double root convergence is only linear, so a larger last step is accepted.
         let found = newton(MAX_STEPS, step, is_last);
         found
             .map_or_else(|last| last < tolerance::TRIPLE_ROOT, |()| true)

@@ -3,8 +3,7 @@
 //! For m complex unknowns there are 2m directions vₖ of length 1. They satisfy m linear equations, the loops Σ cₖ vₖ +
 //! c₀ = 0; the reciprocals 1/vₖ satisfy the conjugate equations. One direction, v₁ = λ, is hidden: it counts as a
 //! constant. For each set U of m other directions, one combination of the loops contains only directions of U, with
-//! coefficients aₖ. So does the conjugate combination. With the complement V of U, a set of m − 1 directions, they
-//! give:
+//! coefficients aₖ. So does the conjugate combination. With the complement V of U, of m − 1 directions, they give:
 //!
 //! > (a₀ + λ a₁) X_U + Σ_{k ∈ U} aₖ Y_{U∖k} = 0,
 //! > (ā₁ + λ ā₀) Y_V + λ Σ_{k ∈ U} āₖ X_{V∪k} = 0,
@@ -30,7 +29,7 @@ use nalgebra::{DMatrix, DVector, Schur};
 use super::bilinear::{Affine, Bilinear, C, ONE, System, ZERO};
 use crate::tolerance;
 
-/// Angle, in radians, between the numbers ρ of successive hidden directions. No root is at infinite t for all of them.
+/// Angle, in radians, between the numbers ρ of successive hidden directions. No root has infinite t for every ρ.
 const RHO_STEP: f64 = 2.15;
 /// Maximum number of QR iterations per row.
 const MAX_QR_ITERATIONS: usize = 60;
@@ -312,7 +311,7 @@ fn add([real, imaginary]: &mut [Vec<f64>; 2], at: usize, by: C, sense: f64) {
     imaginary[2 * at + 1] += sense * by.re;
 }
 
-/// Combination of loops without a set of directions. Coefficients: c₀, then of the hidden and of the other directions.
+/// Combination of loops without a set of directions: coefficients c₀, of the hidden direction, and of the others.
 fn combination(rows: &[Vec<C>], without: u32, others: u32) -> Vec<C> {
     let columns: Vec<usize> = (0..others)
         .filter(|k| without & (1 << k) != 0)

@@ -75,10 +75,10 @@ impl System {
     /// Adds the solutions found by Dixon's determinant of the loops. Returns the number of hidden directions tried: 0
     /// if the group has pairs other than hinges.
     ///
-    /// One hidden direction may lose solutions to rounding, and solutions that share the value of this direction.
-    /// Further directions are hidden until the number of solutions is the number for general dimensions, which is known
-    /// for up to three unknowns. For more unknowns the search ends when two directions find all solutions, and the
-    /// second finds no new one.
+    /// With one hidden direction, solutions may be lost to rounding, or because they share the value of this direction.
+    /// Further directions are hidden until the number of solutions is that for general dimensions, which is known for
+    /// up to three unknowns. For more unknowns the search ends when two directions find all solutions, and the second
+    /// finds no new one.
     pub(super) fn add_by_dixon(&self, found: &mut Vec<Vec<C>>) -> usize {
         let mut agreed = 0;
         for hidden in 0..2 * self.unknowns {
@@ -119,8 +119,7 @@ impl System {
         }
     }
 
-    /// Adds the new solutions near candidates, with their conjugates. Returns the number of different solutions near
-    /// candidates.
+    /// Adds the new solutions near candidates, with their conjugates. Returns the number of distinct solutions nearby.
     pub(super) fn add(&self, candidates: Vec<Vec<C>>, found: &mut Vec<Vec<C>>) -> usize {
         let mut workspace = Workspace::new(self.unknowns);
         let mut is_confirmed = vec![false; found.len()];

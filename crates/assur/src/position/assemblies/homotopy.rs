@@ -11,8 +11,7 @@ use crate::tolerance;
 
 /// Maximum step of the homotopy parameter: a path has at least ten steps, predicted with an error of order 5.
 const MAX_STEP: f64 = 0.1;
-/// Maximum number of corrector steps. From an error of 10⁻³, two steps reach 10⁻¹² with quadratic convergence, and the
-/// third confirms this.
+/// Maximum number of corrector steps: two reduce an error of 10⁻³ to 10⁻¹² (quadratically), and a third confirms this.
 const MAX_CORRECTOR_STEPS: usize = 3;
 
 /// Lehmer's random number generator with a fixed seed, for the same paths every time.
@@ -41,7 +40,7 @@ struct Homotopy<'a> {
     gamma: C,
 }
 
-/// Approximate unknowns and conjugates of all finite solutions, by the set of paths of a seed.
+/// Approximate unknowns and conjugates of all finite solutions, found along the set of paths with a given seed.
 pub(super) fn candidates(system: &System, seed: u64) -> Vec<Vec<C>> {
     let mut random = Random(7 + seed % 1_000_003);
     for _ in 0..8 {
@@ -64,8 +63,8 @@ pub(super) fn candidates(system: &System, seed: u64) -> Vec<Vec<C>> {
 }
 
 impl Homotopy<'_> {
-    /// Solution of the start system. The factor of the positions is zero in a set of equations, and the factor of the
-    /// conjugates is zero in the others.
+    /// Solution of the start system at which the factor of the positions is zero in the equations of `set`, and the
+    /// factor of the conjugates is zero in the others.
     fn start(&self, set: u32) -> Option<Vec<C>> {
         let mut all = Vec::new();
         for (kind, patch) in self.patches.iter().enumerate() {

@@ -1,5 +1,4 @@
-//! All assemblies of an Assur group with its inputs solved, by Dixon's determinant for groups of hinges and by homotopy
-//! for others.
+//! All assemblies of an Assur group with solved inputs: by Dixon's determinant for hinges alone, by homotopy otherwise.
 //!
 //! The list of solutions counts as complete if their number is that for general dimensions: 2, 6, or 14 to 20 for one,
 //! two or three unknowns. For more unknowns it counts as complete if two hidden directions agree. This is a check, not
@@ -34,8 +33,7 @@ pub enum Method {
 pub(crate) struct GroupAssembly {
     /// Unknowns of the group in this assembly.
     pub(crate) unknowns: Vec<Vector>,
-    /// Rotations, as unit vectors, of bodies with a driven angle between them. They determine the whole turns of the
-    /// angles.
+    /// Rotations, as unit vectors, of bodies with a driven angle between them. They determine the turns of the angles.
     pub(crate) turns: Vec<(BodyId, Vector)>,
 }
 
@@ -44,7 +42,7 @@ pub(crate) struct GroupAssembly {
 pub(crate) struct GroupAssemblies {
     /// The real assemblies.
     pub(crate) real: Vec<GroupAssembly>,
-    /// True if the assemblies need no Newton steps, because they are tracked and have no derivatives.
+    /// True if the assemblies need no Newton steps: they were tracked, and no derivatives are wanted.
     pub(crate) solved: bool,
     /// Number of complex assemblies, including the real ones.
     pub(crate) complex: usize,
@@ -53,8 +51,7 @@ pub(crate) struct GroupAssemblies {
 }
 
 /// One of a pair of complex conjugate assemblies: its squared distance from the other, with the derivative of the
-/// square with respect to the input. The square is nearly proportional to the distance from the input at which both
-/// assemblies meet and become real.
+/// square with respect to the input. The square falls to zero, nearly linearly, at the input at which both become real.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ComplexPair {
     pub(crate) square: f64,
@@ -196,7 +193,7 @@ impl Group {
         for equation in &self.equations {
             match *equation {
                 Equation::Unit(one) => equations.push(Bilinear::Unit(form(one))),
-                // The complex form contains the imaginary part.
+                // One complex form stands for both the real and the imaginary equation.
                 Equation::Real(one) => zeros.push(form(one)),
                 Equation::Imaginary(_) => {}
                 Equation::Line { axis, vector } => {

@@ -79,7 +79,6 @@ pub(super) fn distance_to_pair(one: &[C], other: &[C]) -> f64 {
     f64::min(distance(one, other), distance_to_conjugate(one, other))
 }
 
-/// The midpoint of two solutions.
 pub(super) fn mean(a: &[C], b: &[C]) -> Vec<C> {
     a.iter().zip(b).map(|(a, b)| (a + b) / 2.0).collect()
 }

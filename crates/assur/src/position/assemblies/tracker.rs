@@ -4,8 +4,8 @@ use super::bilinear::System;
 use super::solutions::Solutions;
 use crate::{Vector, tolerance};
 
-/// Maximum distance, relative to the lengths of the links, between the present known terms of the group's equations and
-/// those of the last sample of a branch, at which the branch is still extrapolated. Farther off it is a poor guess.
+/// Maximum distance, relative to the lengths of the links, between the present parameters (known terms of the group's
+/// equations) and those of a branch's last sample. Farther off, extrapolation of the branch gives a poor guess.
 pub(super) const MAX_DISTANCE: f64 = 0.25;
 /// Maximum extrapolation, in units of the distance between the last two samples. Errors of samples grow with the square
 /// of the extrapolation.
@@ -19,7 +19,7 @@ pub(crate) struct Tracker {
     pub(super) branches: Vec<Branch>,
     /// Greatest number of complex assemblies found, which is taken as the number for general parameters.
     pub(super) general_count: usize,
-    /// True if clearly different parameters gave `general_count` assemblies.
+    /// True if two clearly different sets of parameters gave `general_count` assemblies.
     pub(super) agreed: bool,
     /// Equations for the last parameters.
     pub(super) system: Option<System>,
@@ -101,7 +101,6 @@ impl Tracker {
 }
 
 impl Extrapolation<'_> {
-    /// The extrapolated solutions.
     pub(super) fn solutions(&self) -> Solutions {
         let Branch { last, before, .. } = self.branch;
         let mut expected = last.solutions.clone();
@@ -119,7 +118,7 @@ impl Extrapolation<'_> {
         expected
     }
 
-    /// Linear extrapolation of a square, relative to its last value; None if there is only one sample.
+    /// Linear extrapolation of a squared quantity, relative to its last value; None if there is only one sample.
     pub(super) fn growth(&self, square: impl Fn(&Solutions) -> f64) -> Option<f64> {
         let before = self.branch.before.first()?;
         let last = square(&self.branch.last.solutions);
