@@ -1,6 +1,5 @@
-//! Benchmarks. Results are printed and never make a run fail. Times of the engine are relative to a yardstick measured
-//! in the same run, because machines differ and are shared. The yardstick is a straightforward scalar closed form, run
-//! natively.
+//! Benchmarks. Results are printed and never make a run fail. Times of the engine are relative to a yardstick, because
+//! machines differ and are shared: a straightforward scalar closed form of the four-bar, timed natively in each run.
 
 use std::path::Path;
 

@@ -143,7 +143,7 @@ impl Group {
         }
     }
 
-    /// Computes the unknowns' Taylor coefficients of one order, in which each equation is linear, from those of lower
+    /// Computes one order of the unknowns' Taylor coefficients, in which the equations are linear, from the lower
     /// orders.
     pub(super) fn differentiate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         // The first order was solved together with the last correction.

@@ -1,6 +1,6 @@
 //! Newton's method for the equations of a group. It ends when the step is negligible relative to the size of the group,
-//! or when the residuals are only rounding errors. Its loop is separate from the general one, because it takes most of
-//! the time of a motion and does not apply its last step.
+//! or when the residuals are only rounding errors. It has a loop of its own, not that of [`crate::numeric::newton`],
+//! because it takes most of the time of a motion and does not apply its last step.
 
 use super::work::Work;
 use super::{Group, Term};
@@ -61,8 +61,7 @@ impl Group {
             *residual = [equation.residual(&work.values, &work.known_angles), rate];
         }
         let determinant = self.factorize(work).ok_or(Cause::DeadPoint)?;
-        // In another pose, pivoting may leave out other redundant equations; the sign of the determinant then means
-        // nothing.
+        // In another pose, pivoting may leave out other redundant equations; then the determinant's sign means nothing.
         let determinant = if self.is_redundant() {
             determinant.abs()
         } else {

@@ -61,8 +61,7 @@ pub fn opening(angles: &Angles) -> Option<f64> {
     opening.is_finite().then_some(opening)
 }
 
-/// True if some z ≥ 0 closes the loop: e₀ lies in the cone of e₁, e₂, e₃, including its boundary. None if an angle is
-/// not finite.
+/// True if some z ≥ 0 closes the loop: e₀ is in the closed cone of e₁, e₂, e₃. None if an angle is not finite.
 pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
     if !angles.is_finite() {
         return None;
@@ -85,7 +84,7 @@ impl Angles {
     }
 }
 
-/// The exact criterion. Each of P₂ + Q₂z₁ > 0 and P₃ + Q₃z₁ > 0 holds on a ray of z₁, for every z₁ or for none.
+/// The exact criterion. Each of z₂ = P₂ + Q₂z₁ and z₃ = P₃ + Q₃z₁ is positive on a ray of z₁, for every z₁ or for none.
 /// Together with z₁ > 0 this leaves an interval or nothing. None if an angle is not finite.
 pub fn truth(angles: &Angles) -> Option<Truth> {
     if !angles.is_finite() {
@@ -105,7 +104,7 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
             return Some(Truth::None);
         }
     }
-    // Both ends are 1 if e₁ points along e₀.
+    // If e₁ points along e₀, both ends are 1 except for rounding.
     Some(
         if to.is_none_or(|to| from < to * (1.0 - tolerance::NEGLIGIBLE)) {
             Truth::Between { from, to }
