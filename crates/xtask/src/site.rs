@@ -71,8 +71,7 @@ fn compile(workspace: &Workspace) -> Result<PathBuf> {
     Ok(workspace.target.join(WASM).join("page/assur_web.wasm"))
 }
 
-/// Flags that replace the paths of source files in panic messages with paths that are the same on every machine. So the
-/// page shows nothing of the machine on which it was built.
+/// Flags that hide the build machine: paths of source files in panic messages become the same on every machine.
 fn path_remapping(workspace: &Workspace) -> Result<Vec<String>> {
     let sources = cargo_home()?.join("registry/src");
     let registries = workspace.shell.read_dir(sources).unwrap_or_default();

@@ -8,8 +8,7 @@ use crate::numeric::graph::Partition;
 /// the parts with surplus constraints.
 ///
 /// # Errors
-/// All faults of single pairs and drivers; if none, all of the count, with surplus constraints unless
-/// `surplus_allowed`.
+/// All faults of single pairs and drivers; if none, all of the count (surplus constraints unless `surplus_allowed`).
 pub(super) fn check(
     graph: &Graph,
     drivers: &[Driver],

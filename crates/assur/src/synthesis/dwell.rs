@@ -258,7 +258,7 @@ impl DesignVariable {
     }
 }
 
-/// Achieved values of a motion; none if the driver does not turn fully or forces grow a thousandfold near a dead point.
+/// Values of a motion; none if the driver does not turn fully or forces grow a thousandfold near a singular pose.
 fn judged(motion: &Motion, output: Quantity, target: Target) -> Option<Evaluation> {
     let singularity_margin = motion.singularity_margin();
     if !motion.cycle().is_full() || singularity_margin.abs() < tolerance::NEAR {

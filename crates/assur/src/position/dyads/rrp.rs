@@ -16,7 +16,7 @@ pub(crate) struct Rrp {
 }
 
 impl Solvable for Rrp {
-    /// In coordinates of the line, with B at (x, y) and C at (s, h): s = x + σ √(|BC|² − (h − y)²), σ the assembly
+    /// With B at (x, y) and C at (s, h) in coordinates of the line: s = x + σ √(|BC|² − (h − y)²); σ is the assembly
     /// sign.
     fn solve<const N: usize>(
         &self,

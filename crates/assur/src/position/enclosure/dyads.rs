@@ -65,8 +65,7 @@ impl Enclosure {
         straight + (radius / (least + radius)).asin()
     }
 
-    /// Bound on the second derivative of the intersection of two lines fixed to bodies; None if they may become
-    /// parallel.
+    /// Bound on the second derivative of the intersection of two lines on bodies; None if they may become parallel.
     ///
     /// Let Q be the point of a body that coincides with the intersection C at the start of the step, σ the displacement
     /// of C from Q along the body's line, and n the unit normal of this line. Then n·C″ = n·Q″ + 2σ′ω + σε for each
@@ -118,8 +117,7 @@ impl Enclosure {
     }
 }
 
-/// Difference between the greatest and the least angle at the base of a triangle, if the base may have any length in an
-/// interval. The angle is between the base and the first side.
+/// Width of the range of the angle between base and first side of a triangle, for base lengths in an interval.
 fn angle_range([side, other]: [f64; 2], base: [f64; 2]) -> f64 {
     let [sum, difference] = [side + other, side - other];
     let angle = |r: f64| {

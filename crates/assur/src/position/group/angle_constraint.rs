@@ -46,8 +46,7 @@ impl Drive {
 /// The known part of an angle constraint while its group is solved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::position) struct KnownAngle<const N: usize> {
-    /// Sum of the solved bodies' angles times their factors, less the constant and the driven coordinate. For a driven
-    /// slide it is a length.
+    /// Sum of the solved bodies' angles times their factors, less constant and driven coordinate; a length for a slide.
     pub(in crate::position) angle: Jet<N>,
     /// Orientations of the unknown bodies in a nearby pose, less than half a turn from those sought.
     pub(in crate::position) near: [Orientation; MAX_FORMS],

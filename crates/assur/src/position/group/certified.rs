@@ -1,12 +1,11 @@
 //! Bounds of the motion of a group of higher class over a step of the input.
 //!
-//! The equations of the group are quadratic in its unknowns X and its inputs, except those of gear meshes: the second
-//! derivatives of their angles are bounded too. On the tangent X₀ + t X₀′ the residual is at most t²/2 times a bound
+//! The equations of the group are quadratic in its unknowns X and its inputs, except those of gear meshes, whose angles
+//! also have bounded second derivatives. On the tangent X₀ + t X₀′ the residual is at most t²/2 times a bound
 //! (`defect`). The change of the Jacobian J from its value J₀ at the start has a bound along the tangent, and one
 //! proportional to the distance from the tangent. Let A = J₀⁻¹ and ‖A (J − J₀)‖ ≤ q ≤ ½ over a ball whose radius is
 //! twice the first correction. Then the ball contains exactly one solution (Kantorovich), continuous in the input, and
-//! J is regular. Its determinant keeps its sign: the step has no singular pose, no other assembly and no point at
-//! infinity.
+//! J is regular: the step has no singular pose, no other assembly and no point at infinity.
 
 use super::equation::{Equation, MAX_FORMS};
 use super::{Group, KnownTerm};

@@ -39,8 +39,7 @@ pub(crate) struct Elimination {
     lists: Vec<Line>,
     /// The sign of the determinant relative to the product of the pivots.
     sign: f64,
-    /// Exponent of the power of two that scales determinants, because products of many pivots may overflow or
-    /// underflow.
+    /// Exponent of the power of two that scales determinants: products of many pivots may overflow or underflow.
     exponent: i32,
     /// True for each entry that is nonzero before or during the elimination.
     filled: Vec<bool>,

@@ -53,9 +53,9 @@ impl Solution {
         })
     }
 
-    /// Specification of the linkage as a mechanism: links `crank`, `coupler` and `rocker`, joints A to D, the crank
-    /// driven. It is drawn at the input of the first position at which it can be assembled, with the output nearer to
-    /// the wanted.
+    /// Specification of the linkage as a mechanism: links `crank`, `coupler` and `rocker`, joints A to D, driven crank.
+    /// It is drawn at the input of the first position at which it can be assembled, with the output nearest to the
+    /// wanted.
     ///
     /// # Errors
     /// The reason why the linkage cannot be drawn.

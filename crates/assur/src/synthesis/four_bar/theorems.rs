@@ -73,8 +73,7 @@ impl Angles {
         all.iter().all(|angle| angle.is_finite())
     }
 
-    /// Two unknowns as functions of the third; none if their two links are parallel (for z₁ as the third: if (13)
-    /// fails).
+    /// Two unknowns as functions of the third; none if their links are parallel (for the third z₁: if (13) fails).
     ///
     /// The vector product of the loop equation zᵢeᵢ + zⱼeⱼ = e₀ − ze and eⱼ gives zᵢ(eᵢ × eⱼ) = e₀ × eⱼ − z(e × eⱼ).
     pub fn subsystem(&self, third: Unknown) -> Option<Subsystem> {

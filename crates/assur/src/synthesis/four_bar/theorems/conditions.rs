@@ -121,7 +121,8 @@ fn of_signs(by: &Subsystem, k: usize) -> [Condition; 2] {
     ]
 }
 
-/// Conditions (33) to (35) for z₂ and (36) to (38) for z₃: signs of the fractions in (31), (32). Zero has either sign.
+/// Conditions (33) to (35) for z₂, (36) to (38) for z₃: signs of the fractions in (31), (32). Zero counts as either
+/// sign.
 fn of_cases(angles: &Angles) -> [Condition; 6] {
     let Angles {
         frame,
