@@ -66,7 +66,7 @@ impl Solvable for EpicyclicStep {
         self.members.iter().map(|member| member.body)
     }
 
-    /// True if the train depends on a body. This may be a carrier of the train itself, on which its planets depend.
+    /// True if the train depends on a body. The body may be a carrier of the train, on which its planets depend.
     fn depends_on(&self, body: BodyId) -> bool {
         self.members.iter().any(|member| {
             member.at.body == body || member.ratios.iter().any(|(other, _)| *other == body)

@@ -222,7 +222,7 @@ impl Step {
         ask!(self, kind => kind.depends_on(body))
     }
 
-    /// Four-bar on the driven crank, if this step is its dyad.
+    /// Four-bar on the driven crank, if this step is the dyad of that four-bar.
     pub(crate) fn four_bar(&self) -> Option<&CrankFourBar> {
         match self {
             Self::Rrr(dyad) => dyad.four_bar.as_ref(),

@@ -16,8 +16,7 @@ pub(crate) struct Rrp {
 }
 
 impl Solvable for Rrp {
-    /// With B at (x, y) and C at (s, h) in coordinates of the line: s = x + σ √(|BC|² − (h − y)²); σ is the assembly
-    /// sign.
+    /// In the line's coordinates, with B at (x, y), C at (s, h) and assembly sign σ: s = x + σ √(|BC|² − (h − y)²).
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

@@ -232,7 +232,7 @@ impl Group {
         cell.bounds.sums.resize(self.equations.len(), [0.0; 3]);
     }
 
-    /// Inverts the Jacobian; false if it is singular. The column of a redundant equation left out is zero.
+    /// Inverts the Jacobian; false if it is singular. A redundant equation that is left out has a zero column.
     fn invert(&self, cell: &mut Enclosure) -> bool {
         let [rows, size] = [self.equations.len(), 2 * self.unknowns];
         let Enclosure { work, bounds, .. } = cell;

@@ -102,8 +102,8 @@ impl Group {
         })
     }
 
-    /// True if all residuals are only rounding errors. They are large for a short link far from the origin: its
-    /// direction has few digits. Redundant equations that are left out are checked by [`Self::locked`].
+    /// True if all residuals are only rounding errors. These are large for a short link far from the origin, because
+    /// its direction has few digits. Redundant equations that are left out are checked by [`Self::locked`].
     pub(in crate::position) fn residual_is_rounding<const N: usize>(
         &self,
         work: &mut Work<N>,
@@ -188,8 +188,8 @@ impl Group {
     }
 }
 
-/// Absolute residual of an equation as a fraction of its length. For a unit equation this is the error of |v|, found
-/// from the residual (|v|² − 1)/2.
+/// Absolute residual of an equation relative to its length. For a unit equation this is the error of |v|, found from
+/// the residual (|v|² − 1)/2.
 fn length_error<const N: usize>(equation: &Equation, work: &Work<N>) -> f64 {
     let residual = equation.residual(&work.values, &work.known_angles);
     let error = match equation {

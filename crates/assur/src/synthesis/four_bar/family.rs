@@ -121,7 +121,7 @@ pub struct Change {
 pub enum ChangeKind {
     /// The Grashof type changes: all links can lie in one line.
     Grashof,
-    /// Coupler and output are in line at this position (from 0); beyond this member it belongs to the other assembly.
+    /// Coupler and output are in line at this position (from 0), which has the other assembly beyond this member.
     DeadPoint(usize),
 }
 

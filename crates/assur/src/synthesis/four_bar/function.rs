@@ -59,7 +59,7 @@ pub struct ErrorSample {
     pub x: f64,
     /// f(x).
     pub wanted: f64,
-    /// Value y of the linkage; None if the linkage cannot move there from the first position.
+    /// Value y of the linkage; None if the linkage cannot reach this x from the first position.
     pub generated: Option<f64>,
 }
 

@@ -193,7 +193,7 @@ impl<'a> Collected<'a> {
         );
     }
 
-    /// Adds (5) to (16), (26), (31), (32): formulas for lengths that close the position.
+    /// Adds (5) to (16), (26), (31), (32): formulas for lengths that close the loop.
     fn closed(&mut self, by: &Subsystem, z1: f64) {
         let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
         let [e01, e02, e03] = [self.dot(0, 1), self.dot(0, 2), self.dot(0, 3)];

@@ -23,7 +23,7 @@ pub enum Truth {
         /// This z₁, if there is one.
         coupler: Option<f64>,
     },
-    /// Coupler, output and input are parallel to each other: a range of z₁ closes the loop, or none.
+    /// Coupler, output and input are parallel to each other: either a range of z₁ closes the loop or no z₁ does.
     InLine {
         /// The lower bound, at least zero, and the upper bound, if there is one.
         range: Option<(f64, Option<f64>)>,
