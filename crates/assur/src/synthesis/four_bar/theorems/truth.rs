@@ -47,9 +47,9 @@ impl Truth {
     }
 }
 
-/// Angle δ₊ − δ₋, radians, between the two of e₁, e₂, e₃ that are nearest to e₀ on its right and on its left. Positive
-/// lengths close the loop exactly if it is less than π: then e₀ lies strictly inside the cone of the three vectors. None
-/// if one of them points along e₀, all three are on one side, or an angle is not finite.
+/// Angle δ₊ − δ₋, radians, between the two of e₁, e₂, e₃ nearest to e₀ on its right and on its left. Positive lengths
+/// close the loop exactly if it is less than π: then e₀ lies strictly inside the cone of e₁, e₂, e₃. None if one of
+/// them points along e₀, all three are on one side, or an angle is not finite.
 pub fn opening(angles: &Angles) -> Option<f64> {
     if angles.is_along() {
         return None;
@@ -123,7 +123,7 @@ fn parallel(angles: &Angles) -> Truth {
     });
     let opposite = (angles.input - angles.output).cos() < 0.0;
     if coupler[0] == 0.0 {
-        // The coupler is parallel as well, so the loop closes only if the frame is parallel too: z₂ ± z₃ = e₀e₂ − e₁e₂z₁.
+        // The coupler is parallel too, so the loop closes only if the frame is also parallel: z₂ ± z₃ = e₀e₂ − e₁e₂z₁.
         let range = match (frame[1] > 0.0, coupler[1] < 0.0) {
             _ if opposite => Some((0.0, None)),
             (true, true) => Some((0.0, None)),
