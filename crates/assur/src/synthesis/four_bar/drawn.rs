@@ -54,8 +54,7 @@ impl Solution {
     }
 
     /// Specification of the linkage as a mechanism: links `crank`, `coupler` and `rocker`, joints A to D, driven crank.
-    /// It is drawn at the first position whose input it can reach, in the assembly with the output nearest to the
-    /// wanted one.
+    /// It is drawn at the first position at whose input it can be assembled, with the output nearer to the wanted one.
     ///
     /// # Errors
     /// The reason why the linkage cannot be drawn.
