@@ -7,10 +7,9 @@ use crate::Vector;
 /// A quantity for which a paper gives a relation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relation {
-    /// The item in the table of the paper, such as `002.(10)`, or an id of its own for a relation that is not in the paper.
+    /// The item in the table of the paper, such as `002.(10)`, or an id of its own for a relation that is not in it.
     pub item: &'static str,
-    /// The quantity in the notation of the paper, such as `φ₃′`. If there are several positions, the number of the
-    /// position is added: `φ₂⁽¹⁾`.
+    /// The quantity in the paper's notation, such as `φ₃′`; with the position's number if there are several: `φ₂⁽¹⁾`.
     pub name: Cow<'static, str>,
     /// True for an angle in radians; false for a length or a number.
     pub is_angle: bool,

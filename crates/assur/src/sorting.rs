@@ -1,5 +1,5 @@
-//! Sorting of any list by a single instance of the standard library's sort, which sorts indices. Each further instance
-//! would add several kilobytes to the page.
+//! Sorting of any list by a single instantiation of the standard library's sort, which sorts indices. Each further
+//! instantiation would add several kilobytes to the page.
 
 use std::cmp::Ordering;
 

@@ -1,6 +1,5 @@
-//! Benchmarks. Results are printed and never make a run fail. Times of the engine are relative to a yardstick measured
-//! in the same run, because machines differ and are shared. The yardstick is a straightforward scalar closed form, run
-//! natively.
+//! Benchmarks. Results are printed and never make a run fail. Because machines differ and are shared, times of the
+//! engine are relative to a yardstick timed natively in each run: a scalar closed form of the four-bar.
 
 use std::path::Path;
 

@@ -33,7 +33,7 @@ struct Facts {
     name: &'static str,
     program: Program,
     driver: Program,
-    /// Debian packages of the browser, its driver and a font, without which a browser would draw no text.
+    /// Debian packages of the browser, its driver and a font; without a font a browser would draw no text.
     packages: &'static str,
 }
 
@@ -149,8 +149,7 @@ impl Facts {
 }
 
 impl Program {
-    /// Finds the program. A variable that names no program is an error, because a test in another browser would
-    /// mislead.
+    /// Finds the program. A variable that names no program is an error: a test in another browser would mislead.
     fn find(&self) -> Result<Option<PathBuf>> {
         let Self { variable, names } = self;
         if let Some(named) = env::var_os(variable).filter(|value| !value.is_empty()) {

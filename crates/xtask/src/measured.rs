@@ -90,8 +90,7 @@ pub(crate) fn compare(files: &[PathBuf]) -> Result<()> {
     Ok(())
 }
 
-/// A table with a line for each figure that both runs have: before, after and the ratio. Times of the engine are in
-/// units of the yardstick of their own run.
+/// A table of the figures in both runs: before, after, ratio. Engine times are in units of the yardstick of their run.
 fn compared(before: &Measured, after: &Measured) -> String {
     let mut text = String::new();
     if !before.machine.is_like(&after.machine) {

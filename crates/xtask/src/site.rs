@@ -30,8 +30,7 @@ pub(crate) fn build_with(workspace: &Workspace, more: &Path) -> Result<()> {
     write(workspace, "site", Some(more))
 }
 
-/// Writes the distributed forms of the built page into `dist`: the one file, the folder for a web host, the npm
-/// package.
+/// Writes the built page into `dist` in its distributed forms: one file, folder for a web host, npm package.
 pub(crate) fn give_away(workspace: &Workspace) -> Result<()> {
     write(workspace, "dist", None)
 }
@@ -48,8 +47,8 @@ fn write(workspace: &Workspace, what: &str, more: Option<&Path>) -> Result<()> {
 
 /// Writes the module that JavaScript imports, and its types, where `build/site.js` and `tsconfig.json` expect them.
 fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
-    // Function names would only make the file longer. A trap does not reset the stack of the instance, so the page
-    // starts a new instance.
+    // Function names would only make the file longer. A trap does not reset the stack of the instance, so the page then
+    // starts a new instance by the reset function.
     let bindgen = cmd!(
         workspace.shell,
         "{program} {wasm} --out-dir target/engine --target web --encode-into always
@@ -72,8 +71,7 @@ fn compile(workspace: &Workspace) -> Result<PathBuf> {
     Ok(workspace.target.join(WASM).join("page/assur_web.wasm"))
 }
 
-/// Flags that replace the paths of source files in panic messages by paths that are the same on every machine. So the
-/// page shows nothing of the machine on which it was built.
+/// Flags that hide the build machine: paths of source files in panic messages become the same on every machine.
 fn path_remapping(workspace: &Workspace) -> Result<Vec<String>> {
     let sources = cargo_home()?.join("registry/src");
     let registries = workspace.shell.read_dir(sources).unwrap_or_default();

@@ -76,8 +76,7 @@ fn run_steps(workspace: &Workspace, all: bool) -> Result<ExitCode> {
 
     let mut tally = Tally::default();
     let began = Instant::now();
-    // Installing the tools and building the page leave one processor idle for minutes; steps that need neither run on
-    // it.
+    // While the tools are installed and the page is built, one processor is idle: steps that need neither run on it.
     let building = workspace.clone();
     let page = thread::spawn(move || {
         let page = pages(&building).and_then(|()| tools::wasm_pack(&building));
@@ -114,8 +113,7 @@ fn pages(workspace: &Workspace) -> Result<()> {
 /// The steps that need no built page.
 fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
     let shell = &workspace.shell;
-    // Test programs are selected by name, because `--tests` and `--all-targets` would leave out those that need a
-    // browser.
+    // Test programs are selected by name: `--tests` and `--all-targets` would leave out those that need a browser.
     let lint = cmd!(shell, "cargo clippy --workspace --lib --bins --test *");
     let wasm_lint = cmd!(
         shell,
@@ -199,8 +197,7 @@ pub(crate) fn wasm_tests<'a>(workspace: &'a Workspace, browser: &Browser) -> Res
         .env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIME))
 }
 
-/// Checks the types of the page's scripts and of the scripts that build the page. The build has written the types of
-/// the border.
+/// Checks the types of the page's scripts and of the build's scripts; the engine's types were written by the build.
 fn types(workspace: &Workspace) -> Result<()> {
     let checker = "node_modules/typescript/bin/tsc";
     for project in [".", "crates/xtask/build"] {

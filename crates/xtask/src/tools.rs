@@ -20,8 +20,7 @@ const GECKODRIVER: &str = "0.37.1";
 
 const THERE: &str = "already there";
 
-/// Installs the standard library for [`WASM`]. It is looked for on disk rather than in rustup's list, so that a
-/// compiler without rustup works as well.
+/// Installs the standard library for [`WASM`]. It is looked for on disk, so that a compiler without rustup works too.
 pub(crate) fn wasm_target(workspace: &Workspace) -> Result<()> {
     let shell = &workspace.shell;
     let library = cmd!(shell, "rustc --print target-libdir --target {WASM}").read()?;

@@ -51,8 +51,7 @@ impl Workspace {
         self.target.join("site.more")
     }
 
-    /// The version of a crate in Cargo.lock. If the file has two versions of it, cargo refuses the query and names
-    /// both.
+    /// The version of a crate in Cargo.lock. If there are two, cargo refuses the query and names both.
     pub(crate) fn locked_version(&self, name: &str) -> Result<String> {
         // `registry+…#NAME@VERSION`
         let id = cmd!(self.shell, "cargo pkgid {name}").read()?;

@@ -1,13 +1,13 @@
 //! Enclosures of the motion between two poses, by bounds on all second derivatives over a step of the input. They
-//! certify a step: they prove that within it no margin vanishes, no group has a singular pose and no point goes to
-//! infinity. The poses at the ends of the step cannot show this.
+//! certify a step: within it no margin (quantity under a root) vanishes, no group has a singular pose and no point goes
+//! to infinity. The poses at the ends of the step cannot show this.
 //!
 //! The pose of every body and its first derivative are known at the start of the step. For a point p, a bound b on the
 //! second derivative over the step then encloses the path: after a change t of the input, the point is within t²b/2 of
-//! p + t p′. In the order of solving, the bound of each body follows from the bounds of the bodies joined to it, and
-//! from a bound on the sine of the angle between its links. The same enclosures give the latter bound. Groups of higher
-//! class are certified by L. V. Kantorovich's theorem (J. M. Ortega and W. C. Rheinboldt, *Iterative Solution of
-//! Nonlinear Equations in Several Variables*, 1970, 12.6).
+//! p + t p′. In the order of solving, the bounds for each body follow from those for the bodies joined to it, and from
+//! a lower bound on the sine of the angle between the links of its dyad. The same enclosures give the latter bound.
+//! Groups of higher class are certified by L. V. Kantorovich's theorem (J. M. Ortega and W. C. Rheinboldt, *Iterative
+//! Solution of Nonlinear Equations in Several Variables*, 1970, 12.6).
 
 mod dyads;
 
@@ -31,8 +31,8 @@ pub(crate) struct Enclosure {
     pub(super) bounds: Bounds,
 }
 
-/// Maximum relative change q of the Jacobian of a group. Kantorovich's theorem holds for q below 1; for q = ½ the
-/// radius of the ball is twice the first correction.
+/// Maximum relative change q of the Jacobian of a group. Kantorovich's theorem holds for q below 1. For q = ½ the ball
+/// that contains the solution has a radius of twice the first correction.
 pub(super) const MAX_JACOBIAN_CHANGE: f64 = 0.5;
 /// Number of columns of an inverse that are computed together.
 pub(super) const BLOCK: usize = 4;
@@ -53,7 +53,7 @@ pub(super) struct Bounds {
 pub(crate) struct Bound {
     /// Bound on the second derivative of the angle of the body.
     pub(crate) angular_acceleration: f64,
-    /// Bound on the rotation of the body, found without `angular_acceleration`; infinite if there is none.
+    /// Bound on the rotation of the body, found without `angular_acceleration`; infinite if no such bound was found.
     max_turn: f64,
     /// Two points on the body, with bounds on their second derivatives.
     pub(crate) places: [(Vector, f64); 2],
@@ -103,9 +103,9 @@ impl Enclosure {
         self.certify_beside(steps, from, width, (&[], from))
     }
 
-    /// Certifies a step of the input in which links of the steps `passing` of the plan come into line and pass through
-    /// before the pose `to`. The second derivatives of their bodies are estimated from both ends, because the equations
-    /// do not bound them near poses in line.
+    /// Certifies a step of the input to the pose `to`, within which the links of the plan's steps `passing` pass
+    /// through a pose in line. The second derivatives of their bodies are estimated from both ends, because the
+    /// equations do not bound them near poses in line.
     pub(crate) fn certify_beside(
         &mut self,
         steps: &List<StepId, Step>,
@@ -131,7 +131,7 @@ impl Enclosure {
         MAX_JACOBIAN_CHANGE / self.jacobian_change
     }
 
-    /// Sets the bound on each second derivative to twice the greater of its values at both ends.
+    /// Sets the bound on each second derivative to twice the greater of its values at the two ends of the step.
     fn estimate(&mut self, placing: &Step, from: &Predictor, to: &Predictor) {
         for body in placing.bodies() {
             let most = |of: &dyn Fn(&Predictor) -> f64| 2.0 * f64::max(of(from), of(to));
@@ -247,8 +247,8 @@ impl Enclosure {
         [least - radius, most + radius]
     }
 
-    /// Bound on a continuous speed v that begins at v₀ and satisfies v ≤ v₀ + h (a v² + c), with the step length h. It
-    /// is the smaller root of the equation, which v cannot pass. None if there is no real root.
+    /// Bound on a continuous speed v that begins at v₀ and satisfies v ≤ v₀ + h (a v² + c), with the step length h. The
+    /// bound is the smaller root of v = v₀ + h (a v² + c), which v cannot pass. None if there is no real root.
     pub(crate) fn bounded_speed(&self, v0: f64, a: f64, c: f64) -> Option<f64> {
         let start = v0 + self.step_len * c;
         let rest = 1.0 - 4.0 * self.step_len * a * start;

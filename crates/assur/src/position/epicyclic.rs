@@ -5,7 +5,7 @@ use crate::index::{BodyId, PointId, StepId};
 use crate::{Jet, Vector};
 
 /// Wheels and carriers whose angles are determined by gear meshes, each hinged to a body placed before: a wheel in mesh
-/// with a solved wheel, or a carrier between sun and ring together with its planet.
+/// with a solved wheel, or the carrier between a sun and a ring, together with its planet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct EpicyclicStep {
     /// The bodies in the order in which they are placed.
@@ -21,8 +21,7 @@ pub(crate) struct Member {
     /// The hinge in the coordinates of this body.
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
-    /// Solved bodies that determine the angle of this body, each with the derivative of this angle with respect to the
-    /// solved body's angle.
+    /// Solved bodies whose angles θ determine the angle φ of this body, each with dφ/dθ.
     pub(crate) ratios: Vec<(BodyId, f64)>,
     /// Angle of this body in the drawn assembly if the angles of the bodies in `ratios` are zero.
     pub(crate) shift: f64,
@@ -67,7 +66,7 @@ impl Solvable for EpicyclicStep {
         self.members.iter().map(|member| member.body)
     }
 
-    /// True if the train depends on a body. This may be a carrier of the train itself, on which its planets depend.
+    /// True if the train depends on a body. The body may be a carrier of the train, on which its planets depend.
     fn depends_on(&self, body: BodyId) -> bool {
         self.members.iter().any(|member| {
             member.at.body == body || member.ratios.iter().any(|(other, _)| *other == body)

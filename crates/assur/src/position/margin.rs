@@ -11,8 +11,8 @@ pub(crate) enum Dead {
     Beyond,
 }
 
-/// True if a margin is positive. False if it is zero within rounding error, relative to the size `scale` of its
-/// squares: then it has a root, but the root has no derivatives.
+/// True if a margin is positive. False if it is zero within rounding error and no derivatives are required; they would
+/// be unbounded. `scale` is the size of the squared lengths in the margin.
 pub(crate) fn clear<const N: usize>(margin: Jet<N>, scale: f64) -> Result<bool, Dead> {
     if margin.value() > tolerance::CONVERGED * scale {
         Ok(true)
@@ -34,8 +34,7 @@ pub(crate) fn root<const N: usize>(margin: Jet<N>, scale: f64) -> Result<Jet<N>,
     })
 }
 
-/// The intersection of two lines, each given by a point and a direction of length 1. The squared sine of the angle
-/// between them is the margin.
+/// Intersects two lines (point, unit direction), and sets `margin` to the squared sine of the angle between them.
 pub(crate) fn crossing<const N: usize>(
     lines: [(Complex<N>, Complex<N>); 2],
     margin: &mut [Jet<N>; 2],

@@ -43,8 +43,7 @@ pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Mounting, Sign, Solvable, Step, StepContext};
 
 /// Maximum distance between points that count as close, relative to the lengths that determine their positions. The
-/// direction between close points loses digits. If they are the outer hinges of a dyad, the closed forms of its
-/// derivatives lose digits too.
+/// direction between close points loses digits. If they are the outer hinges of a dyad, so do its derivatives.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
 /// Square of `CLOSE`.
 pub(crate) const CLOSE_SQUARED: f64 = CLOSE * CLOSE;
@@ -108,9 +107,9 @@ pub(crate) struct Track {
     pub(crate) direction: Vector,
     /// A point of the link.
     pub(crate) point: Vector,
-    /// Distance of this point from the line, positive to the left.
+    /// Distance of `point` from the line, positive to the left.
     pub(crate) offset: f64,
-    /// The joint at this point; None if it is no joint but any point on the line of the link.
+    /// The joint at `point`; None if `point` is no joint but any point on the line of the link.
     pub(crate) joint: Option<PointId>,
 }
 
@@ -133,7 +132,7 @@ pub enum Singularity {
 pub enum Cause {
     /// The input is not finite, or outside a driven slide's range.
     Input,
-    /// The distance of the solved joints is too large or too small by this length.
+    /// The distance between the solved joints is too large or too small by this length.
     Apart {
         /// Length.
         by: f64,

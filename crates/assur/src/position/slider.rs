@@ -4,8 +4,7 @@ use super::{Cause, Complex, DriveLaw, Enclosure, Predictor, Solvable, State, Ste
 use crate::Jet;
 use crate::index::{BodyId, StepId};
 
-/// Driven body on a line of the frame or of a moving body. Its coordinate along the line is a linear function of the
-/// input.
+/// Driven body on a line of the frame or of a moving body; its coordinate is a linear function of the input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Slider {
     pub(crate) track: Track,
@@ -42,7 +41,7 @@ impl Solvable for Slider {
             return false;
         }
         // C″ = Q″ + 2σ′v′ + σv″ for the slider's point C and the point Q of the line's body that coincides with C at
-        // the start of the step. The displacement σ along the line's direction v has a constant rate.
+        // the start of the step. σ is the displacement along the line's direction v; its rate is constant.
         let rate = law.rate.abs();
         let along = 2.0 * rate * cell.max_turn_rate(from, line)
             + cell.step_len * rate * cell.direction_acceleration(from, line);

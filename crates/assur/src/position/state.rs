@@ -10,16 +10,15 @@ use crate::{Jet, Vector};
 #[derive(Clone, Debug)]
 pub(crate) struct State<const N: usize> {
     pub(crate) bodies: List<BodyId, BodyPose<N>>,
-    /// Margins of every step of the plan: the quantities under the step's square roots, or the squared sine of the
-    /// angle between two guides. For a group: the determinant of its Jacobian over a power of two, and the exponent of
-    /// this power.
+    /// Margins of every step: the quantities under its square roots, or the squared sine of the angle between two
+    /// guides. For a group: its Jacobian's determinant divided by a power of two, and the exponent of this power.
     pub(crate) margins: List<StepId, [Jet<N>; 2]>,
     /// The square of the mechanism's size.
     pub(crate) scale: f64,
     /// The unknowns of all groups solved by Newton's method.
     pub(crate) natural: Vec<Complex<N>>,
-    /// Largest first and largest second Newton correction of all groups, in units of their unknowns. They are the
-    /// errors of the guess and of the first correction.
+    /// Largest first and largest second Newton correction of all groups, in units of their unknowns. They estimate the
+    /// errors of the guess and of the pose after the first correction.
     pub(crate) corrections: [f64; 2],
     pub(super) work: Work<N>,
 }
@@ -31,7 +30,7 @@ pub(crate) struct BodyPose<const N: usize> {
     /// Turn e^(iθ) of the body by its angle θ.
     pub(crate) turn: Complex<N>,
     pub(crate) angle: Angle<N>,
-    /// Nearby orientation of the body, less than half a turn away.
+    /// Orientation of the body in a nearby pose, less than half a turn away.
     near: Orientation,
 }
 
@@ -140,18 +139,18 @@ impl<const N: usize> State<N> {
         body.origin.value() + product(body.turn.value(), track.point)
     }
 
-    /// Places an arm that starts at a point and lies along a vector of the arm's length.
+    /// Places an arm from its first hinge at `at` along a vector of the arm's length.
     pub(crate) fn lay(&mut self, arm: &Arm, at: Complex<N>, along: Complex<N>) {
         self.put(arm.body, along.by(arm.turn), arm.from, at);
     }
 
-    /// Places a sliding link along a direction, with its point at a position.
+    /// Places a sliding link from its direction and the position of its point.
     pub(crate) fn slid(&mut self, track: &Track, direction: Complex<N>, at: Complex<N>) {
         let turn = direction.by(conjugate(track.direction));
         self.put(track.body, turn, track.point, at);
     }
 
-    /// Places a body with the turn e^(iθ) and one of its points at a position.
+    /// Places a body from its turn e^(iθ) and the position of one of its points.
     #[inline(always)]
     pub(crate) fn put(&mut self, body: BodyId, turn: Complex<N>, local: Vector, at: Complex<N>) {
         let body = &mut self.bodies[body];

@@ -66,7 +66,7 @@ impl Mounting {
 }
 
 impl<const N: usize> StepContext<'_, N> {
-    /// Root of a margin with the sign of the assembly; `scale` is the size of the squares in the margin.
+    /// Root of a margin with the sign of the assembly; `scale` is the size of the squared lengths in the margin.
     #[inline(always)]
     pub(super) fn root(&self, square: Jet<N>, scale: f64) -> Result<Jet<N>, Dead> {
         match self.smooth_root() {
@@ -94,8 +94,7 @@ pub(crate) trait Solvable {
         context: &StepContext<'_, N>,
     ) -> Result<(), Cause>;
 
-    /// Bounds the motion of the bodies over a step of the input from a pose; true if they certainly stay in their
-    /// assembly.
+    /// Bounds the motion of the bodies over a step of the input; true if the bodies certainly stay in their assembly.
     fn enclose(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool;
 
     /// Bodies that the step places.
@@ -120,7 +119,7 @@ pub(crate) trait Solvable {
         self.has_sign()
     }
 
-    /// Square under the root of the closed form, from the margins.
+    /// Quantity under the root of the closed form, from the margins.
     fn square<const N: usize>(&self, [margin, _]: [Jet<N>; 2]) -> Jet<N> {
         margin
     }
@@ -223,7 +222,7 @@ impl Step {
         ask!(self, kind => kind.depends_on(body))
     }
 
-    /// Four-bar on the driven crank, if this step is its dyad.
+    /// Four-bar on the driven crank, if this step is the dyad of that four-bar.
     pub(crate) fn four_bar(&self) -> Option<&CrankFourBar> {
         match self {
             Self::Rrr(dyad) => dyad.four_bar.as_ref(),

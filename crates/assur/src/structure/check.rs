@@ -8,8 +8,7 @@ use crate::numeric::graph::Partition;
 /// the parts with surplus constraints.
 ///
 /// # Errors
-/// All faults of single pairs and drivers; if there are none, all faults of the count. Surplus constraints are a fault
-/// unless `surplus_allowed`.
+/// All faults of single pairs and drivers; if none, all of the count (surplus constraints unless `surplus_allowed`).
 pub(super) fn check(
     graph: &Graph,
     drivers: &[Driver],
@@ -38,7 +37,7 @@ pub(super) fn check(
         let links: Vec<usize> = (0..graph.links)
             .filter(|&link| link != graph.ground && with_ground[link])
             .collect();
-        // If all links are locked, no driver is missing: they are `Rigid`, or overconstrained (reported below).
+        // If all links are locked, no driver is missing: the links are `Rigid`, or overconstrained (reported below).
         if !undriven.is_empty() || links.is_empty() || !whole {
             faults.push(Fault::NoDriver);
         } else if surplus_allowed || surplus.is_empty() {
@@ -119,8 +118,7 @@ fn driven(graph: &Graph, drivers: &[Driver]) -> Vec<Fault> {
     faults
 }
 
-/// For each link, whether pairs connect it to the ground, and the list of all nodes so connected: these links and the
-/// points of their hinges.
+/// For each link, whether pairs connect it to the ground; and all nodes so connected: links and points of hinges.
 fn joined_to_ground(graph: &Graph) -> (Vec<bool>, Vec<usize>) {
     let mut parts = Partition::new(graph.links);
     for pair in &graph.pairs {

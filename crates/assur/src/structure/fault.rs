@@ -2,8 +2,7 @@
 
 use std::fmt;
 
-/// A reason why a graph cannot be decomposed. Links, pairs and drivers are given by their indices, links in ascending
-/// order.
+/// A reason why a graph cannot be decomposed, with the indices of links (ascending), pairs and drivers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
     /// The ground is not one of the links.
@@ -44,7 +43,7 @@ pub enum Fault {
         /// The driver.
         driver: usize,
     },
-    /// A driver drives the same two links of the same pair as an earlier one.
+    /// A driver drives the same two links of the same pair as an earlier driver.
     DrivenTwice {
         /// The driver.
         driver: usize,

@@ -8,8 +8,8 @@ use crate::sorting::sort;
 /// An Assur group.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
-    /// The bodies, in order of their lowest links. A body is one link, or several links (ascending) that have no
-    /// relative motion while the drivers are fixed.
+    /// The bodies, in ascending order of their lowest link indices. A body is one link, or several links (ascending)
+    /// that have no relative motion while the drivers are fixed.
     pub bodies: Vec<Vec<usize>>,
     /// The pairs between its bodies. A hinge of k bodies is listed k − 1 times.
     pub inner: Vec<usize>,
@@ -62,7 +62,7 @@ impl Group {
         self.outer.len()
     }
 
-    /// Makes a group of links that depend on each other, and otherwise only on links solved before.
+    /// Makes a group of links that depend on each other and otherwise only on links solved before.
     pub(super) fn new(
         graph: &Graph,
         drivers: &[Driver],
@@ -99,7 +99,7 @@ impl Group {
             }
             sort(&mut here);
             here.dedup_by_key(|(body, _)| *body);
-            // A pair is an inner one if none of its links is solved before.
+            // A pair is inner if none of its links is solved before.
             let base = depends.base(pair.links());
             let outer = group.body_of(base).is_none();
             if outer {

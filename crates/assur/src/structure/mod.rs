@@ -1,22 +1,20 @@
 //! The structure of any planar linkage: drivers and Assur groups, added one after another.
 //!
-//! The structure depends only on the [`Graph`], which lists the links that each pair joins, and on each [`Driver`]: not
-//! on lengths, names or order. [`decompose`] returns the [`Structure`], with groups of any class, or all faults of the
-//! graph.
+//! The structure depends only on the [`Graph`] (the links that each pair joins) and on each [`Driver`]: not on lengths,
+//! names or order. [`decompose`] returns the [`Structure`], with groups of any class, or all faults.
 //!
 //! # Groups
 //!
 //! An *Assur group* is a chain of links that adds no freedom when its outer pairs join it to links already solved, and
 //! that contains no smaller such chain. Its n links, P₁ lower pairs and P₂ higher pairs satisfy 3n = 2P₁ + P₂. A link
-//! counts as three freedoms, a hinge as the two of its point, with two constraints for each link on the hinge. So a
-//! compound hinge of k links counts as k − 1 pairs, without a choice of the two links that each of them joins. Such a
-//! choice would change the groups.
+//! counts as three freedoms and a hinge as the two freedoms of its point, with two constraints for each link on the
+//! hinge. So a compound hinge of k links counts as k − 1 pairs, without a choice of the two links that each of them
+//! joins. Such a choice would change the groups.
 //!
 //! Each constraint is assigned to a freedom that it determines (`pebbles.rs`). The link with this freedom then depends
 //! on the other links of that pair. Links that depend on each other in a ring are solved together and form a group. The
 //! groups are the same for every assignment (Servatius, Shai, Whiteley, *Combinatorial characterization of the Assur
-//! graphs from engineering*, 2010). A link is never divided: if a prismatic pair determines the angle of a link before
-//! its position, this makes no smaller group.
+//! graphs from engineering*, 2010). No link is divided, even if a prismatic pair determines its angle first.
 //!
 //! # Class and order
 //!
@@ -28,8 +26,7 @@
 //! - k ≥ IV: the inner pairs close a contour of k pairs, with variable angles.
 //!
 //! If several contours are closed, those of a minimum cycle basis count: none of them is a sum of shorter contours.
-//! Their lengths depend neither on the basis nor on the drawing. (In a drawing, a contour around two others would be
-//! higher than both.)
+//! Their lengths depend neither on the basis nor on the drawing: a contour drawn around two others does not count.
 //!
 //! Links without relative motion (a triangle of bars, or a cylinder and its driven piston) are one *body* and count as
 //! one link. A higher pair counts as its substitute, a link with two lower pairs. So a wheel that is hinged to a solved
@@ -37,11 +34,11 @@
 //!
 //! # Limits of counting
 //!
-//! A count ignores dimensions. A parallelogram with a third rocker moves, but it counts as locked: [`decompose`] refuses
-//! it as [`Fault::Overconstrained`], and [`crate::mechanism::Mechanism`] decides by the rank of its constraints. A second satellite between sun and ring would be refused too, but
-//! [`crate::mechanism::Mechanism`] knows the numbers of teeth and omits the passive mesh of that satellite. Links that
-//! prismatic pairs alone join may have the right count but no definite position: they are refused as
-//! [`Fault::Sliding`]. Every linkage that is not refused can be solved, except at special dimensions.
+//! A count ignores dimensions. A parallelogram with a third rocker moves, but counts as locked: [`decompose`] refuses
+//! it as [`Fault::Overconstrained`], while [`crate::mechanism::Mechanism`] decides by the rank of its constraints. A
+//! second satellite between sun and ring would be refused too, but `Mechanism` knows the numbers of teeth and omits its
+//! passive mesh. Links joined only by prismatic pairs may have the right count but no definite position: they are
+//! refused as [`Fault::Sliding`]. Every linkage that is not refused can be solved, except at special dimensions.
 //!
 //! ```
 //! use assur::structure::{Driver, Graph, Pair, decompose};
@@ -81,13 +78,11 @@ use std::collections::BTreeSet;
 /// A pair and the indices of the links that it joins.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Pair {
-    /// A hinge, which joins two or more links at one point. A compound hinge of k links is one `Revolute` and counts
-    /// as k − 1 pairs.
+    /// A hinge of two or more links at one point. For k links it is one `Revolute` and counts as k − 1 pairs.
     Revolute(Vec<usize>),
     /// A slider and its guide.
     Prismatic([usize; 2]),
-    /// A higher pair, such as two gears in mesh, which removes one freedom. The hinges that carry the gears are pairs
-    /// of their own.
+    /// A higher pair, such as two gears in mesh, which removes one freedom. The hinges of the gears are separate pairs.
     Gear([usize; 2]),
 }
 
@@ -151,8 +146,8 @@ pub struct Driver {
 /// The decomposition of a linkage.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
-    /// The steps, each joined to earlier ones. They are sorted by level, one more than the highest level to which the
-    /// step is joined; at one level drivers come first, then the step with the lowest link.
+    /// The steps, each joined to earlier ones and sorted by level: one more than the highest level among those earlier
+    /// steps. Within a level drivers come first, then the other steps in the order of their lowest links.
     pub steps: Vec<Step>,
     /// For each link, the index of the step that adds it; None for the ground.
     pub step_of: Vec<Option<usize>>,
@@ -262,7 +257,7 @@ fn taken_apart(
         surplus.iter().filter(inside).map(|part| part.excess).sum()
     };
 
-    // The level of a block is one more than the highest level of the blocks that carry it.
+    // The level of a block is one more than the highest level of the earlier blocks to which it is joined.
     let mut level = vec![0; graph.links];
     for block in &blocks {
         let joined = graph

@@ -1,10 +1,10 @@
 //! Search for a mechanism ("Design your dwell") whose output dwells over a wanted arc of the crank and moves through a
 //! wanted stroke over the rest of the turn.
 //!
-//! The dimensions are changed one at a time. A change that reduces the defects is kept, and the next step of that
-//! dimension is twice as large; otherwise the next step is half as large and reversed. This is Rosenbrock's search of
-//! 1960 without its rotation of axes: the arc of a dwell jumps when the output leaves the band, so there is no gradient
-//! to follow. Each step of the search evaluates one candidate over its full turn.
+//! The dimensions are changed one at a time. A change that reduces the defects (deviations from the wanted arc and
+//! stroke) is kept, and the next step of that dimension is twice as large. Otherwise the next step is half as large and
+//! reversed. This is Rosenbrock's search of 1960 without its rotation of axes: the arc of a dwell jumps when the output
+//! leaves the band, so there is no gradient to follow. Each step evaluates one candidate over a full turn.
 
 use crate::mechanism::{Dimension, Mechanism, Quantity};
 use crate::motion::{Motion, OutputProfile};
@@ -59,8 +59,7 @@ pub struct Evaluation {
     pub arc: f64,
     /// Difference of the output's maximum and minimum.
     pub stroke: f64,
-    /// Root of the sum of the squared defects of arc and stroke, each relative to its target. An arc longer than its
-    /// target is no defect.
+    /// Root of the summed squares of the relative defects of arc and stroke; too long an arc is no defect.
     pub residual: f64,
     /// Singularity margin of the motion ([`Motion::singularity_margin`]).
     pub singularity_margin: f64,
@@ -71,7 +70,7 @@ pub struct Evaluation {
 pub struct Progress {
     /// Number of candidates evaluated so far.
     pub judged: usize,
-    /// True if the last candidate was better and has been accepted.
+    /// True if the last candidate was better than the best before and has been accepted.
     pub accepted: bool,
     /// Values of the best candidate.
     pub evaluation: Evaluation,
@@ -84,7 +83,7 @@ pub struct Progress {
 pub enum End {
     /// Every requirement is met.
     Fulfilled,
-    /// No further change of a dimension improves the mechanism.
+    /// No small change of a single dimension improves the mechanism.
     Settled,
 }
 
@@ -196,7 +195,7 @@ impl Search {
         self.progress
     }
 
-    /// Next value to try for the variable of index `self.next`, which is set; none if all steps have become negligible.
+    /// Next value to try, for the variable whose index is then `self.next`; none if all steps have become negligible.
     fn candidate(&mut self) -> Option<f64> {
         let live = |k: usize| self.steps[k].abs() > tolerance::DISTINCT * self.variables[k].width();
         let count = self.variables.len();
@@ -259,8 +258,7 @@ impl DesignVariable {
     }
 }
 
-/// Achieved values of a motion; none if the driver does not turn fully or comes so close to a singular pose that forces
-/// grow a thousandfold.
+/// Values of a motion; none if the driver does not turn fully or forces grow a thousandfold near a singular pose.
 fn judged(motion: &Motion, output: Quantity, target: Target) -> Option<Evaluation> {
     let singularity_margin = motion.singularity_margin();
     if !motion.cycle().is_full() || singularity_margin.abs() < tolerance::NEAR {

@@ -16,8 +16,7 @@ pub(crate) struct Rrp {
 }
 
 impl Solvable for Rrp {
-    /// In coordinates of the line, B is at (x, y) and C at (s, h) with constant h. With the length l of link i and the
-    /// assembly sign σ, s = x + σ √(l² − (h − y)²).
+    /// In the line's coordinates, with B at (x, y), C at (s, h) and assembly sign σ: s = x + σ √(|BC|² − (h − y)²).
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

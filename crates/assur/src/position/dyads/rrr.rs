@@ -27,7 +27,7 @@ pub(in crate::position) struct Triangle<const N: usize> {
     /// Sum l₂ + l₃ of the lengths of the arms; `difference` is l₂ − l₃.
     sum: f64,
     difference: f64,
-    /// P = (l₂ + l₃)² − r² and Q = r² − (l₂ − l₃)².
+    /// The margins P = (l₂ + l₃)² − r² and Q = r² − (l₂ − l₃)².
     pub(in crate::position) margins: [Jet<N>; 2],
 }
 
@@ -51,7 +51,7 @@ impl<const N: usize> Triangle<N> {
         }
     }
 
-    /// √(P Q), positive for the joint to the left of BD (`side` 1) and negative for the joint to its right (−1).
+    /// √(P Q) of the margins P and Q, positive for C to the left of BD (`side` 1) and negative for C to its right (−1).
     #[inline(always)]
     pub(in crate::position) fn root(&self, side: f64) -> Jet<N> {
         let [p, q] = self.margins;
@@ -68,7 +68,7 @@ impl<const N: usize> Triangle<N> {
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
         let mut to_c = to_c.scaled(self.square.recip());
         let scale = self.sum * self.sum;
-        // With links in line, the derivatives are those of a smooth root.
+        // If the links are nearly in line, C keeps the derivatives of `root`, which may be a smooth root.
         let is_in_line = root.value().powi(2) < CLOSE_SQUARED * self.square.value() * scale;
         if self.square.value() < CLOSE_SQUARED * scale && !is_in_line {
             to_c = Complex::of_constant_length(to_c.value(), self.diagonal, along);
@@ -77,8 +77,8 @@ impl<const N: usize> Triangle<N> {
         state.lay(j, self.d, self.leg(j, to_c - self.diagonal));
     }
 
-    /// Leg of the triangle as a vector. If the other arm is much longer, only the direction of the vector is exact, and
-    /// the vector is scaled to the length of the arm.
+    /// Vector of an arm between its hinges. If the other arm is much longer, only the direction of `along` is exact; it
+    /// is then scaled to the length of the arm.
     #[inline(always)]
     fn leg(&self, arm: &Arm, along: Complex<N>) -> Complex<N> {
         if arm.length() < CLOSE * self.sum {
@@ -89,8 +89,8 @@ impl<const N: usize> Triangle<N> {
     }
 }
 
-/// Scales of P and Q. The base r has a rounding error δ proportional to s = l₂ + l₃. Near r = s this error causes an
-/// error s δ in P. Near r = |l₂ − l₃|, which may be much shorter, it causes an error |l₂ − l₃| δ + δ² in Q.
+/// Scales of the rounding errors of P and Q. The base r has an error δ proportional to s = l₂ + l₃. Near r = s it
+/// causes an error s δ in P; near r = |l₂ − l₃|, which may be much shorter, |l₂ − l₃| δ + δ² in Q.
 fn scales(sum: f64, difference: f64) -> [f64; 2] {
     [sum, difference.abs() + tolerance::CONVERGED * sum].map(|length| sum * length)
 }

@@ -7,7 +7,7 @@ use crate::Vector;
 use crate::index::BodyId;
 use crate::position::{Arm, Predictor, Track, product};
 
-/// Turn of a link, radians, above which the triangle of links and base bounds it as well; half the maximum in a step.
+/// Bound on a link's rotation, radians, above which the triangle of links and base gives a second bound.
 const LARGE_TURN: f64 = 0.5;
 
 impl Enclosure {
@@ -45,8 +45,8 @@ impl Enclosure {
             let places = [(arm.from, outer.acceleration), (arm.to, joint)];
             self.set(arm.body, acceleration / arm.length(), places);
         }
-        // The acceleration gives a poor bound on the turn of a link if the base is short or the links are nearly in line.
-        // If this bound is large, the triangle of links and base gives another one.
+        // The acceleration bounds the turn of a link poorly if the base is short or the links are nearly in line. If
+        // this bound is large, the triangle of links and base gives another one.
         for (arm, other) in [(&arms[0], l3), (&arms[1], l2)] {
             if self.turned(from, arm.body) > LARGE_TURN {
                 let opening = angle_range([arm.length(), other], [least, most]);
@@ -56,7 +56,7 @@ impl Enclosure {
         true
     }
 
-    /// Bound on the angle through which a vector turns over the step, for a vector that cannot vanish.
+    /// Bound on the angle through which a vector turns over the step. The vector must not vanish within the step.
     fn max_direction_turn(&self, vector: &PointBound) -> f64 {
         let end = vector.at + vector.rate * self.width;
         let straight = vector.at.perp(&end).atan2(vector.at.dot(&end)).abs();
@@ -65,8 +65,7 @@ impl Enclosure {
         straight + (radius / (least + radius)).asin()
     }
 
-    /// Bound on the second derivative of the intersection of two lines, each fixed to a body; None if the lines may
-    /// become parallel.
+    /// Bound on the second derivative of the intersection of two lines on bodies; None if they may become parallel.
     ///
     /// Let Q be the point of a body that coincides with the intersection C at the start of the step, σ the displacement
     /// of C from Q along the body's line, and n the unit normal of this line. Then n·C″ = n·Q″ + 2σ′ω + σε for each
@@ -83,7 +82,7 @@ impl Enclosure {
         let rates = bodies.map(|body| self.turn_rate(from, body));
         let angular_accelerations = bodies.map(|body| self.angular_acceleration(body));
         let angle = u.perp(&v).abs().atan2(u.dot(&v).abs());
-        // Lines fixed to the same body meet at a constant angle.
+        // The angle between lines fixed to the same body is constant.
         let relative_rate = if bodies[0] == bodies[1] {
             0.0
         } else {
@@ -118,8 +117,7 @@ impl Enclosure {
     }
 }
 
-/// Difference between the greatest and the least angle at the base of a triangle, if the base may have any length in an
-/// interval. The angle is between the base and the first side.
+/// Width of the range of the angle between base and first side of a triangle, for base lengths in an interval.
 fn angle_range([side, other]: [f64; 2], base: [f64; 2]) -> f64 {
     let [sum, difference] = [side + other, side - other];
     let angle = |r: f64| {

@@ -46,10 +46,9 @@ impl Drive {
 /// The known part of an angle constraint while its group is solved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::position) struct KnownAngle<const N: usize> {
-    /// Sum of the solved bodies' angles times their factors, less the constant and the driven coordinate. A length for
-    /// a driven slide.
+    /// Sum of the solved bodies' angles times their factors, less constant and driven coordinate; a length for a slide.
     pub(in crate::position) angle: Jet<N>,
-    /// Orientations of the unknown bodies in a nearby pose, less than half a turn away.
+    /// Orientations of the unknown bodies in a nearby pose, less than half a turn from those sought.
     pub(in crate::position) near: [Orientation; MAX_FORMS],
 }
 
@@ -93,7 +92,7 @@ impl AngleConstraint {
         });
         if let Some(drive) = &self.drive {
             angle = angle - drive.at(input)?;
-            // Driven angles may differ by whole turns: the one nearest to the nearby pose is taken.
+            // The driven angle is known except for whole turns: the value nearest to the nearby pose is taken.
             if let [link, base] = self.turning[..] {
                 let [link, base] = [link, base].map(|body| near.orientations[body].angle);
                 angle = angle + -crate::angle::whole_turns(link - base + angle.value());

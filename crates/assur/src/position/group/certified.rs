@@ -1,12 +1,11 @@
 //! Bounds of the motion of a group of higher class over a step of the input.
 //!
-//! The equations of the group are quadratic in its unknowns X and its inputs. Equations of gear meshes are not, but the
-//! second derivatives of their angles are bounded too. On the tangent X₀ + t X₀′ the residual is at most t²/2 times a
-//! bound (`defect`). The change of the Jacobian J from its value J₀ at the start of the step has two bounds: one along
-//! the tangent, and one proportional to the distance from the tangent. Let A = J₀⁻¹ and ‖A (J − J₀)‖ ≤ q ≤ ½ over a
-//! ball whose radius is twice the first correction. Then the ball contains exactly one solution (Kantorovich),
-//! continuous in the input, and J is regular. Its determinant keeps its sign, so the step has no singular pose, no
-//! other assembly and no point at infinity.
+//! The equations of the group are quadratic in its unknowns X and its inputs, except those of gear meshes, whose angles
+//! also have bounded second derivatives. On the tangent X₀ + t X₀′ the residual is at most t²/2 times a bound
+//! (`defect`). The change of the Jacobian J from its value J₀ at the start has a bound along the tangent, and one
+//! proportional to the distance from the tangent. Let A = J₀⁻¹ and ‖A (J − J₀)‖ ≤ q ≤ ½ over a ball whose radius is
+//! twice the first correction. Then the ball contains exactly one solution (Kantorovich), continuous in the input, and
+//! J is regular: the step has no singular pose, no other assembly and no point at infinity.
 
 use super::equation::{Equation, MAX_FORMS};
 use super::{Group, KnownTerm};
@@ -135,8 +134,7 @@ impl Group {
         }
     }
 
-    /// Bound on the change, over the step, of an equation's derivative with respect to the input, with the rates of the
-    /// unknowns fixed.
+    /// Bound on the change of an equation's rate over the step, with the rates of the unknowns fixed.
     fn rate_defect(&self, equation: &Equation, cell: &Enclosure, radius: f64) -> f64 {
         let step_len = cell.step_len;
         let bound = |form: usize| self.form_bound(cell, form);
@@ -210,8 +208,7 @@ impl Group {
             .sum()
     }
 
-    /// Computes the values and first derivatives of all forms at the start of the step, and bounds on their second
-    /// derivatives with the unknowns fixed.
+    /// Computes all forms and their rates at the start, and bounds on their second derivatives with the unknowns fixed.
     fn linearize(&self, from: &Predictor, cell: &mut Enclosure) {
         for (k, input) in self.inputs.iter().enumerate() {
             let acceleration = match input {
@@ -235,8 +232,7 @@ impl Group {
         cell.bounds.sums.resize(self.equations.len(), [0.0; 3]);
     }
 
-    /// Inverts the Jacobian, column by column; false if it is singular. The column of a redundant equation that the
-    /// elimination leaves out is zero.
+    /// Inverts the Jacobian; false if it is singular. A redundant equation that is left out has a zero column.
     fn invert(&self, cell: &mut Enclosure) -> bool {
         let [rows, size] = [self.equations.len(), 2 * self.unknowns];
         let Enclosure { work, bounds, .. } = cell;

@@ -2,8 +2,7 @@
 //! fill-in; structural zeros are never touched. A matrix with more rows than columns belongs to dependent equations:
 //! each column gets one pivot row, and the other rows are left out.
 //!
-//! The general [`crate::numeric::linear`] would allocate in every pose, visit the zeros and give no determinant as a
-//! margin.
+//! The general [`crate::numeric::linear`] would allocate in every pose, visit the zeros and not return the determinant.
 
 /// A pivot and the rows and columns it acts on, as ranges of [`Elimination::lists`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +28,7 @@ struct Line {
     at: usize,
 }
 
-/// Plan of an elimination; empty, without pivots, until [`Self::plan`] has run.
+/// Plan of an elimination. It has no pivots until [`Self::plan`] has run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Elimination {
     /// Number of rows.
@@ -40,8 +39,7 @@ pub(crate) struct Elimination {
     lists: Vec<Line>,
     /// The sign of the determinant relative to the product of the pivots.
     sign: f64,
-    /// Exponent of the power of two that scales determinants: the product of many pivots in units of length may
-    /// overflow or underflow.
+    /// Exponent of the power of two that scales determinants: products of many pivots may overflow or underflow.
     exponent: i32,
     /// True for each entry that is nonzero before or during the elimination.
     filled: Vec<bool>,
@@ -55,7 +53,7 @@ pub(crate) struct Elimination {
 
 /// Minimum size of a pivot relative to the largest entry in its column, when the elimination is planned.
 const MIN_PLANNED_PIVOT: f64 = 0.25;
-/// Minimum relative size of a pivot when the plan is used. Rounding errors then grow at most 100-fold per pivot.
+/// Minimum size of a pivot relative to its column, when the plan is used: rounding errors grow at most 100-fold.
 const MIN_PIVOT: f64 = 1e-2;
 
 impl Elimination {
@@ -231,8 +229,7 @@ impl Elimination {
         Some(value)
     }
 
-    /// Solves a linear system with an eliminated matrix for several right-hand sides at once; overwrites the right-hand
-    /// sides.
+    /// Solves a linear system with an eliminated matrix for several right-hand sides at once, in place.
     pub(crate) fn solve<const L: usize>(
         &self,
         matrix: &[f64],

@@ -160,8 +160,7 @@ impl Equation {
         }
     }
 
-    /// Computes the gradients of the equation with respect to its forms. The scalar product of a gradient and a change
-    /// of its form is the change of the equation.
+    /// Computes the gradients g with respect to the forms: a change df of a form changes the equation by g · df.
     #[inline(always)]
     pub(in crate::position) fn gradients<const N: usize>(
         &self,

@@ -143,8 +143,7 @@ impl Group {
         }
     }
 
-    /// Computes the unknowns' Taylor coefficients of one order, in which each equation is linear, from those of lower
-    /// orders.
+    /// Computes one order of the unknowns' Taylor coefficients from the lower orders; the equations are linear in it.
     pub(super) fn differentiate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         // The first order was solved together with the last correction.
         if order == 1 {

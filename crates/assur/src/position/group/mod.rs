@@ -43,8 +43,8 @@ pub(crate) struct BodyForms {
     pub(crate) body: BodyId,
     /// Indices of the forms for the origin and for the turn of the body.
     pub(crate) forms: [usize; 2],
-    /// The first of two close points that determine the turn of the body, in local coordinates. Rounding changes the
-    /// length of such a turn; the turn is normalized with this point held in place.
+    /// The first of two close points that determine the turn e^(iθ) of the body, in local coordinates. Rounding makes
+    /// the length of this turn differ from 1; it is normalized with the point held in place.
     pub(crate) close: Option<Vector>,
 }
 
@@ -104,8 +104,7 @@ struct Entry {
 
 impl Group {
     /// Makes a group from equations, each with its length and the body that it constrains. The forms that occur in
-    /// equations must come first. None if there are fewer equations than real unknowns; if there are more, some are
-    /// redundant.
+    /// equations must come first. None if there are fewer equations than real unknowns; if more, some are redundant.
     pub(crate) fn new(
         first_unknown: usize,
         units: Vec<f64>,

@@ -1,6 +1,6 @@
 //! Newton's method for the equations of a group. It ends when the step is negligible relative to the size of the group,
-//! or when the residuals are only rounding errors. Its loop is separate from the general one, because it takes most of
-//! the time of a motion and does not apply its last step.
+//! or when the residuals are only rounding errors. It has a loop of its own, not that of [`crate::numeric::newton`],
+//! because it takes most of the time of a motion and does not apply its last step.
 
 use super::work::Work;
 use super::{Group, Term};
@@ -61,8 +61,7 @@ impl Group {
             *residual = [equation.residual(&work.values, &work.known_angles), rate];
         }
         let determinant = self.factorize(work).ok_or(Cause::DeadPoint)?;
-        // In another pose, pivoting may leave out other redundant equations; the sign of the determinant then means
-        // nothing.
+        // In another pose, pivoting may leave out other redundant equations; then the determinant's sign means nothing.
         let determinant = if self.is_redundant() {
             determinant.abs()
         } else {
@@ -103,8 +102,8 @@ impl Group {
         })
     }
 
-    /// True if all residuals are only rounding errors. They are large for a short link far from the origin: its
-    /// direction has few digits. Redundant equations that are left out are checked by [`Self::locked`].
+    /// True if all residuals are only rounding errors. These are large for a short link far from the origin, because
+    /// its direction has few digits. Redundant equations that are left out are checked by [`Self::locked`].
     pub(in crate::position) fn residual_is_rounding<const N: usize>(
         &self,
         work: &mut Work<N>,
@@ -189,8 +188,8 @@ impl Group {
     }
 }
 
-/// Absolute residual of an equation as a fraction of its length. For a unit equation this is the error of |v|, found
-/// from the residual (|v|² − 1)/2.
+/// Absolute residual of an equation relative to its length. For a unit equation this is the error of |v|, found from
+/// the residual (|v|² − 1)/2.
 fn length_error<const N: usize>(equation: &Equation, work: &Work<N>) -> f64 {
     let residual = equation.residual(&work.values, &work.known_angles);
     let error = match equation {

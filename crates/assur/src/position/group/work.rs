@@ -10,8 +10,7 @@ use crate::position::complex::Complex;
 /// Buffers for a group, made once and used for every sample.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Work<const N: usize> {
-    /// Numbers of inputs, unknowns, equations, forms in equations, all forms and angle constraints that the buffers
-    /// fit.
+    /// Sizes of the buffers: numbers of inputs, unknowns, equations, their forms, all forms and angle constraints.
     counts: [usize; 6],
     pub(in crate::position) inputs: Vec<Complex<N>>,
     pub(in crate::position) known_angles: Vec<KnownAngle<N>>,

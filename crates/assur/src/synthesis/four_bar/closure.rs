@@ -31,8 +31,7 @@ impl Direction {
         Complex::new(1.0, 0.0) - self.output * output - self.input * input
     }
 
-    /// Product e₂ × r, in which z₂ cancels: positive if C lies to the left of the diagonal from B to D, negative to the
-    /// right.
+    /// Product e₂ × r, which does not contain z₂: positive if C lies to the left of BD, negative to its right.
     pub(super) fn side(&self, input: f64) -> f64 {
         -self.output.im - input * cross(self.output, self.input)
     }

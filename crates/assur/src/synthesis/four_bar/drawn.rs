@@ -53,9 +53,8 @@ impl Solution {
         })
     }
 
-    /// Specification of the linkage as a mechanism, with links `crank`, `coupler` and `rocker`, joints A to D and the
-    /// crank driven. It is drawn at the input of the first position at which it can be assembled, in the assembly whose
-    /// output is nearer to the wanted one.
+    /// Specification of the linkage as a mechanism: links `crank`, `coupler` and `rocker`, joints A to D, driven crank.
+    /// It is drawn at the first position at whose input it can be assembled, with the output nearer to the wanted one.
     ///
     /// # Errors
     /// The reason why the linkage cannot be drawn.

@@ -25,8 +25,7 @@ impl MainEquation {
 }
 
 impl Solution {
-    /// Both sides of the main equation at each position of a task, with the lengths of the solution. They are equal if
-    /// the contour closes.
+    /// Both sides of the main equation at each position, with the lengths of the solution; equal if the contour closes.
     pub fn main_equations(&self, task: &Task) -> Vec<MainEquation> {
         let [z1, z2, z3] = [
             self.proportions.coupler,

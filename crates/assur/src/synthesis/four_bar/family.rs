@@ -121,8 +121,7 @@ pub struct Change {
 pub enum ChangeKind {
     /// The Grashof type changes: all links can lie in one line.
     Grashof,
-    /// Coupler and output are in line at the position with this index, from 0. Beyond this member, the position belongs
-    /// to the other assembly.
+    /// Coupler and output are in line at this position (from 0), which has the other assembly beyond this member.
     DeadPoint(usize),
 }
 
@@ -319,10 +318,10 @@ impl Family {
         }
     }
 
-    /// All members at which the Grashof type or the assembly of a position changes, in order of the parameter. In a
-    /// task with only these two positions, the Grashof type and the passage change nowhere else. Each condition is a
-    /// straight line in (1/z₂, 1/z₃): z₁ = |1 ± z₂ ± z₃|, because the first position determines z₁²; and C on the line
-    /// BD, because z₂ cancels.
+    /// All members at which the Grashof type or the assembly of a position changes, in order of the parameter. If the
+    /// task has only these two positions, Grashof type and [`Passage`](super::Passage) change nowhere else. Each
+    /// condition is a straight line in (1/z₂, 1/z₃): z₁ = |1 ± z₂ ± z₃| becomes linear because the first position
+    /// determines z₁², and the condition that C is on the line BD does not contain z₂.
     pub fn changes(&self) -> Vec<Change> {
         let [first, _] = self.directions();
         let lines = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[s, t]| {

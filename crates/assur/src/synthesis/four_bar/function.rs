@@ -59,7 +59,7 @@ pub struct ErrorSample {
     pub x: f64,
     /// f(x).
     pub wanted: f64,
-    /// Value y of the linkage; None if the linkage cannot move there from the first position.
+    /// Value y of the linkage; None if the linkage cannot reach this x from the first position.
     pub generated: Option<f64>,
 }
 
@@ -215,8 +215,7 @@ struct Branch<'a> {
     assembly: Assembly,
     /// Angle of the crank less that of the input, and angle of the output less that of the rocker.
     shifts: [f64; 2],
-    /// Range of the input's angle that can be reached from the first position; none if the linkage cannot be assembled
-    /// there.
+    /// Range of the input's angle reachable from the first position; none if the linkage cannot be assembled there.
     reach: Option<[f64; 2]>,
 }
 

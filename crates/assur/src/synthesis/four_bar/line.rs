@@ -3,8 +3,8 @@
 use super::Task;
 use crate::tolerance;
 
-/// Line on which the gaps |r| in two positions are equal: Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), with u = 1/z₂, v =
-/// 1/z₃ and angles from the frame.
+/// Line on which the gaps |r| in two positions are equal: Δcos φ₃ u + Δcos φ₂ v = Δcos(φ₂ − φ₃), with u = 1/z₂ and v =
+/// 1/z₃. Angles are measured from the frame; Δ is the difference between the two positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// Δcos φ₃, the coefficient of 1/z₂.

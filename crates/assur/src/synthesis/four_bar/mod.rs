@@ -15,8 +15,8 @@
 //! - five leave at most three, if the starting angles of output and input are free ([`five_positions`]),
 //! - more leave a compromise, the least ΣJ ([`Search`]).
 //!
-//! A [`FourBar`] has as l₁, l₂, l₃, l₄ the proportions z₃, z₁, z₂, 1 times l₀. The angle of its crank is φ₃ − φ₀, of
-//! its coupler φ₁ − φ₀, and of its rocker φ₂ − φ₀ + 180°, because e₂ runs from C to D.
+//! In a [`FourBar`] the lengths l₁, l₂, l₃, l₄ are z₃, z₁, z₂, 1 times l₀. The angle of its crank is φ₃ − φ₀, of its
+//! coupler φ₁ − φ₀, and of its rocker φ₂ − φ₀ + 180°, because e₂ runs from C to D.
 
 mod closure;
 mod drawn;

@@ -8,9 +8,9 @@ use super::{Minimum, Proportions, Solution, Task};
 use crate::numeric::linear::least_squares;
 
 impl Direction {
-    /// Error |Δφ₂| of the output's angle at the given input, in the nearer assembly. The vector from B to D is d = e₀ −
-    /// z₃e₃, and the output makes an angle ψ with it, on either side. By the law of cosines tan² ψ/2 = (z₁² − (d −
-    /// z₂)²) / ((d + z₂)² − z₁²). None if the linkage cannot be assembled at this input.
+    /// Error |Δφ₂| of the output's angle at the given input, in the assembly with the smaller error. The vector from B
+    /// to D is d = e₀ − z₃e₃, and the output makes an angle ψ with it, on either side. By the law of cosines tan² ψ/2 =
+    /// (z₁² − (d − z₂)²) / ((d + z₂)² − z₁²). None if the linkage cannot be assembled at this input.
     fn output_error(&self, proportions: Proportions) -> Option<f64> {
         let Proportions {
             coupler,
@@ -36,7 +36,7 @@ impl Direction {
 
 impl Solution {
     /// The greatest |Δφ₂| over the positions of a task, radians: the error of the output's angle at the given input, in
-    /// the nearer assembly. None if the linkage cannot be assembled at one of the inputs.
+    /// the assembly with the smaller error. None if the linkage cannot be assembled at one of the inputs.
     pub fn output_error(&self, task: &Task) -> Option<f64> {
         let starts = [self.output_start, self.input_start];
         let mut errors = task

@@ -82,7 +82,7 @@ fn square(gap: [Complex<f64>; 3]) -> [f64; 5] {
 }
 
 fn value([p, q, r]: [Complex<f64>; 3], x: f64) -> Complex<f64> {
-    // p is zero wherever x may be zero: in a family of sizes, and in a family of constant z₃.
+    // The coefficient p is zero wherever x may be zero: in a family of sizes, and in a family of constant z₃.
     q + r * x + if p.norm_sqr() == 0.0 { p } else { p / x }
 }
 

@@ -78,9 +78,8 @@ impl Task {
     /// Bounds of the length of a frame.
     pub const LENGTH: [f64; 2] = [tolerance::LENGTH.0, tolerance::LENGTH.1];
 
-    /// Makes a task from positions. `ratios` are the bounds of z₁, z₂ and z₃ in [`Search`](super::Search). Without a
-    /// minimum a search would always end with a linkage of zero size, because for z₁ = 1 the sum ΣJ tends to zero with
-    /// z₂ and z₃. Exact solutions are not bounded.
+    /// Makes a task from positions. `ratios` bound z₁, z₂ and z₃ in [`Search`](super::Search), not in exact solutions.
+    /// Without a minimum every search would end at zero size: for z₁ = 1, ΣJ tends to zero with z₂ and z₃.
     ///
     /// # Errors
     /// All reasons that apply, with positions counted from 0.

@@ -1,8 +1,7 @@
 //! The paper's own method, for given angles of all links: the functional (3), the system (5) of its minimum, and the
 //! conditions and theorems on positive lengths, each with the exact result.
 //!
-//! Conditions and theorems are evaluated as printed, but lengths by the corrected formulas. [`relations`] has both
-//! versions of each formula (docs/errata.md).
+//! Conditions and theorems are evaluated as printed, lengths as corrected. [`relations`] has both (docs/errata.md).
 
 use crate::tolerance;
 mod conditions;
@@ -74,11 +73,9 @@ impl Angles {
         all.iter().all(|angle| angle.is_finite())
     }
 
-    /// Two unknowns as functions of the third; none if their two links are parallel. For z₁ as the third, they are
-    /// parallel if condition (13) fails.
+    /// Two unknowns as functions of the third; none if their links are parallel (for the third z₁: if (13) fails).
     ///
-    /// The loop equation is zᵢ eᵢ + zⱼ eⱼ = e₀ − z e. Its vector product with eⱼ leaves zᵢ = (e₀ × eⱼ − z e × eⱼ)/(eᵢ ×
-    /// eⱼ).
+    /// The vector product of the loop equation zᵢeᵢ + zⱼeⱼ = e₀ − ze and eⱼ gives zᵢ(eᵢ × eⱼ) = e₀ × eⱼ − z(e × eⱼ).
     pub fn subsystem(&self, third: Unknown) -> Option<Subsystem> {
         let of = match third {
             Unknown::Coupler => [Unknown::Output, Unknown::Input],

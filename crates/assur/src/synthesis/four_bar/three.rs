@@ -9,16 +9,14 @@ use crate::tolerance;
 pub enum ThreePositions {
     /// Exactly one linkage.
     One(Solution),
-    /// The intersection has a negative length: a linkage meets the positions if the angle of that link is turned
-    /// through half a turn.
+    /// The intersection has a negative length; with that link's angles changed by half a turn there is a linkage.
     Negative {
         /// z₂.
         output: f64,
         /// z₃.
         input: f64,
     },
-    /// No such linkage: the lines are parallel, or at their intersection a length is infinite or the coupler's length
-    /// is zero. Holds the two lines.
+    /// No linkage, with the two lines: they are parallel, or meet where a length is infinite or the coupler's is zero.
     None([Line; 2]),
     /// The positions give only one line: holds the solutions for two of them.
     Same(TwoPositions),

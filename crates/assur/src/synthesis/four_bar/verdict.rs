@@ -1,5 +1,4 @@
-//! Assessment of a linkage as a solution: continuity of the motion through the positions, their order, and
-//! transmission.
+//! Assessment of a linkage as a solution: continuity of the motion through the positions, order, transmission.
 
 use crate::tolerance;
 use std::f64::consts::{PI, TAU};
@@ -23,8 +22,7 @@ pub struct Verdict {
     pub turns: bool,
     /// Minimum transmission angle over the whole motion, 0 … π/2.
     pub transmission: f64,
-    /// Minimum transmission angle from the first position to the last; none if the linkage does not pass through all
-    /// positions.
+    /// Minimum transmission angle from first to last position; none if the linkage does not pass through all of them.
     pub transmission_between: Option<f64>,
     /// Ratio of the longest to the shortest of the four lengths.
     pub size_ratio: f64,
@@ -35,8 +33,7 @@ pub struct Verdict {
 pub enum Passage {
     /// The linkage moves through all positions.
     Continuous,
-    /// The positions are on two motions that cross at a change point, where all links are in line and either motion may
-    /// follow.
+    /// The positions are on two motions that cross at a change point, where all links are in line; either may follow.
     ThroughChangePoint,
     /// Between positions the input reaches a dead point and would have to turn back (a branch defect).
     AcrossDeadPoint,
@@ -203,7 +200,7 @@ struct Met {
     up: f64,
     /// The same sum, positive, if the input only decreases.
     down: f64,
-    /// For an oscillating driver: true if all its steps increase, and true if all decrease.
+    /// For an oscillating driver: whether all its steps increase, and whether all decrease.
     monotone: [bool; 2],
     extremes: [f64; 2],
 }
@@ -266,9 +263,8 @@ impl Met {
     }
 }
 
-/// Minimum transmission angle over a range of the input. The angle decreases on either side of 90°, and the diagonal is
-/// a monotone function of the input from 0 to π. So the minimum is at an end of the range or at a multiple of half a
-/// turn.
+/// Minimum transmission angle over a range of the input. As the diagonal grows, the angle rises to 90° and falls again;
+/// the diagonal is monotone in the input from 0 to π. So the minimum is at an end or at a multiple of half a turn.
 fn transmission_within(linkage: &FourBar, cycle: &Cycle, [from, to]: [f64; 2]) -> f64 {
     let half_turns = (0..8).map(|k| ((from / PI).ceil() + f64::from(k)) * PI);
     let within = half_turns.take_while(|input| *input < to);

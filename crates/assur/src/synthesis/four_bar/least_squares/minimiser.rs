@@ -1,5 +1,4 @@
-//! Descent to a local minimum from one start: Newton's method with Levenberg-Marquardt damping, within bounds of the
-//! lengths.
+//! Descent to a local minimum from one start: Newton's method with Levenberg-Marquardt damping and bounded lengths.
 
 use super::objective::{Objective, Point, Value};
 use crate::numeric::linear::solve_positive_definite;
@@ -44,8 +43,7 @@ impl<const N: usize> Descent<N> {
         k < 2 && (self.x[k] <= least && slope > 0.0 || self.x[k] >= greatest && slope < 0.0)
     }
 
-    /// Tries one step. If ΣJ does not decrease, the point stays and the next step is shorter. Sets `over` when the
-    /// descent ends.
+    /// Tries one step. If ΣJ does not decrease, the point stays and the next step is shorter. Sets `over` at the end.
     pub(super) fn step(&mut self, objective: &Objective) {
         let bounds = objective.bounds();
         let held: [bool; N] = std::array::from_fn(|k| self.held(bounds, k));

@@ -75,9 +75,8 @@ impl Objective {
 
     /// ΣJ with its derivatives.
     ///
-    /// With r̂ = r/|r|, ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. At the best z₁, ∂ΣJ/∂z₁ = 0. As the
-    /// best z₁ changes with the point, 2 ∂z₁ ∂z₁ is subtracted from the second derivatives of the mean of J; at a bound
-    /// z₁ does not change.
+    /// With r̂ = r/|r|, ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. At the best z₁, ∂ΣJ/∂z₁ = 0. As this
+    /// z₁ varies, 2 ∂z₁ ∂z₁ is subtracted from the second derivatives of the mean of J, except at a bound.
     pub(super) fn at<const N: usize>(&self, x: &Point<N>) -> Value<N> {
         let links = self.links(x);
         let gap = |at: &Direction| one() - at.output * links[0] - at.input * links[1];

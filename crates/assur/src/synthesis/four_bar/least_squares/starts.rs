@@ -12,9 +12,9 @@ use crate::synthesis::four_bar::{Task, ThreePositions, five};
 const GRID: usize = 8;
 /// Maximum number of sets of three or five positions that are solved exactly.
 const CHOICES: usize = 20;
-/// Grid points along each length and along each angle, if the starting angles are free.
+/// Numbers of grid points along each length and along each angle, if the starting angles are free.
 const COARSE: [usize; 2] = [3, 8];
-/// Number of points of this grid, those with the least ΣJ, from which the search starts.
+/// Number of points of this grid from which the search starts: those with the least ΣJ.
 const LOWEST: usize = 32;
 
 /// Starting points if the starting angles are given.

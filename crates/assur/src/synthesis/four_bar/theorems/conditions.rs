@@ -39,8 +39,7 @@ pub fn alternative(constant: f64, slope: f64) -> Alternative {
 }
 
 impl Alternative {
-    /// Range of z₁ in which the length is positive: the lower bound, and the upper bound if there is one. None for
-    /// `Never`.
+    /// Range of z₁ in which the length is positive: the lower bound, and the upper if there is one. None for `Never`.
     pub fn range(self) -> Option<(f64, Option<f64>)> {
         match self {
             Self::First { below } => Some((0.0, Some(below))),
@@ -61,8 +60,8 @@ pub struct Condition {
     /// The two numbers whose signs are compared: P and Q; in (33) to (38) the two fractions in the printed order,
     /// infinite if they divide by zero; in (13) √(1 − (e₂e₃)²) twice.
     pub values: [f64; 2],
-    /// True if the condition holds as printed. Where the fractions of (33) to (38) divide by zero, Q is zero, which has
-    /// either sign: the cases with P ≥ 0 hold if P ≥ 0, the others do not.
+    /// True if the condition holds as printed. Where the fractions of (33) to (38) divide by zero, Q is zero, which
+    /// counts as either sign: the cases with P ≥ 0 hold if P ≥ 0, the others do not.
     pub holds: bool,
     /// True if its intended conclusion holds. (13): z₁ determines z₂ and z₃. (29), (30): the length is positive for
     /// some z₁ > 0. Others: it is not negative for some z₁ ≥ 0.
@@ -76,9 +75,8 @@ pub struct Theorem {
     pub number: u8,
     /// True if its conditions hold, as printed.
     pub conditions: bool,
-    /// True if its conclusion holds: there are real lengths (theorems 1, 2), lengths that are not negative (3, 5) or
-    /// positive lengths (4). If `conditions` is true and this is false, the theorem is false. In the opposite case it
-    /// requires more than is needed.
+    /// True if its conclusion holds: lengths exist that are real (theorems 1, 2), not negative (3, 5) or positive (4).
+    /// If only `conditions` is true, the theorem is false; if only `truth` is true, it requires too much.
     pub truth: bool,
 }
 
@@ -123,8 +121,8 @@ fn of_signs(by: &Subsystem, k: usize) -> [Condition; 2] {
     ]
 }
 
-/// Conditions (33) to (35) for z₂ and (36) to (38) for z₃, on the signs of the two fractions of (31) and (32). Zero
-/// counts as either sign.
+/// Conditions (33) to (35) for z₂, (36) to (38) for z₃: signs of the fractions in (31), (32). Zero counts as either
+/// sign.
 fn of_cases(angles: &Angles) -> [Condition; 6] {
     let Angles {
         frame,
@@ -137,7 +135,7 @@ fn of_cases(angles: &Angles) -> [Condition; 6] {
             Unknown::Output => (output, input),
             _ => (input, output),
         };
-        // The product of the contour with the other link: a z₁ + b z = c, that is P = c/b and Q = −a/b.
+        // The vector product of loop equation and other link: a z₁ + b z = c, so P = c/b and Q = −a/b.
         let [a, b, c] = [coupler, of, frame].map(|turn| sine(other - turn));
         let not_negative = c == 0.0 || b * c > 0.0;
         let (mut values, holds) = if a == 0.0 {
@@ -170,8 +168,7 @@ fn of_cases(angles: &Angles) -> [Condition; 6] {
 }
 
 /// The condition on the pair z₂, z₃ that theorem 5 omits: z₂ = −a₁ − b₁z₃ is not negative for some z₃ ≥ 0. Here a₁ =
-/// sin(φ₁ − φ₀)/sin(φ₂ − φ₁) and b₁ = sin(φ₃ − φ₁)/sin(φ₂ − φ₁). With this condition theorem 5 is
-/// exact where (13) holds.
+/// sin(φ₁ − φ₀)/sin(φ₂ − φ₁) and b₁ = sin(φ₃ − φ₁)/sin(φ₂ − φ₁). With it theorem 5 is exact where (13) holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThirdPair {
     /// a₁ and b₁.

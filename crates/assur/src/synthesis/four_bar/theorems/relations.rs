@@ -3,12 +3,11 @@
 use super::{Angles, Subsystem, System, Unknown, functional, opening, sine, third_pair};
 use crate::relation::Relation;
 
-/// Evaluates the relations of the paper at each position, in the order of the paper. Their names include the number of
-/// the position. `z` are the trial lengths z₁, z₂, z₃, for which (1), J with its derivatives, and the gap are
-/// evaluated. All other formulas are evaluated for lengths that close the position: z₁, and the z₂ and z₃ that follow
-/// from it. If (13) fails, these formulas are left out. `length` is l₀. For each position, `best` lists the coupler's
-/// angle with the least residual, and this residual in lengths of the frame. Positions with an angle that is not finite
-/// have no relations.
+/// Evaluates the relations of the paper at each position, in its order, with the number of the position in the names.
+/// (1), J with its derivatives, and the gap are evaluated for the trial lengths `z`: z₁, z₂, z₃. All other formulas are
+/// evaluated for lengths that close the loop: z₁, and the z₂ and z₃ that follow from it. If (13) fails, these formulas
+/// are left out. `length` is l₀. For each position, `best` lists the coupler's angle with the least residual, and this
+/// residual in lengths of the frame. Positions with an angle that is not finite have no relations.
 pub fn relations(
     positions: &[Angles],
     z: [f64; 3],
@@ -194,7 +193,7 @@ impl<'a> Collected<'a> {
         );
     }
 
-    /// Adds (5) to (16), (26), (31), (32): formulas for lengths that close the position.
+    /// Adds (5) to (16), (26), (31), (32): formulas for lengths that close the loop.
     fn closed(&mut self, by: &Subsystem, z1: f64) {
         let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
         let [e01, e02, e03] = [self.dot(0, 1), self.dot(0, 2), self.dot(0, 3)];
@@ -327,7 +326,7 @@ impl<'a> Collected<'a> {
         }
     }
 
-    /// Adds (33) to (38), the pair that theorem 5 omits, and the opening of the cone.
+    /// Adds (33) to (38), the pair that theorem 5 omits, and the angle δ₊ − δ₋ ([`opening`]).
     fn cases(&mut self) {
         let [second, third] = [self.sin(3, 1), self.sin(2, 1)];
         if second != 0.0 {

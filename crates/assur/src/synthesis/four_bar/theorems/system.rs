@@ -60,9 +60,8 @@ impl System {
         })
     }
 
-    /// Rank of the matrix A augmented by the right-hand side b, found as the rank of A + bbᵀ. A is positive
-    /// semidefinite, so its columns and b span the same space as the columns of A + bbᵀ. The rank always equals that of
-    /// A, because ΣJ has a minimum.
+    /// Rank of the matrix A augmented by the right-hand side b: that of A + bbᵀ, whose columns span the same space
+    /// because A is positive semidefinite. It always equals the rank of A, because ΣJ has a minimum.
     pub fn augmented_rank(&self) -> usize {
         let mut matrix = self.matrix;
         for (row, left) in matrix.iter_mut().zip(self.right) {
@@ -85,15 +84,14 @@ impl System {
         value.max(0.0)
     }
 
-    /// z₁, z₂, z₃ of the unique minimum over all real numbers; none if the rank is less than three, because there are
-    /// then many minima.
+    /// z₁, z₂, z₃ of the unique minimum over all real numbers; none if the rank is below three, with many minima.
     pub fn minimum(&self) -> Option<[f64; 3]> {
         (self.rank == 3)
             .then(|| solve(self.matrix, self.right))
             .flatten()
     }
 
-    /// The minimum of ΣJ over z ≥ 0: the best of the eight minima in which a chosen set of lengths is zero.
+    /// The minimum of ΣJ over z ≥ 0: the least of the minima found with each set of lengths held at zero.
     pub fn positive_minimum(&self) -> PositiveMinimum {
         let mut best = PositiveMinimum {
             z: [0.0; 3],

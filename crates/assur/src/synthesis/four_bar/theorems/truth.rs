@@ -23,7 +23,7 @@ pub enum Truth {
         /// This z₁, if there is one.
         coupler: Option<f64>,
     },
-    /// Coupler, output and input are parallel to each other: a range of z₁ closes the loop, or none.
+    /// Coupler, output and input are parallel to each other: either a range of z₁ closes the loop or no z₁ does.
     InLine {
         /// The lower bound, at least zero, and the upper bound, if there is one.
         range: Option<(f64, Option<f64>)>,
@@ -47,9 +47,9 @@ impl Truth {
     }
 }
 
-/// Angle δ₊ − δ₋, radians, between the two of e₁, e₂, e₃ that are nearest to e₀ on its right and on its left. Positive
-/// lengths close the loop exactly if it is less than π: then e₀ lies strictly inside the cone of the three vectors. None
-/// if one of them points along e₀, all three are on one side, or an angle is not finite.
+/// Angle δ₊ − δ₋, radians, between the two of e₁, e₂, e₃ nearest to e₀ on its right and on its left. Positive lengths
+/// close the loop exactly if it is less than π: then e₀ lies strictly inside the cone of e₁, e₂, e₃. None if one of
+/// them points along e₀, all three are on one side, or an angle is not finite.
 pub fn opening(angles: &Angles) -> Option<f64> {
     if angles.is_along() {
         return None;
@@ -61,8 +61,7 @@ pub fn opening(angles: &Angles) -> Option<f64> {
     opening.is_finite().then_some(opening)
 }
 
-/// True if some z ≥ 0 closes the loop: e₀ lies in the cone of e₁, e₂, e₃, including its boundary. None if an angle is
-/// not finite.
+/// True if some z ≥ 0 closes the loop: e₀ is in the closed cone of e₁, e₂, e₃. None if an angle is not finite.
 pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
     if !angles.is_finite() {
         return None;
@@ -85,7 +84,7 @@ impl Angles {
     }
 }
 
-/// The exact criterion. Each of P₂ + Q₂z₁ > 0 and P₃ + Q₃z₁ > 0 holds on a ray of z₁, for every z₁ or for none.
+/// The exact criterion. Each of z₂ = P₂ + Q₂z₁ and z₃ = P₃ + Q₃z₁ is positive on a ray of z₁, for every z₁ or for none.
 /// Together with z₁ > 0 this leaves an interval or nothing. None if an angle is not finite.
 pub fn truth(angles: &Angles) -> Option<Truth> {
     if !angles.is_finite() {
@@ -105,7 +104,7 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
             return Some(Truth::None);
         }
     }
-    // Both ends are 1 if e₁ points along e₀.
+    // If e₁ points along e₀, both ends are 1 except for rounding.
     Some(
         if to.is_none_or(|to| from < to * (1.0 - tolerance::NEGLIGIBLE)) {
             Truth::Between { from, to }
@@ -124,7 +123,7 @@ fn parallel(angles: &Angles) -> Truth {
     });
     let opposite = (angles.input - angles.output).cos() < 0.0;
     if coupler[0] == 0.0 {
-        // The coupler is parallel as well, so the loop closes only if the frame is parallel too: z₂ ± z₃ = e₀e₂ − e₁e₂z₁.
+        // The coupler is parallel too, so the loop closes only if the frame is also parallel: z₂ ± z₃ = e₀e₂ − e₁e₂z₁.
         let range = match (frame[1] > 0.0, coupler[1] < 0.0) {
             _ if opposite => Some((0.0, None)),
             (true, true) => Some((0.0, None)),
