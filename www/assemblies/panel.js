@@ -36,10 +36,10 @@ export class Assemblies {
   #here = null;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** Rectangle around all assemblies shown so far, and the revision of the linkage to which the rectangle belongs. */
+  /** `#bounds`: rectangle around all assemblies shown so far. `#revision`: revision of their linkage. */
   #bounds = [Infinity, Infinity, -Infinity, -Infinity];
   #revision = 0;
-  /** Time of the last painting, and whether another is scheduled. */
+  /** `#painted`: time of the last painting. `#later`: whether another is scheduled. */
   #painted = -Infinity;
   #later = false;
   /** @type {object | null} data of the drawn map */
@@ -210,7 +210,7 @@ export class Assemblies {
       write(this.#mapped, words.text(map.whole ? "assemblies.mapped" : "assemblies.mapped_partly", { n: output }));
     }
     this.#map.element.toggleAttribute("hidden", !map);
-    // A map that is awaited has its place already: what stands below it does not move when it comes.
+    // Space is reserved for an awaited map, so that the content below does not move when the map arrives.
     this.#map.element.classList.toggle("awaited", !map && !lost);
     if (map) {
       this.#map.element.classList.toggle("faded", !current);

@@ -15,7 +15,7 @@ import { Backdrop } from "assur/stage/paper.js";
  * @typedef {(context: CanvasRenderingContext2D, view: Transform, theme: Theme) => void} Laid paints over or under the mechanism
  */
 
-/** Free room around a drawing, and around a small drawing, in pixels. */
+/** Free room around a drawing, in pixels; `SMALL_MARGIN`: around a small one. */
 const MARGIN = 44;
 const SMALL_MARGIN = 36;
 /** Length of the shorter side below which a drawing is small, in pixels. */
@@ -28,7 +28,7 @@ const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
 
-/** Radius, in pixels, and opacity of the ring, a filled disc, around a joint that can be dragged. */
+/** Disc around a joint that can be dragged. `RING`: its radius, in pixels. `RING_OPACITY`: its opacity. */
 const RING = 15;
 const RING_OPACITY = 0.28;
 
@@ -282,7 +282,7 @@ export class MechanismView {
     return Transform.fit(this.#bounds ?? this.#whole, width, height - this.#inset, this.#margin).moved(0, this.#inset);
   }
 
-  /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; without joints, of the latter alone if there is any */
+  /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; without joints, only of what is painted, if anything is */
   get #whole() {
     const { bounds = [0, 0, 1, 1], handles = [] } = this.#snapshot?.summary ?? {};
     const under = this.#under.flatMap(({ bounds: of }) => [of() ?? []]).filter((one) => one.length > 0);

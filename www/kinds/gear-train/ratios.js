@@ -62,7 +62,7 @@ export class RatiosView {
 }
 
 /**
- * Makes an area for a table that may be wider than the rail. It scrolls sideways, also by keys.
+ * Makes an area for a table that may be wider than the rail. The area scrolls sideways, also by keys.
  * @param {string} label key of the area's name
  * @param {readonly Node[]} content
  */
@@ -80,7 +80,7 @@ export function notation(name) {
 }
 
 /**
- * Writes the formula w_j/w_i of the ratio ω_i/ω_j, with its sign. The weights w have equal signs unless one is the carrier's.
+ * Writes the formula w_j/w_i of the ratio ω_i/ω_j, with its sign. `weights`: coefficients w without signs, by shaft.
  * @param {Ratio} ratio
  * @param {Readonly<Record<1 | 3 | 4, string>>} weights
  */

@@ -93,8 +93,7 @@ function limits({ outputs: [{ limits: all }] }) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} the right choice for the pose of the least transmission angle; undefined if the linkage has a change
- * point
+ * @returns {string | undefined} right choice for the pose of the least transmission angle; undefined if there is a change point
  */
 function leastTransmission({ dead_points: dead, change_points: change }) {
   if (change.length > 0) return undefined;
