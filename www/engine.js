@@ -20,7 +20,7 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").EquationSummary} Equation
  * @typedef {import("assur/types/web.js").RelationHere} Relation
  * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled the moving assembly at the drawn
- * input; null if unknown. `number`: its number, from 1. `count`: number of known assemblies. `whole`: whether these are all
+ * input; null if unknown. `number`: its number, from 1. `count`: number of known ones. `whole`: whether these are all
  * @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled: Assembled }} MotionSummary
  * @typedef {import("assur/types/web.js").MixerSummary} MixerSummary
  * @typedef {import("assur/types/web.js").DimensionSummary} Dimension

@@ -2,7 +2,7 @@
 // entries of a list, and of the assemblies of a linkage.
 
 /**
- * Name of a link in the reader's language. The link's number takes the place {n} in the word, or else follows the word.
+ * Name of a link in the reader's language. The link's number replaces {n} in the word, or else follows the word.
  * Without a number, the hyphen or space that would join the two is omitted.
  * @param {string} link
  * @param {import("assur/core/words.js").Words} words

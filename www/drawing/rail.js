@@ -200,7 +200,7 @@ export class DrawingRail {
   }
 
   /**
-   * Fields for a traced point's place on its link: distances from the link's first point, along the link and to its left.
+   * Fields for a traced point's place on its link: distances from the first point, along the link and to its left.
    * @param {string} point
    * @param {Words} words
    */
@@ -289,9 +289,7 @@ export class DrawingRail {
     return this.#places.get(name)?.[axis] ?? value;
   }
 
-  /**
-   * Takes the places of the points from the document: after an edit, the driver is at the drawn input.
-   */
+  /** Takes the places of the points from the document: after an edit, the driver is at the drawn input. */
   #keep() {
     const { points } = /** @type {Document} */ (this.#page.store.get().document);
     this.#places = new Map(points.map((point) => [point.name, point.at]));

@@ -1,4 +1,4 @@
-// Tools of a lesson's step: controls and parts of the page, moved into the step while it is open, and copies of read-outs.
+// Tools of a lesson's step: controls and parts of the page, moved into the open step, and copies of read-outs.
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { fieldOf } from "assur/lesson/field.js";
 

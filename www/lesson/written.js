@@ -23,7 +23,7 @@ import { usualView } from "assur/state/state.js";
  * @typedef {NonNullable<Written["steps"][number]["question"]>} Asked
  */
 
-/** Limits of the length of a name and of an answer in a code, in characters. */
+/** Limits in characters. `LONGEST_NAME`: length of a name. `LONGEST_ANSWER`: length of an answer in a code. */
 const LONGEST_NAME = 80;
 const LONGEST_ANSWER = 60;
 

@@ -24,7 +24,7 @@ const SMALL = 320;
 /** Width and height of the picture if the drawing is not on the screen, in pixels. */
 const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 
-/** Least and greatest share of the canvas that bounds to work on may fill; otherwise the view is fitted again. */
+/** Limits of the share of the canvas that is filled by bounds in view; otherwise the view is fitted again. */
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
 

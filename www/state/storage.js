@@ -105,7 +105,7 @@ export function takeUpAddress() {
 }
 
 /**
- * Keeps every later change in the browser's storage and in the address, but the input of a motion only when the page is left.
+ * Keeps every change in the browser's storage and in the address, but the input of a motion only when the page is left.
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} sound whether the engine takes the state; a refused state is not kept

@@ -131,7 +131,7 @@ class DriveRow {
     for (const [row, value] of /** @type {const} */ ([[this.#speed, rpm ?? 0], [this.#factor, factor], [this.#start, start]])) row.show(value, words, wrong.has(row.field));
   }
 
-  /** Makes the speed a multiple of the other driven shaft's, or a given speed again. Only one speed can be a multiple. */
+  /** Makes the speed a multiple of the other driven shaft's, or a given one again. Only one speed can be a multiple. */
   #toggle() {
     this.#store.update((state) => edited(state, "gear-train", ({ drives }) => ({
       drives: drives.map((drive, i) => (i === this.#index ? { ...drive, to: drive.to ? null : drives[1 - i].shaft } : { ...drive, to: null })),

@@ -1,5 +1,5 @@
-// The cone spanned by the directions of the moving links in one position. Unless the frame's direction lies inside, some
-// length is not positive.
+// The cone of the directions of the moving links in one position. All lengths are positive only if the frame's direction
+// lies inside.
 import { makeSvg } from "assur/core/dom.js";
 
 /** Names of the directions and roles of their colours, the frame's direction first. */
