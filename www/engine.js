@@ -72,10 +72,7 @@ function lists(flat) {
   return [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
 }
 
-/**
- * Length to which a longer text of another program is cut before it goes to the engine, whose memory never shrinks.
- * The engine refuses a text of this length as too large.
- */
+/** Length to which foreign texts are cut for the engine, whose memory never shrinks; it refuses a text of this length. */
 const LONGEST_FOREIGN = 2 ** 20 + 1;
 
 /** @param {string} text */

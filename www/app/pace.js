@@ -1,5 +1,4 @@
-// Pacing of the views other than the drawing, such as plots, during a drag that makes a new mechanism in every frame:
-// they are written less often, so that most of the time is left to the drag.
+// Paces the views other than the drawing in drags that change the mechanism: most of the time is left to the drag.
 import { whenReleased } from "assur/core/released.js";
 
 /** Time for writing the views above which they are not written in every frame, in milliseconds. */

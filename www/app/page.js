@@ -117,10 +117,7 @@ export class Page {
     }));
   }
 
-  /**
-   * Loads the worksheet and the gallery in advance. The browser's own print command cannot wait for the worksheet,
-   * and the gallery is opened most often.
-   */
+  /** Loads in advance the worksheet, for which the browser's print command cannot wait, and the often used gallery. */
   async #prepare() {
     this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
     import("assur/gallery/gallery.js").catch(() => null);

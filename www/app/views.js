@@ -1,5 +1,4 @@
-// All views of the state. The views of one kind of document are loaded when such a document is first shown; the
-// description for screen readers is loaded when the mechanism is first at rest.
+// All views. Those of a kind of document load when it is first shown, the description for screen readers at rest.
 import { Becoming } from "assur/app/becoming.js";
 import { awaited } from "assur/app/busy.js";
 import { BROKE, LOST } from "assur/app/notices.js";

@@ -1,5 +1,4 @@
-// Panel of all assemblies of the shown linkage: a picture of each assembly at the current input, a map of the
-// branches, and lists of the assemblies that the moving one can and cannot reach. Loaded on demand.
+// Panel of all assemblies at the current input: their pictures, a map of the branches, and lists of the reachable ones.
 import "assur/assemblies/style.js";
 import { BranchMap } from "assur/assemblies/map.js";
 import { Motions } from "assur/assemblies/motions.js";

@@ -1,5 +1,4 @@
-// Width of a text on a canvas. Widths are remembered: a browser takes as long to measure a text as to draw it, and most
-// texts are numbers that differ in their digits only.
+// Widths of texts on a canvas, remembered because measuring a text takes a browser as long as drawing it.
 
 /** Number of remembered widths at which all are forgotten. */
 const MOST = 400;

@@ -1,5 +1,4 @@
-// Names of links in the reader's language: terms of mechanism theory, or else the links' own names. Also numbers of the
-// entries of a list, and of the assemblies of a linkage.
+// Names of links in the reader's language, and numbers of list entries and assemblies.
 
 /**
  * Name of a link in the reader's language. The link's number replaces {n} in the word, or else follows the word.
@@ -55,8 +54,7 @@ export function toLine(point, line) {
 }
 
 /**
- * Number of the moving assembly at the drawn input, and the count of all assemblies there, or of the known ones if
- * there may be more.
+ * Number of the moving assembly at the drawn input, with the count of all assemblies there, or of the known ones.
  * @param {Pick<import("assur/engine.js").MotionSummary, "assembled" | "home">} summary
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words

@@ -31,10 +31,7 @@ export function isLength(what) {
   return LENGTHS.includes(what);
 }
 
-/**
- * Names of the wheels of a mixer. Their angles are ψ₄, ψ₅, because φ₅ belongs to the diagonal of the contour
- * (Smelyagin and Prikhodko, (3)).
- */
+/** Wheels of a mixer. Their angles are ψ₄, ψ₅, because φ₅ is that of a diagonal (Smelyagin and Prikhodko, (3)). */
 const WHEEL = /^wheel\d+$/;
 
 /**

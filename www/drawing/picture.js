@@ -1,5 +1,4 @@
-// A picture behind the drawing: a photograph or scan over which links are drawn. As part of the state it is saved in
-// files and subject to undo. Shared addresses and exported pictures leave it out.
+// A photograph or scan behind the drawing. As part of the state it is saved and undone; links and exports omit it.
 import { degrees, radians } from "assur/core/angles.js";
 import { refuse } from "assur/drawing/edit.js";
 import { imageOf, pixelsOf } from "assur/drawing/image.js";

@@ -1,5 +1,4 @@
-// A drawing context that writes SVG: each painted shape or text becomes an element of a document. The context has only
-// those members of a canvas context that the page and the engine's plotters use.
+// A drawing context that writes SVG, with only those members of a canvas context that the page and the engine use.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
 

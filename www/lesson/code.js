@@ -1,5 +1,4 @@
-// The result of a lesson as a line of text with the reader's name and answers. Its check sum finds copying errors, but
-// does not prove that the result is genuine.
+// The result of a lesson as a line of text: name, answers, and a check sum that finds copying errors, not forgery.
 import { hash } from "assur/lesson/chance.js";
 
 /**

@@ -1,5 +1,4 @@
-// Items of a lesson's paper: its formulas, their values for the current mechanism, whether they hold, and the correct formulas.
-// Loaded only with a lesson that has a paper.
+// Items of a lesson's paper: formulas, their values for the current mechanism, whether they hold, correct formulas.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";

@@ -20,10 +20,7 @@ const TAG = 17;
 /** Dashes of the lines from the dot to the axes. */
 const DASHES = [4, 4];
 
-/**
- * Tolerance, in pixels, within which passes of a curve count as equally near to the pointer. Of such passes, the one
- * nearest to the current input is taken.
- */
+/** Pixels within which passes of a curve are equally near to the pointer; the one nearest to the input is taken. */
 const ALIKE = 4;
 
 /**

@@ -1,5 +1,4 @@
-// The cursor over the plots: a line at the input, with a dot and a number on each curve. The cursor is redrawn in every
-// frame. A hovering pointer adds a second cursor, whose line is dashed.
+// The cursor over the plots: a line at the input, with a dot and a number on each curve. Hovering adds a dashed cursor.
 import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";

@@ -1,5 +1,4 @@
-// Pointer input on the plots. A click or a drag moves the driver to the input under the pointer. A hovering pointer shows the
-// values at its input. A double click shows one plot alone.
+// Pointer on the plots: a click or drag moves the driver, hovering shows values, a double click shows one plot alone.
 import { setData } from "assur/core/dom.js";
 import { inputAt } from "assur/plots/against.js";
 import { angleAt } from "assur/plots/panel.js";

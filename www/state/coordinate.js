@@ -1,5 +1,4 @@
-// The input of the motion in the reader's unit: the angle of a crank in degrees, the travel of a slide, or time in seconds. The
-// engine's units are radians, the unit of lengths, and seconds.
+// The input in the reader's unit (degrees, travel of a slide, seconds) and in the engine's (radians, length, seconds).
 import { degrees, radians } from "assur/core/angles.js";
 import { subscript } from "assur/core/symbols.js";
 import { measured } from "assur/core/units.js";

@@ -1,5 +1,4 @@
-// Drives of the train. Two of the three shafts are driven: each is held, or runs at a given speed or at a multiple of
-// the other's speed. The third shaft follows.
+// Drives of a train: two of three shafts are held, or run at a given speed or a multiple of the other's; one is free.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";

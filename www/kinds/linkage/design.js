@@ -1,5 +1,4 @@
-// The section "Design your dwell": targets for the output, the lengths that may change within limits, and a search in a
-// worker. The page shows every improvement.
+// "Design your dwell": targets for the output, lengths that may change, and a search whose improvements are shown.
 import { NumberRow } from "assur/controls/number-row.js";
 import { sentence } from "assur/controls/problems.js";
 import { degrees, radians } from "assur/core/angles.js";
@@ -23,10 +22,7 @@ const USUAL = "5";
 /** Candidates without improvement after which progress is announced; a screen reader cannot follow every one. */
 const TOLD = 10;
 
-/**
- * Time for which an improvement is shown before the search continues, in milliseconds: long enough to see it, and for
- * smooth motion although redrawing takes some frames.
- */
+/** Time for which an improvement is shown before the search continues, in milliseconds. It keeps the motion smooth. */
 const SHOWN = 400;
 
 /** Keys of the texts for the ways in which a search ends. */

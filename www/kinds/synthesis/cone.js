@@ -1,5 +1,4 @@
-// The cone of the directions of the moving links in one position. All lengths are positive only if the frame's direction
-// lies inside.
+// Cone of the directions of the moving links: all lengths are positive only if the frame's direction lies inside.
 import { makeSvg } from "assur/core/dom.js";
 
 /** Names of the directions and roles of their colours, the frame's direction first. */

@@ -93,7 +93,7 @@ export class PositionsView {
 
   /**
    * @param {Snapshot} snapshot
-   * @returns {Position} a position that the drawn linkage reaches after the last one; if there is none, the last position at another input
+   * @returns {Position} the next position that the drawn linkage reaches; if none, the last position at another input
    */
   #another({ state: { document: { positions } }, summary: { drawn: { starts: [outputStart, inputStart] } } }) {
     const last = positions[positions.length - 1];

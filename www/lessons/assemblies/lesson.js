@@ -1,4 +1,4 @@
-// Steps of the lesson on the assemblies of a linkage: documents and questions. Their texts are in words.*.json.
+// Steps of the lesson on the assemblies of a linkage: documents and questions; texts in words.*.json.
 import { degrees } from "assur/core/angles.js";
 
 /** @typedef {import("assur/engine.js").MotionSummary} Summary */

@@ -1,5 +1,4 @@
-// Steps of the lesson on the differential with magnetic couplings: the documents that each step shows, and its question.
-// The texts are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on the differential with magnetic couplings: documents and questions; texts in words.*.json.
 
 /** @typedef {import("assur/engine.js").Summaries["gear-train"]} Summary */
 

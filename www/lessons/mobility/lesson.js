@@ -1,5 +1,4 @@
-// Steps of the lesson on mobility by sections: the documents that each step shows, and its question.
-// The texts are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on mobility by sections: documents and questions; texts in words.*.json.
 
 /** @typedef {import("assur/engine.js").Summaries["scheme"]} Summary */
 

@@ -1,5 +1,4 @@
-// Steps of the lesson on synthesis from given positions: the documents that each step shows, and its question.
-// The texts are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on synthesis from given positions: documents and questions; texts in words.*.json.
 import { degrees } from "assur/core/angles.js";
 
 /** @typedef {import("assur/types/web.js").SynthesisSummary} Summary */
