@@ -72,7 +72,7 @@ function lists(flat) {
   return [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
 }
 
-/** Length to which foreign texts are cut for the engine, whose memory never shrinks; it refuses a text of this length. */
+/** Length to which foreign texts are cut for the engine, whose memory never shrinks; texts so long are refused. */
 const LONGEST_FOREIGN = 2 ** 20 + 1;
 
 /** @param {string} text */

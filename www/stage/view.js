@@ -132,7 +132,7 @@ export class MechanismView {
   }
 
   /**
-   * Returns the picture to save or print: the mechanism with free room around it, or the visible part of a zoomed drawing.
+   * Returns the picture to save or print: the mechanism with room around it, or the visible part of a zoomed drawing.
    * @param {number} [least] least width in pixels
    * @returns {import("assur/export/pictures.js").Picture}
    */
