@@ -1,5 +1,5 @@
 // <assur-mechanism src="…">: a frame with the page, for slides and learning platforms (docs/embedding.md). This
-// separate script runs in any other page. It uses nothing of that page, and no attribute becomes markup.
+// separate script runs in the pages of others. It uses nothing of such a page, and no attribute becomes markup.
 (() => {
   /** Parameters in the address of the page, by the attributes of the element that set them. */
   const PARAMETERS = Object.freeze({ show: "embed", lesson: "lesson", step: "step", edit: "edit", bar: "bar", play: "play", lang: "lang" });
@@ -20,8 +20,7 @@
       super();
       const frame = this.#frame;
       // The frame may run scripts, store data and offer downloads, but not redirect the surrounding page, open
-      // windows or send forms. It keeps its origin: without one, it could not load its own files from a host without
-      // CORS headers.
+      // windows or send forms. It keeps its origin, to load its own files even from a host without CORS headers.
       frame.setAttribute("sandbox", "allow-scripts allow-same-origin allow-downloads");
       frame.referrerPolicy = "no-referrer";
       frame.loading = "lazy";

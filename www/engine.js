@@ -1,5 +1,4 @@
-// The engine as the page uses it: one Simulator, problems in place of every kind of exception, and recovery after a
-// trap in its wasm code.
+// The engine for the page: one Simulator, exceptions turned into problems, and recovery after a trap in its wasm.
 import { fetched } from "assur/core/fetched.js";
 import { Refusal, attempt } from "assur/core/problem.js";
 import { Compared, discard } from "assur/state/compared.js";
@@ -21,14 +20,13 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").EquationSummary} Equation
  * @typedef {import("assur/types/web.js").RelationHere} Relation
  * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled the moving assembly at the drawn
- * input. `number`: its number, from 1. `count`: count of the known assemblies. `whole`: whether these are all. Null
- * if unknown
+ * input; null if unknown. `number`: its number, from 1. `count`: number of known ones. `whole`: whether these are all
  * @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled: Assembled }} MotionSummary
  * @typedef {import("assur/types/web.js").MixerSummary} MixerSummary
  * @typedef {import("assur/types/web.js").DimensionSummary} Dimension
  * @typedef {import("assur/types/web.js").LinkageSummary} LinkageSummary
  * @typedef {{ [K in Kind]: import("assur/types/web.js").Summaries[K] & (import("assur/types/web.js").Summaries[K] extends { home: number, groups: unknown } ? { readonly assembled: Assembled } : {}) }} Summaries
- * Summaries that the engine makes of documents, by kind. The assemblies of a linkage take some time to find, and are
+ * Summaries that the engine makes of documents, by kind. The assemblies of a linkage take time to find, and so are
  * found only when `assembled` is first read.
  * @typedef {Summaries[Kind]} Summary
  * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
@@ -44,13 +42,13 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").SweepTable} SweepTable
  */
 
-/** Number of lists that the engine returns for an input: those of `Here`. */
+/** Number of lists that the engine returns for an input, one for each field of `Here`. */
 const LISTS = 4;
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
 
-/** @returns {Promise<WebAssembly.Module>} the engine, compiled once for the page and its workers; after a failure, a further call tries again */
+/** @returns {Promise<WebAssembly.Module>} the engine, compiled once for the page and its workers; after a failure, the next call tries again */
 export function compiledWasm() {
   if (!compiled) {
     compiled = fetched("assur/pkg/assur_web_bg.wasm", "application/wasm").then(compile);
@@ -60,7 +58,7 @@ export function compiledWasm() {
 }
 
 /**
- * Compiles wasm while it arrives, if the server declares it as wasm.
+ * Compiles wasm while it is loading, if the server declares it as wasm, or else afterwards.
  * @param {Response} response
  */
 async function compile(response) {
@@ -74,10 +72,7 @@ function lists(flat) {
   return [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
 }
 
-/**
- * Greatest length of another program's text that is passed to the engine, whose memory never shrinks. The engine
- * refuses a text of this length as too large.
- */
+/** Length to which foreign texts are cut for the engine, whose memory never shrinks; texts so long are refused. */
 const LONGEST_FOREIGN = 2 ** 20 + 1;
 
 /** @param {string} text */
@@ -132,8 +127,7 @@ export class Engine {
 
   /**
    * @param {Pick<State, "kind" | "document">} state
-   * @returns {Preset | undefined} preset of the document: by its origin, or else by its dimensions without traced
-   * points
+   * @returns {Preset | undefined} preset of the document, by its origin, or else by its dimensions, whatever its traced points
    */
   presetOf({ kind, document }) {
     if ("origin" in document) return this.preset(document.origin ?? "");
@@ -223,8 +217,7 @@ export class Engine {
 
   /**
    * @param {State} state
-   * @returns {readonly import("assur/types/file.js").NumberField[]} the numbers of the state's document that a lesson
-   * may vary
+   * @returns {readonly import("assur/types/file.js").NumberField[]} numbers that a lesson may vary
    */
   numbers(state) {
     return this.ask(() => module.numbersOf(alone(state)));
@@ -292,8 +285,7 @@ export class Engine {
 
   /**
    * @param {number} input
-   * @returns {import("assur/state/compared.js").Beside | null} mechanism A at the input; null if it is not shown or
-   * cannot be assembled there
+   * @returns {import("assur/state/compared.js").Beside | null} mechanism A at the input; null if it is hidden or cannot be assembled
    */
   compared(input) {
     const beside = this.#compared.at(input, this);
@@ -321,7 +313,7 @@ export class Engine {
       try {
         return questions(other);
       } finally {
-        // If the instance is another one by now, this simulator is already gone.
+        // If a new instance has replaced this one, its simulators are already gone.
         if (instance === this.#instances) discard(other);
       }
     });
@@ -382,8 +374,7 @@ export class Engine {
 
   /**
    * @param {number} number
-   * @returns {{ kind: "scheme", document: import("assur/state/state.js").Documents["scheme"] }} the task for practice
-   * with this number
+   * @returns {{ kind: "scheme", document: import("assur/state/state.js").Documents["scheme"] }} practice task with this number
    */
   task(number) {
     return this.ask(() => module.task(number));
@@ -477,7 +468,7 @@ export class Engine {
   /**
    * @param {number} input
    * @param {number} delta
-   * @returns {{ input: number, sign: number }} sign −1 if the driver turned back at the end of its range
+   * @returns {{ input: number, sign: number }} new input; `sign` −1 if the driver turned back at the end of its range
    */
   advance(input, delta) {
     const [next, sign] = this.ask((simulator) => simulator.advance(input, delta));
@@ -505,7 +496,7 @@ export class Engine {
   }
 
   /**
-   * Puts a question to the simulator. Parts of the page that are loaded later ask in this way, too.
+   * Puts a question to the simulator, also for parts of the page that are loaded later.
    * @template T
    * @param {(simulator: module.Simulator) => T} question
    * @returns {T}

@@ -1,4 +1,4 @@
-// Description of the drawing and the plots for screen readers: sentences on the state at rest.
+// Description of the drawing and the plots for screen readers, written while the mechanism is at rest.
 import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
@@ -67,7 +67,7 @@ export class Description {
     const { state, words, revision, problems, place } = snapshot;
     write(this.#plots, plots(snapshot, this.#chart));
     if (state.view.playing) return;
-    // A separate element announces problems as they arise.
+    // Problems are announced by an element of their own as they arise; here they replace the description.
     const failed = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
     const here = positions(snapshot);
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
@@ -110,7 +110,7 @@ function pose(snapshot) {
 }
 
 /**
- * A sentence with the output of mechanism A, the one compared with, and the difference B − A.
+ * A sentence with the output of the compared mechanism A, and the difference B − A; B is the shown mechanism.
  * @param {Snapshot} snapshot
  */
 function beside({ summary: { listed, outputs }, readouts, compared, compares, words, withheld }) {

@@ -40,7 +40,7 @@ export class Header {
     this.#closeMenu();
   }
 
-  /** Closes the menu. If an entry has the focus, the focus moves to the menu's button, so that it is not lost. */
+  /** Closes the menu. If one of its entries has the focus, the focus moves to the menu's button. */
   #closeMenu() {
     if (this.#menu.contains(document.activeElement)) this.#menu.querySelector("summary")?.focus();
     this.#menu.open = false;
@@ -51,7 +51,7 @@ export class Header {
     this.#projector.setAttribute("aria-pressed", String(state.view.projector));
     this.#without.hidden = !state.picture;
     const { canUndo, canRedo } = this.#history;
-    // If the button with the focus becomes disabled, the focus moves to the other of the two.
+    // If Undo has the focus and becomes disabled, the focus moves to Redo, and vice versa.
     const focused = document.activeElement;
     this.#undo.disabled = !canUndo;
     this.#redo.disabled = !canRedo;

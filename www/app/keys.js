@@ -36,7 +36,7 @@ export const KEYS = Object.freeze([
   { command: "close", name: "key.close", combos: ["Escape"] },
 ]);
 
-/** Signs that readers see in place of some names of keys. */
+/** Signs shown for some keys in place of their names. */
 const SIGNS = Object.freeze({ ArrowLeft: "←", ArrowRight: "→", Plus: "+", "-": "−", Control: "Ctrl", Escape: "Esc" });
 
 /** Keys that act on the scrubber like arrow keys of the table. */
@@ -107,7 +107,7 @@ function combination(event, scrubber) {
   if (/^Key[A-Z]$/.test(code) && !/^[ -~]$/.test(key)) return control + shift + code.slice(3);
   if (key === " ") return `${control}${shift}Space`;
   if (key === "+") return `${control}Plus`;
-  // A character counts as itself, with or without Shift: layouts differ in how it is typed.
+  // For any other character, Shift is ignored: on some keyboard layouts the character is typed with Shift.
   if (key.length === 1) return control + key;
   const arrow = scrubber ? Object.entries(SCRUBBER).find(([name]) => name === key)?.[1] : undefined;
   return control + shift + (arrow ?? key);

@@ -14,7 +14,7 @@ export function chosenLanguage() {
 }
 
 /**
- * Keeps the list of languages and the state's language equal. The page changes once its words are loaded.
+ * Links the list of languages to the state's language. A change reaches the page once the words are loaded.
  * @param {import("assur/app/page.js").Page} page
  */
 export function chooseLanguage(page) {

@@ -11,7 +11,7 @@ async function start() {
   const framed = new URLSearchParams(search).has("embed") ? import("assur/embed/embed.js") : null;
   const lang = (framed ? null : chosenLanguage()) ?? document.documentElement.lang;
   const reader = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
-  // The state is usually in this language, and needs no other words.
+  // Usually the state has this language, so that no other words need to be loaded.
   const [engine, part] = await Promise.all([Engine.load(), framed, Words.load(lang)]);
   const embedding = part && new part.Embedding(search);
   const habits = embedding?.habits(reader) ?? reader;
@@ -21,7 +21,7 @@ async function start() {
   new Page(engine, habits, words, opening).show();
 }
 
-// Not awaited: modules loaded later import this module, and would wait until it has run to its end.
+// Not awaited: modules loaded later import this module, and would have to wait until it has finished.
 start().catch((thrown) => {
   console.error(thrown);
   byId("boot", HTMLElement).hidden = true;

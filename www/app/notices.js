@@ -4,8 +4,7 @@ import { byId, make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/app/opening.js").Failure} Failure
- * @typedef {"copied" | "copied_without" | "result"} Done what was copied to the clipboard: a link, a link without the
- * picture, or the result of a lesson
+ * @typedef {"copied" | "copied_without" | "result"} Done what was copied: a link, a link without the picture, a result
  * @typedef {import("assur/core/words.js").Words} Words
  */
 

@@ -15,8 +15,8 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
  * @typedef {Readonly<{ calm: boolean, lang: string, embedding?: import("assur/embed/embed.js").Embedding | null }>} Habits
- * Habits of the reader. `calm`: nothing moves unless the reader starts it. `lang`: language of states that name none,
- * chosen on the page or else by the browser. `embedding`: wishes of another page that shows this one in a frame.
+ * Settings of the visit. `calm`: nothing moves unless the reader starts it. `lang`: language of states that name none,
+ * chosen on the page or else by the browser. `embedding`: set by another page that shows this one in a frame.
  */
 
 /** Extension of the files of the program Linkage. */
@@ -25,7 +25,7 @@ const EXTENSION = /\.linkage2$/i;
 /** Largest size of a file, in bytes. */
 const LARGEST_FILE = 20_000_000;
 
-/** Problems of a file for which the notice also lists what can be opened. */
+/** Problems of a file whose notice also lists the kinds of file that can be opened. */
 const OTHERS = Object.freeze(["not_json", "no_mechanism", "is_picture"]);
 
 /** Greatest length of a title, in characters. */

@@ -1,16 +1,15 @@
-// Pacing of the views other than the drawing, during a drag that makes a new mechanism in every frame. Most of the
-// time is left to the drag.
+// Paces the views other than the drawing in drags that change the mechanism: most of the time is left to the drag.
 import { whenReleased } from "assur/core/released.js";
 
-/** Longest time to write the views that fits into every frame, in milliseconds. */
+/** Time for writing the views above which they are not written in every frame, in milliseconds. */
 const BRIEF = 3;
-/** Pause after a slower writing of the views, as a multiple of the time it took. */
+/** Pause after the views took longer to write, as a multiple of that time. */
 const REST = 12;
 
 export class Pace {
   /** Revision of the mechanism written last. */
   #revision = 0;
-  /** Whether the last writing took long. */
+  /** Whether the views last took longer than `BRIEF` to write. */
   #long = false;
   /** End of the pause, in milliseconds. */
   #rests = 0;

@@ -28,7 +28,7 @@ import { Store } from "assur/state/store.js";
 
 /** @typedef {import("assur/state/state.js").State} State */
 
-/** Time that a changing number must stay the same to be readable, in seconds. */
+/** Time for which a changing number must stay on the screen to be readable, in seconds. */
 const WRITING_PERIOD = 0.2;
 
 export class Page {
@@ -36,7 +36,7 @@ export class Page {
   #player = new Player();
   #views;
   #toLesson;
-  /** Seconds since the numbers were written. The first value makes them due at the start. */
+  /** Seconds since the numbers were written. They are written at the start, too. */
   #unwritten = WRITING_PERIOD;
   /** @type {HTMLElement | null} element printed instead of the worksheet of the shown state */
   sheet = null;
@@ -117,10 +117,7 @@ export class Page {
     }));
   }
 
-  /**
-   * Loads the worksheet and the gallery in advance. The browser's own print command cannot wait for the worksheet,
-   * and the gallery is opened most often.
-   */
+  /** Loads in advance the worksheet, for which the browser's print command cannot wait, and the often used gallery. */
   async #prepare() {
     this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
     import("assur/gallery/gallery.js").catch(() => null);
@@ -221,7 +218,7 @@ export class Page {
     this.redraw();
   }
 
-  /** @param {Words} words words with any unit of length */
+  /** @param {Words} words words, whose unit of length is replaced by the document's */
   #say(words) {
     const measured = words.measured(this.engine.lengths);
     if (measured === this.words) return;

@@ -3,9 +3,7 @@ import { byId } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { toFile } from "assur/state/codec.js";
 
-/**
- * @typedef {import("assur/state/state.js").State} State
- */
+/** @typedef {import("assur/state/state.js").State} State */
 
 /**
  * Copies the link of a state, or else shows it to be copied by hand.

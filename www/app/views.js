@@ -1,5 +1,4 @@
-// All views of the state. The views of one kind of document are loaded when such a document is first shown; the
-// description for screen readers is loaded when the mechanism is first at rest.
+// All views. Those of a kind of document load when it is first shown, the description for screen readers at rest.
 import { Becoming } from "assur/app/becoming.js";
 import { awaited } from "assur/app/busy.js";
 import { BROKE, LOST } from "assur/app/notices.js";
@@ -26,10 +25,8 @@ import { moves } from "assur/state/model.js";
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
  * @typedef {{ render(snapshot: AnySnapshot): void }} View
- * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView view of documents with a
- * motion
- * @typedef {(page: Page) => readonly View[]} Make makes the views of one kind of document, which get the snapshots of
- * that kind only
+ * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView view of documents that move
+ * @typedef {(page: Page) => readonly View[]} Make makes the views of one kind of document, which get only its snapshots
  */
 
 /** @type {Readonly<Record<"all_assemblies" | "polygons" | "curvature", (page: Page) => Promise<MotionView>>>} views loaded when their switch is on */
@@ -48,7 +45,7 @@ const TOOL_NAMES = Object.freeze(/** @type {(keyof typeof TOOLS)[]} */ (Object.k
 
 export class Views {
   #page;
-  /** @type {readonly View[]} views under the pointer, drawn in every frame */
+  /** @type {readonly View[]} views written in every frame: the drawing and its pointer */
   #held;
   #rendering;
   /** @type {View[]} */
@@ -68,7 +65,7 @@ export class Views {
 
   /**
    * @param {Page} page
-   * @param {readonly View[]} held views under the pointer
+   * @param {readonly View[]} held views written in every frame
    * @param {readonly View[]} views of the page itself
    */
   constructor(page, held, views) {

@@ -1,18 +1,17 @@
-// Map of all branches: the output plotted against the input, with folds, crossings and the assemblies at the current
-// input.
+// Map of all branches: the output plotted against the input, with folds, crossings and the current assemblies.
 import { makeSvg } from "assur/core/dom.js";
 
 /** @typedef {{ input: number, shown: number | null, angles: readonly number[] }} Now */
 
-/** Side of the square with the branches, and space for scales to its left and below, in units of the view box. */
+/** `SIZE`: side of the square with the branches, in units of the view box. `LEFT`, `BELOW`: space for its scales. */
 const SIZE = 300;
 const LEFT = 42;
 const BELOW = 26;
-/** Space for half a number of the scales, to the right of the square and above it. */
+/** `BEYOND`, `TOP`: space to the right and above, for half of the last number of each scale. */
 const BEYOND = 18;
 const TOP = 8;
 const TURN = 2 * Math.PI;
-/** Colour roles of the circuits, in order; further circuits begin again with the first. */
+/** Colour roles of the circuits in order, repeated for further circuits. */
 const COLOURS = ["crank", "coupler", "rocker", "accent1", "accent2", "accent3", "accent4", "accent5", "accent6", "accent7"];
 
 export class BranchMap {

@@ -1,5 +1,4 @@
-// All motions of the shown linkage, found by a worker. The worker gets one question at a time, always the newest.
-// While a length is dragged, the map is updated a few times a second.
+// All motions of the shown linkage, found by a worker, which gets one question at a time, always the newest.
 import { compiledWasm } from "assur/engine.js";
 
 /**

@@ -1,5 +1,4 @@
-// Panel of all assemblies of the shown linkage: a picture of each assembly at the current input, a map of the
-// branches, and lists of the assemblies that the moving one can and cannot reach. Loaded on demand.
+// Panel of all assemblies at the current input: their pictures, a map of the branches, and lists of the reachable ones.
 import "assur/assemblies/style.js";
 import { BranchMap } from "assur/assemblies/map.js";
 import { Motions } from "assur/assemblies/motions.js";
@@ -36,10 +35,10 @@ export class Assemblies {
   #here = null;
   /** @type {Snapshot | null} */
   #snapshot = null;
-  /** Rectangle around all assemblies shown so far, and the revision of the linkage to which the rectangle belongs. */
+  /** `#bounds`: rectangle around all assemblies shown so far. `#revision`: revision of their linkage. */
   #bounds = [Infinity, Infinity, -Infinity, -Infinity];
   #revision = 0;
-  /** Time of the last painting, and whether another is scheduled. */
+  /** `#painted`: time of the last painting. `#later`: whether another is scheduled. */
   #painted = -Infinity;
   #later = false;
   /** @type {object | null} data of the drawn map */
@@ -210,7 +209,7 @@ export class Assemblies {
       write(this.#mapped, words.text(map.whole ? "assemblies.mapped" : "assemblies.mapped_partly", { n: output }));
     }
     this.#map.element.toggleAttribute("hidden", !map);
-    // A map that is awaited has its place already: what stands below it does not move when it comes.
+    // Space is reserved for an awaited map, so that the content below does not move when the map arrives.
     this.#map.element.classList.toggle("awaited", !map && !lost);
     if (map) {
       this.#map.element.classList.toggle("faded", !current);

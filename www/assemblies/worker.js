@@ -21,7 +21,7 @@ addEventListener("message", async ({ data }) => {
       postMessage({ revision: data.revision, input, number, belonging: motions.belonging(input, number) });
     }
   } catch (thrown) {
-    // An array lists problems, which the engine reports as usual. Any other exception leaves the engine unusable.
+    // The engine reports problems by throwing an array. After any other exception the engine is unusable.
     const broken = !Array.isArray(thrown);
     if (broken) console.error(thrown);
     postMessage({ revision: data.revision, lost: true, broken });

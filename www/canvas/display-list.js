@@ -3,8 +3,7 @@
 /**
  * @typedef {Float32Array | Float64Array} List of numbers, as the engine returns it
  * @typedef {{ record: List, role: string, look: number, path: Path2D, loops?: List[] }} Shape
- * `record`: the numbers of the shape in the list. `loops`: the corners of each polygon, if the shape consists of
- * polygons.
+ * `record`: the numbers of the shape in the list. `loops`: the corners of each polygon, for a shape of polygons.
  * @typedef {{ role: string, label: string, x: number, y: number, dx: number, dy: number }} Label
  * @typedef {{ body: number, shapes: Shape[], labels: Label[] }} Layer
  */
@@ -56,7 +55,7 @@ export function readDisplayList(list, start, roles, labels, newPath, before = []
 }
 
 /**
- * @param {List} record earlier record; a record contains its own length, so that equal values are enough
+ * @param {List} record earlier record; as a record contains its own length, comparing its values is enough
  * @param {List} list
  * @param {number} at
  * @returns {boolean} whether the list has the same record at that index

@@ -1,7 +1,6 @@
-// The line along a polygon, as a band to be filled. A browser without a graphics processor takes several times as
-// long to stroke the teeth of a wheel in every frame as to fill a band that is made once.
+// The line along a polygon as a band: without a graphics processor, filling is several times faster than stroking.
 
-/** Lower limit of 1 + cos δ for a turn of the line through δ at a corner. It shortens the tips of sharp corners. */
+/** Lower limit of 1 + cos δ, where the line turns through δ at a corner. It shortens the tips of sharp corners. */
 const SHARPEST = 0.3;
 
 /**

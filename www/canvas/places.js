@@ -1,5 +1,4 @@
-// Places of the labels of a drawing. A label stands where the drawing wants it or, if another label is there, on
-// another side of its own point.
+// Places of the labels of a drawing. A label whose wanted place is taken stands on another side of its point.
 
 /**
  * @typedef {import("assur/canvas/painter.js").Box} Box
@@ -40,8 +39,7 @@ export class Places {
   /**
    * Takes a place for a label. A moved label keeps its place until its wanted place is well clear or its own is taken.
    * @param {string} label
-   * @param {{ x: number, y: number, dx: number, dy: number }} wanted the label's point, and the wanted offset of the
-   * label's middle from it
+   * @param {{ x: number, y: number, dx: number, dy: number }} wanted the label's point, and the offset of the label's middle
    * @param {number} width
    * @param {number} height
    * @returns {{ x: number, y: number, free: boolean }} middle of the label, at the wanted place if none is free

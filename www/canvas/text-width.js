@@ -1,7 +1,6 @@
-// Width of a text on a canvas. Widths are remembered: a browser takes as long to measure a text as to draw it, and most
-// texts are numbers that differ in their digits only.
+// Widths of texts on a canvas, remembered because measuring a text takes a browser as long as drawing it.
 
-/** Number of remembered widths at which all of them are forgotten. */
+/** Number of remembered widths at which all are forgotten. */
 const MOST = 400;
 
 /** @type {Map<string, number>} widths by font and text; in the text, 0 stands for every digit */
@@ -10,7 +9,7 @@ const known = new Map();
 /**
  * Width of a text. All digits count as equally wide, as they are in fonts for tables and screens.
  * @param {import("assur/canvas/painter.js").Context} context with the font set
- * @param {string} font font of the context, from which it is slow to read
+ * @param {string} font font of the context, given because reading it from the context is slow
  * @param {string} text
  * @returns {number} width in the unit of the font's size
  */

@@ -1,5 +1,4 @@
-// Colours of the roles and sizes of text and lines, read from the style sheet. They differ for light and dark pages
-// and for projectors.
+// Colours of the roles and sizes of text and lines, from the style sheet for light pages, dark pages or projectors.
 
 /** @typedef {Readonly<Record<string, string>>} Colours */
 
@@ -32,7 +31,7 @@ export class Theme {
   /**
    * @param {readonly string[]} roles
    * @param {() => void} changed
-   * @param {Element} [element] source of colours and text
+   * @param {Element} [element] element whose style gives the colours and the size of text
    */
   constructor(roles, changed, element = document.documentElement) {
     this.#element = element;

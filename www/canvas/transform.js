@@ -104,8 +104,7 @@ export class Zoom {
   }
 
   /**
-   * The zoom from the fitted view to another one. Its factor is kept within the limits, and the middle of the canvas
-   * within the bounds.
+   * The zoom from the fitted view to another, with its factor within limits and the canvas's middle within the bounds.
    * @param {Transform} fit
    * @param {Transform} view
    * @param {readonly number[]} bounds xmin, ymin, xmax, ymax

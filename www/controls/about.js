@@ -1,5 +1,5 @@
-// Choice of two links: the one whose instant centre, centrodes and circles are drawn, and the one relative to which
-// its instant centre is found by lines. Shown if one of these overlays is on.
+// Choice of two links: the link whose instant centre, centrodes and circles are drawn, and the link relative to which
+// that instant centre is constructed. Shown if one of these overlays is on.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";

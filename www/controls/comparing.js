@@ -1,5 +1,4 @@
-// Comparison of the current mechanism, B, with an earlier one, A: buttons to keep B as A, exchange the two, and
-// remove A.
+// Comparison of the current mechanism B with an earlier one, A: buttons to keep B as A, exchange both, and remove A.
 import { byId, make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { withFurther, withMechanism } from "assur/state/state.js";
@@ -43,7 +42,7 @@ export class Comparing {
       const button = make("button", { id: `compare-${name}`, class: "control", type: "button", "data-t": `compare.${name}` });
       button.addEventListener("click", () => {
         history.step(() => store.update(ACTS[name]));
-        // The button disappears, and another one gets its focus.
+        // The button disappears, so its focus moves to another one.
         if (name === "remove") this.#buttons.freeze.focus();
       });
       return [name, button];

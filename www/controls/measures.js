@@ -1,5 +1,4 @@
-// Measures: distances and angles between points or links. The reader chooses them in lists or by presses on the
-// drawing, and removes them here.
+// Measures: distances and angles between points or links, chosen in lists or by presses on the drawing.
 import { byId, make, setData } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
@@ -19,7 +18,7 @@ const BETWEEN = Object.freeze({
 /** Limit of the number of measures. */
 const MOST = 8;
 
-/** Greatest distance at which a press takes a point or a link, in pixels. */
+/** Greatest distance of a press from the point or link that it chooses, in pixels. */
 const REACH = 26;
 
 /** The separator before the last part of the name of a measure or of its derivative: `.`, `.d`, `.dd`. */
@@ -208,7 +207,7 @@ export class Measures {
 
   /**
    * @param {import("assur/stage/pointer.js").Place} at
-   * @returns {string | null} the nearest point within reach of a place
+   * @returns {string | null} the nearest point; null if none is within reach
    */
   #near({ x, y }) {
     const snapshot = this.#snapshot;
@@ -229,7 +228,7 @@ export class Measures {
   }
   /**
    * @param {import("assur/stage/pointer.js").Place} at
-   * @returns {string | null} the nearest link within reach of a place
+   * @returns {string | null} the nearest link; null if none is within reach
    */
   #link({ x, y }) {
     const snapshot = this.#snapshot;

@@ -1,10 +1,10 @@
 // Visible part of the scrubber: the bar, its part up to the current input, and the knob. They are painted on a
-// canvas: to change a style in every frame takes a browser several times as long.
+// canvas, because changing a style in every frame takes a browser several times as long.
 import { Surface } from "assur/canvas/surface.js";
 
 /** @typedef {import("assur/canvas/theme.js").Theme} Theme */
 
-/** Diameter of the knob, width of its rim and thickness of the bar, in pixels, as in the style sheet. */
+/** Sizes in pixels, as in the style sheet. `KNOB`: diameter. `RIM`: width of the rim. `BAR`: thickness of the bar. */
 const KNOB = 22;
 const RIM = 4;
 const BAR = 6;

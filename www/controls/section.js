@@ -6,7 +6,7 @@ import { byId, make } from "assur/core/dom.js";
  * @param {string} key of the heading's text
  * @param {string} field name by which a lesson includes the section
  * @param {readonly HTMLElement[]} content
- * @returns {HTMLElement} the section, which is now in the rail
+ * @returns {HTMLElement} the section, already added to the rail
  */
 export function section(kind, key, field, content) {
   const made = make("section", { "data-of": kind, "data-field": field }, [make("h2", { "data-t": key }), ...content]);

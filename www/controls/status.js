@@ -2,16 +2,13 @@
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData } from "assur/core/dom.js";
 
-/**
- * @typedef {{ text: string | readonly (Node | string)[], value?: number }} Entry
- */
+/** @typedef {{ text: string | readonly (Node | string)[], value?: number }} Entry */
 
 /**
  * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S
  * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, late?: boolean, say: (snapshot: S) => Entry | null }>} Item
  * `title`: key of the entry's title. `n`: the {n} of the title, by default the symbol of the input. `late`: whether
- * the content takes some time, and is computed only after a moment without changes. `say`: gives the content, or null
- * if there is none.
+ * the content takes some time, and is computed only after a moment without changes. `say`: gives the content, or null.
  */
 
 /** Time without a change before late entries are computed, in milliseconds. */

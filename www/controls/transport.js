@@ -13,7 +13,7 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Entry of the list of speeds for true time, in which the input moves at its rate ω₁. */
+/** Entry of the list of speeds for true time: the input moves at its rate ω₁. */
 const TRUE_TIME = "true_time";
 
 export const SPEEDS = Object.freeze([0.1, 0.25, 0.5, 1, 2, 4]);
@@ -40,9 +40,7 @@ export class Transport {
   #arcs = null;
   #lang = "";
 
-  /**
-   * @param {import("assur/app/page.js").Page} page
-   */
+  /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     const { store, model, drafts, theme } = page;
     this.#bar = new Scrubber(byId("scrubber-bar", HTMLCanvasElement), theme);

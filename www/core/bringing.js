@@ -7,7 +7,7 @@ export class Bringing {
   #failed;
   #changed;
   #now;
-  /** @type {Map<string, number>} earliest time of the next request for each part; Infinity while the part loads and after that */
+  /** @type {Map<string, number>} earliest time of the next request for each part; Infinity once the part is loading or loaded */
   #due = new Map();
 
   /**

@@ -22,8 +22,7 @@ export function byId(id, kind) {
 export function make(tag, attributes = {}, children = []) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    // The security policy of a hosted page forbids listeners and styles in attributes, which foreign markup could
-    // contain.
+    // The security policy of a hosted page forbids listeners and styles in attributes, as a guard against injection.
     if (typeof value === "function") element.addEventListener(name.slice(2), value);
     else if (name === "style") element.style.cssText = value;
     else element.setAttribute(name, value);
@@ -47,8 +46,7 @@ export function makeSvg(tag, attributes = {}, children = []) {
 }
 
 /**
- * Adds the style sheet of a part of the page that is loaded later. The part works even if the style sheet fails to
- * load.
+ * Adds the style sheet of a part of the page loaded later. The part works even if the style sheet fails to load.
  * @param {string} name path of the style sheet in the page
  * @returns {Promise<unknown>} resolves when the style sheet has loaded or failed to load
  */
@@ -61,7 +59,7 @@ export function addStyle(name) {
 }
 
 /**
- * Writes a text only if it differs from the present one, so that the browser does not repeat its layout.
+ * Writes a text only if it differs from the present one, to spare the browser another layout.
  * @param {Element} element
  * @param {string} text
  */

@@ -1,8 +1,7 @@
-// Names of links in the reader's language: terms of mechanism theory, or else the links' own names. Also numbers of the
-// entries of a list, and of the assemblies of a linkage.
+// Names of links in the reader's language, and numbers of list entries and assemblies.
 
 /**
- * Name of a link in the reader's language. The link's number takes the place {n} in the word, or else follows the word.
+ * Name of a link in the reader's language. The link's number replaces {n} in the word, or else follows the word.
  * Without a number, the hyphen or space that would join the two is omitted.
  * @param {string} link
  * @param {import("assur/core/words.js").Words} words
@@ -16,8 +15,7 @@ export function called(link, words) {
 }
 
 /**
- * @param {string} formula structural formula or a term of one: `I(frame,crank) → II₂(rod,slider)`; `+` joins links
- * that form one body
+ * @param {string} formula structural formula or one term: `I(frame,crank) → II₂(rod,slider)`; `+` joins links of one body
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} the formula with the names of its links in the reader's language
  */
@@ -56,8 +54,7 @@ export function toLine(point, line) {
 }
 
 /**
- * Number of the moving assembly at the drawn input, and the count of all assemblies there, or of the known ones if
- * there may be more.
+ * Number of the moving assembly at the drawn input, with the count of all assemblies there, or of the known ones.
  * @param {Pick<import("assur/engine.js").MotionSummary, "assembled" | "home">} summary
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
@@ -69,13 +66,13 @@ export function numbered({ assembled, home }, coordinate, words) {
   return words.text(assembled.whole ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
 }
 
-/** @typedef {(index: number) => string} Numbering gives the number that readers see of an entry in a list; `index` starts at 0 */
+/** @typedef {(index: number) => string} Numbering gives the number shown for an entry of a list; `index` starts at 0 */
 
 /** @type {Map<string, Numbering>} by the name of the list */
 const NUMBERINGS = new Map();
 
 /**
- * Sets the numbers that readers see of the entries in a list of one kind of document.
+ * Sets the numbers shown for the entries of a list in one kind of document.
  * @param {string} list
  * @param {Numbering} numbering
  */
@@ -86,8 +83,7 @@ export function numberEntries(list, numbering) {
 /**
  * @param {string} list
  * @param {number} index from 0
- * @returns {string} the number that readers see of the entry; numbers start at 1 unless the kind of document sets
- * others
+ * @returns {string} the number shown for the entry; numbers start at 1 unless {@link numberEntries} sets others
  */
 export function entryNumber(list, index) {
   return NUMBERINGS.get(list)?.(index) ?? String(index + 1);

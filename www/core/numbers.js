@@ -9,7 +9,7 @@ const CYRILLIC_E = /[еЕ]/g;
 /** An exponent as browsers write it. */
 const EXPONENT = /[EЕ]([\u2212\d]+)$/;
 
-/** Limits of the absolute values that are written without a power of ten. */
+/** `HUGE`, `TINY`: limits of the absolute values that are written without a power of ten. */
 const HUGE = 1e9;
 const TINY = 1e-6;
 
@@ -29,8 +29,7 @@ export function parseNumber(text) {
 /**
  * @param {number} decimals decimals of a number at rest
  * @param {boolean} playing
- * @returns {number} decimals that can be read: in motion half of them, rounded down, so that a single decimal is
- * dropped
+ * @returns {number} decimals that can be read: in motion half of them, rounded down
  */
 export function readable(decimals, playing) {
   return playing ? Math.floor(decimals / 2) : decimals;

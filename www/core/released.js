@@ -1,8 +1,7 @@
 // Release of a pressed pointer.
 
 /**
- * Reports the release of a pointer. A `blur` of the window counts as a release. A `blur` of an element may come
- * during a press, but does not reach the window.
+ * Reports the release of a pointer, or a `blur` of the window. A `blur` of an element does not reach the window.
  * @param {() => void} then called when a pointer is released, or its release goes to a context menu, another frame or another window
  */
 export function whenReleased(then) {

@@ -23,7 +23,7 @@ export function withSubscripts(text) {
 }
 
 /**
- * Writes a text with its subscripts, only if it differs from the present one.
+ * Writes a text with its subscripts if it differs from the present one.
  * @param {Element} element
  * @param {string} text
  */

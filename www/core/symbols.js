@@ -31,10 +31,7 @@ export function isLength(what) {
   return LENGTHS.includes(what);
 }
 
-/**
- * Names of the wheels of a mixer. Their angles are ψ₄, ψ₅, because φ₅ belongs to the diagonal of the contour
- * (Smelyagin and Prikhodko, (3)).
- */
+/** Wheels of a mixer. Their angles are ψ₄, ψ₅, because φ₅ is that of a diagonal (Smelyagin and Prikhodko, (3)). */
 const WHEEL = /^wheel\d+$/;
 
 /**
@@ -47,10 +44,8 @@ export function letterOfAngle(of, number) {
 }
 
 /**
- * Symbol of a quantity or of its derivative, such as φ₃′, ω₅, ẋ. For an angle without a number, the name of the link
- * or joint follows.
- * @param {{ name: string, number?: string | null }} quantity name of the quantity, such as `rocker.angle`, `C2.x`,
- * and number of its link
+ * Symbol of a quantity or its derivative, such as φ₃′, ω₅, ẋ. An angle without a number has its link's or joint's name.
+ * @param {{ name: string, number?: string | null }} quantity its name, as `rocker.angle`, and its link's number
  * @param {number} order
  * @param {boolean} physical whether derivatives are with respect to time
  * @param {import("assur/core/words.js").Words} words
@@ -80,8 +75,7 @@ export function calledWhole(of, what, words) {
 /**
  * @param {string} name of a quantity
  * @param {number} order of its derivative
- * @returns {string} id of the read-out, such as `rocker.angle″` or `C.x′`; lessons list the read-outs that they
- * withhold by these ids
+ * @returns {string} id of the read-out, such as `rocker.angle″`, by which lessons withhold it
  */
 export function readoutOf(name, order) {
   return name + STROKES[order];

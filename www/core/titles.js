@@ -22,8 +22,7 @@ export function titleOf(state, engine, words) {
  * @param {import("assur/state/state.js").Documents["linkage"]} linkage
  * @param {Engine} engine
  * @param {Words} words
- * @returns {string} source of the linkage: in the reader's language if it is that of the catalogue, or else as it was
- * written
+ * @returns {string} source of the linkage: that of the catalogue in the reader's language, any other as it was written
  */
 export function sourceOf({ origin, source }, engine, words) {
   const { source: noted } = /** @type {{ source?: string }} */ (engine.preset(origin ?? "")?.document ?? {});

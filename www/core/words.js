@@ -69,8 +69,7 @@ export class Words {
 
   /**
    * @param {string} lang
-   * @param {readonly string[]} [places] paths of the tables in the page, with * for the language; a later table
-   * overrides an earlier one
+   * @param {readonly string[]} [places] paths of tables in the page, with * for the language; later ones override earlier ones
    * @returns {Promise<Words>}
    */
   static async load(lang, places = ["lang/*"]) {
@@ -96,8 +95,7 @@ export class Words {
 
   /**
    * Text with a count. Its plural forms are `key.one`, `key.few`, `key.many`, `key.other`, as the language requires.
-   * A browser without the plural rules of the language uses those of another language; the form `other` replaces
-   * forms that the table lacks.
+   * A browser that lacks the language's plural rules uses another language's; `other` stands in for missing forms.
    * @param {string} key
    * @param {number} count value of the place {count}
    * @param {Readonly<Record<string, string>>} [places]
@@ -113,8 +111,7 @@ export class Words {
   }
 
   /**
-   * Writes texts into the elements that name their keys in `data-t` and similar attributes; `data-n` gives the {n} of
-   * a text.
+   * Writes texts into the elements that give text keys in `data-t` and similar attributes; `data-n` is a text's {n}.
    * @param {ParentNode} root
    */
   fill(root) {

@@ -1,5 +1,4 @@
-// Drawing mode: the tools over the drawing, the pointer that uses them, and the panel beside the drawing. Loaded on
-// demand.
+// Drawing mode: tools over the drawing, the pointer that uses them, a panel beside the drawing. Loaded on demand.
 import { step, unsay } from "assur/drawing/edit.js";
 import { Hand } from "assur/drawing/hand.js";
 import { paint } from "assur/drawing/marks.js";
@@ -91,7 +90,7 @@ export class Drawing {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    // A document of another kind may have been opened, and not yet be shown.
+    // A document of another kind may be open, but not yet shown.
     const drawn = this.#on && "links" in this.#document();
     if (!drawn || event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;

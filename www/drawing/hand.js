@@ -13,13 +13,13 @@ import { side } from "assur/stage/paper.js";
  * @typedef {{ to(at: Place, free: boolean): void, end(): void }} Drag
  */
 
-/** Greatest distance at which a press takes a joint or a link, in pixels, first for a mouse, then for a finger. */
+/** Greatest distance of a press from the joint or link that it hits, in pixels: for a mouse, and for a finger. */
 const REACH = Object.freeze({ joint: [16, 26], link: [7, 14] });
 
-/** Data of an event for a press by the keyboard. */
+/** Event data for a press made by the keyboard. */
 const KEYED = Object.freeze({ pointerType: "mouse", altKey: false, shiftKey: false });
 
-/** Number of grid steps along the side of a square of the paper, by the first digit of the side's length. */
+/** Number of grid steps per side of a square of the ruled paper, by the first digit of the side's length. */
 const STEPS = Object.freeze({ 1: 5, 2: 4, 5: 5 });
 
 export class Hand {
@@ -101,7 +101,7 @@ export class Hand {
   }
 
   /**
-   * The drag that begins at a place; null if the tool drags nothing there.
+   * Begins a drag at a place. Returns null if the tool drags nothing there.
    * @param {Place} at
    * @param {PointerEvent} event
    * @returns {Drag | null}
@@ -274,7 +274,7 @@ export class Hand {
 
   /**
    * @param {string} point
-   * @returns {string | null} the last wheel added at the point, if the point is on other links, too
+   * @returns {string | null} the last wheel added at the point; null if the point is on no other link
    */
   #wheelOn(point) {
     const { links = [], slides = [] } = this.#document();
@@ -299,7 +299,7 @@ export class Hand {
   /**
    * @param {Place} at
    * @param {boolean} free whether the grid is ignored
-   * @returns {[number, number]} the place in the model, at the nearest point of the grid unless the grid is ignored
+   * @returns {[number, number]} the place in the model, moved to the nearest grid point unless the grid is ignored
    */
   #snapped(at, free) {
     const [x, y] = this.#view.toModel(at.x, at.y);

@@ -1,12 +1,10 @@
 // An image behind a drawing, read from a file: as text for the state, and as pixels for painting.
 
-/**
- * @typedef {Readonly<{ text: string, pixels: HTMLCanvasElement }>} Image
- */
+/** @typedef {Readonly<{ text: string, pixels: HTMLCanvasElement }>} Image */
 
 /** Longest side of an image that keeps its size, in pixels. */
 const LONGEST_SIDE = 2000;
-/** Longer sides tried for any other image, in pixels, until the text of the image is short enough. */
+/** Lengths tried for the longer side of any other image, in pixels, until the text of the image is short enough. */
 const SIDES = Object.freeze([LONGEST_SIDE, 1400, 1000, 700]);
 const QUALITY = 0.85;
 
@@ -50,8 +48,7 @@ export async function pixelsOf(text) {
 
 /**
  * @param {HTMLImageElement} image
- * @returns {string | undefined} the image in the JPEG format, short enough for a state; undefined if that is not
- * possible
+ * @returns {string | undefined} the image as a JPEG short enough for a state; undefined if none is
  */
 function photograph(image) {
   for (const side of SIDES) {
@@ -84,7 +81,7 @@ function painted(image, longest, ground) {
 }
 
 /**
- * @param {string} text of an image; scripts and links inside the image have no effect in an image element
+ * @param {string} text of an image; in an image element, scripts and links inside the image have no effect
  * @returns {Promise<HTMLImageElement>}
  */
 async function loaded(text) {

@@ -6,14 +6,12 @@ import { level } from "assur/drawing/tools.js";
  *   hand: import("assur/drawing/hand.js").Hand }} Drawn
  */
 
-/** Radius of the ring around a point, and width of the line over a link, in pixels. */
+/** In pixels. `RING`: radius of the ring around a point. `OVER`: width of the line over a link. */
 const RING = 10;
 const OVER = 12;
 /** Radius of the ring around a link with only one point, such as a wheel or a block, in pixels. */
 const WHEEL = 22;
-/**
- * Width of a padlock, which marks a locked dimension, and its distance from the vertex of a locked angle, in pixels.
- */
+/** Padlock of a locked dimension, in pixels. `LOCK`: its width. `AWAY`: its distance from the vertex of an angle. */
 const LOCK = 9;
 const AWAY = 24;
 const DASHES = Object.freeze([6, 5]);
@@ -91,8 +89,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
  * @param {readonly number[]} from
  * @param {readonly number[]} to
  * @param {number} way distance in pixels
- * @returns {number[]} the place at that distance from the first place towards the second, or above the first if the
- * two coincide
+ * @returns {number[]} the place at that distance from `from` towards `to`, or above `from` if both coincide
  */
 function toward([x, y], [left, top], way) {
   const length = Math.hypot(left - x, top - y);

@@ -1,6 +1,4 @@
-// A picture behind the drawing: a photograph or scan over which links are drawn. It is part of the state, and so is
-// saved in files and subject to undo. It is no part of the mechanism: shared addresses and exported pictures leave it
-// out.
+// A photograph or scan behind the drawing. As part of the state it is saved and undone; links and exports omit it.
 import { degrees, radians } from "assur/core/angles.js";
 import { refuse } from "assur/drawing/edit.js";
 import { imageOf, pixelsOf } from "assur/drawing/image.js";
@@ -16,7 +14,7 @@ import { withFurther } from "assur/state/state.js";
 /** Largest size of a file, in bytes. */
 const LARGEST = 64e6;
 
-/** Share of the view that a new picture fills, and the opacity of a new picture. */
+/** New picture. `SHARE`: share of the view that it fills. `OPACITY`: its opacity. */
 const SHARE = 0.85;
 const OPACITY = 0.5;
 
@@ -106,7 +104,7 @@ export class BackPicture {
     const place = /** @type {Place} */ ([(right * dx + up * dy) / square, (up * dx - right * dy) / square]);
     if (this.#marks.length === 2) this.#marks = [];
     const [first] = this.#marks;
-    // Two marks in one place make no line.
+    // Two marks at the same place determine no line.
     if (first && first[0] === place[0] && first[1] === place[1]) return;
     this.#marks.push(place);
   }
@@ -116,7 +114,7 @@ export class BackPicture {
     const frame = this.#frame;
     if (!frame) return [];
     const { origin, right: [right, up] } = frame;
-    // The picture's rows count downwards.
+    // The picture's rows are counted downwards.
     return this.#marks.map(([x, y]) => [origin[0] + right * x + up * y, origin[1] + up * x - right * y]);
   }
 
@@ -131,7 +129,7 @@ export class BackPicture {
   /**
    * Places the picture so that the line between its marks becomes the given one.
    * @param {Base} base
-   * @returns {boolean} whether the picture was placed: there are two marks, and the length is valid
+   * @returns {boolean} whether the picture was placed; this needs two marks and a valid length
    */
   lay({ x, y, length, angle }) {
     const now = this.base;

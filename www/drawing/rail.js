@@ -1,5 +1,4 @@
-// The panel beside a drawing: reasons why the drawing does not move, with remedies; commands for the selection;
-// coordinates of the points.
+// The panel beside a drawing: why the drawing does not move, with remedies; commands for the selection; coordinates.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
@@ -98,7 +97,7 @@ export class DrawingRail {
   }
 
   /**
-   * Places of the points: in the drawn pose exactly those of the document, in any other pose the computed ones.
+   * Returns the places of the points: exactly those of the document in the drawn pose, computed ones in any other.
    * @param {Pick<Snapshot, "summary" | "frameInput">} snapshot
    * @param {Document} document
    */
@@ -201,8 +200,7 @@ export class DrawingRail {
   }
 
   /**
-   * Fields for the place of a traced point on its link: distance from the link's first point along the link, and to
-   * the left.
+   * Fields for a traced point's place on its link: distances from the first point, along the link and to its left.
    * @param {string} point
    * @param {Words} words
    */
@@ -291,10 +289,7 @@ export class DrawingRail {
     return this.#places.get(name)?.[axis] ?? value;
   }
 
-  /**
-   * Takes the places of the points from the document. They are the current ones, as the driver is at the drawn input
-   * after an edit.
-   */
+  /** Takes the places of the points from the document: after an edit, the driver is at the drawn input. */
   #keep() {
     const { points } = /** @type {Document} */ (this.#page.store.get().document);
     this.#places = new Map(points.map((point) => [point.name, point.at]));
@@ -311,7 +306,7 @@ function written(value, { numbers }) {
 
 /**
  * @param {Document} document
- * @returns {string} text that changes with each part on which the commands for the selection depend
+ * @returns {string} all parts of the document on which the commands for the selection depend, as text
  */
 function structure({ links, frame, locks }) {
   return JSON.stringify([frame, locks, links.map(({ name, points, centre_of_mass }) => [name, points, centre_of_mass])]);
@@ -321,8 +316,7 @@ function structure({ links, frame, locks }) {
  * @param {Document} document
  * @param {string[]} points selected points
  * @param {readonly string[]} links selected links
- * @returns {string[] | null} the two points whose distance can be locked, or the three points whose angle at the
- * second can be
+ * @returns {string[] | null} two points with a lockable distance, or three with a lockable angle at the second
  */
 function lockable(document, points, links) {
   const chosen = document.links.filter(({ name }) => links.includes(name));

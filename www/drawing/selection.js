@@ -1,8 +1,6 @@
 // The selected parts of a drawing: points and links, by name.
 
-/**
- * @typedef {Pick<import("assur/state/state.js").Documents["linkage"], "points" | "links" | "tracers">} Parts
- */
+/** @typedef {Pick<import("assur/state/state.js").Documents["linkage"], "points" | "links" | "tracers">} Parts */
 
 export class Selection {
   /** @type {ReadonlySet<string>} */

@@ -7,17 +7,16 @@ import { BackPicture } from "assur/drawing/picture.js";
  * @typedef {import("assur/types/edit.js").Outer} Outer
  * @typedef {readonly [number, number]} Place in the model
  * @typedef {{ point: string | null, link: string | null, wheel: string | null, at: Place }} Target target of a press: a
- * point, or else a link, or else the paper. `wheel`: the wheel at that place, even if a point or link lies over it; an
- * internal gear counts only at its rim
+ * point, or else a link, or else the paper. `wheel`: the wheel at that place, even if a point or link lies over the
+ * wheel; an internal gear is hit only at its rim
  * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: key that
- * chooses the tool, together with Alt. `prompts`: names of the tool's prompts in order; for a dyad, one for each kind
- * of pair
+ * chooses the tool, together with Alt. `prompts`: names of the prompts in order; for a dyad, by kind of pair
  */
 
 /** Greatest slope, to the horizontal or the vertical, of a line that is made exactly horizontal or vertical. */
 const LEVEL = Math.tan(Math.PI / 24);
 
-/** Pairs of the five dyads, each in the order first outer pair, inner pair, last outer pair. */
+/** The five dyads by their pairs, in the order first outer pair, inner pair, last outer pair. */
 export const DYADS = Object.freeze(["RRR", "RRP", "RPR", "PRP", "RPP"]);
 
 /** @type {readonly Tool[]} */
@@ -99,7 +98,7 @@ export class Work {
   }
 
   /**
-   * Moves the target of a press on a link to the link's first point. This point will slide, and the guide starts there.
+   * Moves the target of a press on a link to the link's first point: that point will slide, and its guide starts there.
    * @param {Target} target
    * @returns {Target}
    */
@@ -126,8 +125,8 @@ export class Work {
   }
 
   /**
-   * Draws bar after bar. A first end on the paper is fixed to the frame. If the last end is pressed again, the bars
-   * end; an end on the paper is then fixed to the frame, too.
+   * Draws bar after bar. A first end on the paper is fixed to the frame. A second press on the last end finishes the
+   * bars; a last end on the paper is then fixed to the frame, too.
    * @param {Target} target
    */
   bars(target) {
@@ -248,8 +247,7 @@ function outerPair(letter, target) {
 /**
  * @param {Place} from
  * @param {Place} to
- * @returns {[number, number]} the second place, moved if need be so that a nearly horizontal or vertical line from
- * the first becomes exactly so
+ * @returns {[number, number]} the second place, moved if need be to make a nearly level or upright line exactly so
  */
 export function level([x, y], [right, up]) {
   const [dx, dy] = [right - x, up - y];

@@ -1,6 +1,5 @@
 // The page within another page, set up by parameters of its address (docs/embedding.md), as in
-// `?embed=stage&edit=no#jansen`. Loaded only if `embed` is one of the parameters; otherwise none of them has an
-// effect.
+// `?embed=stage&edit=no#jansen`. Loaded only if `embed` is one of them; the others have no effect without it.
 import { addStyle, setData } from "assur/core/dom.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { LESSONS } from "assur/lessons/index.js";
@@ -26,7 +25,7 @@ const VALUES = Object.freeze(/** @type {Record<string, readonly string[] | RegEx
   lang: LANGUAGES,
 }));
 
-/** Commands that change only the pose or the motion, and commands that change the mechanism. */
+/** Commands: `MOVING` change only the pose or the motion, `EDITING` change the mechanism. */
 const MOVING = Object.freeze(["play", "back", "forward", "back10", "forward10", "start", "end", "faster", "slower", "reverse", "close"]);
 const EDITING = Object.freeze(["assembly1", "assembly2", "trace", "undo", "redo"]);
 
@@ -48,7 +47,7 @@ export class Embedding {
       else if (values instanceof RegExp ? values.test(value) : values.includes(value)) given[name] = value;
       else problems.push({ code: "embed_value", name, value });
     }
-    // The steps of a lesson ask for changes, and open documents of their own.
+    // A lesson needs editing: its steps ask for changes, and open documents of their own.
     if (given.edit === "no" && (given.embed === "lesson" || given.lesson)) {
       problems.push({ code: "embed_value", name: "edit", value: "no" });
       delete given.edit;
@@ -75,8 +74,7 @@ export class Embedding {
   /**
    * @param {import("assur/app/opening.js").Opening} opening
    * @param {boolean} calm whether no motion may start by itself
-   * @returns {Promise<import("assur/app/opening.js").Opening>} the opening changed by the parameters, with the
-   * problems of invalid parameters
+   * @returns {Promise<import("assur/app/opening.js").Opening>} the opening changed by the parameters, and problems of invalid ones
    */
   async opened({ state, failures }, calm) {
     await addStyle("embed/style.css");
@@ -100,8 +98,8 @@ export class Embedding {
   /**
    * @param {State} next
    * @param {State} now
-   * @returns {State} the next state, or the present one if editing is not allowed and the next one changes the
-   * document or draws
+   * @returns {State} the next state; the present one if editing is not allowed and the next state changes the
+   * document or shows the drawing tools
    */
   limit(next, now) {
     return this.edits || (next.document === now.document && !next.view.drawing) ? next : now;

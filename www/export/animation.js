@@ -1,5 +1,4 @@
-// The part of the export dialog for motion: animations, and several poses in one picture. The modules that write the files are
-// loaded on demand.
+// Export of motion: animations, and several poses in one picture. The modules that write the files load on demand.
 import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";
 import { sentence } from "assur/controls/problems.js";
@@ -11,8 +10,8 @@ import { measured } from "assur/core/units.js";
 /** @typedef {import("assur/export/moments.js").Work} Work */
 
 /**
- * Choices in the dialog. `WIDTHS`: in pixels. `MOMENTS`: pictures per period. `SECONDS`: duration of a period. `POSES`: number of
- * poses in one picture. `USUAL`: the initial choices.
+ * Choices in the dialog. `WIDTHS`: in pixels. `MOMENTS`: pictures per period. `SECONDS`: duration of a period.
+ * `POSES`: number of poses in one picture. `USUAL`: the initial choices.
  */
 const WIDTHS = Object.freeze([320, 480, 640, 800]);
 const MOMENTS = Object.freeze([12, 24, 36, 48, 72]);

@@ -20,7 +20,7 @@ import { calledWhole, isLength } from "assur/core/symbols.js";
  * @property {boolean} dimensions whether the file begins with the dimensions of the linkage, as comments
  */
 
-/** Keys of column headings in words, for each kind of quantity by the order of the derivative. */
+/** Keys of column headings in words, by kind of quantity and by order of the derivative. */
 const COLUMNS = Object.freeze({
   angle: Object.freeze(["export.column.angle", "export.column.omega", "export.column.epsilon"]),
   x: Object.freeze(["export.column.x", "export.column.vx", "export.column.ax"]),
@@ -38,7 +38,7 @@ const COLUMNS = Object.freeze({
 /** Prefix of the column headings and dimensions of the compared mechanism, A. */
 const OF_A = "A: ";
 
-/** Significant digits of a dimension. Rounding to them restores the number given before conversion to the drawing. */
+/** Significant digits of a dimension: rounding to them removes errors of the conversion to the drawing. */
 const DIGITS = 12;
 
 const DIMENSIONS = Object.freeze({ length: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
@@ -69,7 +69,7 @@ export function toCsv(table, coordinate, choices, words) {
     return line([number(input), ...cells]);
   });
   const text = [...(choices.dimensions ? comments : []), line([inputName(coordinate, words), ...heads]), ...lines].join("");
-  // Without a byte order mark, which announces UTF-8, a spreadsheet misreads letters beyond ASCII.
+  // A byte order mark announces UTF-8: without it, a spreadsheet misreads letters beyond ASCII.
   const mark = /[^\0-\x7f]/.test(text) ? "\ufeff" : "";
   return new Blob([mark, text], { type: "text/csv" });
 }
@@ -135,7 +135,7 @@ const FORMULA = /^[=+\-@\t\r]/;
 /**
  * @param {string} text
  * @param {string} separator
- * @returns {string} a cell; text that looks like a formula gets an apostrophe in front, so that spreadsheets leave it as text
+ * @returns {string} a cell; an apostrophe precedes text that looks like a formula, so that spreadsheets keep it as text
  */
 function quoted(text, separator) {
   const cell = FORMULA.test(text) && parseNumber(text) === null ? `'${text}` : text;

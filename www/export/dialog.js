@@ -8,7 +8,7 @@ import { paperTheme, toPng, toSvg, withCaption, withLegend } from "assur/export/
 
 /** @typedef {import("assur/app/page.js").Page} Page */
 
-/** Choices of the number of rows per turn of the crank: from one every 10° to one every 0.1°. */
+/** Choices of the number of rows per turn of the crank: from a row every 10° to a row every 0.1°. */
 const STEPS = Object.freeze([36, 72, 180, 360, 720, 3600]);
 const USUAL = 360;
 

@@ -1,7 +1,7 @@
-// A worker that writes a GIF (version 89a). It receives the size, then all pictures, and then writes one picture per message. All
-// pictures share one table of their most frequent colours. Of every picture after the first only the changed part is written.
+// A worker that writes a GIF (version 89a). It receives the size, then all pictures, and then writes one picture per
+// message. All pictures share one table of their most frequent colours. Only the changed part of a picture is written.
 
-/** `COLOURS`: number of colours in the table. `SAME`: the index after them, which stands for an unchanged pixel. */
+/** `COLOURS`: number of colours in the table. `SAME`: the next index, which stands for an unchanged pixel. */
 const COLOURS = 255;
 const SAME = 255;
 

@@ -1,10 +1,10 @@
 // An animation as GIF: the page paints, a worker writes the file.
 import { inputs, moments, targetOn } from "assur/export/moments.js";
 
-/** Shortest delay, in hundredths of a second, the unit of GIF. Programs do not show pictures for a shorter time. */
+/** Shortest time for which programs show a picture, in hundredths of a second, the unit of GIF. */
 const SHORTEST = 2;
 
-/** Share of painting in the whole work, for the progress bar. */
+/** Share of the progress bar for painting; the rest is for writing the file. */
 const PAINTING = 1 / 3;
 
 /**

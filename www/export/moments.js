@@ -1,23 +1,22 @@
-// Moments of a motion, for an animation or for several poses in one picture. They span a whole period, so that an animation
-// repeats without a jump.
+// Moments of a motion, for an animation or several poses in one picture. They span a period, to repeat without a jump.
 import { Refusal, attempt } from "assur/core/problem.js";
 
 /**
  * @typedef {import("assur/export/pictures.js").Moment} Moment
  * @typedef {import("assur/app/page.js").Page} Page
- * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number }} Wishes number of moments, width in pixels, and duration of
- * a period in seconds
+ * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number }} Wishes number of moments, width in pixels,
+ * and duration of a period in seconds
  * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Work work that can be cancelled and reports its progress
  */
 
-/** Tolerance within which an input at the end of an arc counts as on the arc. */
+/** Tolerance within which an input beyond the end of an arc counts as on the arc. */
 const HAIR = 1e-9;
 
 /**
  * @param {Page} page
  * @param {number} count
- * @returns {number[]} inputs of the engine at equal steps over a period. A full turn starts at the current input; a rocking crank or a slide moves
- * to and fro
+ * @returns {number[]} inputs of the engine at equal steps over a period. A full turn starts at the current input; a
+ * rocking crank or a slide moves to and fro
  */
 export function inputs({ model: { summary, coordinate }, store }, count) {
   if (summary.moves === null) return [];
@@ -110,7 +109,7 @@ function breath() {
  */
 export function targetOn(canvas, size, width, settings = { alpha: false }) {
   const ratio = width / size.width;
-  // Video formats require even numbers of pixels. They are rounded down, so that none lies outside the sheet.
+  // Video formats require even numbers of pixels. Rounding down keeps all pixels on the sheet.
   canvas.width = 2 * Math.floor(width / 2);
   canvas.height = 2 * Math.floor((size.height * ratio) / 2);
   const context = /** @type {CanvasRenderingContext2D | null} */ (canvas.getContext("2d", settings));

@@ -10,7 +10,7 @@ import { Svg, SvgPath } from "assur/export/svg.js";
 
 const SVG = "image/svg+xml";
 
-/** Opacities between which the poses other than the current one are painted, from the first to the last. */
+/** Opacities of the poses other than the current one: they increase from `FAINT` to at most `STRONG`. */
 const FAINT = 0.12;
 const STRONG = 0.5;
 
@@ -92,7 +92,7 @@ export async function posesAsPng(page, theme, count, work) {
 }
 
 /**
- * Yields the poses other than the current one, each with its opacity, which increases.
+ * Yields the poses other than the current one, each with its opacity; the opacities increase.
  * @param {Page} page
  * @param {number} count
  * @param {Work} work

@@ -13,8 +13,7 @@ import { setChartFont } from "assur/plots/text.js";
  * @typedef {Pick<import("assur/stage/figure.js").Snapshot, "frame" | "frameInput" | "readouts" | "compared">} Moment state of the mechanism at one input
  * @typedef {object} Sheet picture of the mechanism that can be painted at any input
  * @property {Size} size
- * @property {(theme: Theme, newPath?: () => Path2D, places?: import("assur/canvas/places.js").Places) => Drawing} begin begins a series of paintings, in which the labels
- * keep their places
+ * @property {(theme: Theme, newPath?: () => Path2D, places?: import("assur/canvas/places.js").Places) => Drawing} begin begins a series of paintings with labels in the same places
  * @typedef {object} Drawing
  * @property {(target: Target) => void} ground paints the fixed shapes
  * @property {(target: Target, here?: Moment, labelled?: boolean) => void} moment paints the moving shapes, by default at the current input
@@ -26,8 +25,8 @@ const SVG = "image/svg+xml";
 const SHARPNESS = 3;
 
 /**
- * The legend above the plots, in pixels. `ROW`: height of a row. `SAMPLE`: length of the sample of a curve. `ROOM`: space between
- * the sample and its text. `LEFT`: left edge.
+ * Legend above the plots, in pixels. `ROW`: height of a row. `SAMPLE`: length of the sample of a curve. `ROOM`: space
+ * between the sample and its text. `LEFT`: left edge.
  */
 const ROW = 20;
 const SAMPLE = 22;
@@ -41,7 +40,7 @@ const CAPTION = 14;
 let paper = null;
 
 /**
- * Returns the theme of light paper for print, whatever the theme of the page.
+ * Returns the theme for print, with light paper whatever the theme of the page.
  * @param {readonly string[]} roles
  */
 export function paperTheme(roles) {

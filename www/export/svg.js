@@ -1,5 +1,4 @@
-// A drawing context that writes SVG: what is painted becomes elements of a document. Of the members of a canvas context it has
-// only those that the page and the engine's plotters use.
+// A drawing context that writes SVG, with only those members of a canvas context that the page and the engine use.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
 
@@ -39,7 +38,7 @@ export class SvgPath extends Path2D {
    */
   arc(x, y, radius, from, to) {
     const point = (/** @type {number} */ angle) => `${short(x + radius * Math.cos(angle))} ${short(y + radius * Math.sin(angle))}`;
-    // Two halves, because an SVG arc over a whole turn would have equal ends and vanish.
+    // Two halves, because an SVG arc through a whole turn would have equal ends and vanish.
     const halves = [(from + to) / 2, to].map((angle) => `A${short(radius)} ${short(radius)} 0 0 1 ${point(angle)}`);
     this.data += `${this.data ? "L" : "M"}${point(from)}${halves.join("")}`;
   }
@@ -100,8 +99,8 @@ export class Svg {
   }
 
   /**
-   * Begins a moment of an endless animation: what is painted up to {@link end} is visible only at this moment. Programs without animation
-   * show the first moment.
+   * Begins a moment of an endless animation: all that is painted up to {@link end} is visible only at this moment.
+   * Programs without animation show the first moment.
    * @param {number} number of the moment, from 0
    * @param {number} count of moments
    * @param {number} seconds duration of all moments together
@@ -227,7 +226,7 @@ export class Svg {
    * @param {number} y
    */
   strokeText(text, x, y) {
-    // The outline is the halo of the same text, filled next. Screen readers must not read it twice.
+    // This outline is the halo of the text that is filled next. Screen readers must not read the text twice.
     this.#text(text, x, y, { fill: "none", ...this.#line(), "aria-hidden": "true" });
   }
 
@@ -258,8 +257,8 @@ export class Svg {
   }
 
   /**
-   * Offset between baselines: programs that show SVG agree on the alphabetic baseline only.
-   * @returns {number} distance of the alphabetic baseline below the wanted one
+   * Programs that show SVG agree on the alphabetic baseline only.
+   * @returns {number} distance of the alphabetic baseline below the baseline of the context
    */
   #drop() {
     const ascent = (/** @type {CanvasTextBaseline} */ baseline) => {

@@ -1,5 +1,5 @@
-// The worksheet that is printed instead of the page: drawing and plots, given numbers, values, the steps of the lesson with
-// lines for answers, and the address of the page. Loaded once the page is drawn, because printing does not wait for modules.
+// The worksheet printed instead of the page: drawing and plots, given numbers, values, steps of the lesson with lines
+// for answers, and the page's address. Loaded once the page is drawn, because printing does not wait for modules.
 import { byId, make, makeSvg } from "assur/core/dom.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 import { paperTheme, toSvgElement, withLegend } from "assur/export/pictures.js";
@@ -8,14 +8,12 @@ import "assur/export/style.js";
 import { given } from "assur/lesson/given.js";
 import { END } from "assur/lesson/panel.js";
 
-/**
- * @typedef {import("assur/app/page.js").Page} Page
- */
+/** @typedef {import("assur/app/page.js").Page} Page */
 
-/** Selector of elements for other kinds of mechanism and of hidden elements. */
+/** Selector of hidden elements, and of elements that belong to other kinds of mechanism. */
 const ELSEWHERE = ".elsewhere, [hidden]";
 
-/** Side of a cell of the QR code, in millimetres: large enough for a telephone to read it from paper. */
+/** Side of a cell of the QR code, in millimetres: large enough for a telephone to read the code from paper. */
 const CELL = 0.45;
 /** Quiet zone around the code, in cells. */
 const QUIET = 4;

@@ -54,7 +54,7 @@ function mechanismCard({ id, class: highest }, group, page, pictures, english) {
   const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), line(words), about);
   if (engine.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
   button.addEventListener("click", () => page.choose(kind, document));
-  // The class in the heading of a group, a Roman numeral, does not apply to all its mechanisms.
+  // The Roman numeral in a group's heading is a class that not all of the group's mechanisms have.
   const texts = [words, english].flatMap((table) =>
     [table.text(key), table.text(`about.${id}`), table.text(group).replace(/[IVX]+/, ""), line(table)]);
   return [{ button, words: findable(texts, highest ?? "") }];

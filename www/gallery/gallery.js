@@ -48,7 +48,7 @@ export async function openGallery(page) {
   });
   search.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" || search.value.trim() === "") return;
-    // Without this, Enter would also press the button focused next.
+    // Otherwise Enter would also press the button that gets the focus next.
     event.preventDefault();
     // Enter chooses the first remaining card.
     shown()[0]?.click();
@@ -58,7 +58,7 @@ export async function openGallery(page) {
   dialog.addEventListener("click", ({ target }) => {
     if (target === dialog) dialog.close();
   });
-  // The theme must read its colours before the pictures are repainted.
+  // Waits for a frame, so that the theme reads its colours first.
   const repaint = () => requestAnimationFrame(() => pictures.repaint());
   matchMedia(DARK).addEventListener("change", repaint, { signal });
   addEventListener("resize", repaint, { signal });

@@ -20,7 +20,7 @@ export class Pictures {
   /** @type {Map<HTMLCanvasElement, Sketch>} drawn pictures */
   #drawn = new Map();
   #watch;
-  /** Resolved when the last picture in the queue is drawn. Only one is drawn per frame, so that the page stays responsive. */
+  /** Resolves when the last picture in the queue is drawn. One picture per frame keeps the page responsive. */
   #turn = Promise.resolve();
 
   /**

@@ -1,6 +1,6 @@
-// Search for cards by words: names in the page's language and in English, groups, classes.
+// Search for cards by the words of names and groups, in the page's language and in English, and by classes.
 
-/** Roman numerals of classes, indexed by their values: a class can also be typed as a digit. */
+/** Roman numerals of classes, indexed by their values, because a class can also be typed as a digit. */
 const CLASSES = Object.freeze(["", "i", "ii", "iii", "iv", "v", "vi"]);
 
 /**

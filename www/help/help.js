@@ -22,7 +22,7 @@ export function openHelp(words) {
   const heading = (/** @type {string} */ key) => make("h3", {}, [words.text(key)]);
   const dialog = make("dialog", { id: "help", class: "dialog help", "aria-labelledby": "help-title" }, [
     make("form", { method: "dialog" }, [
-      // The title takes the focus: the button at the end would scroll the dialog down.
+      // The title takes the focus: focusing the button at the end would scroll the dialog down.
       make("h2", { id: "help-title", tabindex: "-1", autofocus: "" }, [words.text("help.label")]),
       make("p", {}, [words.text("welcome.text")]),
       heading("help.pointer"),

@@ -1,4 +1,4 @@
-// Start of a lesson from outside its tab, together with the mechanism of its step. Start of the form for a lecturer's lesson.
+// Opens a lesson with the mechanism of its step from outside the lesson's tab. Opens the form for a lecturer's lesson.
 import { OWN, readLesson } from "assur/lesson/offer.js";
 import { Progress } from "assur/lesson/progress.js";
 import { open } from "assur/lesson/show.js";
@@ -21,7 +21,7 @@ export async function begin(page, entry, step) {
 }
 
 /**
- * Opens the form for lecturers. If the state has no lesson yet, it starts with a single step that shows the present state.
+ * Opens the form for lecturers. A state without a lesson gets one, with a single step that shows the present state.
  * @param {import("assur/app/page.js").Page} page
  */
 export function writeLesson(page) {

@@ -1,4 +1,4 @@
-// Pseudorandom numbers that depend only on a given text. They are the same in every browser and must never change: tests pin them.
+// Pseudorandom numbers that depend only on a given text. They are the same in every browser, and must never change.
 
 /** Constants of the 32-bit hash FNV-1a. */
 const BASIS = 0x811c9dc5;
@@ -61,7 +61,7 @@ export function ownNumbers(name, step) {
 /**
  * @param {{ readonly from: number, readonly to: number, readonly step: number }} range
  * @param {number} share position of the value in the range, at least 0 and less than 1
- * @returns {number} a value of the range, which lies a whole number of steps from its start
+ * @returns {number} a value of the range, a whole number of steps from its start
  */
 export function valueIn({ from, to, step }, share) {
   // The allowance keeps the last value in the range despite rounding.

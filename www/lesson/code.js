@@ -1,5 +1,4 @@
-// The result of a lesson as a line of text with the reader's name and answers. Its check sum finds copying errors. It is no proof
-// that the result is genuine.
+// The result of a lesson as a line of text: name, answers, and a check sum that finds copying errors, not forgery.
 import { hash } from "assur/lesson/chance.js";
 
 /**
@@ -9,10 +8,10 @@ import { hash } from "assur/lesson/chance.js";
  * reader. `answers`: one for each step, null for a step without a question
  */
 
-/** Versions of the code: the present one, and an older one that lacks the numbers of tries. */
+/** Versions of the code: the present one, and an older one without numbers of tries. */
 const [VERSION, WITHOUT_TRIES] = ["assur2", "assur1"];
 
-/** Limits of the length of a code and of an answer, in characters. */
+/** Limits in characters. `LONGEST`: length of a code. `LONGEST_ANSWER`: length of an answer. */
 const LONGEST = 20_000;
 const LONGEST_ANSWER = 200;
 

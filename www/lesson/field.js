@@ -1,7 +1,7 @@
 // Names of a document's fields in lessons. A dimension is named by its link or point, other numbers by their path.
 
 /**
- * @param {string} name name of a field in a lesson; that of a dimension begins with its link or point, such as `FK.length`, `H.x`
+ * @param {string} name name of a field in a lesson; a dimension's name begins with its link or point, as in `FK.length`, `H.x`
  * @param {import("assur/state/state.js").State["document"]} document
  * @returns {string} the field's name in the controls, such as `links[5].length`
  */

@@ -16,13 +16,13 @@ const LOADED = /^(magnets|bodies|members|load|span_s)\b/;
 const BY_POINTS = /^(links|points)\[|^band$/;
 /** Least number of positions at which their weights matter: fewer positions are met exactly. */
 const WEIGHED = 4;
-/** Field of a driven shaft. The factor counts only if the shaft's speed is a multiple of another's, other fields only if it is not. */
+/** Field of a driven shaft. Only the factor counts if the speed is a multiple of another's, else the other fields. */
 const DRIVE = /^drives\[(\d)\]\.(\w+)$/;
 
-/** Keys of the words for a dimension, by its symbol, used if the names of its points cannot be subscripts. */
+/** Keys of the words used instead of a dimension's symbol if the names of its points cannot be subscripts. */
 const BY_SYMBOL = Object.freeze({ l: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });
 
-/** Decimals to which a number is rounded: it may come from a drawing and have many more. */
+/** Decimals to which numbers are rounded; those from a drawing may have many more. */
 const DECIMALS = 6;
 
 /**

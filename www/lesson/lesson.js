@@ -33,9 +33,7 @@ export class Lesson {
   /** What to do with a lesson just opened. `seen`: scroll it into view. `focused`: focus it, for example if it was opened by a key. */
   #called = { seen: false, focused: false };
 
-  /**
-   * @param {import("assur/app/page.js").Page} page
-   */
+  /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
     this.#tabs.forEach((tab, i) => tab.addEventListener("click", () => this.#turn(i === 1)));

@@ -9,7 +9,7 @@ import { LESSONS, SCRIPTS } from "assur/lessons/index.js";
  * `presets`, `paper`, `notes`: whether it has presets, a paper, notes for teachers.
  */
 
-/** Id of the lecturer's lesson, which is stored in the state. No folder has this name. */
+/** Id of the lecturer's lesson, which is stored in the state; no folder has this name. */
 export const OWN = "own";
 
 /** @type {Entry} */
@@ -26,7 +26,7 @@ export function opened({ view: { lesson }, lesson: written }) {
 
 /**
  * @param {State} state
- * @returns {Entry | undefined} the open lesson; failing that the lecturer's; failing that the first lesson about the document's origin, or about its kind
+ * @returns {Entry | undefined} the open lesson, or else the lecturer's, or else the first lesson about the document's origin or kind
  */
 export function offered(state) {
   return opened(state) ?? (state.lesson && WRITTEN) ?? first(originOf(state)) ?? first(state.kind);

@@ -1,4 +1,4 @@
-// The mechanism of a lesson's step: the mechanism last opened by a button of the step, with the changes made by the step's controls.
+// The mechanism of a lesson's step: the one last opened by a button of the step, as changed by the step's controls.
 import { digest } from "assur/lesson/chance.js";
 import { READERS } from "assur/lesson/steps.js";
 
@@ -7,7 +7,7 @@ import { READERS } from "assur/lesson/steps.js";
  * @typedef {import("assur/lesson/panel.js").Shown} Shown
  */
 
-/** Events that may change a document. The target of the last event decides whether a control of the step has made the change. */
+/** Events that may change a document. The last event's target decides whether a control of the step made the change. */
 const ACTS = Object.freeze(["pointerdown", "pointermove", "pointerup", "click", "input", "change", "keydown", "wheel", "paste", "drop", "hashchange"]);
 
 export class OwnMechanism {
@@ -77,7 +77,7 @@ export class OwnMechanism {
     if (state.document !== before || this.#shows.some((one) => one.opened?.(state))) this.#add(state);
   }
 
-  /** Whether the page shows the step's mechanism. For a step without one, every mechanism counts as its own. */
+  /** Whether the page shows the step's mechanism. For a step without a mechanism, any mechanism will do. */
   get there() {
     return this.#shows.length === 0 || this.#own.has(this.#page.store.get().document);
   }

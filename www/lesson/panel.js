@@ -120,7 +120,7 @@ export class LessonPanel {
   }
 
   /**
-   * Takes over the progress kept under another name. The buttons stay in place: pressing one of them may end the typing of a name.
+   * Takes over the progress kept under another name. Rebuilds no button, as a press on one may have ended the typing.
    * @returns {Progress}
    */
   #renew() {
@@ -241,7 +241,7 @@ export class LessonPanel {
     this.#back.ariaLabel = this.#back.title = words.text("lesson.back");
     this.#on.title = words.text("lesson.on");
     write(this.#on, `${words.text("lesson.next")} ›`);
-    // A button that becomes disabled passes the focus to the opposite button. Otherwise the focus would be lost.
+    // A button that becomes disabled passes the focus to the opposite button.
     const focused = document.activeElement;
     this.#back.disabled = number === 1;
     this.#on.disabled = number === this.#steps.length;
@@ -341,7 +341,7 @@ export class LessonPanel {
     this.#judge({ verdict, brought });
   }
 
-  /** Shows the right answer at the question, and notes that it was shown. */
+  /** Shows the right answer, and records that it was shown. */
   #showAnswer() {
     const { id, question } = this.#step;
     if (!question) return;

@@ -1,5 +1,4 @@
-// Items of a lesson's paper: its formulas, their values for the current mechanism, whether they hold, and the correct formulas.
-// Loaded only with a lesson that has a paper.
+// Items of a lesson's paper: formulas, their values for the current mechanism, whether they hold, correct formulas.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
@@ -83,8 +82,8 @@ export class Paper {
   /**
    * @param {string} step the id of a step
    * @param {Words} words words of the page and of the paper
-   * @returns {HTMLElement[]} the step's items for a printed page. For the shown step: the content of its fold. For any other step: only formulas
-   * and whether they hold, because reasons and numbers may answer the question.
+   * @returns {HTMLElement[]} the step's items for a printed page: for the shown step, the content of its fold; for any
+   * other step, only formulas and whether they hold, because reasons and numbers may answer the question
    */
   onPaper(step, words) {
     if (step === this.#step) return [/** @type {HTMLElement} */ (this.#rows.cloneNode(true))];
@@ -123,7 +122,7 @@ export class Paper {
  * @template {{ shown: boolean }} T
  * @param {readonly T[]} items
  * @param {ReadonlySet<string>} withheld read-outs that give the answer away
- * @returns {readonly T[]} those whose numbers are seen: all, or before the answer those that do not give it away
+ * @returns {readonly T[]} the items whose numbers may be shown: before the answer, only those that do not give it away
  */
 export function known(items, withheld) {
   return withheld.size === 0 ? items : items.filter(({ shown }) => shown);

@@ -62,7 +62,7 @@ export class Progress {
   }
 
   /**
-   * Stores the mechanism of a step when the page is left. The rest of the stored progress stays: another tab may have written it.
+   * Stores a step's mechanism when the page is left. The rest of the stored progress stays: it may be of another tab.
    * @param {string} step
    * @param {string} digest of the step's mechanism
    */

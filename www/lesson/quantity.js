@@ -1,5 +1,4 @@
-// Quantities as lessons name them, such as `rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`: the names and units that a
-// reader sees, and the read-outs of the page that show these quantities.
+// Quantities as lessons name them (`rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`): names, units and read-outs.
 import { called } from "assur/core/names.js";
 import { calledWhole, isLength, readoutOf, symbol } from "assur/core/symbols.js";
 import { measured, unitOfRate } from "assur/core/units.js";

@@ -9,7 +9,7 @@ import { digestOf, verdictOn } from "assur/lesson/verdict.js";
 /** Largest number of names and of codes: more than a class needs. */
 const MOST = 200;
 
-/** Time for judging codes before control goes back to the browser, in milliseconds. */
+/** Time for which codes are judged before control returns to the browser, in milliseconds. */
 const SLICE = 12;
 
 const SIGNS = Object.freeze({ right: "✓", wrong: "✗", shown: "◇", open: "–" });

@@ -1,4 +1,4 @@
-// Worksheets and answer sheets of a lecturer's lesson, made by the same functions. Each reader has a sheet with their own numbers.
+// Worksheets and answer sheets of a lecturer's lesson. Each reader has a sheet with their own numbers.
 import { Transform } from "assur/canvas/transform.js";
 import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";

@@ -25,7 +25,7 @@ export function opens({ preset }, presets, engine) {
 }
 
 /**
- * Opens a step's document in one step of undo.
+ * Opens a step's document, in one undo step.
  * @param {Show} show
  * @param {OwnPresets} presets of the lesson
  * @param {import("assur/app/page.js").Page} page

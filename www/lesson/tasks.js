@@ -70,12 +70,12 @@ export function taskOf(lesson, index, name, engine) {
  * @param {Task["own"]} own
  * @param {ReadonlySet<string>} followed fields to be set by the engine
  * @param {import("assur/pkg/assur_web.js").Simulator} other
- * @returns {State | null} the state with these numbers; null if they turn a full cycle into a limited motion or the reverse
+ * @returns {State | null} the state with these numbers; null if they make a full cycle a limited motion or vice versa
  */
 function withOwn(state, own, followed, other) {
   /** @type {Summary} */
   const first = other.set(state);
-  // Numbers that the engine only stores are set together, so that the mechanism is built only once for all of them.
+  // Numbers that the engine only stores are set together, so that the mechanism is built once for all of them.
   const written = own.filter(({ field }) => !followed.has(field));
   let now = withDocument(state, written.reduce((document, { field, value }) => withNumber(document, field, value), state.document));
   /** @type {Summary} */

@@ -1,5 +1,4 @@
-// Tools of a lesson's step: controls and parts of the page, which are moved into the step while it is open, and copies of
-// read-outs of the page.
+// Tools of a lesson's step: controls and parts of the page, moved into the open step, and copies of read-outs.
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { fieldOf } from "assur/lesson/field.js";
 
@@ -23,7 +22,7 @@ export class Tools {
   #document = null;
   /** @type {Map<string, { entry: HTMLElement, name: HTMLElement, value: HTMLElement }>} */
   #mirrors = new Map();
-  // If the rail is rebuilt, its new controls have to be borrowed.
+  // If the rail is rebuilt, its new controls are borrowed.
   #watch = new MutationObserver(() => this.#borrow());
 
   element = make("div", { class: "lesson-tools" }, [this.#controls, this.#readouts, this.#parts]);
@@ -62,7 +61,7 @@ export class Tools {
   #borrow() {
     if (!this.#step || !this.#document) return;
     const { controls = [], lends = [] } = this.#step;
-    // If the page was rebuilt around a placeholder, the borrowed element is dropped and the new one is borrowed.
+    // If a part of the page with a placeholder was rebuilt, the old element is dropped and its replacement is borrowed.
     this.#lent = this.#lent.filter((loan) => loan.home.isConnected || giveBack(loan));
     const document = this.#document();
     for (const name of controls) {

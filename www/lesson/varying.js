@@ -13,7 +13,7 @@ import { withStep } from "assur/lesson/steps.js";
 
 const BOUNDS = Object.freeze(/** @type {const} */ (["from", "to", "step"]));
 
-/** Half the initial range of a number, relative to its value. Half the range of a whole number is at least 1. */
+/** Half the initial range of a number, relative to its value; half the range of a whole number is at least 1. */
 const SHARE = 0.1;
 /** Number of steps in the initial range. */
 const STEPS = 20;

@@ -100,7 +100,7 @@ export class Writer {
     write(this.#walked, this.#words.text("lesson.progress", { number: numbers.exact(index + 1), count: numbers.exact(lesson.steps.length) }));
     const last = lesson.steps.length - 1;
     const { back, on, earlier, later, show_none: none, show_open: open } = this.#buttons;
-    // A disabled button would lose the focus: the focus moves to the opposite button.
+    // A button that becomes disabled passes the focus to the opposite button.
     const focused = document.activeElement;
     back.disabled = earlier.disabled = index === 0;
     on.disabled = later.disabled = index === last;
@@ -169,7 +169,7 @@ export class Writer {
   }
 
   /**
-   * Changes the steps of the lesson, in one step of undo.
+   * Changes the steps of the lesson, in one undo step.
    * @param {(lesson: Written, index: number) => Written} change
    * @param {number} by number of steps by which the form then moves
    */

@@ -23,7 +23,7 @@ import { usualView } from "assur/state/state.js";
  * @typedef {NonNullable<Written["steps"][number]["question"]>} Asked
  */
 
-/** Limits of the length of a name and of an answer in a code, in characters. */
+/** Limits in characters. `LONGEST_NAME`: length of a name. `LONGEST_ANSWER`: length of an answer in a code. */
 const LONGEST_NAME = 80;
 const LONGEST_ANSWER = 60;
 
@@ -54,7 +54,7 @@ export class WrittenLesson {
   #reader;
   /** @type {Progress | null} */
   #progress = null;
-  /** @type {Map<number, number | null>} right answers for the reader that are already computed, by step */
+  /** @type {Map<number, number | null>} right answers computed so far for the reader, by step */
   #exact = new Map();
   #code = make("input", { id: "lesson-code", class: "control", type: "text", readonly: "" });
   #result = make("div", { class: "lesson-result" });
@@ -137,7 +137,7 @@ export class WrittenLesson {
     /** @type {Partial<Question>} */
     const reached = reach ? {
       reached: ({ stale, state, ...here }) => {
-        // A value that is only passed in motion is no answer, nor is the value of another mechanism.
+        // A value passed in motion is no answer, nor is a value of another mechanism.
         const value = stale || state.view.playing || !this.#isShown(index, state) ? null : valueOf(reach.quantity, here);
         return value !== null && judged(String(value), reach.value, reach.within, isRound(reach.quantity)) === "right";
       },
@@ -174,7 +174,7 @@ export class WrittenLesson {
     const words = this.#words;
     const head = make("header", { class: "lesson-head" }, [make("b", { id: "lesson-name" }, [title]), ...(author ? [" ", make("span", {}, [author])] : [])]);
     const rewrite = make("button", { id: "lesson-write", class: "control add", type: "button", onclick: () => this.#page.lesson.write(true) }, [words.text("written.write")]);
-    // The form contains the answers. Only the author of the lesson gets a button for it; others must use the menu.
+    // The form for lecturers contains the answers: only the lesson's author gets a button for it; others use the menu.
     const own = kept(WRITTEN_HERE) === this.#digest ? [rewrite] : [];
     if (!steps.some(({ question }) => question)) return [head, ...step, ...own];
     const reader = make("input", { id: "lesson-reader", class: "control", type: "text", maxlength: String(LONGEST_NAME), autocomplete: "off", spellcheck: "false" });

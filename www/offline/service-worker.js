@@ -1,5 +1,5 @@
-// Service worker that stores the hosted page for offline use. The build writes a list of the page's files before this script. A file's name
-// contains a hash of its contents: the same name is the same file in every version, and an open page keeps the files of its own version.
+// Service worker that stores the hosted page for offline use. The build writes a list of the page's files before this
+// script. File names contain hashes of the contents, so that an open page keeps the files of its own version.
 
 /**
  * @typedef {Event & { waitUntil(done: Promise<unknown>): void }} Step event in the life cycle of the worker
@@ -16,10 +16,10 @@ const [BUILD, ...FILES] = worker.version.split(" ");
 const { scope } = worker.registration;
 const PREFIX = `assur ${scope} `;
 
-/** Number of versions kept: an open page of the version before may still request files. */
+/** Number of versions kept, because an open page of the previous version may still request files. */
 const KEPT = 2;
 
-/** Option that ignores the header `Vary`: servers vary their responses by compression, which makes no difference here. */
+/** Option that ignores the header `Vary`, because responses that differ only in compression are the same here. */
 const ANY = Object.freeze({ ignoreVary: true });
 
 addEventListener("install", (event) => {
@@ -41,7 +41,7 @@ addEventListener("fetch", (event) => {
 /** Stores all files of this version or none: an incomplete version never answers a request. */
 async function install() {
   const own = PREFIX + BUILD;
-  // A store that already exists may be in use by an open page, and is not deleted after a failure.
+  // An existing store may be in use by an open page, so it is not deleted after a failure.
   const begun = !(await caches.has(own));
   const cache = await caches.open(own);
   try {
@@ -65,7 +65,7 @@ async function keep(cache, name) {
   // The browser's cache may hold an earlier failure.
   if (!response.ok) response = await fetch(url, { cache: "reload" });
   if (!response.ok) throw new Error(`${response.status} ${name}`);
-  // During a deployment the server may still send the page of another version.
+  // During a deployment, the server may send the page of another version.
   if (name === "./" && !(await response.clone().text()).includes(BUILD)) throw new Error(`not of ${BUILD}`);
   // The response is copied, because browsers refuse a stored page that was redirected.
   const { headers, status, statusText } = response;

@@ -13,17 +13,14 @@ import { inDegrees, power, unitOf, written } from "assur/plots/units.js";
  * @typedef {{ x: number, y: number, input: number, off: number }} Near point of the curve; `off`: its distance from the pointer in pixels
  */
 
-/** Radius of the dot and height of the label beside it, in pixels at the usual text size. */
+/** In pixels at the usual text size. `DOT`: radius of the dot. `TAG`: height of the label beside it. */
 const DOT = 4.5;
 const TAG = 17;
 
 /** Dashes of the lines from the dot to the axes. */
 const DASHES = [4, 4];
 
-/**
- * Largest difference, in pixels, between the distances of passes of a curve that count as equally near to the pointer. Of these
- * passes the one nearest to the current input is taken.
- */
+/** Pixels within which passes of a curve are equally near to the pointer; the one nearest to the input is taken. */
 const ALIKE = 4;
 
 /**
@@ -164,7 +161,7 @@ export function drawAgainstCursor(context, field, values, { coordinate, state, w
  * @param {number} down
  * @param {[number, number]} size
  * @param {number} off
- * @returns the place beside a dot where numbers cover the fewest points of the curve
+ * @returns the place beside a dot at which its numbers cover the fewest points of the curve
  */
 function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall], off) {
   const lefts = [at + off, at - off - wide].map((x) => Math.min(Math.max(x, left), left + width + 7 - wide));

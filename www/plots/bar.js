@@ -40,9 +40,7 @@ export class PlotBar {
   /** @type {readonly unknown[]} values shown last */
   #shown = [];
 
-  /**
-   * @param {import("assur/app/page.js").Page} page
-   */
+  /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     const { store, engine, model, drafts } = page;
     this.#engine = engine;

@@ -42,7 +42,7 @@ export class ChartView {
    * @param {HTMLCanvasElement} canvas
    * @param {Engine} engine
    * @param {Theme} theme
-   * @param {() => void} failed called if the plots cannot be drawn, and not again before they have been drawn
+   * @param {() => void} failed called once when the plots cannot be drawn, until they can be drawn again
    */
   constructor(canvas, engine, theme, failed) {
     this.#failed = failed;
@@ -104,7 +104,7 @@ export class ChartView {
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
     const { only } = snapshot.state.view;
-    // Text painted before may have left another value.
+    // Painting a text may have left another value.
     context.lineJoin = "round";
     const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
     const { panels, against } = value ?? { panels: [], against: null };

@@ -1,5 +1,4 @@
-// The cursor over the plots: a line at the input, with a dot and a number on each curve. The cursor is redrawn in every
-// frame. A hovering pointer adds a second cursor, whose line is dashed.
+// The cursor over the plots: a line at the input, with a dot and a number on each curve. Hovering adds a dashed cursor.
 import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";
@@ -18,7 +17,7 @@ import { written } from "assur/plots/units.js";
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot
  */
 
-/** Radius of a dot and height of a number's box, in pixels at the usual text size. */
+/** In pixels at the usual text size. `DOT`: radius of a dot. `TAG`: height of a number's box. */
 const DOT = 4.5;
 const TAG = 17;
 /** Dashes of the second cursor's line. */
@@ -75,7 +74,7 @@ export class ChartCursor {
       drawAgainstCursor(context, against, snapshot.plotted, snapshot, this.#theme, { tagged: hovered === null });
       if (hovered !== null) drawAgainstCursor(context, against, ghost, snapshot, this.#theme, { tagged: true, input: hovered });
     }
-    // Two sets of numbers would overlap. While a pointer hovers, only the numbers of the second cursor are written.
+    // While a pointer hovers, only the second cursor has numbers: two sets of numbers would overlap.
     const phi = snapshot.input;
     panels.forEach((panel, i) => this.#panel(panel, snapshot, phi, snapshot.plotted, hovered === null ? labels[i] : null));
     if (hovered === null || panels.length === 0) return;

@@ -1,5 +1,4 @@
-// Curvature in numbers, below the other read-outs: radius and centre of curvature of traced points, and the diameter of the
-// inflection circle of a link. Loaded on demand.
+// Read-outs of curvature: radius and centre for paths of traced points, and the diameter of a link's inflection circle.
 import { sentence } from "assur/controls/problems.js";
 import { writeReadout } from "assur/controls/readout.js";
 import { byId, make } from "assur/core/dom.js";

@@ -11,7 +11,7 @@ import { written } from "assur/plots/units.js";
  * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
  */
 
-/** Sizes in pixels at the usual text size: distance of a label from its mark, height of a label, additional distance if the near place is taken. */
+/** Label of a mark, in pixels at the usual text size. `GAP`: distance. `HEIGHT`: height. `FARTHER`: added distance. */
 const GAP = 5;
 const HEIGHT = 13;
 const FARTHER = 11;
@@ -19,7 +19,7 @@ const FARTHER = 11;
 /** Space between labels side by side, in pixels. */
 const BETWEEN = 4;
 
-/** Distance between the points that stand for the zero line, in pixels. */
+/** Distance between the points that represent the zero line, in pixels. */
 const SPARSE = 12;
 
 /** Greatest number of points of curves that a label may cover. */
@@ -58,8 +58,7 @@ export function drawMarks(context, panel, covered, snapshot, theme) {
 }
 
 /**
- * Returns the marks in the order of labelling: extrema first, from the largest absolute value down, and zeros last. Zeros
- * at the same input share one label.
+ * Returns the marks in the order of labelling: extrema by falling absolute value, then zeros, one for each input.
  * @param {readonly Mark[]} marks
  * @returns {Mark[]}
  */

@@ -1,4 +1,4 @@
-// Choice of two quantities to plot against each other: ready pairs in the list of plots, and two lists for any other pair.
+// Choice of two quantities to plot against each other: usual pairs in the list of plots, and two lists for other pairs.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
@@ -14,10 +14,10 @@ import { withView } from "assur/state/state.js";
 /** Name of the input in a pair. */
 const INPUT = "input";
 
-/** Separator between the two names of a ready pair; no name of a quantity contains it. */
+/** Separator between the two names of a usual pair; no name of a quantity contains it. */
 const MARK = "|";
 
-/** Choice of the list of plots that opens the two lists. */
+/** Choice, in the list of plots, that opens the two lists. */
 const OWN = `${MARK}own`;
 
 const ORDERS = Object.freeze([0, 1, 2]);
@@ -103,7 +103,7 @@ export class PairChoice {
 
   /**
    * @param {View["against"]} against
-   * @param {HTMLSelectElement} plot list with the ready choices
+   * @param {HTMLSelectElement} plot list of plots
    * @param {Snapshot} snapshot
    */
   show(against, plot, snapshot) {

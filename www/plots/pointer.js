@@ -1,14 +1,13 @@
-// Pointer input on the plots. A click or a drag moves the driver to the input under the pointer. A hovering pointer shows the
-// values at its input. A double click shows one plot alone.
+// Pointer on the plots: a click or drag moves the driver, hovering shows values, a double click shows one plot alone.
 import { setData } from "assur/core/dom.js";
 import { inputAt } from "assur/plots/against.js";
 import { angleAt } from "assur/plots/panel.js";
 import { withView } from "assur/state/state.js";
 
-/** Greatest movement of a finger that is not yet a drag, in pixels. */
+/** Greatest movement of a finger that does not count as a drag, in pixels. */
 const SLOP = 6;
 
-/** Greatest distance beyond the ends of the axis at which a pointer acts on the plots, in pixels. */
+/** Greatest distance beyond the ends of the axis at which the pointer still acts on the plots, in pixels. */
 const BEYOND = 16;
 
 /** Values of the view's field `only` that show a single plot, by the order of its derivative. */
@@ -62,7 +61,7 @@ export class ChartPointer {
   /** @param {PointerEvent} event */
   #down(event) {
     if (this.#held || event.button !== 0 || this.#angle(event, BEYOND) === null) return;
-    // A finger may be about to scroll the page: it moves the driver only if it moves sideways or is lifted.
+    // A finger may be about to scroll the page: it moves the driver only when it moves sideways or is lifted.
     const driving = event.pointerType !== "touch";
     this.#held = { id: event.pointerId, x: event.clientX, y: event.clientY, driving };
     this.#hover(null);

@@ -1,4 +1,4 @@
-// The table of current values: the input and the quantities listed by the engine. The colours of its rows are the legend of the drawing and plots.
+// Table of the current input and quantities. The colours of its rows serve as the legend of the drawing and the plots.
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -15,7 +15,7 @@ import { written } from "assur/plots/values.js";
 const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
 
-/** Additional rows for each quantity when mechanism A is compared with the current one, B: the value of A, and the difference. */
+/** Heads of two further rows for each quantity if mechanism A is shown, too; B is the current mechanism. */
 const BESIDE = Object.freeze(/** @type {const} */ ({ a: "A", difference: "B − A" }));
 
 export class ReadoutTable {
@@ -74,7 +74,7 @@ export class ReadoutTable {
     // Symbols of the derivatives in the heads: of angles, of lengths or of both.
     const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => listed.some(({ what }) => what === one));
     const usual = found("angle", "load_angle", "x", "y");
-    // Measures have letters of their own. If other quantities are listed, these letters would only widen the heads.
+    // Measures have letters of their own, which are in the heads only if no other quantities are listed.
     const sorts = usual.length > 0 ? usual : found(...MEASURES);
     const physical = view.axes === "physical" || coordinate.moves === "time";
     this.#heads.forEach((head, order) => {
@@ -163,7 +163,7 @@ function letter({ what, of, number }) {
 /**
  * @param {Listed} listed
  * @param {Words} words
- * @returns {string} text of a row beside its letter; for a load angle Δ only the name of the link
+ * @returns {string} text of a row after its letter; for a load angle Δ, only the name of the link
  */
 export function ofRow(listed, words) {
   return listed.what === "load_angle" ? called(listed.of[0], words) : whose(listed, words);

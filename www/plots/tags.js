@@ -1,9 +1,9 @@
-// Placement of the numbers beside the cursor's line: on its right or left, clear of each other and, if possible, of the labels.
+// Placement of the numbers, or tags, beside the cursor's line: clear of each other and, if possible, of the labels.
 import { overlap } from "assur/plots/marks.js";
 
 /** @typedef {import("assur/plots/marks.js").Box} Box */
 
-/** Greatest distance, in heights of a tag, that a tag moves to avoid labels. Farther away it would seem to belong to another curve. */
+/** Greatest shift of a tag that avoids labels, in tag heights; beyond, it would seem to belong to another curve. */
 const FARTHEST = 3;
 
 /** Space between two tags, in pixels. */
@@ -90,8 +90,7 @@ function fewest(ways) {
  * @param {readonly Box[]} labels
  * @param {number} first
  * @param {number} last
- * @returns {number} the nearest top between first and last at which the tag covers no label; the tag's own top if there is
- * none near enough
+ * @returns {number} the nearest top between first and last at which the tag covers no label, or its own top if none is near
  */
 function freeTop(tag, labels, first, last) {
   const tall = tag.bottom - tag.top;

@@ -15,7 +15,7 @@ import { coordinates, inDegrees, power, titled, unitOf, writtenLevel } from "ass
 
 const SIZE = 11;
 
-/** Greatest number of curves that a title names, each in its colour. The title of more curves has only the symbol of their quantity. */
+/** Greatest number of curves that a title names, each in its colour; for more, the title is their quantity's symbol. */
 const MOST_NAMED = 3;
 
 /**
@@ -78,7 +78,7 @@ function drawTitle(context, panel, coordinate, words, theme) {
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
-/** Ways to name curves, from long to short: a constant with its value in words, with its bare value, or without its value; only the letter. */
+/** Ways to name curves, from long to short: symbols with constants in words, with bare constants, alone; one letter. */
 const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "symbol", "letter"]));
 
 /**

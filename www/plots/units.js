@@ -6,7 +6,7 @@ import { unitOfRate } from "assur/core/units.js";
 /** @typedef {import("assur/engine.js").Panel} Panel */
 /** @typedef {Pick<Panel, "kind" | "order" | "physical" | "y0" | "y1">} Scale scale of a panel, or of any axis */
 
-/** Limits of the largest value on an axis. Beyond them numbers do not fit beside the axis, and are written in thousands, millions, thousandths … */
+/** Limits of an axis's largest value, beyond which its numbers are written in thousands, thousandths … to fit. */
 const LARGE = 1e5;
 const SMALL = 1e-2;
 
@@ -33,7 +33,7 @@ export function inDegrees({ kind, order }) {
 }
 
 /**
- * Writes a value of a panel for its labels, with the decimals that give the span of the axis four digits.
+ * Writes a value for the labels of a panel, with as many decimals as give the span of the axis four digits.
  * @param {Scale} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers
@@ -58,7 +58,7 @@ export function writtenLevel(panel, value, numbers) {
 
 /**
  * @param {Scale} panel
- * @param {import("assur/state/coordinate.js").Coordinate} coordinate coordinate of the driver, the variable of derivatives that are not with respect to time
+ * @param {import("assur/state/coordinate.js").Coordinate} coordinate coordinate of the driver, with respect to which derivatives are taken if not to time
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} the power of ten and the unit of a panel's numbers, empty if they have neither
  */

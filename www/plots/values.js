@@ -2,7 +2,7 @@
 import { degrees } from "assur/core/angles.js";
 import { isLength } from "assur/core/symbols.js";
 
-/** Absolute values at and above which a number is written with one decimal instead of three, and with six significant digits. */
+/** From `LARGE`, a number has one decimal instead of three; from `HUGE`, at most six significant digits. */
 const LARGE = 1e3;
 const HUGE = 1e6;
 

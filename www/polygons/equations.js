@@ -1,4 +1,4 @@
-// Vector equations of the steps in which the polygons are drawn, with the values known so far.
+// Vector equations for the steps in which the polygons are drawn, with the values known so far.
 import { make } from "assur/core/dom.js";
 import { measured } from "assur/core/units.js";
 
@@ -8,7 +8,7 @@ import { measured } from "assur/core/units.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Kinds of addends. `above`: superscript; `across`: whether the addend is perpendicular to its line, which is a link or a guide. */
+/** Kinds of addends. `above`: superscript; `across`: whether the addend is perpendicular to its link or guide. */
 const LEGS = Object.freeze({
   turning: { above: "", across: true },
   normal: { above: "n", across: false },

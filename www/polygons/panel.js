@@ -1,5 +1,4 @@
-// Polygons of velocities and accelerations at the current input, drawn to scale step by step as on a blackboard. Loaded on
-// demand.
+// Polygons of velocities and accelerations at the current input, drawn to scale step by step. Loaded on demand.
 import "assur/polygons/style.js";
 import { readDisplayList } from "assur/canvas/display-list.js";
 import { Painter } from "assur/canvas/painter.js";
@@ -19,7 +18,7 @@ import { amount, told } from "assur/polygons/equations.js";
 
 /** Free room around a polygon for the names of its vertices, in pixels. */
 const MARGIN = 26;
-/** Number of shown steps that stands for all, because no mechanism reaches it. */
+/** Number of shown steps that means all; no mechanism has so many. */
 const ALL = 1e6;
 /** Code of the engine's problem for a document that is not a linkage. */
 const NO_LINKAGE = "bad_state";
@@ -100,7 +99,7 @@ export class Polygons {
     write(this.#step, words.text("polygons.step", { n: words.numbers.exact(at), count: words.numbers.exact(steps.length) }));
     this.#back.disabled = at <= 1;
     const physical = state.view.axes === "physical";
-    // The units are those of plots of lengths. The range from −1 to 1 makes them free of a power of ten.
+    // Units as on plots of lengths; the range from −1 to 1 avoids a power of ten.
     const panels = [1, 2].map((order) => /** @type {import("assur/engine.js").Panel} */ ({ kind: "length", order, physical, y0: -1, y1: 1 }));
     const [velocity, acceleration] = panels.map((panel) => unitOf(panel, coordinate, words));
     this.#sheets.forEach(({ canvas, title, scale }, order) => {

@@ -41,7 +41,7 @@ export class Figure {
    * @param {Pick<import("assur/engine.js").Engine, "roles" | "labels">} engine
    * @param {Theme} theme
    * @param {() => Path2D} [newPath] makes an empty path of the kind that the targets take
-   * @param {Places} [places] positions of another figure's labels, to put the labels of this figure at the same positions
+   * @param {Places} [places] positions of the labels of another figure, at which this figure puts its labels, too
    */
   constructor(engine, theme, newPath = () => new Path2D(), places = new Places()) {
     this.#places = places;
@@ -166,8 +166,7 @@ function muted(theme) {
 
 /**
  * @param {Float64Array} frame
- * @returns {{ poses: (readonly number[])[], end: number }} `poses`: x, y and angle of each body; `end`: index at which the display list
- * begins in the frame
+ * @returns {{ poses: (readonly number[])[], end: number }} `poses`: x, y and angle of each body; `end`: start of the display list
  */
 function readPoses(frame) {
   const bodies = frame[0];

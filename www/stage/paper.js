@@ -21,7 +21,7 @@ export class Backdrop {
   /**
    * Covers a surface with the backdrop.
    * @param {import("assur/canvas/surface.js").Surface} surface
-   * @param {string} key key of the content: another key stands for other content
+   * @param {string} key identifies the content: a different key means different content
    * @param {() => void} paint paints the content, called only if it has changed
    */
   cover(surface, key, paint) {
@@ -110,7 +110,7 @@ function paintScaleBar(context, height, length, text, theme, ratio) {
 }
 
 /**
- * Aligns the edges of a horizontal or vertical line with the pixels of the screen. Otherwise a thin line would be pale and twice as wide.
+ * Aligns the edges of a horizontal or vertical line with the pixels, so that a thin line is not pale and twice as wide.
  * @param {number} width
  * @param {number} ratio device pixels per CSS pixel
  * @returns {{ width: number, at(place: number): number }} `width`: the line's width; `at`: the aligned position nearest to a place

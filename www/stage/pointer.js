@@ -15,17 +15,17 @@ import { TRACERS, withView } from "assur/state/state.js";
  * }} Hand tool that receives the pointer's actions instead of the joints
  */
 
-/** Greatest distance at which a pointer takes hold of a joint, and the same for a finger, in pixels. */
+/** Greatest distance from a pointer to a joint that it takes hold of, in pixels; `FINGER_REACH`: for a finger. */
 const REACH = 18;
 const FINGER_REACH = 28;
 
-/** Greatest movement of a pressed pointer that is not yet a drag, in pixels. */
+/** Greatest movement of a pressed pointer that does not count as a drag, in pixels. */
 const STILL = 4;
 
 /** Zoom factor of one press of + or −. */
 const STEP = 1.3;
 
-/** Constants of the wheel: zoom per pixel of scrolling; pixels in a unit of scrolling (pixel, line, page); factor for a pinch on a touch pad. */
+/** `WHEEL`: zoom per pixel scrolled. `WHEEL_UNIT`: pixels in a pixel, line, page. `PINCHED`: factor for a pinch. */
 const WHEEL = 0.0015;
 const WHEEL_UNIT = Object.freeze([1, 20, 400]);
 const PINCHED = 6;

@@ -15,7 +15,7 @@ import { Backdrop } from "assur/stage/paper.js";
  * @typedef {(context: CanvasRenderingContext2D, view: Transform, theme: Theme) => void} Laid paints over or under the mechanism
  */
 
-/** Free room around a drawing, and around a small drawing, in pixels. */
+/** Free room around a drawing, in pixels; `SMALL_MARGIN`: around a small one. */
 const MARGIN = 44;
 const SMALL_MARGIN = 36;
 /** Length of the shorter side below which a drawing is small, in pixels. */
@@ -24,11 +24,11 @@ const SMALL = 320;
 /** Width and height of the picture if the drawing is not on the screen, in pixels. */
 const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 
-/** Least and greatest share of the canvas that bounds to work on may fill; otherwise the view is fitted again. */
+/** Limits of the share of the canvas that is filled by bounds in view; otherwise the view is fitted again. */
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
 
-/** Radius, in pixels, and opacity of the ring, a filled disc, around a joint that can be dragged. */
+/** Disc around a joint that can be dragged. `RING`: its radius, in pixels. `RING_OPACITY`: its opacity. */
 const RING = 15;
 const RING_OPACITY = 0.28;
 
@@ -132,8 +132,7 @@ export class MechanismView {
   }
 
   /**
-   * Returns the picture to save or print, without marks of editing: the mechanism at its size on the screen, with free room
-   * around it, or the visible part of a zoomed drawing.
+   * Returns the picture to save or print: the mechanism with room around it, or the visible part of a zoomed drawing.
    * @param {number} [least] least width in pixels
    * @returns {import("assur/export/pictures.js").Picture}
    */
@@ -282,7 +281,7 @@ export class MechanismView {
     return Transform.fit(this.#bounds ?? this.#whole, width, height - this.#inset, this.#margin).moved(0, this.#inset);
   }
 
-  /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; without joints, of the latter alone if there is any */
+  /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; without joints, only of what is painted, if anything is */
   get #whole() {
     const { bounds = [0, 0, 1, 1], handles = [] } = this.#snapshot?.summary ?? {};
     const under = this.#under.flatMap(({ bounds: of }) => [of() ?? []]).filter((one) => one.length > 0);

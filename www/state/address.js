@@ -3,9 +3,7 @@ import { LONGEST, toAddress } from "assur/state/codec.js";
 import { guarded } from "assur/state/storage.js";
 import { FURTHER, usualView } from "assur/state/state.js";
 
-/**
- * @typedef {import("assur/state/state.js").State} State
- */
+/** @typedef {import("assur/state/state.js").State} State */
 
 /**
  * @param {string} address

@@ -12,8 +12,8 @@ import { PARTS, edited, withDocument, withFurther, withMechanism, withView } fro
 /**
  * @param {import("assur/engine.js").Changed} change
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
- * @returns {boolean} whether the change was taken. After a refused state the drawing is still the one before; dragging it does not change
- * a document of another kind.
+ * @returns {boolean} whether the change was taken. After a refused state the previous drawing is still shown; a drag on
+ * it does not change a document of another kind.
  */
 export function take({ document, input }, { store, model, drafts }) {
   if (model.kind !== store.get().kind) return false;
@@ -46,7 +46,7 @@ export function change(asked, field, page) {
  * @param {string} name
  * @param {number} axis 0: along the link from its first point to its second; 1: perpendicular to this line, to the left
  * @param {number} value
- * @returns {number} the same value, which is now in the document
+ * @returns {number} the value, which is now in the document
  */
 export function placeTraced(store, name, axis, value) {
   store.update((state) => edited(state, /** @type {TracedKind} */ (state.kind), ({ tracers = [] }) => ({
@@ -67,7 +67,7 @@ export function inputNow({ store, model }) {
 }
 
 /**
- * Replaces the document by another, in one step of undo.
+ * Replaces the document with another, in one undo step.
  * @param {State["kind"]} kind
  * @param {State["document"]} document of that kind
  * @param {readonly Edit[]} edits changes that the engine makes to the document

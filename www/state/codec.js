@@ -2,9 +2,7 @@
 import { Refusal } from "assur/core/problem.js";
 import { contains } from "assur/state/state.js";
 
-/**
- * @typedef {import("assur/state/state.js").State} State
- */
+/** @typedef {import("assur/state/state.js").State} State */
 
 /**
  * Version of the address: `#2&kind=mixer&d.l1=0.37&…&v.phi_deg=62`. A value that is not JSON is text. Older versions, each
@@ -13,11 +11,11 @@ import { contains } from "assur/state/state.js";
  */
 const VERSION = "2";
 const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({ 1: "lesson", [VERSION]: "kind" }));
-/** Parts of a state in an address besides document and view. A picture is only in files. In the first version the key `lesson` gave the kind. */
+/** Parts of a state in an address besides document and view. In the first version, the key `lesson` gave the kind. */
 const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
-/** Limits of a state: length in characters, depth of nesting. A file may also contain an image, whose length the engine checks. */
+/** Limits of a state. `LONGEST`: characters without an image, which the engine checks. `DEEPEST`: depth of nesting. */
 export const LONGEST = 400_000;
 const DEEPEST = 12;
 
@@ -31,8 +29,7 @@ function unreadable() {
 
 /**
  * @param {State} state
- * @param {{ id: string, usual: State["view"] } | null} preset `id`: the document's mechanism in the catalogue; `usual`: the usual view, whose
- * fields are left out
+ * @param {{ id: string, usual: State["view"] } | null} preset `id`: name in the catalogue; `usual`: view whose fields are left out
  * @returns {string} the part of an address after #
  */
 export function toAddress(state, preset) {
@@ -55,8 +52,7 @@ function pairs(part, values) {
 
 /**
  * @param {string} hash the part of an address after #
- * @param {(id: string) => { kind: string, document: unknown, view: object } | undefined} preset returns a mechanism of the catalogue, with the
- * usual view
+ * @param {(id: string) => { kind: string, document: unknown, view: object } | undefined} preset gives a mechanism of the catalogue and its view
  * @returns {unknown} the state, which the engine has yet to check
  */
 export function fromAddress(hash, preset) {
@@ -77,7 +73,7 @@ export function fromAddress(hash, preset) {
   const own = (/** @type {readonly (string | undefined)[]} */ names) => Object.fromEntries(entries.filter(([key]) => names.includes(key)));
   const [document, view] = [part(PREFIXES.document), part(PREFIXES.view)];
   if (whole) {
-    // Otherwise parameters of the document would be ignored silently.
+    // Parameters of a document beside the name of a preset would be ignored silently.
     if (Object.keys(document).length > 0) throw unreadable();
     return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(FURTHER) }, unreadable());
   }

@@ -1,4 +1,4 @@
-// Mechanism A, compared with the shown mechanism B. A has its own simulator, has the same input as B, and is never edited.
+// Mechanism A, compared with the shown mechanism B. A has its own simulator and the input of B, and is never edited.
 import { Seen } from "assur/core/seen.js";
 import { PARTS, initialState, withView } from "assur/state/state.js";
 
@@ -125,7 +125,7 @@ export class Compared {
   }
 
   /**
-   * Notes that A's simulator broke, if it did.
+   * Records whether A's simulator broke.
    * @param {unknown} thrown list of the engine's problems, or the exception of a trap
    */
   #noteBreak(thrown) {

@@ -1,5 +1,4 @@
-// The input of the motion in the reader's unit: the angle of a crank in degrees, the travel of a slide, or time in seconds. The
-// engine's units are radians, the unit of lengths, and seconds.
+// The input in the reader's unit (degrees, travel of a slide, seconds) and in the engine's (radians, length, seconds).
 import { degrees, radians } from "assur/core/angles.js";
 import { subscript } from "assur/core/symbols.js";
 import { measured } from "assur/core/units.js";
@@ -10,14 +9,14 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/state.js").State} State
  */
 
-/** Kinds of input: field of the view, symbol, symbols of velocity and acceleration. The number of the link is added to all symbols but s and t. */
+/** Kinds of input. `rates`: symbols of velocity and acceleration. The link's number follows all symbols but s and t. */
 const SORTS = Object.freeze({
   angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ", rates: Object.freeze(["ω", "ε"]) }),
   length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v", "a"]) }),
   time: Object.freeze({ field: /** @type {const} */ ("t"), symbol: "t", rates: Object.freeze(["", ""]) }),
 });
 
-/** Time in which, at speed 1, a crank makes a turn, or a slide travels forth and back, in seconds. */
+/** Time of a turn of a crank, or of a slide's travel forth and back, at speed 1, in seconds. */
 const PERIOD = 6;
 
 /** Number of small steps in the travel of a slide or in a span of time. */
@@ -66,7 +65,7 @@ export class Coordinate {
   }
 
   /**
-   * Returns the ends of the axis of the input, in the reader's unit. Unlimited time is divided into equal spans, each with an axis of its own.
+   * Returns the ends of the input's axis, in the reader's unit. Unlimited time is divided into spans with an axis each.
    * @param {number} place input in the reader's unit
    */
   axis(place) {
@@ -195,7 +194,7 @@ export class Coordinate {
   /**
    * @param {number} one
    * @param {number} other input to compare with `one`, both in the engine's unit
-   * @returns {boolean} whether the difference is invisible: less than half a degree, or than half a small step of the travel or span
+   * @returns {boolean} whether the difference is invisible: less than half a degree, or half a small step of the travel or span
    */
   near(one, other) {
     if (!this.#turns) return Math.abs(one - other) < this.#way / (2 * STEPS);

@@ -1,5 +1,4 @@
-// Problems of number fields whose content is not in the state, because it is not yet a number or was refused. A problem is kept
-// until the content of its field is valid.
+// Problems of number fields whose content is not a number or was refused, kept until the content is valid.
 
 /** Name of the number field for the input, whatever the unit. */
 export const INPUT = "input";

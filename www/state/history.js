@@ -28,7 +28,7 @@ export class History {
   /** Whether the next change belongs to the previous step. */
   #open = false;
   #walking = false;
-  /** @type {readonly string[]} fields whose number was rejected during the last step; undoing the step drops these numbers */
+  /** @type {readonly string[]} fields with a number rejected during the last step; undoing the step drops these numbers */
   #within = [];
   /** Whether a pointer has been pressed since the last key. */
   #pointed = false;

@@ -100,7 +100,7 @@ export class Model {
   #frameInput;
   /** Unit and range of the input. */
   #coordinate;
-  /** Opening of a scheme at its last cut pair, from 0 to 1; stands for the input in a document that has none. */
+  /** Opening of a scheme at its last cut pair, from 0 to 1; used as the input of a document that has none. */
   #opened = 1;
   /** @type {Readouts | null} */
   #readouts = null;
@@ -217,7 +217,7 @@ export class Model {
     const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
     const drafted = this.#drafts.problems;
     const stale = this.#refused.length > 0 || this.#drafts.fields().some((field) => partOf(field) in state.document);
-    // In motion a dead point is passed within one frame: nobody could read a sentence on it.
+    // In motion a dead point is passed within one frame, too fast for a sentence on it to be read.
     const unread = state.view.playing ? [] : this.#unread;
     const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;
     const trapped = this.#engine.trapped ? [TRAPPED] : [];
@@ -271,7 +271,7 @@ export class Model {
     this.#readouts = here?.readouts ?? null;
     this.#plotted = here?.plotted ?? null;
     this.#compared = this.#engine.compared(input);
-    // If the mechanism cannot be assembled at this input, its last drawing stays; that of another mechanism does not.
+    // If the mechanism cannot be assembled at this input, its last drawing stays, but not that of another mechanism.
     if (!here && this.#placed === this.#revision) return;
     this.#here = here ?? this.#engine.at(this.home);
     this.#frameInput = here ? input : this.home;

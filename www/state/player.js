@@ -7,7 +7,7 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/model.js").Model} Model
  */
 
-/** Motion of the driver in time. At the ends of its range the driver reverses; the direction in the state stays as the reader chose it. */
+/** Motion of the driver in time. The driver reverses at the ends of its range; the state keeps the chosen direction. */
 export class Player {
   /** 1 in the direction chosen by the reader, −1 in the opposite direction. */
   #sense = 1;

@@ -1,4 +1,4 @@
-// Shape of the state and the few ways to change it. The state is plain JSON: it can be saved, sent and undone.
+// Structure of the state and the few ways to change it. The state is plain JSON: it can be saved, sent and undone.
 
 /**
  * @template T
@@ -42,7 +42,7 @@ export const DRAWN = Object.freeze(
 /** Fields of the view that name a part of the document, with values that suit any document. */
 export const PARTS = Object.freeze({ plot: "angles", against: null, about: "", relative_to: "", measures: Object.freeze([]) });
 
-/** Fields of the view that are undone with the document. Nothing is lost when any other field changes. */
+/** Fields of the view that are undone with the document. Changes of other fields lose no work. */
 export const UNDONE = Object.freeze(/** @type {const} */ ([...OVERLAYS, "measures", "against"]));
 
 /** Optional parts of a state besides its document and its view. */

@@ -1,28 +1,26 @@
-// Places where the state outlives the page: the address and the browser's storage. The page also works if the browser forbids them.
+// Places where the state outlives the page: the address and the browser's storage. The page also works without them.
 import { toFile } from "assur/state/codec.js";
 import { withFurther } from "assur/state/state.js";
 
-/**
- * @typedef {import("assur/state/state.js").State} State
- */
+/** @typedef {import("assur/state/state.js").State} State */
 
 const KEY = "assur.state";
 /** Key of the image behind the drawing. It is kept apart from the state because it is long and seldom changes. */
 const IMAGE = "assur.image";
 /** Number of characters at the end of an image that distinguish it from other images of the same length. */
 const TAIL = 48;
-/** Key of the list of lecturers' lessons for which the reader's answers and name are kept: their digests, the most recently used last. */
+/** Key of the digests of lecturers' lessons with stored names and answers, the most recently used last. */
 const LESSONS = "assur.lessons";
-/** Limit of the number of these lessons, which on a classroom machine would grow for ever. */
+/** Limit of the number of these lessons, which would grow for ever on a classroom machine. */
 const MOST_LESSONS = 40;
 const OF_LESSON = /^assur\.lesson\.own\.([^.]+)/;
-/** Key of a state that could not be read. It is put aside here instead of being overwritten. */
+/** Key under which a state that could not be read is put aside instead of being overwritten. */
 const ASIDE = "assur.state.unread";
 
-/** Key, in the storage of one visit, of two addresses: the one at which the page was left, and the intended one. */
+/** Key, in the storage of one visit, of two addresses: the one a reload may still load, and the intended one. */
 const LEFT = "assur.left";
 
-/** Minimum interval between writes, in milliseconds: browsers limit how often a page may change its address. */
+/** Shortest interval between writes, in milliseconds: browsers limit how often a page may change its address. */
 const PERIOD = 400;
 
 /** @type {Map<string, string>} texts of lessons that the browser refused to keep, by name, until the page is left */
@@ -107,8 +105,7 @@ export function takeUpAddress() {
 }
 
 /**
- * Keeps every change from now on, in the browser's storage and in the address. A change of the input in motion is kept only when
- * the page is left.
+ * Keeps every change in the browser's storage and in the address, but the input of a motion only when the page is left.
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} sound whether the engine takes the state; a refused state is not kept
@@ -120,7 +117,7 @@ export function persist(store, address, sound, ours, unkept) {
   let timer = 0;
   let changed = false;
   let fitted = true;
-  /** The address before the last change of it. A browser that loads the page again may have taken it already. */
+  /** The address before its last change. A browser that is already reloading the page may load this one. */
   let before = location.href;
   const images = new KeptImage();
   const save = () => {
@@ -177,12 +174,12 @@ class KeptImage {
   keep(image) {
     if (image === this.#last) return true;
     this.#last = image;
-    // The previous image would take up the room for the new one.
+    // The previous image would occupy the room for the new one.
     guarded(() => localStorage.removeItem(IMAGE));
     return image === "" || fit(IMAGE, image);
   }
 
-  /** Notes that another tab has written its image: the next change writes the image of this page again. */
+  /** Makes the next change write this page's image again, because another tab has written its own. */
   forget() {
     this.#last = "";
   }

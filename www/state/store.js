@@ -31,7 +31,7 @@ export class Store {
     this.put(this.#limit(change(this.#state), this.#state));
   }
 
-  /** @param {T} next value from outside, without a limit */
+  /** @param {T} next value from outside, taken without a limit */
   put(next) {
     const previous = this.#state;
     if (next === previous) return;

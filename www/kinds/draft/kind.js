@@ -2,9 +2,7 @@
 import { StatusLine } from "assur/controls/status.js";
 import { withView } from "assur/state/state.js";
 
-/**
- * @typedef {import("assur/state/model.js").OwnSnapshot<"draft">} Snapshot
- */
+/** @typedef {import("assur/state/model.js").OwnSnapshot<"draft">} Snapshot */
 
 /** @type {import("assur/app/views.js").Make} */
 export const views = ({ store }) => [

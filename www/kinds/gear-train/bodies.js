@@ -10,7 +10,7 @@ import { edited } from "assur/state/state.js";
 /** @typedef {import("assur/kinds/gear-train/drives.js").Document} Document */
 
 /**
- * The lists of parameters. `list`: path in the document. `symbol`: letter of the parameter. `of`: number of the link for each entry.
+ * Lists of parameters. `list`: path in the document. `symbol`: letter of a parameter. `of`: numbers of the links.
  * @type {readonly Readonly<{ list: string, symbol: string, of: readonly string[] }>[]}
  */
 const LISTS = Object.freeze([

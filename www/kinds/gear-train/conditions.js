@@ -1,4 +1,4 @@
-// The train's conditions of assembly with their numbers, suggested numbers of teeth if a condition fails, and the mobility.
+// Conditions of assembly of a train with their numbers, suggested numbers of teeth if a condition fails, and mobility.
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";

@@ -1,5 +1,4 @@
-// Drives of the train. Two of the three shafts are driven: each runs at a given speed, is held, or runs at a multiple of the other's
-// speed. The third shaft follows.
+// Drives of a train: two of three shafts are held, or run at a given speed or a multiple of the other's; one is free.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -61,7 +60,7 @@ export class DrivesView {
   }
 
   /**
-   * Frees another shaft. The shaft that was free is then driven at its present speed, so that nothing jumps.
+   * Frees another shaft. The shaft that was free is then driven at its present speed, so that no speed jumps.
    * @param {Shaft} shaft
    */
   #release(shaft) {
@@ -131,7 +130,7 @@ class DriveRow {
     for (const [row, value] of /** @type {const} */ ([[this.#speed, rpm ?? 0], [this.#factor, factor], [this.#start, start]])) row.show(value, words, wrong.has(row.field));
   }
 
-  /** Ties the speed of the shaft to that of the other driven shaft, or unties it. Only one of the two shafts can be tied. */
+  /** Makes the speed a multiple of the other driven shaft's, or a given one again. Only one speed can be a multiple. */
   #toggle() {
     this.#store.update((state) => edited(state, "gear-train", ({ drives }) => ({
       drives: drives.map((drive, i) => (i === this.#index ? { ...drive, to: drive.to ? null : drives[1 - i].shaft } : { ...drive, to: null })),

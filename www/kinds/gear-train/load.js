@@ -40,7 +40,7 @@ export class LoadView {
     this.#account = make("details", { id: "train-energies" }, [
       make("summary", { "data-t": "energy.heading" }), make("table", { class: "solutions", "data-t-label": "energy.heading" }, [this.#energies]),
     ]);
-    // If the mechanism is at rest, the unfolded table is filled only by a new frame.
+    // At rest there are no further frames: the unfolded table needs one to be filled.
     this.#account.addEventListener("toggle", () => page.redraw());
     section("gear-train", "load.heading", "load", [
       make("label", { class: "check" }, [this.#loaded, " ", make("span", { "data-t": "field.loaded" })]),
@@ -99,7 +99,7 @@ export class LoadView {
 
 /**
  * @param {string} mesh
- * @param {number} count number of periods of slip
+ * @param {number} count number of periods by which the mesh has slipped
  * @param {Words} words
  */
 function slipped(mesh, count, words) {

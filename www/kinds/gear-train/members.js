@@ -1,5 +1,4 @@
-// Members 7 (on the satellite) and 8 (on the carrier), which do the work of the machine, such as stirrers, brushes or fans. The
-// section shows their kinds, their uses in the paper, and their torques.
+// Tools on the satellite (7) and on the carrier (8), such as stirrers or fans: kinds, uses in the paper, torques.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -11,7 +10,7 @@ import { edited } from "assur/state/state.js";
 
 const KINDS = Object.freeze(["none", "fan", "brush", "stirrer", "scraper", "blade", "propeller", "road_wheel"]);
 
-/** For each member, the symbol of its torque and the role of its colour. */
+/** For each tool, the symbol of its torque and the role of its colour. */
 const PLACES = Object.freeze({ satellite: Object.freeze({ symbol: "T₇", role: "coupler" }), carrier: Object.freeze({ symbol: "T₈", role: "rocker" }) });
 
 export class MembersView {

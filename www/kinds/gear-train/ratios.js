@@ -15,7 +15,7 @@ import { SHAFTS } from "assur/kinds/gear-train/drives.js";
 
 const HIGH = Object.freeze({ 1: "¹", 3: "³", 4: "⁴" });
 
-/** Coefficients in a ω₁ + b ω₄ − (a + b) ω₃ = 0, without signs, by the number of the shaft. `STEPPED`: for stepped satellites. */
+/** Absolute coefficients in a ω₁ + b ω₄ − (a + b) ω₃ = 0, by number of the shaft. `STEPPED`: for stepped satellites. */
 const WEIGHTS = Object.freeze({ 1: "z₁", 3: "(z₁ + z₄)", 4: "z₄" });
 const STEPPED = Object.freeze({ 1: "z₁z₂′", 3: "(z₁z₂′ + z₂z₄)", 4: "z₂z₄" });
 
@@ -62,7 +62,7 @@ export class RatiosView {
 }
 
 /**
- * Makes an area for a table that may be wider than the rail. It scrolls sideways, also by keys.
+ * Makes an area for a table that may be wider than the rail. The area scrolls sideways, also by keys.
  * @param {string} label key of the area's name
  * @param {readonly Node[]} content
  */
@@ -80,7 +80,7 @@ export function notation(name) {
 }
 
 /**
- * Writes the formula w_j/w_i of the ratio ω_i/ω_j, with its sign. The weights w have equal signs unless one is the carrier's.
+ * Writes the formula w_j/w_i of the ratio ω_i/ω_j, with its sign. `weights`: coefficients w without signs, by shaft.
  * @param {Ratio} ratio
  * @param {Readonly<Record<1 | 3 | 4, string>>} weights
  */

@@ -12,7 +12,7 @@ const ENTRIES = Object.freeze({
     const found = ratios.find(({ largest }) => largest);
     return found ? { text: `${notation(found.name)} = ${numbers.upTo(found.value, 4)}`, value: found.value } : null;
   },
-  // The counted mobility is too low by the number of passive constraints, which remove no freedom.
+  // The mobility by count is too low by the number of passive constraints, which remove no freedom.
   w: ({ mobility: { mobility, passive } }, { numbers }) => ({ text: numbers.exact(mobility + passive), value: mobility + passive }),
   builds: ({ builds }) => ({ text: builds ? "✓" : "✗", value: Number(builds) }),
   slipped: ({ slips }, { numbers }) => slips && { text: slips.map((count) => numbers.exact(count)).join(", ") },

@@ -1,5 +1,4 @@
-// The plotted output over a turn. The rail shows its stroke, dwell and cyclogram. On the plots the dwell is shaded, and magnified
-// in an inset.
+// The plotted output over a turn: stroke, dwell and cyclogram in the rail; the dwell shaded and magnified on the plots.
 import { NumberRow } from "assur/controls/number-row.js";
 import { withhold, writeReadout } from "assur/controls/readout.js";
 import { byId, make, write } from "assur/core/dom.js";
@@ -26,7 +25,7 @@ const SHADE = 0.14;
 const POINTS = 96;
 /** Share of the dwell's arc that is magnified in plots of derivatives, which rise steeply at the ends of the arc. */
 const INNER = 0.8;
-/** Width and height of an inset, as shares of the plot. */
+/** Size of an inset relative to the plot. */
 const INSET = Object.freeze({ width: 0.42, height: 0.42 });
 /** Height of the line of text above the magnified curve, in pixels at the usual text size. */
 const HEAD = 15;
@@ -48,7 +47,7 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
 }
 
 /**
- * Shades the dwell on a plot, of the output or of a derivative, and magnifies it in an inset as in fig. 2 of the paper.
+ * Shades the dwell on a plot of the output or of a derivative. Magnifies it in an inset as in fig. 2 of the paper.
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
  * @param {NonNullable<Profile["dwell"]>} dwell
@@ -141,7 +140,7 @@ export class CourseView {
   #row;
   /** The foldable section, initially open if the document asks for a dwell. */
   #fold = make("details", { id: "course" });
-  /** Key of the mechanism for which the section was last folded or unfolded by the page. */
+  /** Key of the mechanism for which the page last folded or unfolded the section. */
   #folded = "";
   #name = make("caption");
   /** Name of the output's travel: swing of an angle, stroke of a length. */
@@ -151,9 +150,7 @@ export class CourseView {
   #phases = make("p", { class: "note" });
   #shown = new Seen();
 
-  /**
-   * @param {import("assur/app/page.js").Page} page
-   */
+  /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     const { store, drafts } = page;
     this.#design = new DesignView(page);
@@ -177,7 +174,7 @@ export class CourseView {
     this.#design.render(snapshot);
     const { state, summary, coordinate, words, problems, stale, withheld } = snapshot;
     const { profile, plotted } = summary;
-    // A refused band stays in the field as typed: while 0.01 is typed, the first 0 is refused.
+    // A refused band stays in the field as typed. Otherwise 0.01 could not be typed, because its first 0 is refused.
     const band = state.document.band ?? profile?.width;
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
     if (this.#shown.same(profile, words, wrong, band, stale, withheld)) return;

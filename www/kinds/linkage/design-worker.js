@@ -1,8 +1,7 @@
-// A worker that searches for a dwell. It judges one mechanism after another and reports each to the page. After an improvement it
-// waits until the page has shown the mechanism. The page can end the search early.
+// Worker that searches for a dwell and reports each mechanism; after an improvement, it waits until the page shows it.
 import load, { Design } from "assur/pkg/assur_web.js";
 
-/** Continues the search. */
+/** Ends the wait after an improvement. */
 let goOn = () => {};
 
 addEventListener("message", ({ data }) => {

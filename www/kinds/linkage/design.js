@@ -1,5 +1,4 @@
-// The section "Design your dwell": wishes for the output, the lengths that may change with their limits, and a search in a worker.
-// The page shows every improvement.
+// "Design your dwell": targets for the output, lengths that may change, and a search whose improvements are shown.
 import { NumberRow } from "assur/controls/number-row.js";
 import { sentence } from "assur/controls/problems.js";
 import { degrees, radians } from "assur/core/angles.js";
@@ -20,13 +19,10 @@ import { withDocument } from "assur/state/state.js";
 const PER_CENT = Object.freeze(["1", "2", "5", "10", "20"]);
 const USUAL = "5";
 
-/** Number of candidates after which progress is announced without an improvement. A screen reader could not follow all. */
+/** Candidates without improvement after which progress is announced; a screen reader cannot follow every one. */
 const TOLD = 10;
 
-/**
- * Time for which an improvement is shown before the search continues, in milliseconds. This is long enough to see the improvement. It
- * also keeps the motion smooth although redrawing takes some frames.
- */
+/** Time for which an improvement is shown before the search continues, in milliseconds. It keeps the motion smooth. */
 const SHOWN = 400;
 
 /** Keys of the texts for the ways in which a search ends. */
@@ -43,7 +39,7 @@ export class DesignView {
   #told = make("p", { id: "design-progress", role: "status" });
   /** @type {{ arc: NumberRow, stroke: NumberRow } | null} */
   #rows = null;
-  /** @type {{ arc: number | null, stroke: number | null }} wishes in the units of the fields: degrees, and for a stroke the unit of length; null for the present value */
+  /** @type {{ arc: number | null, stroke: number | null }} targets in the units of the fields: degrees, and for a stroke the unit of length; null for the present value */
   #wish = { arc: null, stroke: null };
   /** @type {{ field: string, name: string, said: HTMLElement, moves: HTMLInputElement, by: HTMLSelectElement }[]} */
   #movable = [];
@@ -52,7 +48,7 @@ export class DesignView {
   #snapshot = null;
   /** @type {Worker | null} */
   #worker = null;
-  /** @type {ReturnType<typeof subject> | null} document and plot of the search as of its last improvement */
+  /** @type {ReturnType<typeof subject> | null} document and plot after the last improvement of the search */
   #subject = null;
   #changed = false;
   /** @type {Progress | null} */
@@ -62,9 +58,7 @@ export class DesignView {
   /** @type {readonly Problem[]} */
   #problems = [];
 
-  /**
-   * @param {import("assur/app/page.js").Page} page
-   */
+  /** @param {import("assur/app/page.js").Page} page */
   constructor({ store, drafts, history }) {
     this.#store = store;
     this.#drafts = drafts;
@@ -173,7 +167,7 @@ export class DesignView {
   #search() {
     const state = this.#store.get();
     const { angle, arc, stroke } = this.#now();
-    // A present value becomes a wish, so that it does not change with the mechanism.
+    // A present value becomes a target, so that it does not change with the mechanism.
     this.#wish = { arc: this.#wish.arc ?? arc, stroke: this.#wish.stroke ?? stroke };
     const wishes = {
       arc: radians(this.#wish.arc ?? 0),
@@ -269,7 +263,7 @@ export class DesignView {
         before: numbers.short(before),
       }));
       if (this.#end) said.push(words.text(ENDS[this.#end]), words.text("design.checked"));
-      // The singularity margin is 1 if no group is solved by iteration.
+      // The margin from singular poses is 1 if no group is solved by iteration.
       const tight = Math.abs(singularity_margin);
       if (this.#end && tight < 1) said.push(words.text("design.conditioning", { conditioning: numbers.short(tight) }));
       this.#told.dataset.value = String(residual);

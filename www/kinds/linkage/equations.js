@@ -1,4 +1,4 @@
-// The constraint equations of a linkage at the current input: both sides of each and the difference of the sides.
+// The constraint equations of a linkage at the current input: both sides of each equation, and their difference.
 import { degrees } from "assur/core/angles.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
@@ -9,9 +9,9 @@ import { Seen } from "assur/core/seen.js";
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/engine.js").Equation} Equation
- * a constraint, by `kind`. `distance`: a link and its points P, Q. `offset`: a sliding link, its point and the line PQ. `direction`:
- * two links at a constant angle. `mesh`: two wheels, their carrier and numbers of teeth; the second is negative if both wheels
- * rotate in the same sense
+ * a constraint, by `kind`. `distance`: a link and its points P, Q. `offset`: a sliding link, its point and the line PQ.
+ * `direction`: two links at a constant angle. `mesh`: two wheels, their carrier and numbers of teeth; the second number
+ * is negative if both wheels rotate in the same sense
  */
 
 /** Keys of the names of the equations and of their first and second derivatives. */
@@ -19,7 +19,7 @@ const ORDERS = Object.freeze(["equations.places", "equations.first", "equations.
 const STROKES = Object.freeze(["", "′", "″"]);
 const SIDES = Object.freeze(/** @type {const} */ (["left", "right", "residual"]));
 const NONE = "—";
-/** `DECIMALS`: number of decimals of a side. `LARGE`: absolute value from which decimals would only take up room. */
+/** `DECIMALS`: decimals of a side. `LARGE`: absolute value from which a side has six significant digits instead. */
 const DECIMALS = 4;
 const LARGE = 1e4;
 const SUPERSCRIPTS = Object.freeze([..."⁰¹²³⁴⁵⁶⁷⁸⁹"]);
@@ -38,9 +38,7 @@ export class EquationsView {
   #built = new Seen();
   #written = new Seen();
 
-  /**
-   * @param {import("assur/app/page.js").Page} page
-   */
+  /** @param {import("assur/app/page.js").Page} page */
   constructor({ engine }) {
     this.#engine = engine;
     this.#order.append(...ORDERS.map((key, order) => make("option", { value: String(order), "data-t": key })));
@@ -62,7 +60,7 @@ export class EquationsView {
   render(snapshot) {
     const before = this.#snapshot;
     this.#snapshot = snapshot;
-    // Numbers that change in every frame cannot be read, and are not written. Another mechanism is shown at once.
+    // Numbers that change too fast to be read are not written. Another mechanism is shown at once.
     if (snapshot.legible || before?.summary !== snapshot.summary || before?.words !== snapshot.words) this.#show();
   }
 
@@ -131,7 +129,7 @@ function formula(texts, ...subscripts) {
 
 /**
  * @param {readonly string[]} names
- * @returns {string} single letters side by side, as EG; longer names separated by commas
+ * @returns {string} the names: single letters side by side, as in EG, longer names separated by commas
  */
 function together(...names) {
   return names.join(names.every((name) => name.length === 1) ? "" : ",");

@@ -13,7 +13,7 @@ import { change, inputNow } from "assur/state/change.js";
  * @typedef {import("assur/state/model.js").OwnSnapshot<"linkage">} Snapshot
  */
 
-/** Key of the name, and symbol, of each kind of dimension. */
+/** Key of the name, and the symbol, for each kind of dimension. */
 const KINDS = Object.freeze({
   length: Object.freeze({ key: "links.length", symbol: "l" }),
   side: Object.freeze({ key: "links.side", symbol: "l" }),
@@ -37,9 +37,7 @@ export class LinkageRail {
   #built = new Seen();
   #shown = new Seen();
 
-  /**
-   * @param {import("assur/app/page.js").Page} page
-   */
+  /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     const { engine } = page;
     this.#page = page;
@@ -64,7 +62,7 @@ export class LinkageRail {
     const built = JSON.stringify([words.lang, linkage.title, drivers, rates.map(({ field, link, role }) => [field, link, role]), dimensions.map(({ field, name, role }) => [field, name, role])]);
     if (!this.#built.same(built)) this.#build(summary, words);
     const source = sourceOf(linkage, this.#page.engine, words);
-    // The source that a lesson gives for a linkage of the catalogue is in English.
+    // A source that a lesson gives for a linkage of the catalogue is in English.
     this.#source.lang = linkage.origin && source === linkage.source ? "en" : words.lang;
     write(this.#source, source);
     const [driver] = linkage.drivers;

@@ -45,7 +45,7 @@ const TITLES = Object.freeze(/** @type {Record<string, string>} */ ({
   "linkage-unsearched": "unsearched",
 }));
 
-/** Entries whose values take some time to compute. */
+/** Entries that take some time to compute. */
 const LATE = Object.freeze(["linkage-assembly"]);
 
 /** @returns {StatusLine<Snapshot>} */

@@ -35,7 +35,7 @@ export const TRACER_LIST = Object.freeze({
 });
 
 /**
- * Removes a wheel and its traced points from the document. Traced points of later wheels stay on those wheels.
+ * Removes a wheel and its traced points from the document. Later wheels keep their traced points.
  * @param {number} index
  * @param {MixerDocument} document
  * @returns {Partial<MixerDocument>}

@@ -42,9 +42,7 @@ export class Rail {
   #lists;
   #shown = new Seen();
 
-  /**
-   * @param {import("assur/app/page.js").Page} page
-   */
+  /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     const { store, engine, drafts, mechanism } = page;
     const edit = (/** @type {Partial<MixerDocument>} */ change) => store.update((state) => edited(state, "mixer", () => change));

@@ -1,4 +1,4 @@
-// Conditions and theorems of the paper for each position at its coupler angle: as printed, and beside each the true result.
+// Conditions and theorems of the paper at the coupler angle of each position: as printed, beside the true results.
 import { radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
@@ -47,7 +47,7 @@ export class ConditionsView {
     this.#paint();
   }
 
-  /** Shades the plane of l₁ and l₂, darker where more positions can be closed, and marks the drawn lengths. */
+  /** Shades the plane of lengths l₁ and l₂, darker where more positions can be closed. Marks the drawn lengths. */
   #paint() {
     if (!this.#snapshot) return;
     const { summary: { frame, closed, wanted, drawn }, words } = this.#snapshot;
@@ -81,7 +81,7 @@ function table({ at, conditions, theorems, pair, ranges, interval }, k, words) {
   ]);
 }
 
-/** Keys of the texts on a theorem: first whether its conditions hold, then whether its conclusion is true. */
+/** Keys of the texts on a theorem, by whether its conditions hold and whether its conclusion is true. */
 const JUDGED = Object.freeze(/** @type {Readonly<Record<string, string>>} */ ({
   "true true": "conditions.right", "true false": "conditions.wrong", "false true": "conditions.missed", "false false": "conditions.silent",
 }));
@@ -89,7 +89,7 @@ const JUDGED = Object.freeze(/** @type {Readonly<Record<string, string>>} */ ({
 /**
  * @param {string} name
  * @param {string} said
- * @param {readonly (boolean | null)[]} verdicts whether the printed condition holds, and the true result; null if there is none
+ * @param {readonly (boolean | null)[]} verdicts whether the printed condition holds, and the true result; null for a missing one
  * @param {Words} words
  * @param {boolean} [fails] whether the row shows a theorem that is false for this position
  */
@@ -126,7 +126,7 @@ function whole(name, said, kind = "range") {
 function valued(number, about, values, words) {
   const [one, other] = values.map((value) => (value === null ? "—" : words.numbers.short(value)));
   if (about === null) return one;
-  // Conditions (33) to (38) of the paper concern two fractions, those before them the quantities Pₖ and Qₖ.
+  // Conditions (33) to (38) of the paper concern two fractions; earlier ones concern the quantities Pₖ and Qₖ.
   const k = subscript(about.slice(1));
   // A line may break only between the two equations.
   return number < 33 ? `P${k}\u00a0=\u00a0${one}; Q${k}\u00a0=\u00a0${other}` : `${one}; ${other}`;

@@ -1,11 +1,10 @@
-// The cone spanned by the directions of the moving links in one position. Unless the frame's direction lies inside this cone, some
-// length is not positive.
+// Cone of the directions of the moving links: all lengths are positive only if the frame's direction lies inside.
 import { makeSvg } from "assur/core/dom.js";
 
 /** Names of the directions and roles of their colours, the frame's direction first. */
 const LOOKS = Object.freeze([["e₀", "ink"], ["e₁", "coupler"], ["e₂", "rocker"], ["e₃", "crank"]]);
 
-/** `NAME`: distance of a name from the centre. `FARTHER`: extra distance of a name that would overlap. `SIZE`: half the picture's size. */
+/** `NAME`: distance of a name from the centre. `FARTHER`: added if names would overlap. `SIZE`: half the picture. */
 const NAME = 1.16;
 const FARTHER = 0.22;
 const SIZE = 1.5;
@@ -36,8 +35,8 @@ export function cone(turns, label) {
 
 /**
  * @param {readonly number[]} turns
- * @returns {string} path around all sums of positive multiples of the directions. It is the whole disc if neighbouring directions are
- * less than half a turn apart
+ * @returns {string} path around all sums of positive multiples of the directions; the whole disc if all neighbouring
+ * directions are less than half a turn apart
  */
 function sector(turns) {
   const around = turns.map((turn) => (turn < 0 ? (turn % TURN) + TURN : turn % TURN)).sort((a, b) => a - b);

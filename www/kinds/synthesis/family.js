@@ -1,5 +1,4 @@
-// The choice of a linkage. For two positions the solutions form a family, shown as a curve along which the choice can be dragged.
-// For more positions the same plane shows the separate solutions.
+// The choice of a linkage: along the curve of solutions for two positions, or among separate solutions for more.
 import { NumberRow } from "assur/controls/number-row.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";

@@ -1,5 +1,4 @@
-// The wanted function of a synthesis: the error of the drawn linkage, as a sentence and as a plot over x. The dialog for the
-// function is loaded on demand.
+// The wanted function of a synthesis: error of the drawn linkage, as a sentence and as a plot over x.
 import { awaited } from "assur/app/busy.js";
 import { LOST } from "assur/app/notices.js";
 import { make, makeSvg, write } from "assur/core/dom.js";

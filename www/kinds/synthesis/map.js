@@ -8,7 +8,7 @@ import { Plane } from "assur/kinds/synthesis/plane.js";
  * @typedef {import("assur/kinds/synthesis/positions.js").Snapshot} Snapshot
  */
 
-/** Colour and dashes of the parts of the family, by verdict. The dashes are for readers who cannot distinguish the colours. */
+/** Colour and dashes of the parts of the family, by verdict; dashes are for readers who do not see the colours. */
 export const LOOKS = Object.freeze(/** @type {Readonly<Record<Verdict, { role: string, dash: readonly number[] }>>} */ ({
   turns: { role: "rocker", dash: [] },
   rocks: { role: "crank", dash: [] },
@@ -16,7 +16,7 @@ export const LOOKS = Object.freeze(/** @type {Readonly<Record<Verdict, { role: s
   branch: { role: "secondary", dash: [2, 4] },
 }));
 
-/** Greatest distance, in pixels, from which the pointer picks a point of the curve. */
+/** Greatest distance of the pointer from the point of the curve that it picks, in pixels. */
 const REACH = 24;
 
 export class FamilyMap {

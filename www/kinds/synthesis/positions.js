@@ -19,7 +19,7 @@ import { edited } from "assur/state/state.js";
 /** Limit of the number of positions on the page. The engine can solve more, but a drawing cannot distinguish them. */
 export const MOST = 12;
 
-/** Step of the input from the last position to a new one, in degrees, repeated until the linkage reaches a new position. */
+/** Step of the input from the last position, in degrees, repeated until the linkage can reach a new position. */
 const NEXT = 30;
 
 /** @type {readonly (import("assur/controls/number-row.js").RowKind & { field: "frame" | "phi0_deg" })[]} */
@@ -28,7 +28,7 @@ const FRAME = Object.freeze([
   { field: "phi0_deg", symbol: "φ₀", role: "secondary", unit: "°" },
 ]);
 
-/** Fields of a position, which are its angles and its weight. Each has a symbol, the role of its colour, and a unit. */
+/** Angles and weight of a position. `part`: the field. `role`: role of the colour. */
 const PARTS = Object.freeze(/** @type {const} */ ([
   { part: "coupler_deg", symbol: "φ₁", role: "coupler", unit: "°" },
   { part: "output_deg", symbol: "φ₂", role: "rocker", unit: "°" },
@@ -36,7 +36,7 @@ const PARTS = Object.freeze(/** @type {const} */ ([
   { part: "weight", symbol: "w", role: "secondary", unit: "" },
 ]));
 
-/** Number of steps in a degree, for the rounding of initial coupler angles. */
+/** Number of steps per degree to which initial coupler angles are rounded. */
 const PARTS_OF_DEGREE = 10;
 
 /** @type {Omit<import("assur/controls/card-list.js").ListKind<"synthesis", Position>, "another">} */
@@ -93,7 +93,7 @@ export class PositionsView {
 
   /**
    * @param {Snapshot} snapshot
-   * @returns {Position} a position of the drawn linkage after the last position; if none is found, the last position at another input
+   * @returns {Position} the next position that the drawn linkage reaches; if none, the last position at another input
    */
   #another({ state: { document: { positions } }, summary: { drawn: { starts: [outputStart, inputStart] } } }) {
     const last = positions[positions.length - 1];

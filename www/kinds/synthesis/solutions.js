@@ -1,5 +1,4 @@
-// The list of solutions with their verdicts. The chosen solution is drawn and can be opened in the simulator. All can be saved in
-// a file.
+// The list of solutions with their verdicts, to save in a file. The chosen one is drawn and can open in the simulator.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
@@ -17,7 +16,7 @@ import { edited } from "assur/state/state.js";
 /** Keys of the texts on how the solutions were found. */
 const FROM = Object.freeze({ family: "solutions.family", exact: "solutions.exact", found: "solutions.found", trial: "solutions.trial" });
 
-/** Gap below which a contour is shown as closed: the written digits would not show the gap. */
+/** Gap below which a contour counts as closed, because the written digits do not show the gap. */
 const EXACT = 5e-7;
 
 /** Columns of the file: lengths, starting angles, errors, verdict. */
@@ -116,8 +115,7 @@ export class SolutionsView {
 
 /**
  * @param {Snapshot["summary"]} summary
- * @returns {readonly [number, Solution][]} the solutions with their numbers, in the order in which they are shown; of a
- *   family, the drawn member
+ * @returns {readonly [number, Solution][]} numbered solutions in the order shown; of a family, only the drawn member
  */
 function listed({ solutions, shown, drawn }) {
   return shown.length > 0 ? shown.map((number) => [number, solutions[number - 1]]) : [[1, drawn]];

@@ -1,5 +1,4 @@
-// Steps of the lesson on the assemblies of a linkage: the documents that each step shows, and its question.
-// The texts are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on the assemblies of a linkage: documents and questions; texts in words.*.json.
 import { degrees } from "assur/core/angles.js";
 
 /** @typedef {import("assur/engine.js").MotionSummary} Summary */
@@ -10,7 +9,7 @@ const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);
 /** Control of every step: the section with the pictures and the map of the assemblies. */
 const SECTION = Object.freeze(["all_assemblies"]);
 
-/** Number of assemblies, over the complex numbers, of a group with revolute pairs only, by the group's class and number of links. */
+/** Number of complex assemblies of a group with revolute pairs only, by the group's class and number of links. */
 const COMPLEX = Object.freeze({ "II 2": "two", "III 4": "six", "IV 6": "fourteen" });
 
 /** @type {import("assur/lesson/folder.js").Lesson<"linkage">} */
@@ -101,8 +100,8 @@ function range({ cycle: { full, arcs } }) {
 }
 
 /**
- * Returns the choice that describes the circuits of a four-bar. The lengths of the links give the number of circuits; the driver gives the
- * number of branches on a circuit.
+ * Returns the choice that describes the circuits of a four-bar. The lengths of its links determine the number of
+ * circuits, its driver the number of branches on a circuit.
  * @param {Summary} summary
  */
 function circuits({ four_bars: [bar, ...more], cycle }) {

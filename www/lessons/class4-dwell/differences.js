@@ -1,4 +1,4 @@
-// Plot of the analogue ψ″ over a turn: the exact curve, and values by finite differences of positions. The reader sets the step of the differences.
+// Plot of the analogue ψ″ over a turn: the exact curve, and finite differences of positions with the reader's step.
 import { radians } from "assur/core/angles.js";
 import { make, makeSvg, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
@@ -11,13 +11,13 @@ import { attempt } from "assur/core/problem.js";
  * @typedef {readonly [number, number]} Pair of ψ′ and ψ″
  */
 
-/** Limits and initial value of the slider. The step in degrees is ten to the power of a tenth of the slider's value. */
+/** Limits and initial value of the slider; at its value n, the step is 10^(n/10) degrees. */
 const EXPONENTS = Object.freeze({ least: -60, most: 15, first: 13 });
 /** Size of the plot, in units of its view box. */
 const SIZE = Object.freeze({ width: 320, height: 180 });
 /** Number of positions computed over a turn. */
 const PLACES = 144;
-/** Interval of the dots, in computed positions. */
+/** Number of computed positions from one dot to the next. */
 const DOTTED = 3;
 
 /** @implements {Figure} */

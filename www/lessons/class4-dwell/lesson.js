@@ -1,5 +1,4 @@
-// Steps of the lesson on the Class IV mechanism with dwell: the documents that each step shows, and its question.
-// The texts are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on the Class IV mechanism with dwell: documents and questions; texts in words.*.json.
 import { degrees } from "assur/core/angles.js";
 import { Differences } from "assur/lessons/class4-dwell/differences.js";
 import { System } from "assur/lessons/class4-dwell/system.js";

@@ -1,11 +1,8 @@
-// Steps of the lesson on the differential with magnetic couplings: the documents that each step shows, and its question.
-// The texts are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on the differential with magnetic couplings: documents and questions; texts in words.*.json.
 
-/**
- * @typedef {import("assur/engine.js").Summaries["gear-train"]} Summary
- */
+/** @typedef {import("assur/engine.js").Summaries["gear-train"]} Summary */
 
-/** Names `ij` of the six ratios U_ij⁽ᵏ⁾ of the members i and j with the member k held. */
+/** Names `ij` of the six ratios U_ij⁽ᵏ⁾ of members i and j, with member k held. */
 const RATIOS = Object.freeze(["13", "31", "34", "43", "14", "41"]);
 
 /** @type {import("assur/lesson/folder.js").Lesson<"gear-train">} */
@@ -132,8 +129,8 @@ function pitchesEach({ builds, conditions }) {
 }
 
 /**
- * Largest z₄ − z₁ − 2z₂ for which the teeth still touch. The gap between two wheels is m(z₄ − z₁ − 2z₂)/4, with the module m, and two teeth of
- * height m need more than 2m.
+ * Largest z₄ − z₁ − 2z₂ at which the teeth still touch. With the module m, the gap between two wheels is
+ * m(z₄ − z₁ − 2z₂)/4, and two teeth of height m clear each other only if the gap is more than 2m.
  */
 const TEETH_OF_GAPS = 8;
 

@@ -1,5 +1,4 @@
-// Steps of the lesson on the mixer: the documents that each step shows, and its question.
-// The texts are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on the mixer: documents and questions; texts in words.*.json.
 import { degrees } from "assur/core/angles.js";
 
 /**
@@ -93,8 +92,7 @@ function limits({ outputs: [{ limits: all }] }) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} the right choice for the pose of the least transmission angle; undefined if the linkage has a change
- * point
+ * @returns {string | undefined} right choice for the pose of the least transmission angle; undefined if there is a change point
  */
 function leastTransmission({ dead_points: dead, change_points: change }) {
   if (change.length > 0) return undefined;

@@ -1,9 +1,6 @@
-// Steps of the lesson on mobility by sections: the documents that each step shows, and its question.
-// The texts are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on mobility by sections: documents and questions; texts in words.*.json.
 
-/**
- * @typedef {import("assur/engine.js").Summaries["scheme"]} Summary
- */
+/** @typedef {import("assur/engine.js").Summaries["scheme"]} Summary */
 
 /** Choices: the mobility by count is lower than, equal to, or higher than the mobility by rank. */
 const COUNTS = Object.freeze(["low", "right", "high"]);

@@ -1,10 +1,7 @@
-// Steps of the lesson on synthesis from given positions: the documents that each step shows, and its question.
-// The texts are in words.*.json of this folder, under the step's id.
+// Steps of the lesson on synthesis from given positions: documents and questions; texts in words.*.json.
 import { degrees } from "assur/core/angles.js";
 
-/**
- * @typedef {import("assur/types/web.js").SynthesisSummary} Summary
- */
+/** @typedef {import("assur/types/web.js").SynthesisSummary} Summary */
 
 /** Choices for the shortest link, in the order of the lengths l₁, l₂, l₃, l₀. */
 const LINKS = Object.freeze(["coupler", "output", "input", "frame"]);
@@ -133,8 +130,8 @@ function first({ wanted: [one] }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} the least l₂ at which the Grashof type changes within the family of the paper's example; undefined for
- * any other document
+ * @returns {number | undefined} the least l₂ at which the Grashof type changes in the family of the paper's example; undefined for any
+ * other document
  */
 function grashofFrom({ family, wanted, frame }) {
   const near = (/** @type {number} */ one, /** @type {number} */ other) => Math.abs(one - other) < SAME;
