@@ -1,12 +1,12 @@
 //! Edits of a drawing, as requested by the page.
 
 use assur_file::LinkageDocument;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 /// One edit of a drawing. Lengths are in the unit of the drawing; parts are given by name.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(tag = "edit", rename_all = "snake_case", deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(tag = "edit"))]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[expect(
     missing_docs,
     reason = "parameters are named by the variant's sentence"
@@ -79,7 +79,7 @@ pub enum Edit {
 }
 
 /// An end of a new part.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum End {
@@ -92,7 +92,7 @@ pub enum End {
 }
 
 /// A line along which something slides.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Line {
@@ -103,7 +103,7 @@ pub enum Line {
 }
 
 /// An outer pair of a group: its joint with the existing linkage.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Outer {
@@ -116,7 +116,7 @@ pub enum Outer {
 }
 
 /// The inner pair of a dyad.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Inner {

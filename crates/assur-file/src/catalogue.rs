@@ -6,7 +6,7 @@ use assur::structure::roman;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
-use crate::reader::part;
+use crate::reader::from_json;
 use crate::text::json;
 use crate::{
     Document, GearTrainDocument, LinkageDocument, MixerDocument, Problem, SchemeDocument, State,
@@ -278,7 +278,7 @@ fn linkage(file: &File) -> Result<LinkageDocument, Vec<Problem>> {
 }
 
 fn whole<T: DeserializeOwned>(text: &str) -> Result<T, Vec<Problem>> {
-    let read = json(text).and_then(|value| part(&value));
+    let read = json(text).and_then(|value| from_json(&value));
     read.map_err(|problem| vec![problem])
 }
 
@@ -321,7 +321,7 @@ pub fn document_of(text: &str) -> Result<Document, Vec<Problem>> {
         drives: Option<IgnoredAny>,
     }
     let value = json(text).map_err(|problem| vec![problem])?;
-    let keys: Keys = part(&value).map_err(|problem| vec![problem])?;
+    let keys: Keys = from_json(&value).map_err(|problem| vec![problem])?;
     let of_state = [keys.format, keys.kind, keys.lesson, keys.document];
     if of_state.iter().any(Option::is_some) {
         let state = State::read(&value).map_err(|problem| vec![problem])?;
@@ -329,11 +329,11 @@ pub fn document_of(text: &str) -> Result<Document, Vec<Problem>> {
         return Ok(state.document);
     }
     let bare = if keys.pairs.is_some() {
-        part(&value).map(Document::Scheme)
+        from_json(&value).map(Document::Scheme)
     } else if keys.drives.is_some() {
-        part(&value).map(Document::GearTrain)
+        from_json(&value).map(Document::GearTrain)
     } else {
-        part(&value).map(Document::Linkage)
+        from_json(&value).map(Document::Linkage)
     };
     bare.map_err(|problem| vec![problem])
 }

@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 
 use crate::kinds::Document;
 use crate::problem::Problems;
-use crate::reader::part;
+use crate::reader::from_json;
 use crate::state::State;
 use crate::text::within;
 use crate::view::View;
@@ -304,7 +304,7 @@ struct Head {
 fn read_shown(value: &Value) -> Result<ShownDocument, Problem> {
     let Head {
         kind, view, vary, ..
-    } = part(value)?;
+    } = from_json(value)?;
     let mut whole = fields(&View::default());
     whole.extend(view);
     // A step sets neither the language, nor the open lesson, nor the projector view, nor the drawing tools.

@@ -48,6 +48,7 @@ pub use lesson::{
 };
 pub use picture::{PictureDocument, PictureProblem};
 pub use problem::{Field, Problem};
+pub use reader::from_json;
 pub use state::{FORMAT, State};
 pub use text::keys_once;
 pub use unit::LengthUnit;

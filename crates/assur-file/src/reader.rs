@@ -10,8 +10,11 @@ use serde_json::{Error, Map, Value, map};
 
 use crate::Problem;
 
-/// Converts JSON to a value of a type. An error names the part that has the wrong form.
-pub(crate) fn part<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
+/// Converts JSON to a value of a type.
+///
+/// # Errors
+/// [`Problem::BadState`] with the path of the part that has the wrong form.
+pub fn from_json<T: DeserializeOwned>(value: &Value) -> Result<T, Problem> {
     let mut path = String::new();
     let read = T::deserialize(Reader {
         value,
@@ -277,7 +280,7 @@ mod tests {
     use serde::Deserialize;
     use serde_json::{Value, json};
 
-    use super::part;
+    use super::from_json;
     use crate::{
         GearTrainDocument, LinkageDocument, Problem, SchemeDocument, SynthesisDocument, View,
         catalogue, document, schemes, trains,
@@ -300,7 +303,7 @@ mod tests {
     }
 
     fn fault(value: &Value) -> (String, String) {
-        match part::<Test>(value) {
+        match from_json::<Test>(value) {
             Err(Problem::BadState { path, detail }) => (path, detail),
             other => panic!("{value}: {other:?}"),
         }
@@ -308,7 +311,8 @@ mod tests {
 
     #[test]
     fn a_fault_has_its_path() {
-        let read = part(&json!({"motions": ["rest", {"turn": 2}, {"slide": {"by": [1, 2.5]}}]}));
+        let read =
+            from_json(&json!({"motions": ["rest", {"turn": 2}, {"slide": {"by": [1, 2.5]}}]}));
         let motions = vec![
             Motion::Rest,
             Motion::Turn(2.0),
@@ -349,7 +353,7 @@ mod tests {
         let expected = serde_path_to_error::deserialize::<_, T>(value)
             .map(|read| serde_json::to_value(read).unwrap())
             .map_err(|error| (error.path().to_string(), error.inner().to_string()));
-        let read = part::<T>(value).map(|read| serde_json::to_value(read).unwrap());
+        let read = from_json::<T>(value).map(|read| serde_json::to_value(read).unwrap());
         let read = read.map_err(|problem| match problem {
             Problem::BadState { path, detail } => (path, detail),
             other => panic!("{other:?}"),

@@ -6,7 +6,7 @@ use serde_json::Value;
 use crate::kinds::{Document, Moved};
 use crate::lesson::LessonDocument;
 use crate::problem::Problems;
-use crate::reader::part;
+use crate::reader::from_json;
 use crate::text::{json, under, within};
 use crate::view::{OpenLesson, View};
 use crate::{LinkageDocument, PictureDocument, Problem};
@@ -69,9 +69,9 @@ impl State {
     /// # Errors
     /// [`Problem::BadState`] with the path of the part that has the wrong form; an unknown version.
     pub fn read(value: &Value) -> Result<Self, Problem> {
-        let Head { format } = part(value)?;
+        let Head { format } = from_json(value)?;
         if format == FORMAT {
-            let Kind { kind } = part(value)?;
+            let Kind { kind } = from_json(value)?;
             return Ok(Self {
                 format,
                 document: Document::read("kind", &kind, value)?,
@@ -84,7 +84,7 @@ impl State {
         if format != FIRST_FORMAT {
             return Err(Problem::UnknownFormat { format });
         }
-        let FirstKind { lesson: kind } = part(value)?;
+        let FirstKind { lesson: kind } = from_json(value)?;
         let mut document = Document::read("lesson", &kind, value)?;
         let mut view: View = within(value, "view")?.unwrap_or_default();
         if let Document::Linkage(linkage) = &mut document {
@@ -163,7 +163,7 @@ fn compared(state: &Value) -> Result<Option<Document>, Problem> {
     let Some(value) = state.get(name).filter(|value| !value.is_null()) else {
         return Ok(None);
     };
-    let read = part(value).and_then(|Kind { kind }| Document::read("kind", &kind, value));
+    let read = from_json(value).and_then(|Kind { kind }| Document::read("kind", &kind, value));
     read.map(Some).map_err(|problem| under(name, problem))
 }
 

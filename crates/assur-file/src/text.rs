@@ -8,7 +8,7 @@ use serde::de::{
 use serde_json::{Map, Value};
 
 use crate::Problem;
-use crate::reader::part;
+use crate::reader::from_json;
 
 /// The character that some editors put before a text to show its encoding.
 const BYTE_ORDER_MARK: char = '\u{feff}';
@@ -124,7 +124,7 @@ impl<'de> Visitor<'de> for Part<'_> {
 
 /// Converts a field of a JSON object to a value of a type, if the field exists.
 pub(crate) fn within<T: DeserializeOwned>(value: &Value, name: &str) -> Result<Option<T>, Problem> {
-    let read = value.get(name).map(part).transpose();
+    let read = value.get(name).map(from_json).transpose();
     read.map_err(|problem| under(name, problem))
 }
 

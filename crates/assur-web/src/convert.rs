@@ -1,6 +1,6 @@
 //! Conversion between Rust and JavaScript values.
 
-use assur_file::{Problem, State};
+use assur_file::{Problem, State, from_json};
 use js_sys::Reflect;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -20,11 +20,7 @@ pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
 /// # Errors
 /// The fields whose numbers are not finite; otherwise the malformed part.
 pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
-    let value: Result<Value, _> = serde_wasm_bindgen::from_value(state.clone());
-    let value = value.map_err(|error| Problem::BadState {
-        path: ".".to_owned(),
-        detail: error.to_string(),
-    });
+    let value = json(state);
     if let Ok(Value::Object(parts)) = &value {
         let mut problems = Vec::new();
         for (name, part) in parts {
@@ -43,13 +39,32 @@ pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
 /// # Errors
 /// The malformed part.
 pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsValue> {
-    let bad = |detail: String| {
-        let path = ".".to_owned();
-        thrown([Problem::BadState { path, detail }])
-    };
-    let value: Result<Value, _> = serde_wasm_bindgen::from_value(given.clone());
-    let value = value.map_err(|error| bad(error.to_string()))?;
-    serde_json::from_value(value).map_err(|error| bad(error.to_string()))
+    let value = json(given).and_then(|value| from_json(&value));
+    value.map_err(|problem| thrown([problem]))
+}
+
+/// Reads a variant of an enum: an object with the name of the variant in the field `tag`.
+///
+/// # Errors
+/// No such field; otherwise the malformed part, with the name of the variant at the start of its path.
+pub(crate) fn read_tagged<T: DeserializeOwned>(given: &JsValue, tag: &str) -> Result<T, JsValue> {
+    let variant = json(given).and_then(|mut value| {
+        let name = value.as_object_mut().and_then(|fields| fields.remove(tag));
+        let name = name.as_ref().and_then(Value::as_str);
+        let name = name.ok_or_else(|| Problem::BadState {
+            path: tag.to_owned(),
+            detail: "no name of a variant".to_owned(),
+        })?;
+        from_json(&Value::from_iter([(name, value)]))
+    });
+    variant.map_err(|problem| thrown([problem]))
+}
+
+fn json(given: &JsValue) -> Result<Value, Problem> {
+    serde_wasm_bindgen::from_value(given.clone()).map_err(|error| Problem::BadState {
+        path: ".".to_owned(),
+        detail: error.to_string(),
+    })
 }
 
 /// Names the fields that hold NaN or an infinity. JSON has `null` there, so only nulls are compared with the original.

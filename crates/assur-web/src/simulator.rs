@@ -12,7 +12,7 @@ use web_sys::CanvasRenderingContext2d;
 use crate::canvas::Canvas;
 use crate::capabilities::{Capabilities, Edited, Moves, RelationHere, unknown};
 use crate::chart::{ChartLayout, ChartRequest};
-use crate::convert::{read, read_value, thrown, to_js};
+use crate::convert::{read, read_tagged, read_value, thrown, to_js};
 use crate::kinds::{as_kind, draft, open};
 use crate::moving::Moving;
 use crate::table::SweepTable;
@@ -153,7 +153,7 @@ impl Simulator {
     /// # Errors
     /// A document that cannot be edited as a drawing; the reason why the edit is impossible.
     pub fn edit(&self, edit: JsValue, input: f64) -> Result<JsValue, JsValue> {
-        let edit: Edit = read_value(&edit)?;
+        let edit: Edit = read_tagged(&edit, "edit")?;
         draft::edit(self.document()?, &edit, input).map_err(thrown)
     }
 
@@ -283,7 +283,7 @@ impl Simulator {
         with: Option<&dyn Moves>,
     ) -> Result<JsValue, JsValue> {
         let moves = self.moves()?;
-        let request = ChartRequest::read(request).map_err(|problem| thrown([problem]))?;
+        let request: ChartRequest = read_value(&request)?;
         let size = (request.width, request.height);
         let canvas = Canvas::new(context, size, request.ratio, request.whole);
         let (area, palette) = (canvas.into_drawing_area(), request.palette());

@@ -107,11 +107,23 @@ pub enum KindDocument {
 /// A position: two coordinates in a planar scheme, otherwise three.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-#[serde(untagged, expecting = "neither [x, y] nor [x, y, z]")]
+#[serde(untagged, try_from = "Vec<f64>")]
 #[expect(missing_docs, reason = "x and y, x, y and z")]
 pub enum PlaceDocument {
     Plane([f64; 2]),
     Space([f64; 3]),
+}
+
+impl TryFrom<Vec<f64>> for PlaceDocument {
+    type Error = &'static str;
+
+    fn try_from(coordinates: Vec<f64>) -> Result<Self, Self::Error> {
+        match coordinates[..] {
+            [x, y] => Ok(Self::Plane([x, y])),
+            [x, y, z] => Ok(Self::Space([x, y, z])),
+            _ => Err("neither [x, y] nor [x, y, z]"),
+        }
+    }
 }
 
 /// A point of a link that is not a pair.
