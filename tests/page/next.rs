@@ -22,6 +22,10 @@ const CUT: &str = "return [...document.querySelectorAll('.lesson-body *')]
     .filter((one) => one.checkVisibility() && !one.matches('input, .unseen') && one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX !== 'visible')
     .map(({ id, className, tagName }) => id || className || tagName);";
 
+/// The typed answer, and the element that has the focus.
+const GIVEN: &str =
+    "return [document.getElementById('lesson-answer')?.value, document.activeElement.id];";
+
 /// Whether the page itself scrolls, on a screen where only its parts do.
 const SCROLLS: &str = "const all = document.documentElement; return innerWidth >= 960 && all.scrollHeight > innerHeight;";
 
@@ -188,10 +192,14 @@ async fn walk_by(id: &str, (hands, screen, lang): Way) {
         .await;
         for answer in wrong(&page, right, before).await {
             let verdict = verdict_on(&page, hands, &answer).await;
-            assert_eq!(verdict, "not_yet", "{id} {step}: {answer} for {right}");
+            let given = page.ask(GIVEN).await;
+            assert_eq!(
+                verdict, "not_yet",
+                "{id} {step}, {hands:?} {lang}: {answer} for {right}, read {given}"
+            );
         }
         let verdict = verdict_on(&page, hands, right).await;
-        assert_eq!(verdict, "right", "{id} {step}: {right}");
+        assert_eq!(verdict, "right", "{id} {step}, {hands:?} {lang}: {right}");
         before = right.as_f64();
         hands.press(&page, "lesson-on").await;
         assert_eq!(page.text("problem").await, "", "{id} after {step}");
