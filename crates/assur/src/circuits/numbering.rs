@@ -147,7 +147,7 @@ impl Motion {
                 continue;
             };
             if mechanism.number_of(&pose, &found.poses).is_none() {
-                found.whole &= self.pose::<2>(visit).is_err();
+                found.whole &= self.pose::<3>(visit).is_err();
                 found.poses.push(pose);
             }
         }

@@ -33,7 +33,7 @@ impl Centrodes {
     /// Samples the centrodes of a link that moves relative to the frame. They are empty for a pure translation, and a
     /// single point for rotation about a hinge of the frame.
     pub fn of(motion: &Motion, link: LinkId) -> Self {
-        let at = |input, pose: &Pose<2>| rolling_at(motion, pose, link, input);
+        let at = |input, pose: &Pose<3>| rolling_at(motion, pose, link, input);
         Self {
             pieces: along(motion, at),
         }
@@ -41,7 +41,7 @@ impl Centrodes {
 }
 
 /// The pole of a link in a pose, and the sign of its angular velocity.
-fn rolling_at(motion: &Motion, pose: &Pose<2>, link: LinkId, input: f64) -> Option<(Rolling, f64)> {
+fn rolling_at(motion: &Motion, pose: &Pose<3>, link: LinkId, input: f64) -> Option<(Rolling, f64)> {
     let mechanism = motion.mechanism();
     let (velocity, spin) = mechanism.twist(pose, mechanism.body_of(Some(link)));
     let pole = perpendicular(velocity) / spin;
