@@ -183,7 +183,7 @@ export class Engine {
   /**
    * @template {object} S
    * @param {S} summary of the document just set
-   * @returns {S} the summary; that of a linkage has a field `assembled`, which is found when first read
+   * @returns {S} the summary; that of a linkage has a field `assembled`, computed on first access
    */
   #withAssembled(summary) {
     if (!("groups" in summary && "home" in summary)) return summary;

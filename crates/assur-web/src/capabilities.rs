@@ -203,7 +203,7 @@ pub(crate) trait Edited {
         None
     }
 
-    /// Chooses an assembly by its number at an input. Nothing changes if the document already moves in it.
+    /// Chooses an assembly by its number at an input. Nothing changes if it is already the document's assembly.
     fn assemble(&self, _number: usize, _input: f64) -> Result<Change, Vec<Problem>> {
         Err(vec![unknown("assembly")])
     }

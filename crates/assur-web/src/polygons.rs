@@ -77,7 +77,7 @@ pub(crate) struct FoundHere {
 }
 
 impl Moving {
-    /// The polygons at an input after this number of steps.
+    /// The polygons at an input; their pictures show the first `shown` steps.
     ///
     /// # Errors
     /// The reason why there are no polygons.

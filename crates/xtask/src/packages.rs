@@ -26,7 +26,7 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     } = workspace;
     let packed = CRATES.map(|name| ["--package", name]);
     let packed = packed.as_flattened();
-    // All that the crates need has been fetched for the tests.
+    // Compiling the tests has already fetched all the crates' dependencies, so packing works offline.
     let pack = cmd!(
         shell,
         "cargo package --offline --no-verify --allow-dirty {packed...}"

@@ -33,7 +33,8 @@ impl Panel {
     }
 }
 
-/// Returns the range of the input axis: the period or, if a crank oscillates over a small part of it, only that part.
+/// Returns the range of the input axis: the cycle's full axis, or only the range of an oscillating crank, with margins,
+/// if that is appreciably shorter but not tiny.
 pub(super) fn axis(cycle: &Cycle) -> [f64; 2] {
     let whole = cycle.axis();
     let (Some(_), false, [[from, _], .., [_, to]] | [[from, to]]) =

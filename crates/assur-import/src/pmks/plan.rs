@@ -9,7 +9,7 @@ use assur::mechanism::FARTHEST;
 use crate::sketch::{Bar, Body, Driver, Joint, Moves, Sketch};
 use crate::{ImportProblem, LeftOut};
 
-/// Resolution of angles in a PMKS+ link, radians.
+/// Resolution of angles in a PMKS+ URL, radians.
 const ANGLE_STEP: f64 = 0.001;
 
 /// A joint: a hinge or a prismatic pair.

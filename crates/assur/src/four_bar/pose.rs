@@ -192,7 +192,7 @@ impl FourBar {
         [diagonal, at_b, at_d]
     }
 
-    /// The angles of [`Self::triangle_angles`] for a deltoid, where l₅ = √Q cancels. With the sign of √Q the motion
+    /// The angles of [`Self::triangle_angles`] for a deltoid, where l₅ = √Q cancels. Because √Q is signed, the motion
     /// passes smoothly through the crank angle at which B coincides with D.
     fn deltoid_angles<const N: usize>(
         &self,

@@ -122,8 +122,7 @@ impl Assembled {
         self.layout.span()
     }
 
-    /// Margin of a step: measure of the distance of its links from being in line, or from a singular pose. Margins of
-    /// neighbours can be compared.
+    /// How far a step is from links in line or from a singular pose; comparable between a mechanism and its neighbours.
     pub(crate) fn margin(&self, step: StepId) -> f64 {
         let [p, q] = self.state.margins[step].map(|margin| margin.value());
         match self.layout.steps[step] {

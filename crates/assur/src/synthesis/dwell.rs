@@ -70,7 +70,7 @@ pub struct Evaluation {
 pub struct Progress {
     /// Number of candidates evaluated so far.
     pub judged: usize,
-    /// True if the last candidate was better than the best before and has been accepted.
+    /// True if the last candidate was better than the previous best and was accepted.
     pub accepted: bool,
     /// Values of the best candidate.
     pub evaluation: Evaluation,

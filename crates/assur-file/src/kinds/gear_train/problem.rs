@@ -63,7 +63,7 @@ pub enum GearTrainProblem {
     ByTime,
 }
 
-/// Converts an error of the wheels to a problem.
+/// Converts an error in the numbers that define a train to a problem.
 pub(super) fn of_train(error: TrainError) -> Problem {
     let problem = match error {
         TrainError::Teeth { member, fault } => {

@@ -301,7 +301,7 @@ impl Known {
     }
 }
 
-/// Names of the read-outs of a run besides angles: torques and the energy balance.
+/// Names of a run's read-outs other than angles and their derivatives: torques and the energy balance.
 const OF_RUN: [&str; 11] = [
     "sun.field",
     "ring.field",

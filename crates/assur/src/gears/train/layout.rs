@@ -113,7 +113,8 @@ impl Layout {
             [Member::Sun, Member::Satellite, Member::Step, Member::Ring]
                 .map(|member| f64::from(self.train.teeth(member)));
         match (self.train.kind(), coupling, self.axis_distance) {
-            // The satellite's pitch circle, of radius r₂ and pitch angle δ₂, has its centre at r₂ cot δ₂ sin Σ.
+            // The centre of the satellite's pitch circle (radius r₂, pitch angle δ₂) is at r₂ cot δ₂ sin Σ =
+            // (r₁ + r₄)/2 from the central axis, where Σ = δ₁ + δ₂.
             (Kind::Bevel, ..) => 0.25 * self.module * (sun + ring),
             (_, Coupling::Contact, _) => 0.5 * self.module * (sun + satellite),
             (_, Coupling::Magnetic, Some(given)) => given,

@@ -161,7 +161,8 @@ impl<'a> Continuation<'a> {
                 target
             };
             let tried = width.min(left);
-            // A long step costs as much as a short one, but reading quantities over a long step costs more.
+            // Work is charged by length: the step itself costs the same at any length, but a longer one has more
+            // samples to read.
             let samples = (tried / cell).ceil() as usize;
             let bodies = self.mechanism.bodies().len();
             let Some(work) = self.work.checked_sub(samples * bodies) else {

@@ -14,7 +14,7 @@ const MAX_STEP: f64 = 0.1;
 /// Maximum number of corrector steps: two reduce an error of 10⁻³ to 10⁻¹² (quadratically), and a third confirms this.
 const MAX_CORRECTOR_STEPS: usize = 3;
 
-/// Lehmer's random number generator with a fixed seed, for the same paths every time.
+/// Lehmer's random number generator, seeded so that each set of paths is the same every time.
 struct Random(u64);
 
 impl Random {

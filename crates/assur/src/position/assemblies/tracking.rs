@@ -62,8 +62,8 @@ impl Group {
         known.chain(driven).collect()
     }
 
-    /// All assemblies from their extrapolations; None if they are not distinct. The flag is false if some assemblies
-    /// became real or complex.
+    /// Tracks all assemblies from their extrapolations; None if some are lost or do not stay distinct. The flag is
+    /// false if a pair was found again from its mean, as when a real pair becomes complex or a complex pair real.
     fn track<const N: usize>(
         &self,
         extrapolation: &Extrapolation<'_>,

@@ -9,7 +9,7 @@
 struct Pivot {
     row: usize,
     column: usize,
-    /// Index of the pivot in the matrix.
+    /// Index of the pivot in the matrix stored by rows.
     at: usize,
     /// Rows below the pivot with a nonzero in its column.
     below: [usize; 2],

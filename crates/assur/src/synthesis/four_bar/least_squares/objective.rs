@@ -24,7 +24,7 @@ pub(super) struct Objective {
 pub(super) struct Value<const N: usize> {
     /// ΣJ relative to the sum of the weights.
     pub(super) value: f64,
-    /// Best z₁ at this point, within the ratios.
+    /// Best z₁ at this point, within the bounds `ratios`.
     pub(super) coupler: f64,
     pub(super) gradient: [f64; N],
     pub(super) hessian: [[f64; N]; N],
