@@ -71,7 +71,7 @@ export class ReadoutTable {
   #build({ state: { view }, summary: { listed, curves }, coordinate, words, compares }) {
     write(this.#inputSymbol, coordinate.symbol);
     write(this.#inputName, words.text(`readouts.input.${coordinate.moves}`));
-    // Symbols of the derivatives in the heads: of angles, of lengths or of both.
+    // The heads show the symbols of the derivatives of angles, of lengths or of both.
     const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => listed.some(({ what }) => what === one));
     const usual = found("angle", "load_angle", "x", "y");
     // Measures have letters of their own, which are in the heads only if no other quantities are listed.

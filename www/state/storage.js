@@ -11,7 +11,7 @@ const IMAGE = "assur.image";
 const TAIL = 48;
 /** Key of the digests of lecturers' lessons with stored names and answers, the most recently used last. */
 const LESSONS = "assur.lessons";
-/** Limit of the number of these lessons, which would grow for ever on a classroom machine. */
+/** Limit of the number of these lessons. Without it, a classroom machine would fill up. */
 const MOST_LESSONS = 40;
 const OF_LESSON = /^assur\.lesson\.own\.([^.]+)/;
 /** Key under which a state that could not be read is put aside instead of being overwritten. */
