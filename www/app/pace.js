@@ -7,7 +7,7 @@ const BRIEF = 3;
 const REST = 12;
 
 export class Pace {
-  /** Revision of the mechanism written last. */
+  /** Revision of the mechanism that the views show. */
   #revision = 0;
   /** Whether the views last took longer than `BRIEF` to write. */
   #long = false;

@@ -122,7 +122,7 @@ export class ReadoutTable {
  * @param {number} order of the derivative
  * @param {number | undefined} a
  * @param {number | undefined} b
- * @returns {number | undefined} b − a, for an angle within half a turn; undefined if a value is missing
+ * @returns {number | undefined} b − a, for angles reduced to −π … π; undefined if a value is missing
  */
 export function differenceOf(what, order, a, b) {
   if (a === undefined || b === undefined) return undefined;

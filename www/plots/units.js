@@ -6,7 +6,7 @@ import { unitOfRate } from "assur/core/units.js";
 /** @typedef {import("assur/engine.js").Panel} Panel */
 /** @typedef {Pick<Panel, "kind" | "order" | "physical" | "y0" | "y1">} Scale scale of a panel, or of any axis */
 
-/** Limits of an axis's largest value. Beyond these, numbers are written in thousands, thousandths … to fit. */
+/** Limits of an axis's largest value. Beyond them, its numbers are written with a power of ten such as 10³ or 10⁻³. */
 const LARGE = 1e5;
 const SMALL = 1e-2;
 

@@ -91,8 +91,8 @@ export function putAside(text) {
 }
 
 /**
- * Restores the intended address after a reload: the last change before a page is left may come too late for the address that
- * the browser loads again. An address to which the reader navigates is not replaced.
+ * Restores the intended address after a reload. If the last change came just as the page was left, the browser may load
+ * an older address. An address to which the reader navigates is not replaced.
  */
 export function takeUpAddress() {
   guarded(() => {

@@ -19,7 +19,7 @@ import { withDocument } from "assur/state/state.js";
 const PER_CENT = Object.freeze(["1", "2", "5", "10", "20"]);
 const USUAL = "5";
 
-/** Number of candidates between announcements of progress without an improvement; screen readers cannot follow each. */
+/** Without an improvement, progress is announced after this many candidates; a screen reader cannot follow each. */
 const TOLD = 10;
 
 /** Pause of the search after an improvement is shown, in milliseconds. Without it the motion would be jerky. */
