@@ -1,7 +1,7 @@
 // <assur-mechanism src="…">: a frame with the page, for slides and learning platforms (docs/embedding.md). This
 // separate script runs in pages of other sites. It uses nothing of such a page, and never inserts attributes as markup.
 (() => {
-  /** Parameters in the address of the page, by the attributes of the element that set them. */
+  /** Attributes of the element, each with the parameter that it sets in the address of the page. */
   const PARAMETERS = Object.freeze({ show: "embed", lesson: "lesson", step: "step", edit: "edit", bar: "bar", play: "play", lang: "lang" });
 
   /** `own`: address of this script. A `src` that begins with # refers to the page in the script's folder. */

@@ -136,7 +136,7 @@ export class Page {
   }
 
   /**
-   * Does work while the drawing and the numbers show the same pose.
+   * Calls a function while the drawing and the numbers show the same pose.
    * @template T
    * @param {readonly string[]} hidden ids of read-outs hidden during the work
    * @param {() => T} work

@@ -26,7 +26,7 @@ import { moves } from "assur/state/model.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
  * @typedef {{ render(snapshot: AnySnapshot): void }} View
  * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView view of documents that move
- * @typedef {(page: Page) => readonly View[]} Make makes the views of one kind of document, which get snapshots of this kind
+ * @typedef {(page: Page) => readonly View[]} Make makes the views of a kind of document, which get its snapshots only
  */
 
 /** @type {Readonly<Record<"all_assemblies" | "polygons" | "curvature", (page: Page) => Promise<MotionView>>>} views loaded when their switch is on */

@@ -17,7 +17,7 @@ const OF_LESSON = /^assur\.lesson\.own\.([^.]+)/;
 /** Key under which a state that could not be read is put aside instead of being overwritten. */
 const ASIDE = "assur.state.unread";
 
-/** Key, in the storage of one visit, of two addresses: the one a reload may still load, and the intended one. */
+/** Key in the session storage of two addresses: the one that a reload may still load, and the intended one. */
 const LEFT = "assur.left";
 
 /** Shortest interval between writes, in milliseconds: browsers limit how often a page may change its address. */
