@@ -1,4 +1,4 @@
-// Worker that searches for a dwell and reports each mechanism. It waits until the page has shown an improvement.
+// Worker that searches for a dwell and reports each mechanism. After an improvement, it waits for the page to show it.
 import load, { Design } from "assur/pkg/assur_web.js";
 
 /** Ends the wait after an improvement. */

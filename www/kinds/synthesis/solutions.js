@@ -1,4 +1,4 @@
-// The list of solutions with verdicts, which can be saved. The chosen solution is drawn and opens in the simulator.
+// The list of solutions with verdicts, which can be saved. The chosen one is drawn and can be opened in the simulator.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
