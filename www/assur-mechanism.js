@@ -1,10 +1,10 @@
 // <assur-mechanism src="…">: a frame with the page, for slides and learning platforms (docs/embedding.md). This
-// separate script runs in the pages of others. It uses nothing of such a page, and no attribute becomes markup.
+// separate script runs in pages of other sites. It uses nothing of such a page, and never inserts attributes as markup.
 (() => {
-  /** Parameters in the address of the page, by the attributes of the element that set them. */
+  /** Attributes of the element, each with the parameter that it sets in the address of the page. */
   const PARAMETERS = Object.freeze({ show: "embed", lesson: "lesson", step: "step", edit: "edit", bar: "bar", play: "play", lang: "lang" });
 
-  /** Address of this script. A `src` that begins with # belongs to the page beside the script. */
+  /** `own`: address of this script. A `src` that begins with # refers to the page in the script's folder. */
   const script = document.currentScript;
   const own = script instanceof HTMLScriptElement ? script.src : location.href;
 

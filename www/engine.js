@@ -20,14 +20,14 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/types/web.js").EquationSummary} Equation
  * @typedef {import("assur/types/web.js").RelationHere} Relation
  * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled the moving assembly at the drawn
- * input; null if unknown. `number`: its number, from 1. `count`: number of known ones. `whole`: whether these are all
+ * input; null if unknown. `number`: its number, from 1. `count`: how many are known there. `whole`: whether all are
  * @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled: Assembled }} MotionSummary
  * @typedef {import("assur/types/web.js").MixerSummary} MixerSummary
  * @typedef {import("assur/types/web.js").DimensionSummary} Dimension
  * @typedef {import("assur/types/web.js").LinkageSummary} LinkageSummary
  * @typedef {{ [K in Kind]: import("assur/types/web.js").Summaries[K] & (import("assur/types/web.js").Summaries[K] extends { home: number, groups: unknown } ? { readonly assembled: Assembled } : {}) }} Summaries
  * Summaries that the engine makes of documents, by kind. The assemblies of a linkage take time to find, and so are
- * found only when `assembled` is first read.
+ * found only on the first access to `assembled`.
  * @typedef {Summaries[Kind]} Summary
  * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
  * The mechanism at an input. `frame`: poses of the bodies, and a display list of all shapes that are not rigid.
@@ -58,7 +58,7 @@ export function compiledWasm() {
 }
 
 /**
- * Compiles wasm while it is loading, if the server declares it as wasm, or else afterwards.
+ * Compiles wasm while it is loading if the server sends it with the media type of wasm, otherwise afterwards.
  * @param {Response} response
  */
 async function compile(response) {
@@ -72,7 +72,7 @@ function lists(flat) {
   return [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
 }
 
-/** Length to which foreign texts are cut for the engine, whose memory never shrinks; texts so long are refused. */
+/** Length to which texts of other programs are cut, as the engine's memory never shrinks. Texts so long are refused. */
 const LONGEST_FOREIGN = 2 ** 20 + 1;
 
 /** @param {string} text */
@@ -127,7 +127,7 @@ export class Engine {
 
   /**
    * @param {Pick<State, "kind" | "document">} state
-   * @returns {Preset | undefined} preset of the document, by its origin, or else by its dimensions, whatever its traced points
+   * @returns {Preset | undefined} preset that `origin` names; without this field, the preset with the same dimensions
    */
   presetOf({ kind, document }) {
     if ("origin" in document) return this.preset(document.origin ?? "");
@@ -183,7 +183,11 @@ export class Engine {
   /**
    * @template {object} S
    * @param {S} summary of the document just set
+<<<<<<< HEAD
    * @returns {S} the summary; that of a linkage has a field `assembled`, computed on first access
+=======
+   * @returns {S} the summary; that of a linkage has a field `assembled`, which is computed on first access
+>>>>>>> 5be9d65b3f900e0cf1c61ed47ec8bdf97bf8cad7
    */
   #withAssembled(summary) {
     if (!("groups" in summary && "home" in summary)) return summary;
@@ -468,7 +472,7 @@ export class Engine {
   /**
    * @param {number} input
    * @param {number} delta
-   * @returns {{ input: number, sign: number }} new input; `sign` −1 if the driver turned back at the end of its range
+   * @returns {{ input: number, sign: number }} new input; `sign`: −1 if the driver turned back at the end of its range
    */
   advance(input, delta) {
     const [next, sign] = this.ask((simulator) => simulator.advance(input, delta));
@@ -496,7 +500,7 @@ export class Engine {
   }
 
   /**
-   * Puts a question to the simulator, also for parts of the page that are loaded later.
+   * Puts a question to the simulator. Parts of the page that are loaded later use this, too.
    * @template T
    * @param {(simulator: module.Simulator) => T} question
    * @returns {T}

@@ -15,7 +15,7 @@ import { furtherOf, withFurther, withMechanism, withView } from "assur/state/sta
  * @typedef {Readonly<Record<string, () => void>>} Commands
  */
 
-/** Shortest length, in characters, at which messaging programs may cut a link off. */
+/** Length, in characters, from which messaging programs may cut a link off. */
 const LONG_LINK = 8000;
 
 /**

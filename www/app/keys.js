@@ -39,10 +39,10 @@ export const KEYS = Object.freeze([
 /** Signs shown for some keys in place of their names. */
 const SIGNS = Object.freeze({ ArrowLeft: "←", ArrowRight: "→", Plus: "+", "-": "−", Control: "Ctrl", Escape: "Esc" });
 
-/** Keys that act on the scrubber like arrow keys of the table. */
+/** Arrow keys of the focused scrubber, each with the arrow key of the table that has the same effect. */
 const SCRUBBER = Object.freeze({ ArrowUp: "ArrowRight", ArrowDown: "ArrowLeft" });
 
-/** Combinations that an element of the page uses itself, by the kind of element. */
+/** Combinations to which an element with the focus responds itself, by the kind of element. */
 const OWN = Object.freeze({
   range: /Arrow|Home|End/,
   radio: /Arrow|^Space$/,

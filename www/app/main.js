@@ -21,7 +21,7 @@ async function start() {
   new Page(engine, habits, words, opening).show();
 }
 
-// Not awaited: modules loaded later import this module, and would have to wait until it has finished.
+// The start is not awaited here: modules loaded later import this module, and would have to wait for its end.
 start().catch((thrown) => {
   console.error(thrown);
   byId("boot", HTMLElement).hidden = true;

@@ -11,7 +11,7 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {Readonly<{ kind: "address" | "embed" | "kept" | "file" | "part" | "pasted" | "import" | "link" | "picture" | "store", problems: readonly Problem[], name?: string }>} Failure
- * A failure of kind `import` lists the parts that could not be imported; all others were.
+ * A failure of kind `import` lists the parts that could not be imported; all other parts were.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
  * @typedef {Readonly<{ calm: boolean, lang: string, embedding?: import("assur/embed/embed.js").Embedding | null }>} Habits
@@ -25,14 +25,14 @@ const EXTENSION = /\.linkage2$/i;
 /** Largest size of a file, in bytes. */
 const LARGEST_FILE = 20_000_000;
 
-/** Problems of a file whose notice also lists the kinds of file that can be opened. */
+/** Codes of problems with a file after which the notice also lists the kinds of file that can be opened. */
 const OTHERS = Object.freeze(["not_json", "no_mechanism", "is_picture"]);
 
 /** Greatest length of a title, in characters. */
 const LONGEST_TITLE = 400;
 
 /**
- * Makes a state from a value from outside, which the engine checks.
+ * Makes a state from a value that comes from outside the page and is checked by the engine.
  * @param {Failure["kind"]} kind
  * @param {() => unknown} unwrap
  * @param {Engine} engine

@@ -1,13 +1,13 @@
-// Paces the views other than the drawing in drags that change the mechanism: most of the time is left to the drag.
+// Pacing of the views other than the drawing. A drag that changes the mechanism gets most of the time.
 import { whenReleased } from "assur/core/released.js";
 
-/** Time for writing the views above which they are not written in every frame, in milliseconds. */
+/** Longest writing time of the views, in milliseconds, at which they are written in every frame of a drag. */
 const BRIEF = 3;
-/** Pause after the views took longer to write, as a multiple of that time. */
+/** Pause after views that took longer than `BRIEF` to write, as a multiple of their writing time. */
 const REST = 12;
 
 export class Pace {
-  /** Revision of the mechanism written last. */
+  /** Revision of the mechanism that the views show. */
   #revision = 0;
   /** Whether the views last took longer than `BRIEF` to write. */
   #long = false;

@@ -36,7 +36,7 @@ export class Page {
   #player = new Player();
   #views;
   #toLesson;
-  /** Seconds since the numbers were written. They are written at the start, too. */
+  /** Seconds since the numbers were last written. The initial value causes them to be written at the start. */
   #unwritten = WRITING_PERIOD;
   /** @type {HTMLElement | null} element printed instead of the worksheet of the shown state */
   sheet = null;
@@ -117,7 +117,7 @@ export class Page {
     }));
   }
 
-  /** Loads in advance the worksheet, for which the browser's print command cannot wait, and the often used gallery. */
+  /** Preloads the worksheet, because the browser's print command cannot wait for it, and the often-used gallery. */
   async #prepare() {
     this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
     import("assur/gallery/gallery.js").catch(() => null);
@@ -136,7 +136,7 @@ export class Page {
   }
 
   /**
-   * Does work while the drawing and the numbers show the same pose.
+   * Calls a function while the drawing and the numbers show the same pose.
    * @template T
    * @param {readonly string[]} hidden ids of read-outs hidden during the work
    * @param {() => T} work

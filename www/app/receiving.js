@@ -25,7 +25,7 @@ export function receive(page) {
 /**
  * @param {DataTransfer | null} data
  * @param {Page} page
- * @param {boolean} meant whether to show a message if no known program writes such a text
+ * @param {boolean} meant whether to show a message if the text is not in the format of a known program
  * @returns {boolean} whether there was any content to take
  */
 function bring(data, page, meant) {

@@ -1,4 +1,4 @@
-// All views. Those of a kind of document load when it is first shown, the description for screen readers at rest.
+// All views. Those for one kind of document load when it is first shown; text for screen readers loads at rest.
 import { Becoming } from "assur/app/becoming.js";
 import { awaited } from "assur/app/busy.js";
 import { BROKE, LOST } from "assur/app/notices.js";
@@ -26,7 +26,7 @@ import { moves } from "assur/state/model.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
  * @typedef {{ render(snapshot: AnySnapshot): void }} View
  * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView view of documents that move
- * @typedef {(page: Page) => readonly View[]} Make makes the views of one kind of document, which get only its snapshots
+ * @typedef {(page: Page) => readonly View[]} Make makes the views of a kind of document, which get its snapshots only
  */
 
 /** @type {Readonly<Record<"all_assemblies" | "polygons" | "curvature", (page: Page) => Promise<MotionView>>>} views loaded when their switch is on */

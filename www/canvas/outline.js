@@ -1,6 +1,6 @@
-// The line along a polygon as a band: without a graphics processor, filling is several times faster than stroking.
+// The line along a polygon as a band to fill. Without a graphics processor, filling is much faster than stroking.
 
-/** Lower limit of 1 + cos δ, where the line turns through δ at a corner. It shortens the tips of sharp corners. */
+/** Lower limit of 1 + cos δ, where δ is the turn of the line at a corner. The limit shortens sharp tips. */
 const SHARPEST = 0.3;
 
 /**

@@ -73,7 +73,7 @@ export class Places {
  * @param {number} wanted
  * @param {number} half half of the label's size
  * @param {number} length of the sheet
- * @returns {number} the place on the sheet nearest to the wanted one, or the wanted one for a point off the sheet
+ * @returns {number} the wanted place, moved so that the label is on the sheet if its point is
  */
 function within(point, wanted, half, length) {
   return point < -half || point > length + half || length < 2 * half ? wanted : Math.min(Math.max(wanted, half), length - half);

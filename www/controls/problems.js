@@ -27,7 +27,7 @@ const OF_LENGTHS = Object.freeze(/** @type {Record<string, string>} */ ({ too_la
 /** Parameters of a problem that name a link. */
 const LINKS = Object.freeze(["link", "shaft", "to", "mesh"]);
 
-/** Parameters of a problem that are lengths, unless its field is a rate or an angle. */
+/** Parameters of a problem that are lengths, unless the problem's field is a rate or an angle. */
 const LENGTHS = Object.freeze(["by", "last"]);
 const RATE = /\.rate$/;
 /** An angle: `links[2].corner_deg[2]`, `wheels[0].centre_line_deg`. */

@@ -8,7 +8,7 @@ import { make, write } from "assur/core/dom.js";
  */
 export function writeReadout(output, said, value) {
   output.removeAttribute("data-asked");
-  // In an output with elements, an equal text may still differ in its elements.
+  // An output with child elements is always rewritten: equal text may be marked up differently.
   if (typeof said === "string" && output.childElementCount === 0) write(output, said);
   else output.replaceChildren(...(typeof said === "string" ? [said] : said));
   if (value === undefined) output.removeAttribute("data-value");

@@ -13,7 +13,7 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** Entry of the list of speeds for true time: the input moves at its rate ω₁. */
+/** Entry for true time in the list of speeds: the input then moves at its rate ω₁. */
 const TRUE_TIME = "true_time";
 
 export const SPEEDS = Object.freeze([0.1, 0.25, 0.5, 1, 2, 4]);

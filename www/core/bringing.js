@@ -39,7 +39,7 @@ export class Bringing {
     }
   }
 
-  /** Forgets failures, so that the next state that is shown requests those parts again. */
+  /** Forgets failures, so that the parts that failed to load are requested again with the next state shown. */
   #again() {
     for (const [name, due] of this.#due) if (due !== Infinity) this.#due.delete(name);
     this.#changed();

@@ -2,7 +2,7 @@
 
 /**
  * Name of a link in the reader's language. The link's number replaces {n} in the word, or else follows the word.
- * Without a number, the hyphen or space that would join the two is omitted.
+ * Without a number, the hyphen or space that would join word and number is omitted.
  * @param {string} link
  * @param {import("assur/core/words.js").Words} words
  */

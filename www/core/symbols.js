@@ -44,7 +44,7 @@ export function letterOfAngle(of, number) {
 }
 
 /**
- * Symbol of a quantity or its derivative, such as φ₃′, ω₅, ẋ. An angle without a number has its link's or joint's name.
+ * Symbol of a quantity or its derivative, such as ω₅, ẋ. For an unnumbered angle, the link's or joint's name follows.
  * @param {{ name: string, number?: string | null }} quantity its name, as `rocker.angle`, and its link's number
  * @param {number} order
  * @param {boolean} physical whether derivatives are with respect to time

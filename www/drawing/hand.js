@@ -274,7 +274,7 @@ export class Hand {
 
   /**
    * @param {string} point
-   * @returns {string | null} the last wheel added at the point; null if the point is on no other link
+   * @returns {string | null} the last wheel added at the point; null if there is none, or no other link at the point
    */
   #wheelOn(point) {
     const { links = [], slides = [] } = this.#document();

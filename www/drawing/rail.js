@@ -97,7 +97,7 @@ export class DrawingRail {
   }
 
   /**
-   * Returns the places of the points: exactly those of the document in the drawn pose, computed ones in any other.
+   * Returns the places of the points: in the drawn pose exactly those of the document, in any other computed places.
    * @param {Pick<Snapshot, "summary" | "frameInput">} snapshot
    * @param {Document} document
    */

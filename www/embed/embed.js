@@ -74,7 +74,7 @@ export class Embedding {
   /**
    * @param {import("assur/app/opening.js").Opening} opening
    * @param {boolean} calm whether no motion may start by itself
-   * @returns {Promise<import("assur/app/opening.js").Opening>} the opening changed by the parameters, and problems of invalid ones
+   * @returns {Promise<import("assur/app/opening.js").Opening>} the opening changed by the parameters, with a failure for invalid parameters
    */
   async opened({ state, failures }, calm) {
     await addStyle("embed/style.css");

@@ -38,7 +38,7 @@ const COLUMNS = Object.freeze({
 /** Prefix of the column headings and dimensions of the compared mechanism, A. */
 const OF_A = "A: ";
 
-/** Significant digits of a dimension: rounding to them removes errors of the conversion to the drawing. */
+/** Significant digits of a dimension. They exclude the rounding errors of lengths computed from coordinates. */
 const DIGITS = 12;
 
 const DIMENSIONS = Object.freeze({ length: "export.dimension.length", x: "export.dimension.x", y: "export.dimension.y" });

@@ -29,7 +29,7 @@ export function openExport(page) {
 }
 
 /**
- * Makes the controls for the form of the table. The decimal sign is initially that of the page's language.
+ * Makes the controls for the format of the table. The decimal sign is initially that of the page's language.
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
  */

@@ -15,7 +15,7 @@ const HAIR = 1e-9;
 /**
  * @param {Page} page
  * @param {number} count
- * @returns {number[]} inputs of the engine at equal steps over a period. A full turn starts at the current input; a
+ * @returns {number[]} inputs in the engine's unit, equally spaced over a period. A full turn starts at the current one; a
  * rocking crank or a slide moves to and fro
  */
 export function inputs({ model: { summary, coordinate }, store }, count) {

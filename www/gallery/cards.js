@@ -54,7 +54,7 @@ function mechanismCard({ id, class: highest }, group, page, pictures, english) {
   const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), line(words), about);
   if (engine.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
   button.addEventListener("click", () => page.choose(kind, document));
-  // The Roman numeral in a group's heading is a class that not all of the group's mechanisms have.
+  // The Roman numeral in a group's heading is left out: not all mechanisms of the group have this class.
   const texts = [words, english].flatMap((table) =>
     [table.text(key), table.text(`about.${id}`), table.text(group).replace(/[IVX]+/, ""), line(table)]);
   return [{ button, words: findable(texts, highest ?? "") }];

@@ -1,4 +1,4 @@
-// Opens a lesson with the mechanism of its step from outside the lesson's tab. Opens the form for a lecturer's lesson.
+// Opening of a lesson from other parts of the page, with its step's mechanism; opening of the form for lecturers.
 import { OWN, readLesson } from "assur/lesson/offer.js";
 import { Progress } from "assur/lesson/progress.js";
 import { open } from "assur/lesson/show.js";

@@ -120,7 +120,7 @@ export class LessonPanel {
   }
 
   /**
-   * Takes over the progress kept under another name. Rebuilds no button, as a press on one may have ended the typing.
+   * Takes over the progress kept under another name. Rebuilds no button: a press on one may have ended the typing.
    * @returns {Progress}
    */
   #renew() {

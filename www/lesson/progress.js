@@ -62,7 +62,7 @@ export class Progress {
   }
 
   /**
-   * Stores a step's mechanism when the page is left. The rest of the stored progress stays: it may be of another tab.
+   * Stores a step's mechanism when the page is left. Other stored progress stays: another tab may have written it.
    * @param {string} step
    * @param {string} digest of the step's mechanism
    */
@@ -130,7 +130,7 @@ export class Progress {
 /**
  * @param {string | null} text text from the storage, perhaps not written by this page
  * @returns {Readonly<Record<"given" | "tries" | "mechanisms", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} progress in the
- * text; entries of another form are empty
+ * text; entries of an unexpected type are returned empty
  */
 function read(text) {
   const list = (/** @type {unknown} */ value) => (Array.isArray(value) ? value : []);

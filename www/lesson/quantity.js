@@ -54,7 +54,7 @@ export function unitOf(asked) {
  * @param {Asked | null | undefined} asked
  * @param {Readonly<{ coordinate: import("assur/state/coordinate.js").Coordinate | null, state: import("assur/state/state.js").State }> | null} seen the mechanism in the question
  * @param {Words} words words with the unit of the mechanism's lengths
- * @returns {string} unit of an answer; also known for lengths and rates
+ * @returns {string} unit of an answer, including that of a length or a rate
  */
 export function unitIn(asked, seen, words) {
   if (!seen?.coordinate || !asked?.quantity || asked.unit) return unitOf(asked);

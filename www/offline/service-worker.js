@@ -16,7 +16,7 @@ const [BUILD, ...FILES] = worker.version.split(" ");
 const { scope } = worker.registration;
 const PREFIX = `assur ${scope} `;
 
-/** Number of versions kept, because an open page of the previous version may still request files. */
+/** Number of versions kept: an open page of the previous version may still request that version's files. */
 const KEPT = 2;
 
 /** Option that ignores the header `Vary`, because responses that differ only in compression are the same here. */

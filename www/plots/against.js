@@ -20,7 +20,7 @@ const TAG = 17;
 /** Dashes of the lines from the dot to the axes. */
 const DASHES = [4, 4];
 
-/** Pixels within which passes of a curve are equally near to the pointer; the one nearest to the input is taken. */
+/** Difference in pixels up to which passes of a curve count as equally near to the pointer; the input then decides. */
 const ALIKE = 4;
 
 /**

@@ -42,7 +42,7 @@ export class ChartView {
    * @param {HTMLCanvasElement} canvas
    * @param {Engine} engine
    * @param {Theme} theme
-   * @param {() => void} failed called once when the plots cannot be drawn, until they can be drawn again
+   * @param {() => void} failed called when the plots cannot be drawn; not called again until they have been drawn
    */
   constructor(canvas, engine, theme, failed) {
     this.#failed = failed;

@@ -71,7 +71,7 @@ export class ReadoutTable {
   #build({ state: { view }, summary: { listed, curves }, coordinate, words, compares }) {
     write(this.#inputSymbol, coordinate.symbol);
     write(this.#inputName, words.text(`readouts.input.${coordinate.moves}`));
-    // Symbols of the derivatives in the heads: of angles, of lengths or of both.
+    // The heads show the symbols of the derivatives of angles, of lengths or of both.
     const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => listed.some(({ what }) => what === one));
     const usual = found("angle", "load_angle", "x", "y");
     // Measures have letters of their own, which are in the heads only if no other quantities are listed.
@@ -122,7 +122,7 @@ export class ReadoutTable {
  * @param {number} order of the derivative
  * @param {number | undefined} a
  * @param {number | undefined} b
- * @returns {number | undefined} b − a, for an angle within half a turn; undefined if a value is missing
+ * @returns {number | undefined} b − a, for angles reduced to −π … π; undefined if a value is missing
  */
 export function differenceOf(what, order, a, b) {
   if (a === undefined || b === undefined) return undefined;

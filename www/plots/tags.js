@@ -3,7 +3,7 @@ import { overlap } from "assur/plots/marks.js";
 
 /** @typedef {import("assur/plots/marks.js").Box} Box */
 
-/** Greatest shift of a tag that avoids labels, in tag heights; beyond, it would seem to belong to another curve. */
+/** Greatest shift of a tag to avoid labels, in tag heights: farther off, it would seem to be another curve's. */
 const FARTHEST = 3;
 
 /** Space between two tags, in pixels. */

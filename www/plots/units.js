@@ -6,7 +6,7 @@ import { unitOfRate } from "assur/core/units.js";
 /** @typedef {import("assur/engine.js").Panel} Panel */
 /** @typedef {Pick<Panel, "kind" | "order" | "physical" | "y0" | "y1">} Scale scale of a panel, or of any axis */
 
-/** Limits of an axis's largest value, beyond which its numbers are written in thousands, thousandths … to fit. */
+/** Limits of an axis's largest value. Beyond them, its numbers are written with a power of ten such as 10³ or 10⁻³. */
 const LARGE = 1e5;
 const SMALL = 1e-2;
 
@@ -58,7 +58,7 @@ export function writtenLevel(panel, value, numbers) {
 
 /**
  * @param {Scale} panel
- * @param {import("assur/state/coordinate.js").Coordinate} coordinate coordinate of the driver, with respect to which derivatives are taken if not to time
+ * @param {import("assur/state/coordinate.js").Coordinate} coordinate coordinate of the driver: the variable of differentiation, unless that is time
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} the power of ten and the unit of a panel's numbers, empty if they have neither
  */

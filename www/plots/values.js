@@ -2,7 +2,7 @@
 import { degrees } from "assur/core/angles.js";
 import { isLength } from "assur/core/symbols.js";
 
-/** From `LARGE`, a number has one decimal instead of three; from `HUGE`, at most six significant digits. */
+/** A number from `LARGE` up has one decimal instead of three; one from `HUGE` up, at most six significant digits. */
 const LARGE = 1e3;
 const HUGE = 1e6;
 

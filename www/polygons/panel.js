@@ -18,7 +18,7 @@ import { amount, told } from "assur/polygons/equations.js";
 
 /** Free room around a polygon for the names of its vertices, in pixels. */
 const MARGIN = 26;
-/** Number of shown steps that means all; no mechanism has so many. */
+/** Number of steps to show that stands for all steps; no construction has so many. */
 const ALL = 1e6;
 /** Code of the engine's problem for a document that is not a linkage. */
 const NO_LINKAGE = "bad_state";

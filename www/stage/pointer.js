@@ -25,7 +25,7 @@ const STILL = 4;
 /** Zoom factor of one press of + or −. */
 const STEP = 1.3;
 
-/** `WHEEL`: zoom per pixel scrolled. `WHEEL_UNIT`: pixels in a pixel, line, page. `PINCHED`: factor for a pinch. */
+/** `WHEEL`: ln of the zoom per pixel. `WHEEL_UNIT`: pixels per pixel, line, page scrolled. `PINCHED`: pinch factor. */
 const WHEEL = 0.0015;
 const WHEEL_UNIT = Object.freeze([1, 20, 400]);
 const PINCHED = 6;

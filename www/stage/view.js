@@ -24,7 +24,7 @@ const SMALL = 320;
 /** Width and height of the picture if the drawing is not on the screen, in pixels. */
 const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 
-/** Limits of the share of the canvas that is filled by bounds in view; otherwise the view is fitted again. */
+/** Limits of the share of the canvas that the bounds may fill. Outside these limits, the view is fitted again. */
 const SMALLEST_SHARE = 0.1;
 const LARGEST_SHARE = 2;
 
@@ -45,7 +45,7 @@ export class MechanismView {
   #bounds = null;
   /** @type {Transform | null} view that is kept, as during the drag of a joint */
   #held = null;
-  /** Whether the view is kept because something is drawn. */
+  /** Whether the view is kept because the reader is drawing. */
   #kept = false;
   /** Size of the canvas for which the view is kept. */
   #keptSize = "";
@@ -222,7 +222,7 @@ export class MechanismView {
   }
 
   /**
-   * @param {boolean} on whether the view is kept while something is drawn
+   * @param {boolean} on whether the view is kept while the reader draws
    * @param {number} inset height of the tools at the top of the canvas, in pixels
    */
   keep(on, inset) {
@@ -281,7 +281,7 @@ export class MechanismView {
     return Transform.fit(this.#bounds ?? this.#whole, width, height - this.#inset, this.#margin).moved(0, this.#inset);
   }
 
-  /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; without joints, only of what is painted, if anything is */
+  /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; without joints, of the latter alone, unless nothing is painted */
   get #whole() {
     const { bounds = [0, 0, 1, 1], handles = [] } = this.#snapshot?.summary ?? {};
     const under = this.#under.flatMap(({ bounds: of }) => [of() ?? []]).filter((one) => one.length > 0);

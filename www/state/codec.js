@@ -73,7 +73,7 @@ export function fromAddress(hash, preset) {
   const own = (/** @type {readonly (string | undefined)[]} */ names) => Object.fromEntries(entries.filter(([key]) => names.includes(key)));
   const [document, view] = [part(PREFIXES.document), part(PREFIXES.view)];
   if (whole) {
-    // Parameters of a document beside the name of a preset would be ignored silently.
+    // If an address named a preset, parameters of a document would be ignored silently.
     if (Object.keys(document).length > 0) throw unreadable();
     return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(FURTHER) }, unreadable());
   }

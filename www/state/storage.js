@@ -11,13 +11,13 @@ const IMAGE = "assur.image";
 const TAIL = 48;
 /** Key of the digests of lecturers' lessons with stored names and answers, the most recently used last. */
 const LESSONS = "assur.lessons";
-/** Limit of the number of these lessons, which would grow for ever on a classroom machine. */
+/** Limit of the number of these lessons. Without it, a classroom machine would fill up. */
 const MOST_LESSONS = 40;
 const OF_LESSON = /^assur\.lesson\.own\.([^.]+)/;
 /** Key under which a state that could not be read is put aside instead of being overwritten. */
 const ASIDE = "assur.state.unread";
 
-/** Key, in the storage of one visit, of two addresses: the one a reload may still load, and the intended one. */
+/** Key in the session storage of two addresses: the one that a reload may still load, and the intended one. */
 const LEFT = "assur.left";
 
 /** Shortest interval between writes, in milliseconds: browsers limit how often a page may change its address. */
@@ -91,8 +91,8 @@ export function putAside(text) {
 }
 
 /**
- * Restores the intended address after a reload: the last change before a page is left may come too late for the address that
- * the browser loads again. An address to which the reader navigates is not replaced.
+ * Restores the intended address after a reload. If the last change came just as the page was left, the browser may load
+ * an older address. An address to which the reader navigates is not replaced.
  */
 export function takeUpAddress() {
   guarded(() => {

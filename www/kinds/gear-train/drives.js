@@ -1,4 +1,4 @@
-// Drives of a train: two of three shafts are held, or run at a given speed or a multiple of the other's; one is free.
+// Drives of a train. Two of its three shafts are held or driven, at a given speed or a multiple of the other's speed.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
@@ -130,7 +130,7 @@ class DriveRow {
     for (const [row, value] of /** @type {const} */ ([[this.#speed, rpm ?? 0], [this.#factor, factor], [this.#start, start]])) row.show(value, words, wrong.has(row.field));
   }
 
-  /** Makes the speed a multiple of the other driven shaft's, or a given one again. Only one speed can be a multiple. */
+  /** Switches between a given speed and a multiple of the other driven shaft's. Only one speed can be a multiple. */
   #toggle() {
     this.#store.update((state) => edited(state, "gear-train", ({ drives }) => ({
       drives: drives.map((drive, i) => (i === this.#index ? { ...drive, to: drive.to ? null : drives[1 - i].shaft } : { ...drive, to: null })),

@@ -40,7 +40,7 @@ export class LoadView {
     this.#account = make("details", { id: "train-energies" }, [
       make("summary", { "data-t": "energy.heading" }), make("table", { class: "solutions", "data-t-label": "energy.heading" }, [this.#energies]),
     ]);
-    // At rest there are no further frames: the unfolded table needs one to be filled.
+    // The table is filled only in a frame, and at rest no frame follows by itself.
     this.#account.addEventListener("toggle", () => page.redraw());
     section("gear-train", "load.heading", "load", [
       make("label", { class: "check" }, [this.#loaded, " ", make("span", { "data-t": "field.loaded" })]),

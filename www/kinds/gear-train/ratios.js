@@ -15,7 +15,7 @@ import { SHAFTS } from "assur/kinds/gear-train/drives.js";
 
 const HIGH = Object.freeze({ 1: "¹", 3: "³", 4: "⁴" });
 
-/** Absolute coefficients in a ω₁ + b ω₄ − (a + b) ω₃ = 0, by number of the shaft. `STEPPED`: for stepped satellites. */
+/** Coefficients a, a + b, b of a ω₁ + b ω₄ − (a + b) ω₃ = 0, by number of shaft. `STEPPED`: for stepped satellites. */
 const WEIGHTS = Object.freeze({ 1: "z₁", 3: "(z₁ + z₄)", 4: "z₄" });
 const STEPPED = Object.freeze({ 1: "z₁z₂′", 3: "(z₁z₂′ + z₂z₄)", 4: "z₂z₄" });
 

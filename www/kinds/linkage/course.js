@@ -63,7 +63,7 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
   const [from, to] = [dwell.arc[0] - turns, dwell.arc[1] - turns];
   context.fillStyle = theme.colours.coupler;
   context.globalAlpha = SHADE;
-  // A dwell that crosses the end of the axis continues at its beginning.
+  // A dwell that crosses the end of the axis continues at the start of the axis.
   for (const shift of [-period, 0]) {
     const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => across(panel, phi));
     if (right > left) context.fillRect(left, panel.top, right - left, panel.height);
@@ -217,7 +217,7 @@ export class CourseView {
     const bars = [];
     for (const { kind, arc: [from, to] } of phases) {
       told.push(words.text("dwell.bar", { phase: words.text(`dwell.${kind}`), from: turned(from % period), to: turned(to % period) }));
-      // A phase that crosses the end of the turn continues at its beginning.
+      // A phase that crosses the end of the turn continues at the start of the turn.
       for (const shift of [-period, 0, period]) {
         const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => (100 * (phi - start)) / period);
         if (right <= left) continue;

@@ -1,4 +1,4 @@
-// Worker that searches for a dwell and reports each mechanism; after an improvement, it waits until the page shows it.
+// Worker that searches for a dwell and reports each mechanism. After an improvement, it waits for the page to show it.
 import load, { Design } from "assur/pkg/assur_web.js";
 
 /** Ends the wait after an improvement. */

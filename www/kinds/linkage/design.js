@@ -19,10 +19,10 @@ import { withDocument } from "assur/state/state.js";
 const PER_CENT = Object.freeze(["1", "2", "5", "10", "20"]);
 const USUAL = "5";
 
-/** Candidates without improvement after which progress is announced; a screen reader cannot follow every one. */
+/** Without an improvement, progress is announced after this many candidates; a screen reader cannot follow each. */
 const TOLD = 10;
 
-/** Time for which an improvement is shown before the search continues, in milliseconds. It keeps the motion smooth. */
+/** Pause of the search after an improvement is shown, in milliseconds. Without it the motion would be jerky. */
 const SHOWN = 400;
 
 /** Keys of the texts for the ways in which a search ends. */

@@ -7,7 +7,7 @@ import { subscript } from "assur/core/symbols.js";
 import { placeTraced } from "assur/state/change.js";
 import { edited } from "assur/state/state.js";
 
-/** Coordinates of a point on a link: along the line from the link's first point to the second, and to its left. */
+/** Coordinates of a point on a link: along the line of the link's first two points, and at right angles, to the left. */
 const AXES = Object.freeze(/** @type {const} */ (["along", "across"]));
 
 export class TracedPoints {

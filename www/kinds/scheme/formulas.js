@@ -74,7 +74,7 @@ function byLoops(snapshot) {
   if (sections.loops.length === 0) return [];
   const all = counts.spatial_pairs.reduce((total, { freedoms, count }) => total + freedoms * count, 0);
   const spaces = sections.loops.map((loop) => loop.motion_space);
-  // Contour by contour, redundant constraints are only counted. They are omitted if the rank differs from the count.
+  // The redundant constraints of a contour are found by count, so they are omitted if the rank gives another number.
   const { ranked } = actual(summary);
   const said = sections.loops.map(({ cut, pairs, motion_space: space, redundant }) => (
     words.text("formulas.loop", { cut, pairs: pairs.join(", "), space: numbers.exact(space) }) + (ranked ? "" : `, q = ${asked(redundant, "q", snapshot)}`)

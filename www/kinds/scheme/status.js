@@ -19,7 +19,7 @@ export const ENTRIES = Object.freeze({
   pairs: ({ counts }, { numbers }) => ({ text: counts.pairs.map(({ freedoms, count }) => `${symbolOf(freedoms)} = ${numbers.exact(count)}`).join(", ") }),
 });
 
-/** Makes the status line. It is empty for a practice task, which asks for its numbers. @returns {StatusLine<Snapshot>} */
+/** Makes the status line. It is empty for a practice task, because the task asks for its numbers. @returns {StatusLine<Snapshot>} */
 export function schemeStatus() {
   return new StatusLine("scheme", Object.entries(ENTRIES).map(([name, say]) => ({
     name: `scheme-${name}`,

@@ -2,7 +2,7 @@
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {Readonly<{ freedoms: number, count: number }>} Class number of pairs with the given number of freedoms
+ * @typedef {Readonly<{ freedoms: number, count: number }>} Class `count`: number of pairs with `freedoms` degrees of freedom
  */
 
 /**

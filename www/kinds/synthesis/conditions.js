@@ -47,7 +47,7 @@ export class ConditionsView {
     this.#paint();
   }
 
-  /** Shades the plane of lengths l₁ and l₂, darker where more positions can be closed. Marks the drawn lengths. */
+  /** Shades the plane of lengths l₁, l₂, darker where the linkage closes in more positions. Marks the drawn lengths. */
   #paint() {
     if (!this.#snapshot) return;
     const { summary: { frame, closed, wanted, drawn }, words } = this.#snapshot;

@@ -1,4 +1,4 @@
-// Cone of the directions of the moving links: all lengths are positive only if the frame's direction lies inside.
+// Cone of the directions of the moving links: all lengths are positive only if the frame's direction is in it.
 import { makeSvg } from "assur/core/dom.js";
 
 /** Names of the directions and roles of their colours, the frame's direction first. */

@@ -1,4 +1,4 @@
-// The dialog for a wanted function, on which it places the positions of a synthesis. Loaded on demand.
+// The dialog for a wanted function. It derives the positions of a synthesis from the function. Loaded on demand.
 import { functionPositions } from "assur/pkg/assur_web.js";
 import { numberField } from "assur/controls/number-box.js";
 import { sentence } from "assur/controls/problems.js";
@@ -17,7 +17,7 @@ import { alone, edited } from "assur/state/state.js";
  * @typedef {import("assur/core/problem.js").Problem} Problem
  */
 
-/** Initial values. `USUAL`: function. `POWER`: exponent. `COUNT`: positions, which give the function to 0.2 %. */
+/** Initial values. `USUAL`: function. `POWER`: exponent. `COUNT`: number of positions, for an error of 0.2 %. */
 const USUAL = Object.freeze(/** @type {Wanted} */ ({ of: "log10", x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] }));
 const POWER = 2;
 const COUNT = 3;

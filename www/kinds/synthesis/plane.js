@@ -61,7 +61,7 @@ export class Plane {
       this.#trace([[x, MARGIN.top], [x, bottom]]);
       this.#trace([[MARGIN.left, y], [width - MARGIN.right, y]]);
       const text = words.numbers.short(line * frame);
-      // In the corner, a centred number would overlap one of the vertical axis.
+      // In the corner, a centred number would overlap a number of the vertical axis.
       write(context, text, x, bottom + 3, i === 0 ? "left" : "center", "top");
       write(context, text, MARGIN.left - 4, y, "right", i === 0 ? "bottom" : "middle");
     }

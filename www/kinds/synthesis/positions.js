@@ -16,7 +16,7 @@ import { edited } from "assur/state/state.js";
  * @typedef {Document["positions"][number]} Position
  */
 
-/** Limit of the number of positions on the page. The engine can solve more, but a drawing cannot distinguish them. */
+/** Limit of the number of positions on the page. The engine accepts more, but a drawing could not show them apart. */
 export const MOST = 12;
 
 /** Step of the input from the last position, in degrees, repeated until the linkage can reach a new position. */

@@ -1,4 +1,4 @@
-// The list of solutions with their verdicts, to save in a file. The chosen one is drawn and can open in the simulator.
+// The list of solutions with verdicts, which can be saved. The chosen one is drawn and can be opened in the simulator.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
@@ -16,7 +16,7 @@ import { edited } from "assur/state/state.js";
 /** Keys of the texts on how the solutions were found. */
 const FROM = Object.freeze({ family: "solutions.family", exact: "solutions.exact", found: "solutions.found", trial: "solutions.trial" });
 
-/** Gap below which a contour counts as closed, because the written digits do not show the gap. */
+/** Gap below which a contour counts as closed: a smaller gap is invisible in the digits that are written. */
 const EXACT = 5e-7;
 
 /** Columns of the file: lengths, starting angles, errors, verdict. */

@@ -9,7 +9,7 @@ const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);
 /** Control of every step: the section with the pictures and the map of the assemblies. */
 const SECTION = Object.freeze(["all_assemblies"]);
 
-/** Number of complex assemblies of a group with revolute pairs only, by the group's class and number of links. */
+/** Number of assemblies, real and complex, of a group with revolute pairs only, by the group's class and links. */
 const COMPLEX = Object.freeze({ "II 2": "two", "III 4": "six", "IV 6": "fourteen" });
 
 /** @type {import("assur/lesson/folder.js").Lesson<"linkage">} */
@@ -83,7 +83,7 @@ function real({ assembled }) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} number of complex assemblies of the linkage's group, if it has only one besides the crank
+ * @returns {string | undefined} number of real and complex assemblies of the group; undefined if there are several
  */
 function complex({ class: highest, counts: { links }, groups }) {
   const group = groups.length === 2 ? `${highest} ${links - 1}` : "";

@@ -6,7 +6,7 @@ import { System } from "assur/lessons/class4-dwell/system.js";
 /** @typedef {import("assur/engine.js").MotionSummary} Summary */
 
 const PRESET = "class4-dwell";
-/** Length of the regulating link FK at which the dwell is clearly shorter. */
+/** Length of the regulating link FK at which the dwell is clearly shorter than in the preset. */
 const REGULATED = 4.112;
 
 const SIXTY = Object.freeze({ at: () => Math.PI / 3 });

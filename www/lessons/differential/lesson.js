@@ -129,8 +129,8 @@ function pitchesEach({ builds, conditions }) {
 }
 
 /**
- * Largest z₄ − z₁ − 2z₂ at which the teeth still touch. With the module m, the gap between two wheels is
- * m(z₄ − z₁ − 2z₂)/4, and two teeth of height m clear each other only if the gap is more than 2m.
+ * Largest z₄ − z₁ − 2z₂ at which teeth of sun 1, satellite 2 and ring 4 touch. With module m, two pitch circles are
+ * m(z₄ − z₁ − 2z₂)/4 apart, and teeth of addendum m clear each other only if this gap is more than 2m.
  */
 const TEETH_OF_GAPS = 8;
 
