@@ -37,7 +37,7 @@ pub(crate) struct PhaseSummary {
     arc: [f64; 2],
 }
 
-/// The width of a band in the units of the page and of the engine; without a given width, the default.
+/// The width of a band in the units of the page and of the engine; the default width if none is given.
 pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>) -> (f64, f64) {
     if quantity.is_angle() {
         let width = width.unwrap_or(BAND);

@@ -211,8 +211,8 @@ impl FourBar {
         [half + -FRAC_PI_2, interior, interior]
     }
 
-    /// √P and √Q with the signs that keep a motion smooth; their product is 4S. `sin` and `cos` are the sine and cosine
-    /// of half the crank angle.
+    /// √P and √Q, signed so that the motion is smooth; their product is 4S. `sin` and `cos` are those of half the crank
+    /// angle.
     pub(super) fn area_roots<const N: usize>(
         &self,
         crank: f64,
@@ -242,9 +242,9 @@ impl FourBar {
         Ok([root_p, root_q])
     }
 
-    /// The smooth square root of P or Q, which is `ends[0] + weight half²` or, equally, `ends[1] − weight other²`. P
-    /// and Q are each a difference of two lengths times their sum. `reach` is that sum, which turns a tolerance of the
-    /// difference into a tolerance of the factor.
+    /// The smooth square root of `ends[0] + weight half²`, which equals `ends[1] − weight other²` and is the factor P
+    /// or Q. Each factor is the product of a difference and a sum of two lengths. Multiplied by `reach`, which is the
+    /// sum, a tolerance of the difference becomes a tolerance of the factor.
     fn root<const N: usize>(
         &self,
         [half, other]: [Jet<N>; 2],

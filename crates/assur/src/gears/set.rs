@@ -26,8 +26,7 @@ impl GearSet {
     /// Maximum number of driven wheels.
     pub const MOST: usize = 6;
 
-    /// Makes a set from numbers entered by a person: teeth of the driver (z₄), driven wheels, kind of mesh, and module
-    /// in the unit of the lengths.
+    /// Makes a set from numbers entered by a person: teeth of the driver (z₄), driven wheels, kind of mesh, and module.
     ///
     /// Wheels may overlap: see [`GearSet::overlaps`].
     ///
@@ -102,8 +101,7 @@ impl GearSet {
         found
     }
 
-    /// Direction of the middle of the widest free angle around the driver, where another wheel has the most room.
-    /// Radians, in [−π, π].
+    /// Direction, in [−π, π], of the middle of the widest free angle around the driver: the place for another wheel.
     pub fn free_direction(&self) -> f64 {
         let taken: Vec<[f64; 2]> = self.pairs.iter().map(GearPair::shadow).collect();
         // Free angle from the end of one wheel's covered angle to the start of the next wheel's.

@@ -23,8 +23,8 @@ const BACK: u32 = 24;
 const MOUNTED: f64 = 1e-4;
 
 impl Layout {
-    /// Drawn configuration, found from a guess, and the start of the motion. Groups adopt the elimination order of the
-    /// drawn pose.
+    /// Finds the drawn configuration from a guess, and the start of motion. Groups adopt the drawn pose's elimination
+    /// order.
     pub(super) fn settle(
         &mut self,
         spec: &LinkageSpec,

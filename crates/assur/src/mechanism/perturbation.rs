@@ -53,8 +53,7 @@ pub(crate) enum NoNeighbour {
     Defects(Vec<Defect>),
 }
 
-/// Maximum turn of a body between neighbours, in radians, and its maximum displacement, relative to the size of the
-/// linkage.
+/// Maximum turn of a body between neighbours, radians; also its maximum displacement, in sizes of the linkage.
 const NEAR: f64 = 0.2;
 /// Maximum ratio of the second Newton correction to the first. Up to this ratio Newton's method converges to the
 /// continuation of the last solution: P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 5.1.
@@ -122,7 +121,7 @@ impl Assembled {
         self.layout.span()
     }
 
-    /// Margin of a step: measure of the distance of its links from being in line, or from a singular pose. Margins of
+    /// Margin of a step: how far the step is from links in line or from a singular pose. Margins of the same step in
     /// neighbours can be compared.
     pub(crate) fn margin(&self, step: StepId) -> f64 {
         let [p, q] = self.state.margins[step].map(|margin| margin.value());
@@ -265,7 +264,7 @@ impl Layout {
         let lost = groups.find(|(step, group)| {
             let margins = [before, state].map(|state| state.margins[*step]);
             let [[a, of_a], [b, of_b]] = margins.map(|both| both.map(|margin| margin.value()));
-            // In a redundant group, pivoting may have dropped different equations, so the determinants cannot be
+            // Pivoting may have dropped different equations of a redundant group; the determinants then cannot be
             // compared.
             let ratio = b / a * (of_b - of_a).exp2();
             let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&ratio);

@@ -301,7 +301,7 @@ impl Known {
     }
 }
 
-/// Names of the read-outs of a run besides angles: torques and the energy balance.
+/// Names of the read-outs of a run other than angles: torques and the energy balance.
 const OF_RUN: [&str; 11] = [
     "sun.field",
     "ring.field",

@@ -161,8 +161,8 @@ fn right_hand_side(input: &Input) -> f64 {
     }
 }
 
-/// The reason why two inputs do not determine the motion: one is a multiple of another shaft's speed, or both are of
-/// the same shaft.
+/// The reason why two inputs do not determine the motion: a shaft turns at a multiple of another's speed or is driven
+/// twice.
 fn singular(first: &Input, second: &Input) -> InputError {
     match (first.drive, second.drive) {
         (Drive::Tied { to, factor }, _) => {

@@ -14,8 +14,7 @@ pub struct Counts {
     /// Number P₁ of pairs with one freedom, p₅ in the paper: sun, carrier and ring with the frame, each satellite with
     /// the carrier. In the paper the carrier turns in the ring instead of the frame; the count is the same.
     pub one_freedom: u32,
-    /// Number P₂ of pairs with two freedoms: each satellite with sun and ring. A magnetic coupling is a pair until it
-    /// slips.
+    /// Number P₂ of pairs with two freedoms: satellites with sun and ring. A magnetic coupling counts until it slips.
     pub two_freedoms: u32,
 }
 

@@ -63,8 +63,8 @@ impl Differential {
         }
     }
 
-    /// The six ratios: 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3). The second and third are (5) and (6) of the
-    /// source paper.
+    /// The six ratios: 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3). Two are in the source paper: 3/1(4) (5), 3/4(1)
+    /// (6).
     pub fn ratios(&self) -> [Ratio; 6] {
         use Shaft::{Carrier, Ring, Sun};
         [

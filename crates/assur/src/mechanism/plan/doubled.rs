@@ -137,8 +137,8 @@ impl Resolved<'_> {
 }
 
 impl Doubling {
-    /// Doubling of a base by another body. None unless two shared points are apart, and all shared points have the same
-    /// positions on both bodies.
+    /// Doubling of a base by another body. None unless two shared points are apart and all are at equal positions on
+    /// both.
     fn of(bodies: &Bodies, [body, base]: [BodyId; 2]) -> Option<Self> {
         let is_shared = |(point, _): &&(PointId, Vector)| bodies.local(base, *point).is_some();
         bodies.of(body).iter().filter(is_shared).nth(1)?;
