@@ -41,8 +41,7 @@ impl FourBar {
 mod tests {
     use super::*;
 
-    /// The links of a parallelogram are in line at 0 and π; links 1, 2, 3, 2 only at 0, but their motion takes two
-    /// turns.
+    /// A parallelogram is in line at 0 and π; links 1, 2, 3, 2 only at 0, but their motion takes two turns.
     #[test]
     fn in_line() {
         for (lengths, expected) in [

@@ -211,8 +211,7 @@ impl FourBar {
         [half + -FRAC_PI_2, interior, interior]
     }
 
-    /// √P and √Q, signed so that the motion is smooth; their product is 4S. `sin` and `cos` are those of half the crank
-    /// angle.
+    /// √P and √Q, signed so that the motion is smooth; their product is 4S. `sin` and `cos` are those of φ₁/2.
     pub(super) fn area_roots<const N: usize>(
         &self,
         crank: f64,

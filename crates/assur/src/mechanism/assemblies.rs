@@ -70,7 +70,7 @@ pub(crate) struct Found<const N: usize> {
     /// Pose and assembly signs of each assembly.
     pub(crate) ways: Vec<(Pose<N>, AssemblySigns)>,
     complex: Vec<usize>,
-    /// Complex conjugate pairs of solutions of groups, and of dyads out of reach. Empty without derivatives.
+    /// Complex conjugate pairs of solutions, for groups and for dyads out of reach. Empty if `N` is 1.
     pub(crate) unreal: Vec<ComplexPair>,
     /// Squared sine of the angle between two guides that must cross. If the guides are parallel, the bodies on them are
     /// at infinity; near that input, links joined to these bodies may be within reach over a short interval.

@@ -23,8 +23,7 @@ const BACK: u32 = 24;
 const MOUNTED: f64 = 1e-4;
 
 impl Layout {
-    /// Finds the drawn configuration from a guess, and the start of motion. Groups adopt the drawn pose's elimination
-    /// order.
+    /// Finds the drawn configuration, from a guess, and the start of motion. Groups eliminate as in the drawn pose.
     pub(super) fn settle(
         &mut self,
         spec: &LinkageSpec,

@@ -264,8 +264,7 @@ impl Layout {
         let lost = groups.find(|(step, group)| {
             let margins = [before, state].map(|state| state.margins[*step]);
             let [[a, of_a], [b, of_b]] = margins.map(|both| both.map(|margin| margin.value()));
-            // Pivoting may have dropped different equations of a redundant group; the determinants then cannot be
-            // compared.
+            // Pivoting may drop different equations of a redundant group; its determinants cannot be compared.
             let ratio = b / a * (of_b - of_a).exp2();
             let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&ratio);
             far || changed

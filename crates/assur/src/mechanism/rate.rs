@@ -109,8 +109,7 @@ impl Layout {
         (self.period_turns, self.turns_of_assemblies) = (seen, carrying);
     }
 
-    /// Number of turns after which all drivers and the selected bodies that turn in proportion to the input have
-    /// returned.
+    /// Number of turns after which all drivers and the selected bodies that turn in proportion to the input return.
     fn together(&self, counts: impl Fn(BodyId) -> bool) -> Option<usize> {
         let period_turns = self.period_turns?;
         let rates = self.rates_of_bodies();

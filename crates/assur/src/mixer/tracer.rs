@@ -153,7 +153,8 @@ mod tests {
                 let (origin, angle) = mixer.body(&pose, carrier);
                 let arm = mixer.traced(&pose, &tracer).place() - origin.place();
                 assert!((arm.norm() - tracer.x.hypot(tracer.y)).abs() < 1e-15);
-                // If the body turns about a fixed centre, the velocity is normal to the arm: φ′ times the arm's length.
+                // If the body turns about a fixed centre, the velocity is normal to the arm; its length is φ′ times the
+                // arm's.
                 if carrier != Carrier::Coupler {
                     let rate = mixer.traced(&pose, &tracer).derivative(1);
                     assert!(rate.dot(&arm).abs() < 1e-14, "{carrier:?}");

@@ -20,8 +20,7 @@ pub enum ConditionKind {
     Room,
     /// The sun does not touch the satellites, a_w > (d₁ + d₂)/2 (magnets); (1) of the source paper.
     SunGap,
-    /// The ring does not touch the satellites, a_w < (d₄ − d₂′)/2 (magnets); (2) of the source paper, with its sign
-    /// corrected.
+    /// The ring does not touch the satellites, a_w < (d₄ − d₂′)/2 (magnets); (2) of the source paper, sign corrected.
     RingGap,
     /// All satellites can be mounted at equal angles: (z₁ + z₄)/k is whole, or (z₁ + z₄)/(2k) if poles alternate.
     Assembly,

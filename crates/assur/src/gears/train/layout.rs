@@ -137,7 +137,7 @@ impl Layout {
         self.gaps().map(|gaps| gaps.map(|gap| gap - teeth))
     }
 
-    /// Least and greatest axis distance without contact of pitch circles: the source paper's (1) and (2).
+    /// Least and greatest axis distance without contact of pitch circles: limits in the source paper's (1) and (2).
     pub(super) fn free_distances(&self) -> [f64; 2] {
         let teeth = |member| f64::from(self.train.teeth(member));
         [
@@ -146,8 +146,7 @@ impl Layout {
         ]
     }
 
-    /// Sine of half the angle that a satellite, with the teeth of gears in contact, covers as seen from the central
-    /// axis.
+    /// Sine of half the angle that a satellite, including the teeth of gears in contact, covers at the central axis.
     pub(super) fn half_width(&self, coupling: Coupling) -> f64 {
         let teeth = |member| f64::from(self.train.teeth(member));
         let largest = teeth(Member::Satellite).max(teeth(Member::Step));

@@ -276,8 +276,7 @@ impl Bodies {
         Ok(structure::Driver { pair, links })
     }
 
-    /// True if the drawing shows the orientation of a body. A wheel with no point but its hinge looks alike at any
-    /// angle.
+    /// True if the drawing shows a body's orientation. A wheel with no point but its hinge looks the same at any angle.
     pub(in crate::mechanism) fn shows_its_angle(&self, body: BodyId) -> bool {
         let mut slides = self.slides.iter();
         self.of(body).len() > 1 || slides.any(|slide| slide.bodies.contains(&body))

@@ -174,9 +174,9 @@ impl Mechanism {
         self.layout.constraints(&self.drawn.orientations)
     }
 
-    /// Both sides, in a pose, of an equation (`order` 0) or of its `order`-th derivative with respect to the input,
-    /// below `N`. For distances half the square is differentiated, as in papers: `x x′ + y y′ = 0`, `x x″ + y y″ =
-    /// −(x′² + y′²)`.
+    /// Both sides, in a pose, of an equation (`order` 0) or of its derivative of `order` 1 to `N` − 1 with respect to
+    /// the input. Derivatives of squared distances are halved, as in papers: `x x′ + y y′ = 0`,
+    /// `x x″ + y y″ = −(x′² + y′²)`.
     pub fn sides<const N: usize>(
         &self,
         pose: &Pose<N>,

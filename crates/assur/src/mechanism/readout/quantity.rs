@@ -87,7 +87,7 @@ impl Quantity {
         }
     }
 
-    /// Name of the quantity's link or point, of a dyad's inner joint, or of several links or points, joined by hyphens.
+    /// Name of the link or point of the quantity, or of a dyad's inner joint; several names are joined by hyphens.
     pub fn subject(self, mechanism: &Mechanism) -> Cow<'_, str> {
         let points = |points: &[PointId]| {
             let names = points.iter().map(|point| mechanism.point_name(*point));
