@@ -8,8 +8,7 @@ use serde::Serialize;
 use crate::moving::Moving;
 
 /// A dimension: its field in the document, its points, its value and its range. `index` counts links, slides or points
-/// from 0; `name` is that of the link or point. Corners are in degrees. The points of an offset are its own, then two
-/// of its line.
+/// from 0; `name` is that of the link or point. A corner is in degrees. An offset has its point and two of its line.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DimensionSummary<'a> {

@@ -20,8 +20,7 @@ pub(crate) struct ProfileSummary {
     phases: Vec<PhaseSummary>,
 }
 
-/// The longest arc of the input over which the output stays within the band: the ends of the arc,
-/// and the output's minimum and maximum.
+/// The longest arc of the input with the output inside the band: its ends, and the output's minimum and maximum.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DwellSummary {

@@ -2,8 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A truncated Taylor series in the input: a value and `N − 1` derivatives. Every operation calculates the derivatives
-/// exactly, without numerical differentiation.
+/// A truncated Taylor series in the input: a value and `N − 1` derivatives, exact except for rounding.
 ///
 /// `Jet<1>` is a bare value, `Jet<3>` adds the analogues of velocity and acceleration. A jet stores the Taylor
 /// coefficients cₖ = f⁽ᵏ⁾/k!, for which the recurrences of the elementary functions are shortest (Griewank and Walther,

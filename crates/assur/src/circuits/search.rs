@@ -18,7 +18,7 @@ use crate::tolerance;
 
 /// Position of a new sample, as a fraction of an interval. Avoids special poses, in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// A complex pair counts as about to become real if its extrapolated zero is less than this many gaps away.
+/// A complex pair is about to become real if its extrapolated zero is nearer than this many gaps between divisions.
 const EXTRAPOLATION: f64 = 1.5;
 /// A pair that becomes real before this fraction of a gap belongs to a new branch, not to the one at the gap's end.
 const EARLY: f64 = 0.8;

@@ -63,8 +63,7 @@ pub enum Unsolved {
         /// Crank angle.
         crank: f64,
     },
-    /// Coupler and rocker are in line: the pose exists, but its derivatives with respect to the crank angle are
-    /// unbounded. Returned only if derivatives are requested.
+    /// Coupler and rocker are in line: the pose exists, but the requested derivatives are unbounded.
     DeadPoint {
         /// Crank angle.
         crank: f64,
@@ -174,8 +173,7 @@ impl FourBar {
     ) -> [Jet<N>; 3] {
         let [l1, l2, l3, l4] = self.lengths;
         let apart = self.frame_less_crank;
-        // φ₅ without a jump: measured from the direction of the frame if the crank is shorter than the frame, otherwise
-        // from the direction of the crank.
+        // φ₅ without a jump: measured from the direction of the longer of frame and crank.
         let y = sin * cos * 2.0;
         let diagonal = if apart >= 0.0 {
             (y * -l1).atan2(sin.square() * (2.0 * l1) + apart)

@@ -14,8 +14,7 @@ pub struct Mate {
     pub centre_line: f64,
 }
 
-/// A driver and 1 to [`GearSet::MOST`] driven wheels, all with the same module and the same kind of mesh. Each driven
-/// wheel forms a pair with the driver.
+/// A driver and 1 to [`GearSet::MOST`] driven wheels, each a pair with the driver, of the same module and kind of mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSet {
     pairs: Vec<GearPair>,

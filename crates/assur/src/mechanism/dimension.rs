@@ -128,8 +128,7 @@ impl Mechanism {
         }
     }
 
-    /// Sensible range of a dimension. Some values within the range may not give a mechanism. None if the dimension is
-    /// not among [`Self::dimensions`].
+    /// Sensible range of a dimension, with some values that may give no mechanism. None if there is no such dimension.
     pub fn range(&self, dimension: Dimension) -> Option<[f64; 2]> {
         let value = self.value(dimension)?;
         let around = |aside: f64| [value - aside, value + aside];

@@ -60,8 +60,7 @@ const NEAR: f64 = 0.2;
 const CONTRACTION: f64 = 0.125;
 /// Maximum first Newton correction, in units of the unknowns.
 const CORRECTED: f64 = 0.03;
-/// Maximum factor by which the determinant of a group's Jacobian may change. This limit keeps two solutions that are
-/// about to meet from being confused.
+/// Maximum factor by which a group's Jacobian determinant may change, to keep solutions about to meet apart.
 const CHANGED: f64 = 2.0;
 
 impl Assembled {
@@ -121,8 +120,7 @@ impl Assembled {
         self.layout.span()
     }
 
-    /// Margin of a step: how far the step is from links in line or from a singular pose. Margins of the same step in
-    /// neighbours can be compared.
+    /// Margin of a step, comparable between neighbours: how far the step is from links in line or from a singular pose.
     pub(crate) fn margin(&self, step: StepId) -> f64 {
         let [p, q] = self.state.margins[step].map(|margin| margin.value());
         match self.layout.steps[step] {

@@ -217,7 +217,7 @@ impl Mechanism {
     }
 
     /// Shift of the input that leaves the poses of a motion between two dead points unchanged: [`Self::least_turns`] in
-    /// radians. None if there are no such turns, or if a group depends on the number of turns of the crank.
+    /// radians. None without such a number, or if a group depends on the number of turns of the crank.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.layout.rates_of_bodies();
         let mut counted = self.steps().iter().flat_map(|step| match step {

@@ -1,5 +1,4 @@
-//! Tracer points: points on a link that are not joints. They change neither the structure nor the assemblies, and keep
-//! their positions on the link when the linkage is redrawn.
+//! Tracer points: points on a link that are not joints, and keep their positions on it when the linkage is redrawn.
 
 use crate::index::{BodyId, LinkId, List, PointId};
 use crate::linkage::TracerSpec;

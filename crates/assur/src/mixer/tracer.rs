@@ -153,8 +153,7 @@ mod tests {
                 let (origin, angle) = mixer.body(&pose, carrier);
                 let arm = mixer.traced(&pose, &tracer).place() - origin.place();
                 assert!((arm.norm() - tracer.x.hypot(tracer.y)).abs() < 1e-15);
-                // If the body turns about a fixed centre, the velocity is normal to the arm; its length is φ′ times the
-                // arm's.
+                // If the body turns about a fixed centre, the velocity is φ′ times the arm, turned through 90°.
                 if carrier != Carrier::Coupler {
                     let rate = mixer.traced(&pose, &tracer).derivative(1);
                     assert!(rate.dot(&arm).abs() < 1e-14, "{carrier:?}");

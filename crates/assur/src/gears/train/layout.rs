@@ -121,8 +121,7 @@ impl Layout {
         }
     }
 
-    /// Gaps of magnets at sun and ring, between pitch circles; negative if the circles overlap. None for bevel wheels,
-    /// whose gaps are set by axial displacement.
+    /// Gaps between pitch circles of magnets at sun and ring; negative if the circles overlap. None for bevel wheels.
     pub fn gaps(&self) -> Option<[f64; 2]> {
         let planar = self.train.kind() != Kind::Bevel;
         let distance = self.axis_distance(Coupling::Magnetic);

@@ -44,8 +44,8 @@ impl Counts {
         3 * i64::from(self.links) - 2 * i64::from(self.one_freedom) - i64::from(self.two_freedoms)
     }
 
-    /// Number of passive constraints. Every satellite after the first repeats the constraint of the first, so the train
-    /// has two freedoms although the count gives fewer.
+    /// Number of passive constraints, one for each satellite after the first: the train has two freedoms, by count
+    /// fewer.
     pub fn passive(&self) -> i64 {
         2 - self.mobility()
     }

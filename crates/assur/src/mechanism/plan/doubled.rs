@@ -1,5 +1,4 @@
-//! Doubled links. A doubled link shares two or more points with another body, at the same positions on both, so the two
-//! are one body.
+//! Doubled links, each one body with another because both have two or more shared points at the same positions.
 
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::linkage::spec::{Defect, LinkageSpec, extent};

@@ -1,5 +1,4 @@
-//! Natural coordinates of an Assur group: the unknowns, the positions that follow from the unknowns, and the remaining
-//! equations.
+//! Natural coordinates of an Assur group: unknowns, positions that follow from them, and the remaining equations.
 
 mod condition;
 

@@ -4,8 +4,8 @@
 use crate::index::BodyId;
 use crate::mechanism::plan::body::Gear;
 
-/// Coefficients of the angles of bodies in an equation with a constant right side, in ascending order of bodies. The
-/// frame is left out, because its angle is zero.
+/// Coefficients of the bodies' angles, but not the frame's, which is zero, in ascending order of bodies, in an equation
+/// with a constant right side.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::mechanism) struct Equation(Vec<(BodyId, i128)>);
 

@@ -65,8 +65,7 @@ impl Quantity {
         }
     }
 
-    /// Name of the quantity, or of its derivative of a given order. The kind is preceded by `order` letters d: `C.ddx`
-    /// is the second derivative of `C.x`.
+    /// Name of the quantity, or of its `order`-th derivative with `order` letters d: `C.ddx` for the second of `C.x`.
     pub fn name(self, mechanism: &Mechanism, order: usize) -> String {
         let (of, what) = (self.subject(mechanism), self.kind_name());
         let prefix = "d".repeat(order);
