@@ -141,7 +141,7 @@ export type CourseSummary = {
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number that denotes the input.
+ * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
@@ -149,7 +149,7 @@ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSu
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by their names; a number denotes the angle of its link.
+ * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
@@ -263,7 +263,7 @@ gaps: [number, number] | null, axis_distance: number,
  */
 velocities: VelocitySummary | null, 
 /**
- * External torques on the shafts without losses, as multiples of the torque on the sun.
+ * External torques on the shafts, neglecting losses, as multiples of the torque on the sun.
  */
 torques: ShaftNumbers, 
 /**
@@ -271,7 +271,7 @@ torques: ShaftNumbers,
  */
 powers: ShaftNumbers, 
 /**
- * Greatest static torque on each body that the magnets can hold, N·m, with the other shafts held.
+ * Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held.
  */
 limits: BodyNumbers | null, 
 /**
@@ -291,7 +291,7 @@ slips: [number, number] | null, halt: HaltSummary | null,
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number that denotes the input.
+ * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
@@ -299,7 +299,7 @@ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSu
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by their names; a number denotes the angle of its link.
+ * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
@@ -362,7 +362,7 @@ drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSumm
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number that denotes the input.
+ * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
@@ -370,7 +370,7 @@ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSu
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by their names; a number denotes the angle of its link.
+ * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
@@ -403,7 +403,7 @@ export type ListedSummary = { name: string,
  */
 what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
 /**
- * The number that denotes the read-out, if it is an angle.
+ * The subscript in the symbol of the read-out, if the read-out is an angle.
  */
 number: string | null, role: string, };
 export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
@@ -432,7 +432,7 @@ free_direction: number, equations: Array<EquationSummary>, four_bars: Array<Four
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number that denotes the input.
+ * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
@@ -440,7 +440,7 @@ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSu
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by their names; a number denotes the angle of its link.
+ * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
@@ -474,7 +474,7 @@ export type MotionSummary = { equations: Array<EquationSummary>, four_bars: Arra
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number that denotes the input.
+ * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
@@ -482,7 +482,7 @@ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSu
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by their names; a number denotes the angle of its link.
+ * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
@@ -571,7 +571,7 @@ from?: string | null,
  */
 link?: string | null, 
 /**
- * Terms added in the equation for the velocity, and in that for the acceleration.
+ * Terms of the sum in the equation for the velocity, and in the equation for the acceleration.
  */
 legs: [Array<LegHere>, Array<LegHere>], 
 /**
@@ -584,7 +584,7 @@ export type PolygonsHere = {
  */
 steps: Array<PolygonStepHere>, 
 /**
- * Pictures of the velocity and acceleration polygons, each after the requested number of steps.
+ * Pictures of the velocity and acceleration polygons, drawn up to the requested step.
  */
 pictures: [PolygonPictureHere, PolygonPictureHere], };
 export type PrintedSummary = { 
@@ -794,7 +794,7 @@ linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<Equati
  */
 moves: "angle" | "length" | "time", 
 /**
- * The number that denotes the input.
+ * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
  */
 input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /**
@@ -802,7 +802,7 @@ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSu
  */
 unsearched: UnsearchedSummary | null, 
 /**
- * The numbers of links, by their names; a number denotes the angle of its link.
+ * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
  */
 numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
 /**
@@ -878,8 +878,8 @@ open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummar
  */
 pair: LeftOutSummary | null, 
 /**
- * Ranges of l₁ for which l₂ is positive, and for which l₃ is; null if condition (13) fails. A null range is empty;
- * a null maximum means no limit.
+ * The range of l₁ in which l₂ is positive, and that in which l₃ is; null if condition (13) fails. A null range is
+ * empty; a null maximum means no limit.
  */
 ranges: [[number, number | null] | null, [number, number | null] | null] | null, 
 /**

@@ -12,7 +12,7 @@ use crate::convert::{read, read_value, thrown, to_js};
 use crate::kinds::Redrawn;
 use crate::profile::band;
 
-/// Requirements on the first plotted output. The document gives the width of the band within which it dwells.
+/// Requirements on the first plotted output. The document gives the width of the output's dwell band.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Wishes {

@@ -8,8 +8,7 @@ use serde::Serialize;
 use crate::moving::Moving;
 
 /// A dimension: its field in the document, its points, its value and its range. `index` counts links, slides or points
-/// from 0; `name` is the name of the link or point. A corner is in degrees. An offset is the distance of a point from
-/// the line through two others.
+/// from 0; `name` is that of the link or point. A corner is in degrees. An offset has its point and two of its line.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DimensionSummary<'a> {
@@ -36,7 +35,7 @@ const STEPS: f64 = 200.0;
 /// Rounds both ends of a range to whole steps of the page's slider. Returns the range and the step.
 fn stepped(range: [f64; 2]) -> ([f64; 2], f64) {
     let digits = ((range[1] - range[0]) / STEPS).log10().floor() as i32;
-    // Division by a whole power of ten gives the number closest to the decimal.
+    // Dividing by a whole power of ten, which is exact, gives the number nearest to a decimal such as 0.1.
     let (times, parts) = (10_f64.powi(digits.max(0)), 10_f64.powi(-digits.min(0)));
     let whole = |steps: f64| steps * times / parts;
     let ends = range.map(|end| whole((end / times * parts).round()));

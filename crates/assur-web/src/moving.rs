@@ -25,11 +25,11 @@ pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
 pub(crate) struct Moving {
     document: LinkageDocument,
     motion: Motion,
-    /// The other assemblies; found on first use, not on every edit.
+    /// The other assemblies, computed on first use and not on every edit.
     following: OnceCell<RefCell<Following>>,
     /// Transmission and pressure angles of dyads, which are read out without derivatives.
     transmitting: Vec<Quantity>,
-    /// The numbers of links, by their names; a number denotes the angle of its link.
+    /// Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
     numbers: BTreeMap<String, String>,
     quantities: Vec<Quantity>,
     /// Quantities that are listed whatever is plotted.
@@ -52,11 +52,11 @@ pub(crate) struct Moving {
     curvature: bool,
     figure: Figure,
     settings: Settings,
-    /// The plots, made when first drawn: while a joint is dragged, not every linkage is plotted.
+    /// The plots, computed when first drawn: during a drag, not every linkage is plotted.
     chart: OnceCell<Chart>,
-    /// The plot of one quantity against another, made when first drawn.
+    /// The plot of one quantity against another, computed when first drawn.
     against: OnceCell<Against>,
-    /// Sheets for the polygons of velocities and accelerations, made with the first polygon.
+    /// Sheets of the velocity and acceleration polygons, computed when first drawn.
     polygon_sheets: OnceCell<[PolygonSheet; 2]>,
     explain: Explain,
 }
@@ -187,7 +187,7 @@ impl Moving {
         self.settings.input
     }
 
-    /// The numbers of links, by their names.
+    /// The numbers of links, by the links' names.
     pub(crate) fn link_numbers(&self) -> &BTreeMap<String, String> {
         &self.numbers
     }
@@ -196,7 +196,7 @@ impl Moving {
         self.traceable
     }
 
-    /// The number that denotes the input.
+    /// The subscript in the symbol of the input.
     pub(crate) fn input_number(&self) -> &str {
         let driver = self.document.drivers.first();
         let link = driver.and_then(|driver| driver.crank.as_ref());
@@ -224,7 +224,7 @@ impl Moving {
         self.plotted.first().copied().filter(|one| !one.is_folded())
     }
 
-    /// The outputs of the document, whatever is plotted; without any, the first plotted output.
+    /// The outputs of the document, whatever is plotted; if it has none, the first plotted output.
     pub(crate) fn outputs(&self) -> Vec<Quantity> {
         let named = self.document.outputs(self.mechanism());
         if named.is_empty() {
@@ -257,8 +257,8 @@ impl Moving {
         &self.handles
     }
 
-    /// The document redrawn in the pose at an input. At the drawn input it is unchanged, unless a link has a length or
-    /// shape other than it is drawn with.
+    /// The document redrawn in the pose at an input. At the drawn input it is unchanged, unless a given length or shape
+    /// of a link differs from the drawing.
     pub(crate) fn drawn(&self, input: f64) -> Result<LinkageDocument, Problem> {
         let own = |link: &LinkDocument| link.length.is_some() || link.shape.is_some();
         let document = &self.document;

@@ -16,7 +16,7 @@ const ORDERS: [Order; 2] = [Order::Velocity, Order::Acceleration];
 pub(crate) struct PolygonsHere {
     /// Steps of the construction, the same for both polygons.
     steps: Vec<PolygonStepHere>,
-    /// Pictures of the velocity and acceleration polygons, each after the requested number of steps.
+    /// Pictures of the velocity and acceleration polygons, drawn up to the requested step.
     pictures: [PolygonPictureHere; 2],
 }
 
@@ -48,7 +48,7 @@ pub(crate) struct PolygonStepHere {
     from: Option<String>,
     /// Number of the link with both points or, for a slide, with the line; 0 for the frame.
     link: Option<String>,
-    /// Terms added in the equation for the velocity, and in that for the acceleration.
+    /// Terms of the sum in the equation for the velocity, and in the equation for the acceleration.
     legs: [Vec<LegHere>; 2],
     /// The points found by this step, each with the magnitudes of its velocity and acceleration.
     found: Vec<FoundHere>,

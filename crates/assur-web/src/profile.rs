@@ -20,8 +20,7 @@ pub(crate) struct ProfileSummary {
     phases: Vec<PhaseSummary>,
 }
 
-/// The longest arc of the input over which the output stays within the band: the ends of the arc,
-/// and the output's minimum and maximum.
+/// The longest arc of the input with the output inside the band: its ends, and the output's minimum and maximum.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DwellSummary {
@@ -37,7 +36,7 @@ pub(crate) struct PhaseSummary {
     arc: [f64; 2],
 }
 
-/// The width of a band in the units of the page and of the engine; without a given width, the default.
+/// The width of a band in the units of the page and of the engine; the default width if none is given.
 pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>) -> (f64, f64) {
     if quantity.is_angle() {
         let width = width.unwrap_or(BAND);

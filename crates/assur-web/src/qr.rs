@@ -20,7 +20,7 @@ pub fn qr_code(text: &str) -> Option<Vec<u8>> {
 mod tests {
     use super::qr_code;
 
-    /// Codes have finder patterns in three corners. The smallest has 21 cells a side, that of the longest text has 177.
+    /// Codes have finder patterns in three corners. The smallest code has 21 cells a side; the largest has 177.
     #[test]
     fn codes_have_finders() {
         let cells = qr_code("#jansen").unwrap();

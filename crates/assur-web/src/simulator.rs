@@ -86,7 +86,7 @@ impl Simulator {
     /// - plotted values: for each quantity, in the order of the chart's series, the value and its first two
     ///   derivatives; in a plot of one quantity against another, abscissa and ordinate.
     ///
-    /// Derivatives are those of the axes, with respect to the input or to time. If they are unbounded, the last two
+    /// Derivatives are with respect to the variable of the axes: input or time. If they are unbounded, the last two
     /// lists are empty, and `why` gives the reason. A document that never moves has only frame and handles; its input
     /// is the fraction by which an open chain has fallen open.
     ///
@@ -192,7 +192,7 @@ impl Simulator {
         Ok(to_js(&document))
     }
 
-    /// The change after the point at a place is traced at an input: `{document}` with one more
+    /// The change that traces the point of a link at a place, in the pose at an input: `{document}` with one more
     /// traced point, on the link drawn nearest.
     ///
     /// # Errors
@@ -262,10 +262,10 @@ impl Simulator {
         self.charted(context, request, None)
     }
 
-    /// Draws the plots with another simulator's. Of quantities that both plot, the other's curves are thin and dashed.
+    /// Draws the plots and those of another simulator, whose curves are thin and dashed if both plot the quantity.
     ///
     /// # Errors
-    /// Those of `chart`; a document of the other simulator that does not move.
+    /// Those of `chart`; the other simulator's document does not move.
     #[wasm_bindgen(js_name = chartCompared)]
     pub fn chart_compared(
         &self,

@@ -42,7 +42,7 @@ pub(crate) struct CourseSummary<'a> {
     /// Kind of input: `angle`, `length` or `time`.
     #[cfg_attr(test, ts(type = "\"angle\" | \"length\" | \"time\""))]
     pub(crate) moves: &'static str,
-    /// The number that denotes the input.
+    /// The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
     pub(crate) input: &'a str,
     pub(crate) cycle: CycleSummary,
     pub(crate) home: f64,
@@ -51,7 +51,7 @@ pub(crate) struct CourseSummary<'a> {
     pub(crate) outputs: Vec<OutputSummary>,
     /// The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
     pub(crate) unsearched: Option<UnsearchedSummary>,
-    /// The numbers of links, by their names; a number denotes the angle of its link.
+    /// Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
     pub(crate) numbers: &'a BTreeMap<String, String>,
     pub(crate) listed: Vec<ListedSummary<'a>>,
     /// Names of choices that plot a group of quantities together.
@@ -82,7 +82,7 @@ pub(crate) struct MotionSummary<'a> {
     profile: Option<ProfileSummary>,
 }
 
-/// Numbers of moving links, lower and higher pairs; mobility by rank and by count. A hinge of k links is k − 1 pairs.
+/// Numbers of moving links, lower pairs, higher pairs; mobility by rank and count. A hinge of k links is k − 1 pairs.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CountsSummary {
@@ -148,8 +148,8 @@ pub(crate) struct TransmissionSummary<'a> {
     input: Option<f64>,
 }
 
-/// Profile of an output over the motion. `swing` and `turns` have a value for each arc: `swing` is null if the output
-/// keeps rotating; `turns` is the travel there and back. If not `searched`, only the name is set.
+/// Profile of an output. `swing` and `turns` have a value for each arc of the input: `swing` is null if the output
+/// keeps rotating; `turns` is the travel along the arc and back. If not `searched`, only the name is set.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct OutputSummary {
@@ -191,7 +191,7 @@ pub(crate) struct ListedSummary<'a> {
     )]
     pub(crate) what: &'static str,
     pub(crate) of: Vec<&'a str>,
-    /// The number that denotes the read-out, if it is an angle.
+    /// The subscript in the symbol of the read-out, if the read-out is an angle.
     pub(crate) number: Option<&'a str>,
     pub(crate) role: &'static str,
 }

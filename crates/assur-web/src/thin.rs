@@ -47,7 +47,7 @@ mod tests {
             let after = kept.partition_point(|point| point.0 < x).max(1);
             let [(x0, y0), (x1, y1)] = [kept[after - 1], kept[after]];
             let off = (y0 + (y1 - y0) * (x - x0) / (x1 - x0) - y).abs();
-            // The vertical error is up to √(1 + 1.5²) times the distance from the line.
+            // The slope is at most 1.5, so the vertical error is up to √(1 + 1.5²) times the distance from the line.
             assert!(off <= 1.81 * unseen, "{x}: {off}");
         }
     }

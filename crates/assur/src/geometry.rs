@@ -61,8 +61,7 @@ impl<const N: usize> JetPoint<N> {
         Vector::new(self.x.derivative(order), self.y.derivative(order))
     }
 
-    /// The point at the distance `along` from this point in the direction `angle`, and `across` to the left of that
-    /// direction.
+    /// The point at the distance `along` from this point in the direction `angle`, and `across` to the left.
     pub fn offset(&self, angle: Jet<N>, along: f64, across: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self {

@@ -1,5 +1,4 @@
-//! Typed indices of links, points, bodies and steps: the index of a point cannot be used for a link. An index is valid
-//! only for the mechanism from which it comes.
+//! Typed indices of links, points, bodies and steps, not interchangeable, and valid only for the mechanism of origin.
 
 use std::fmt;
 use std::marker::PhantomData;

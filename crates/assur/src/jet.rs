@@ -2,8 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A truncated Taylor series in the input: a value and `N − 1` derivatives. Every operation calculates the derivatives
-/// exactly, without numerical differentiation.
+/// A truncated Taylor series in the input: a value and `N − 1` derivatives, exact except for rounding.
 ///
 /// `Jet<1>` is a bare value, `Jet<3>` adds the analogues of velocity and acceleration. A jet stores the Taylor
 /// coefficients cₖ = f⁽ᵏ⁾/k!, for which the recurrences of the elementary functions are shortest (Griewank and Walther,
@@ -146,8 +145,7 @@ impl<const N: usize> Jet<N> {
         (Self(sin), Self(cos))
     }
 
-    /// The angle of the vector (`x`, `self`), with a value in [−π, π]. Its derivatives are finite only if the vector is
-    /// not zero.
+    /// The angle of the vector (`x`, `self`), in [−π, π]. Its derivatives are finite only if the vector is not zero.
     pub fn atan2(self, x: Self) -> Self {
         let (y, x) = (self.0, x.0);
         let mut angle = [0.0; N];
@@ -230,8 +228,7 @@ const ARCSINE: [f64; 8] = [
 ];
 const MAX_SINE: f64 = 0.1;
 
-/// The angle of a unit vector. A small angle, as between neighbouring poses, is found in a fraction of the time that
-/// an arctangent takes.
+/// The angle of a unit vector. A small angle, as between neighbouring poses, takes a fraction of an arctangent's time.
 fn unit_angle(y: f64, x: f64) -> f64 {
     if x > 0.0 && y.abs() < MAX_SINE {
         let square = y * y;

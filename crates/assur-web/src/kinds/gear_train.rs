@@ -110,7 +110,7 @@ impl Edited for GearTrain {
                 .map(|[time, torque]| [*time, torque * (value / most)])
                 .collect()
         } else {
-            // A load that was set to zero has kept its times.
+            // A load whose torques were all set to zero still has its times.
             let times: Vec<f64> = self.document.load.iter().map(|[time, _]| *time).collect();
             let times = <[f64; 4]>::try_from(times);
             let [from, full, until, off] =

@@ -23,7 +23,7 @@ use crate::summary::MotionSummary;
 /// A linkage with its drawing.
 pub(crate) struct Linkage {
     moving: Moving,
-    /// The linkage in the notation of the paper on the combined method; none if it is another mechanism.
+    /// The linkage in the notation of the paper on the combined method; none for any other linkage.
     of_paper: Option<CombinedMethod>,
 }
 
@@ -91,7 +91,7 @@ pub(crate) struct LinkageSummary<'a> {
     rates: Vec<RateSummary<'a>>,
 }
 
-/// Rate of a further driver relative to the first driver.
+/// Rate of a further driver's coordinate relative to the first driver's coordinate.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct RateSummary<'a> {
@@ -188,7 +188,7 @@ impl Edited for Linkage {
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
         let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
-        // Of all values that give the same angle, the one nearest to the present value is set, or named in a refusal.
+        // Many values give the same angle. The one nearest to the present value is set, or is named in the refusal.
         let value = mechanism.nearest(dimension, of_field(dimension, value));
         let changed = self.moving.motion().changed(dimension, value, input);
         let changed = changed

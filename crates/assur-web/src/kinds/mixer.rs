@@ -104,8 +104,8 @@ fn number_of(assembly: Assembly) -> u8 {
     }
 }
 
-/// Read-outs of a mixer: all quantities except the angles of the crank and of links fixed to
-/// another link, and the coordinates of frame points.
+/// Read-outs of a mixer: all quantities except the angles of the crank and of links fixed to another link, and the
+/// coordinates of frame points.
 fn readouts(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
     let driven = document
         .drivers

@@ -110,7 +110,7 @@ impl Capabilities for Scheme {
 }
 
 impl Edited for Scheme {
-    /// Moves a pair of two links, unless a cut is made: the pairs of an open chain are not drawn in place.
+    /// Moves a pair of two links if no cut is made: after a cut, the pairs of the open chain are not drawn in place.
     fn drag(&self, point: &str, _input: f64, to: Point) -> Result<Change, Problem> {
         let handle = self.handles.iter().find(|handle| handle.name == point);
         let handle = handle.ok_or_else(|| unknown(point))?;

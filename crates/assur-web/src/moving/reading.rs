@@ -16,7 +16,7 @@ use crate::pair::{INPUT, Pair};
 use crate::table::SweepTable;
 
 impl Moving {
-    /// Value and first two derivatives of each quantity, with the input rate chosen for the axes.
+    /// Value and first two derivatives of each quantity, at the input rate chosen for the axes.
     fn rates<'a>(
         &'a self,
         quantities: &'a [Quantity],

@@ -7,7 +7,7 @@ use crate::mechanism::{Joint, Mechanism, Pose};
 use crate::perpendicular;
 use crate::tolerance;
 
-/// Homogeneous coordinates of a known centre or line, of length 1, with a bound on their error.
+/// A known centre or line as a unit vector of homogeneous coordinates, with a bound on the error.
 #[derive(Clone, Copy)]
 struct Known {
     place: Place,
@@ -20,7 +20,7 @@ impl Known {
         let product = self.place.cross(&other.place);
         let sine = product.norm();
         let off = (self.off + other.off + tolerance::EXACT) / sine;
-        // With a larger error the lines are nearly parallel, and are not used.
+        // With a larger error the two nearly coincide, and the result is not used.
         (off < tolerance::DOUBLE_ROOT).then(|| Self {
             place: product / sine,
             off,
@@ -106,7 +106,7 @@ impl Table<'_> {
         };
         let mut tell = |bodies: [BodyId; 2], place: Place| {
             let place = place.normalize();
-            // If two bodies share two joints, the centre of the first joint is kept.
+            // If two bodies share two joints, the first joint gives the centre.
             if place.norm_squared().is_finite() && self.of(bodies).is_none() {
                 self.add(
                     bodies,
@@ -147,8 +147,8 @@ impl Table<'_> {
         }
     }
 
-    /// Intersects two of Kennedy's lines for two bodies. Each line belongs to one other body: the first two with an
-    /// accurate intersection are used or, if there are none, the two with the most accurate one.
+    /// Intersects two of Kennedy's lines for the centre of two bodies, and names the third body of each line. The first
+    /// two lines with an accurate intersection are used or, if there are none, the two with the most accurate one.
     fn crossing(&self, [first, second]: [BodyId; 2]) -> Option<([BodyId; 2], Known)> {
         let lines = self.mechanism.bodies().filter_map(|by| {
             let line = self.of([first, by])?.joined(self.of([by, second])?)?;

@@ -36,10 +36,10 @@ pub enum Centre {
 pub enum Source {
     /// The links are joined. The centre is at a hinge, at infinity normal to a slide, or at the pitch point of a mesh.
     Joint,
-    /// Intersection of two of Kennedy's lines. For links i and j, by the links k and l that are given here, they are
-    /// `P_ik P_kj` and `P_il P_lj`, with `P` the centre of two links.
+    /// Intersection of two of Kennedy's lines. For the centre of links i and j, with the links k and l given here, the
+    /// lines are `P_ik P_kj` and `P_il P_lj`, where `P_ik` is the centre of links i and k.
     Kennedy([BodyId; 2]),
-    /// From the velocities of the links: no two lines lead to the centre, or the lines are nearly parallel.
+    /// From the velocities of the links: no two lines lead to the centre, or the lines nearly coincide.
     Velocities,
 }
 

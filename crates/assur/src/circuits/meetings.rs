@@ -9,7 +9,7 @@ use crate::tolerance;
 
 /// Tolerance of poses at a fold, relative to the linkage's size: ten times the root of the input's tolerance.
 const FOLD_TOLERANCE: f64 = 1e-2;
-/// Maximum offset, relative to the domain, from an unmatched end to where the search for the other branch begins.
+/// Maximum offset, relative to the domain, from an unmatched end to the start of the search for the other branch.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
 /// The meetings of all branches.
@@ -27,7 +27,7 @@ pub(super) struct Meetings {
 struct End {
     branch: usize,
     dead: DeadPoint,
-    /// Index of the end in its arc: 0 or 1.
+    /// Index of the end within its arc: 0 for the start, 1 for the end.
     side: usize,
     /// A small offset from the end back along the branch.
     back: f64,

@@ -64,7 +64,7 @@ impl Mechanism {
     /// The angle of a link modulo 2π, in [0, 2π).
     pub fn folded_angle<const N: usize>(&self, pose: &Pose<N>, link: LinkId) -> f64 {
         let angle = self.angle(pose, link).value().rem_euclid(TAU);
-        // A tiny negative angle is rounded to 2π.
+        // For a tiny negative angle the remainder rounds to 2π.
         if angle < TAU { angle } else { 0.0 }
     }
 

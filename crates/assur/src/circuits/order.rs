@@ -12,7 +12,7 @@ pub(super) fn ascending(rows: &[Vec<f64>]) -> Vec<usize> {
     order
 }
 
-/// Appends rows that are equal in all columns before a given one, in ascending order.
+/// Appends, in ascending order, the `equal` rows: those that agree in all columns before `column`.
 fn split(rows: &[Vec<f64>], mut equal: Vec<usize>, column: usize, order: &mut Vec<usize>) {
     let more = equal.iter().any(|row| rows[*row].len() > column);
     if equal.len() < 2 || !more {

@@ -18,7 +18,7 @@ use crate::tolerance;
 
 /// Position of a new sample, as a fraction of an interval. Avoids special poses, in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// A complex pair counts as about to become real if its extrapolated zero is less than this many gaps away.
+/// A complex pair is about to become real if its extrapolated zero is nearer than this many gaps between divisions.
 const EXTRAPOLATION: f64 = 1.5;
 /// A pair that becomes real before this fraction of a gap belongs to a new branch, not to the one at the gap's end.
 const EARLY: f64 = 0.8;
@@ -38,8 +38,8 @@ pub struct Thoroughness {
     pub max_samples: usize,
     /// Maximum number of branches: 512.
     pub max_branches: usize,
-    /// Maximum number of knots times bodies: 500,000. If one link is millions of times longer than the others, each
-    /// motion has thousands of knots.
+    /// Maximum sum, over all motions, of knots times bodies: 500,000. If one link is millions of times longer than
+    /// the others, each motion has thousands of knots.
     pub max_knots: usize,
 }
 
@@ -82,7 +82,7 @@ pub(super) struct Search<'a> {
     /// True as long as no branch can have been missed.
     pub(super) whole: bool,
     samples: Vec<Sample>,
-    /// Number of knots times bodies of all motions.
+    /// Sum over all motions of the number of knots times the number of bodies.
     knots: usize,
 }
 
@@ -153,7 +153,7 @@ impl<'a> Search<'a> {
         self.whole &= !miscounted;
     }
 
-    /// True if the limit of work is reached.
+    /// True if there are too many branches or knots.
     fn is_exhausted(&self) -> bool {
         self.branches.len() > self.thoroughness.max_branches
             || self.knots > self.thoroughness.max_knots

@@ -1,6 +1,5 @@
-//! The combined method for the Class IV linkage with dwell (Sakhabutdinova), which finds positions by iteration and
-//! analogues from the constraint equations. The paper's equations (1) to (6), coefficients and chain of substitutions
-//! are evaluated here.
+//! The combined method for the Class IV linkage with dwell (Sakhabutdinova): positions by iteration, analogues from the
+//! constraint equations. The paper's equations (1) to (6), coefficients and substitutions are evaluated here.
 //!
 //! The crank AB turns about the fixed point A, the triangle GHL about H, the output CD about D. The link BE drives the
 //! triangle EFG, which the link FK joins to the triangle CKL. The values of [`CombinedMethod::relations`] come from the
@@ -30,7 +29,7 @@ pub struct CombinedMethod {
 }
 
 impl CombinedMethod {
-    /// Finds the paper's linkage in a mechanism; none if other links are present, or another driver than the crank AB.
+    /// Finds the paper's linkage in a mechanism; none if there are other links, or if the driver is not the crank AB.
     pub fn of(mechanism: &Mechanism) -> Option<Self> {
         let spec = mechanism.spec();
         let sorted = |names: &[String]| {
@@ -55,8 +54,8 @@ impl CombinedMethod {
         Some(Self { points })
     }
 
-    /// The paper's relations in a pose of that mechanism, in the order of the paper. Lengths are in the unit of the
-    /// drawing, derivatives are with respect to the crank angle. Relations with a zero denominator are left out.
+    /// The paper's relations in a pose of the mechanism, in the order of the paper. Lengths are in the unit of the
+    /// drawing, derivatives with respect to the crank angle. Relations with a zero denominator are left out.
     pub fn relations(&self, mechanism: &Mechanism, pose: &Pose<3>) -> Vec<Relation> {
         let places = Places::new(self.points.map(|point| mechanism.place(pose, point)));
         let first = First::new(&places);

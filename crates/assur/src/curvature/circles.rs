@@ -32,8 +32,7 @@ pub struct Circles {
 }
 
 impl Circles {
-    /// Finds the circles of a body in a pose with at least three derivatives. None if the body does not rotate: in a
-    /// translation all points have congruent paths.
+    /// Finds the circles of a body in a pose with at least three derivatives. None if the body does not rotate.
     pub fn of<const N: usize>(mechanism: &Mechanism, pose: &Pose<N>, body: BodyId) -> Option<Self> {
         let angle = mechanism.body_angle(pose, body);
         let [w, e, f] = [1, 2, 3].map(|order| angle.derivative(order));

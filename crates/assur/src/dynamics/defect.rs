@@ -17,23 +17,21 @@ pub enum Defect {
     },
     /// Poles cannot alternate around a wheel with an odd number of plates.
     OddPlates(Body),
-    /// Evenly spaced satellites cannot have the same phase: their number does not divide the sum of the periods of sun
-    /// and ring.
+    /// Evenly spaced satellites differ in phase: their number does not divide the sum of the periods of sun and ring.
     Assembly {
         /// Number of satellites, k.
         satellites: u32,
         /// Sum of the periods of sun and ring, p₁ + p₄.
         periods: u32,
     },
-    /// The shaft is to turn at a multiple of its own speed, or of the speed of a shaft that is itself driven in this
-    /// way.
+    /// The shaft is to turn at a multiple of its own speed, or of the speed of a shaft with such a drive.
     Tie {
         /// The shaft.
         shaft: Shaft,
         /// The shaft whose speed is multiplied.
         to: Shaft,
     },
-    /// The inertia of this body is too small for the torques on it: its motion would be too fast to be integrated.
+    /// The inertia of this body is too small for the torques on it: its motion would be too fast to integrate.
     TooStiff(Body),
 }
 

@@ -17,7 +17,7 @@ pub(super) struct Equations {
     /// Damping of the bearings; for the satellites the bearings on the carrier.
     pub(super) damping: [f64; N],
     pub(super) load: [Load; N],
-    /// Number of bodies that each bear the load: k for the satellites, otherwise 1.
+    /// Number of bodies with this load: k for the satellites, otherwise 1.
     pub(super) count: [f64; N],
     pub(super) following: [Following; N],
 }

@@ -5,8 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::{Assembly, FourBar, Pose};
 
-/// A crank angle at which all links are in line and two smooth motions cross: they share a pose there, with different
-/// derivatives.
+/// A crank angle at which all links are in line and two smooth motions cross, with different derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChangePoint {
     /// Crank angle φ₁.
@@ -16,8 +15,7 @@ pub struct ChangePoint {
 }
 
 impl FourBar {
-    /// The change points in the interval `axis` of the [cycle](FourBar::cycle), except φ₁ = 0 for a deltoid, where the
-    /// pose is undetermined.
+    /// The change points on the `axis` of [`FourBar::cycle`], without φ₁ = 0 of a deltoid, an undetermined pose.
     pub fn change_points(&self) -> Vec<ChangePoint> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();
@@ -43,8 +41,7 @@ impl FourBar {
 mod tests {
     use super::*;
 
-    /// The links of a parallelogram are in line at 0 and at π. Links of lengths 1, 2, 3, 2 are in line only at 0, but
-    /// the motion takes two turns.
+    /// A parallelogram is in line at 0 and π; links 1, 2, 3, 2 only at 0, but their motion takes two turns.
     #[test]
     fn in_line() {
         for (lengths, expected) in [

@@ -54,7 +54,7 @@ impl Cycle {
         }
     }
 
-    /// The union of both cycles, and the shift of the other cycle's arcs: the whole turns that bring them after the
+    /// The union of this cycle and another, and the shift by whole turns that brings the other cycle's arcs after the
     /// arcs of this cycle. None if a driver turns fully or arcs overlap.
     pub(crate) fn joined(&self, other: &Self) -> Option<(Self, f64)> {
         let ends = |cycle: &Self| Some([cycle.arcs.first()?[0], cycle.arcs.last()?[1]]);

@@ -63,8 +63,7 @@ pub enum Unsolved {
         /// Crank angle.
         crank: f64,
     },
-    /// Coupler and rocker are in line: the pose exists, but its derivatives with respect to the crank angle are
-    /// unbounded. Returned only if derivatives are requested.
+    /// Coupler and rocker are in line: the pose exists, but the requested derivatives are unbounded.
     DeadPoint {
         /// Crank angle.
         crank: f64,
@@ -174,8 +173,7 @@ impl FourBar {
     ) -> [Jet<N>; 3] {
         let [l1, l2, l3, l4] = self.lengths;
         let apart = self.frame_less_crank;
-        // φ₅ without a jump: measured from the direction of the frame if the crank is shorter than the frame, otherwise
-        // from the direction of the crank.
+        // φ₅ without a jump: measured from the direction of the longer of frame and crank.
         let y = sin * cos * 2.0;
         let diagonal = if apart >= 0.0 {
             (y * -l1).atan2(sin.square() * (2.0 * l1) + apart)
@@ -211,8 +209,7 @@ impl FourBar {
         [half + -FRAC_PI_2, interior, interior]
     }
 
-    /// √P and √Q with the signs that keep a motion smooth; their product is 4S. `sin` and `cos` are the sine and cosine
-    /// of half the crank angle.
+    /// √P and √Q, signed so that the motion is smooth; their product is 4S. `sin` and `cos` are those of φ₁/2.
     pub(super) fn area_roots<const N: usize>(
         &self,
         crank: f64,
@@ -242,9 +239,9 @@ impl FourBar {
         Ok([root_p, root_q])
     }
 
-    /// The smooth square root of P or Q, which is `ends[0] + weight half²` or, equally, `ends[1] − weight other²`. P
-    /// and Q are each a difference of two lengths times their sum. `reach` is that sum, which turns a tolerance of the
-    /// difference into a tolerance of the factor.
+    /// The smooth square root of `ends[0] + weight half²`, which equals `ends[1] − weight other²` and is the factor P
+    /// or Q. Each factor is the product of a difference and a sum of two lengths. Multiplied by `reach`, which is the
+    /// sum, a tolerance of the difference becomes a tolerance of the factor.
     fn root<const N: usize>(
         &self,
         [half, other]: [Jet<N>; 2],

@@ -14,8 +14,7 @@ pub struct Mate {
     pub centre_line: f64,
 }
 
-/// A driver and 1 to [`GearSet::MOST`] driven wheels, all with the same module and the same kind of mesh. Each driven
-/// wheel forms a pair with the driver.
+/// A driver and 1 to [`GearSet::MOST`] driven wheels, each a pair with the driver, of the same module and kind of mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSet {
     pairs: Vec<GearPair>,
@@ -26,8 +25,7 @@ impl GearSet {
     /// Maximum number of driven wheels.
     pub const MOST: usize = 6;
 
-    /// Makes a set from numbers entered by a person: teeth of the driver (z₄), driven wheels, kind of mesh, and module
-    /// in the unit of the lengths.
+    /// Makes a set from numbers entered by a person: teeth of the driver (z₄), driven wheels, kind of mesh, and module.
     ///
     /// Wheels may overlap: see [`GearSet::overlaps`].
     ///
@@ -102,8 +100,7 @@ impl GearSet {
         found
     }
 
-    /// Direction of the middle of the widest free angle around the driver, where another wheel has the most room.
-    /// Radians, in [−π, π].
+    /// Direction, in [−π, π], of the middle of the widest free angle around the driver: the place for another wheel.
     pub fn free_direction(&self) -> f64 {
         let taken: Vec<[f64; 2]> = self.pairs.iter().map(GearPair::shadow).collect();
         // Free angle from the end of one wheel's covered angle to the start of the next wheel's.

@@ -1,8 +1,7 @@
 //! Epicyclic trains of two freedoms: sun 1, satellite 2, carrier 3, ring 4.
 //!
 //! One linear equation, the [`Differential`], relates the three coaxial shafts. The [`Train`] is the set of wheels that
-//! realizes this equation, and the [`Layout`] gives their dimensions. Speeds are in radians per any unit of time,
-//! positive counter-clockwise.
+//! realizes the equation, and the [`Layout`] gives their dimensions. Speeds are in radians per any unit of time.
 //!
 //! The numbering and the formulas are those of Mukhametzyanov et al., "Differential mechanism with magnetic couplings
 //! of the links"; the equation is Willis's (any textbook of the theory of mechanisms).
@@ -190,8 +189,7 @@ impl Train {
         .checked()
     }
 
-    /// Finds the planar train with z₁ and z₄ teeth whose gears are in contact: z₂ = (z₄ − z₁)/2. Returns none if z₂ is
-    /// not whole or is too small.
+    /// Finds the planar train with z₁ and z₄ teeth whose gears are in contact; none if z₂ = (z₄ − z₁)/2 is invalid.
     ///
     /// # Errors
     /// Those of [`Train::planar`] for z₁ and z₄.
@@ -233,9 +231,8 @@ impl Train {
         )
     }
 
-    /// The angle Σ between the axis of a satellite and the central axis, radians; 0 in a planar train. For bevel wheels
-    /// of one module cos Σ = (z₄ − z₁)/(2 z₂), because the pitch cones of sun and ring touch the satellite's pitch cone
-    /// on opposite sides.
+    /// The angle Σ between a satellite's axis and the central axis, radians; 0 in a planar train. In bevel trains the
+    /// pitch cones of sun and ring touch the satellite's on opposite sides, so cos Σ = (z₄ − z₁)/(2 z₂).
     pub fn inclination(&self) -> f64 {
         match self.kind {
             Kind::Planar | Kind::Stepped => 0.0,

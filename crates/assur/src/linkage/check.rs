@@ -121,8 +121,7 @@ fn numbers(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     }
 }
 
-/// Checks the points of a link or of the frame: none is listed twice, and the first two points of a link do not
-/// coincide.
+/// Checks the points of a link or of the frame: none is listed twice, and the first two of a link do not coincide.
 fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<Defect>) {
     // The points of a link fixed to another link have their places in the shape of that other link.
     let own = spec.link(spec.root_of(link));
@@ -250,8 +249,7 @@ fn meshing(spec: &LinkageSpec, gear: &GearSpec, found: &mut Vec<Defect>) {
 }
 
 impl LinkageSpec {
-    /// All defects that can be found without the geometry of the whole linkage. Empty if everything named exists and
-    /// all numbers are valid.
+    /// All defects of names and numbers, which can be found without the geometry of the whole linkage.
     pub fn defects(&self) -> Vec<Defect> {
         defects(self)
     }

@@ -1,5 +1,4 @@
-//! The specification of a linkage as given by a person, valid or not. [`crate::mechanism::Mechanism::new`] lists all
-//! defects.
+//! A specification of a linkage, valid or not. [`crate::mechanism::Mechanism::new`] lists all defects.
 
 use super::TracerSpec;
 use crate::gears::Mesh;
@@ -57,8 +56,7 @@ pub struct LinkSpec {
     /// Names of the link's points: joints, which other links list too, and other points, such as a centre of mass. The
     /// angle of the link is the direction from its first to its second point.
     pub points: Vec<String>,
-    /// Coordinates of the points on the link, in the order of `points`; None if the link has the dimensions of the
-    /// drawing.
+    /// Coordinates of the points on the link, in the order of `points`; None if the drawing gives the dimensions.
     pub shape: Option<Vec<Point>>,
     /// The link to which this link is fixed, as a wheel to its shaft: both turn as one.
     pub fixed_to: Option<String>,
@@ -194,16 +192,14 @@ pub enum Defect {
     /// Links that can move only for an instant: the rank of their constraints allows a motion in the drawn pose, but
     /// the constraints hold in no pose near it.
     Instant { links: Vec<String> },
-    /// A driver whose rate is not finite, is not 1 for the first driver, or is such that the motion would not repeat
-    /// within 24 turns of the first crank.
+    /// A driver whose rate is not finite, is not 1 for the first driver, or prevents the motion from repeating within
+    /// 24 turns of the first crank.
     Rate { link: String, rate: f64 },
     /// Guides of these links that are parallel, but must cross.
     ParallelGuides { links: Vec<String> },
-    /// Links whose angles their meshes do not determine: the meshes give the same condition twice, or contradict each
-    /// other.
+    /// Links whose angles their meshes do not determine: meshes repeat a condition, or contradict each other.
     TrainUndetermined { links: Vec<String> },
-    /// Two wheels whose mesh closes a ring of wheels, but with a ratio that contradicts the rest of the ring: the
-    /// wheels cannot turn together.
+    /// Two wheels whose mesh closes a ring of wheels with a contradictory ratio: the wheels cannot turn together.
     MeshContradicts { links: [String; 2] },
     /// A group of these links that cannot be solved yet.
     Unsupported { links: Vec<String> },
@@ -214,7 +210,7 @@ pub enum Defect {
         links: Vec<String>,
         singularity: Singularity,
     },
-    /// Links whose angle is undetermined as drawn: two hinges, joined to each other only by these links, coincide.
+    /// Links of undetermined angle as drawn: two hinges, joined to each other only by these links, coincide.
     CoincidentHinges { links: Vec<String> },
     /// A point so far from its drawn place, once its links are joined, that the drawing cannot select the assembly.
     Misdrawn { point: String, by: f64 },

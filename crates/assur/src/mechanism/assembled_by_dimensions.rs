@@ -8,10 +8,9 @@ use crate::mechanism::{Layout, Mechanism, check};
 use crate::tolerance::COINCIDENT;
 
 impl Mechanism {
-    /// Mechanism of a specification, redrawn in one of its assemblies at an input. The input is in radians, or is the
-    /// coordinate of a driven slide; None stands for the drawn input. The drawing gives only the dimensions that the
-    /// specification lacks, and the coordinates of further drivers. Returns None if the links cannot be joined at the
-    /// input.
+    /// Mechanism of a specification, redrawn in one of its assemblies at an input (radians, the coordinate of a driven
+    /// slide or, if None, the drawn input). The drawing gives only the dimensions that the specification lacks, and the
+    /// coordinates of further drivers. Returns None if the links cannot be joined at the input.
     ///
     /// # Errors
     /// All defects of the specification except defects of its drawing.
@@ -39,8 +38,7 @@ impl Mechanism {
 }
 
 impl LinkageSpec {
-    /// Specification in which coincident points of a link are drawn apart. A point stays if its drawn position gives a
-    /// dimension.
+    /// Specification with coincident points of a link drawn apart. Points whose drawn positions give dimensions stay.
     fn spread(&self) -> Self {
         let shapes = self.links.iter().filter_map(|link| link.shape.as_ref());
         let lengths = shapes.map(|shape| extent(shape.iter().map(|at| at.coords)));

@@ -11,9 +11,8 @@ use crate::position::{Cause, ComplexPair, Method, Sign, State, Step, StepContext
 const MAX_ASSEMBLIES: usize = 4096;
 /// Maximum number of steps solved to find the assemblies.
 const MAX_TRIES: usize = 1 << 16;
-/// Maximum work of solving groups over the complex numbers, approximately in microseconds. This is enough for a group
-/// of four loops with hinges only, or of three with slides, but not for a long chain of such groups with many
-/// assemblies each.
+/// Maximum work of solving groups over the complex numbers, approximately in microseconds. It allows a group of four
+/// loops with hinges only, or of three with slides, but not a long chain of such groups with many assemblies each.
 const MAX_WORK: usize = 60_000;
 
 /// The assemblies of a linkage at an input.
@@ -71,8 +70,7 @@ pub(crate) struct Found<const N: usize> {
     /// Pose and assembly signs of each assembly.
     pub(crate) ways: Vec<(Pose<N>, AssemblySigns)>,
     complex: Vec<usize>,
-    /// Pairs of complex conjugate solutions, of groups and of dyads out of reach. Empty unless derivatives are
-    /// computed.
+    /// Complex conjugate pairs of solutions, for groups and for dyads out of reach. Empty if `N` is 1.
     pub(crate) unreal: Vec<ComplexPair>,
     /// Squared sine of the angle between two guides that must cross. If the guides are parallel, the bodies on them are
     /// at infinity; near that input, links joined to these bodies may be within reach over a short interval.
@@ -81,12 +79,10 @@ pub(crate) struct Found<const N: usize> {
 }
 
 impl Mechanism {
-    /// All assemblies at an input, in radians or as the coordinate of a driven slide. Dyads are solved in closed form.
-    /// The equations of other groups are solved over the complex numbers, so that no solution is missed. Wheels keep
-    /// their mounting.
+    /// All assemblies at an input, in radians or as the coordinate of a driven slide. Dyads are solved in closed form,
+    /// other groups over the complex numbers, so that no solution is missed. Wheels keep their mounting.
     ///
-    /// The assemblies are in no particular order, without repetition. Assemblies that meet in a singular pose are left
-    /// out.
+    /// The assemblies are in no particular order, without repetition, and without those that meet in a singular pose.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
         let state = &mut self.blank_state();
         let found = self
@@ -263,7 +259,7 @@ impl<'a, const N: usize> Search<'a, N> {
         self.at.signs[*step] = Sign::Plus;
     }
 
-    /// Places the bodies of a step, then those of the remaining steps. `solved`: the step's unknowns are already known.
+    /// Places the bodies of a step (`solved` if its unknowns are already known), then those of the remaining steps.
     fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>, solved: bool) {
         if self.tries == 0 || self.found.ways.len() == self.most {
             self.found.whole = false;
@@ -282,7 +278,7 @@ impl<'a, const N: usize> Search<'a, N> {
                 }
                 self.join(rest, state);
             }
-            // The margins of a group, unlike those of a dyad, are not under square roots.
+            // Only the margins of dyads are quantities under square roots, whose negative values give complex pairs.
             Err(_) if matches!(self.layout.steps[step], Step::Group(_)) => {}
             Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
                 let negative = state.margins[step].into_iter();

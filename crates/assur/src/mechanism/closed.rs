@@ -190,8 +190,7 @@ impl Mechanism {
         is_first.then(|| angle(driven.local - crank.hinge) - crank.angle_offset - base)
     }
 
-    /// True if two drawings show the same linkage: names and steps are equal, and joints have the same positions on
-    /// their bodies within rounding.
+    /// True if two drawings show the same linkage: equal names and steps, and joints at equal positions on the bodies.
     pub(crate) fn is_redrawn_as(&self, other: &Self) -> bool {
         let within = tolerance::COINCIDENT * self.size();
         let near = |a: &Vector, b: &Vector| (a - b).norm() <= within;

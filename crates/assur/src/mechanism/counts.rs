@@ -94,8 +94,7 @@ pub(super) fn counts(
         links: graph.links - 1 + idlers + doubled,
         lower_pairs: graph.lower_pairs() + idlers + hinges,
         higher_pairs: graph.higher_pairs() + passive + idlers,
-        // An idler does not change the mobility: it has 3 freedoms, of which its hinge removes 2 and one more mesh
-        // removes 1.
+        // An idler does not change the mobility: of its 3 freedoms, its hinge removes 2 and one more mesh 1.
         mobility: graph.mobility() - passive as isize + 3 * doubled as isize - 2 * hinges as isize,
         passive,
     }

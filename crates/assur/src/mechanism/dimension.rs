@@ -69,8 +69,8 @@ impl Mechanism {
         all.filter(|dimension| self.has(*dimension)).collect()
     }
 
-    /// True if a dimension exists. A point that a link shares with the frame, or with a link that must keep its shape,
-    /// gives no dimension if the two are one body.
+    /// True if a dimension exists. A point shared with the frame, or with a link that must keep its shape, gives none
+    /// if both are one body.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {
@@ -120,8 +120,7 @@ impl Mechanism {
         })
     }
 
-    /// Value equivalent to a given one and nearest to the current value of the dimension. An angle changes by at most
-    /// half a turn.
+    /// Value equivalent to a given one, and nearest to the current value: an angle changes by at most half a turn.
     pub fn nearest(&self, dimension: Dimension, value: f64) -> f64 {
         match (dimension, self.value(dimension)) {
             (Dimension::Corner(..), Some(from)) => crate::angle::nearest_to(value, from),
@@ -129,8 +128,7 @@ impl Mechanism {
         }
     }
 
-    /// Sensible range of a dimension. Some values within the range may not give a mechanism. None if the dimension is
-    /// not among [`Self::dimensions`].
+    /// Sensible range of a dimension, with some values that may give no mechanism. None if there is no such dimension.
     pub fn range(&self, dimension: Dimension) -> Option<[f64; 2]> {
         let value = self.value(dimension)?;
         let around = |aside: f64| [value - aside, value + aside];
@@ -152,8 +150,7 @@ impl Mechanism {
 }
 
 impl Dimension {
-    /// Setting that gives this dimension a value in a drawn linkage. A side from the second point must be set through
-    /// the corner instead.
+    /// Setting that gives this dimension a value. A side from the second point must be set through the corner instead.
     pub(crate) fn setting(self, spec: &LinkageSpec, value: f64) -> Setting {
         let at = |point: PointId| spec.points[point.index()].at;
         let placed = |link: LinkId, point: usize, angle: f64, side: f64| {

@@ -23,8 +23,7 @@ const BACK: u32 = 24;
 const MOUNTED: f64 = 1e-4;
 
 impl Layout {
-    /// Drawn configuration, found from a guess, and the start of the motion. Groups adopt the elimination order of the
-    /// drawn pose.
+    /// Finds the drawn configuration, from a guess, and the start of motion. Groups eliminate as in the drawn pose.
     pub(super) fn settle(
         &mut self,
         spec: &LinkageSpec,

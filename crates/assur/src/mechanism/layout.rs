@@ -2,8 +2,7 @@
 
 use super::*;
 
-/// Bodies, pairs, structure and order of solving of a linkage. These follow from the topology and dimensions of the
-/// linkage and do not change.
+/// Bodies, pairs, structure and order of solving of a linkage, as they follow from its topology and dimensions.
 #[derive(Debug)]
 pub(crate) struct Layout {
     /// Origin of the coordinates used while solving.

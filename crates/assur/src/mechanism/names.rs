@@ -61,8 +61,7 @@ impl Mechanism {
         &self.layout.links[link].points
     }
 
-    /// Link to which a link is ultimately fixed: the link itself if it is fixed to no other link, None if it is fixed
-    /// to the frame.
+    /// Link to which a link is ultimately fixed, or else the link itself; None if the link is fixed to the frame.
     pub fn root_of(&self, link: LinkId) -> LinkOrFrame {
         self.link_of(self.layout.links[link].body)
     }

@@ -31,17 +31,15 @@ impl SignedAssemblies<'_> {
             .count()
     }
 
-    /// The mechanism redrawn in the assembly with a given number, from 0. It is drawn at the drawn input, or just
-    /// beside this input if assemblies meet there. None if no assembly has this number, or no drawing distinguishes it
-    /// from the others.
+    /// The mechanism redrawn in the assembly with a given number, from 0, at the drawn input or, if assemblies meet
+    /// there, just beside it. None if no assembly has this number, or no drawing distinguishes it from the others.
     pub fn assembly(&self, number: usize) -> Option<Mechanism> {
         self.mechanism.with_signs(self.all.get(number)?)
     }
 }
 
 impl Mechanism {
-    /// Assemblies at the drawn input, numbered by their signs. Each call searches anew, which takes up to a few
-    /// milliseconds.
+    /// Assemblies at the drawn input, numbered by their signs. Each call searches anew, for up to a few milliseconds.
     pub fn signed_assemblies(&self) -> SignedAssemblies<'_> {
         let mut all = self.layout.found_by_signs(&self.drawn, MOST);
         // The search may have stopped before the drawn assembly.

@@ -53,16 +53,14 @@ pub(crate) enum NoNeighbour {
     Defects(Vec<Defect>),
 }
 
-/// Maximum turn of a body between neighbours, in radians, and its maximum displacement, relative to the size of the
-/// linkage.
+/// Maximum turn of a body between neighbours, radians; also its maximum displacement, in sizes of the linkage.
 const NEAR: f64 = 0.2;
 /// Maximum ratio of the second Newton correction to the first. Up to this ratio Newton's method converges to the
 /// continuation of the last solution: P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 5.1.
 const CONTRACTION: f64 = 0.125;
 /// Maximum first Newton correction, in units of the unknowns.
 const CORRECTED: f64 = 0.03;
-/// Maximum factor by which the determinant of a group's Jacobian may change. This limit keeps two solutions that are
-/// about to meet from being confused.
+/// Maximum factor by which a group's Jacobian determinant may change, to keep solutions about to meet apart.
 const CHANGED: f64 = 2.0;
 
 impl Assembled {
@@ -264,8 +262,7 @@ impl Layout {
         let lost = groups.find(|(step, group)| {
             let margins = [before, state].map(|state| state.margins[*step]);
             let [[a, of_a], [b, of_b]] = margins.map(|both| both.map(|margin| margin.value()));
-            // In a redundant group, pivoting may have dropped different equations, so the determinants cannot be
-            // compared.
+            // Pivoting may drop different equations of a redundant group; its determinants cannot be compared.
             let ratio = b / a * (of_b - of_a).exp2();
             let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&ratio);
             far || changed

@@ -74,8 +74,7 @@ impl Mechanism {
         (pose.state.place(self.layout.points[point]) + Complex::constant(self.layout.origin)).into()
     }
 
-    /// Position of a point as carried by a link. It equals [`Self::place`] for every link hinged at the point. None if
-    /// the point is not on the link.
+    /// Position of a point as carried by a link, the same for each of its links. None if the point is not on the link.
     pub fn carried<const N: usize>(
         &self,
         pose: &Pose<N>,

@@ -8,8 +8,7 @@ use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::mechanism::{Layout, Mechanism};
 use crate::position::Step;
 
-/// Maximum period of the drivers, in turns of the first crank. Circuits of a linkage with wheels are searched up to the
-/// same period.
+/// Maximum period of the drivers, in turns of the first crank; also limits the search for circuits with wheels.
 pub(crate) const MAX_PERIOD: usize = 24;
 
 /// Number of turns that stands for "never returns"; it is greater than the number of turns of any followed motion.
@@ -68,7 +67,7 @@ pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Def
     }
 }
 
-/// Denominator of a ratio of numbers of teeth, found from its continued fraction; None beyond [`NEVER`].
+/// Denominator of a ratio of numbers of teeth, found from its continued fraction; None if it exceeds [`NEVER`].
 fn denominator(ratio: f64) -> Option<usize> {
     let mut rest = ratio;
     let mut denominators = [0.0, 1.0];
@@ -88,7 +87,7 @@ fn denominator(ratio: f64) -> Option<usize> {
     None
 }
 
-/// Least common multiple; None beyond [`NEVER`].
+/// Least common multiple; None if it exceeds [`NEVER`].
 fn common(a: usize, b: usize) -> Option<usize> {
     let multiple = (a / num_integer::gcd(a, b).max(1)).checked_mul(b)?;
     (multiple < NEVER).then_some(multiple)
@@ -110,8 +109,7 @@ impl Layout {
         (self.period_turns, self.turns_of_assemblies) = (seen, carrying);
     }
 
-    /// Number of turns after which all drivers have returned, and so have the selected bodies that turn in proportion
-    /// to the input.
+    /// Number of turns after which all drivers and the selected bodies that turn in proportion to the input return.
     fn together(&self, counts: impl Fn(BodyId) -> bool) -> Option<usize> {
         let period_turns = self.period_turns?;
         let rates = self.rates_of_bodies();
@@ -219,7 +217,7 @@ impl Mechanism {
     }
 
     /// Shift of the input that leaves the poses of a motion between two dead points unchanged: [`Self::least_turns`] in
-    /// radians. None if there are no such turns, or if a group depends on the number of turns of the crank.
+    /// radians. None without such a number, or if a group depends on the number of turns of the crank.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.layout.rates_of_bodies();
         let mut counted = self.steps().iter().flat_map(|step| match step {

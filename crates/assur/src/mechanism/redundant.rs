@@ -139,7 +139,7 @@ impl Layout {
     fn rows(&self, pose: &Predictor) -> Rows {
         let place = |anchor: BodyPoint| pose.place(anchor).value() / self.size;
         let blank = || DVector::zeros(3 * self.placed_by.len());
-        // Row of the component, in the direction `way`, of the velocity of a body relative to another at a position.
+        // Row for the component along `way` of the velocity of `body` relative to `base` at a position.
         let along = |at: Vector, way: Vector, [body, base]: [BodyId; 2]| {
             let mut row = blank();
             for (of, sign) in [(body, 1.0), (base, -1.0)] {
@@ -244,7 +244,7 @@ impl Layout {
     }
 
     /// Structure with passive links as separate steps. None if a redundant constraint fails near the drawn pose, or if
-    /// the mobility by rank is not the number of drivers. It is lower if drivers are compatible only at their rates.
+    /// the mobility by rank is not the number of drivers, as with drivers compatible only at their rates.
     fn shown(&self, redundancy: &Redundancy, at: &Configuration) -> Option<Structure> {
         let rows = self.rows_beside(at);
         let Redundancy { graph, drivers, .. } = redundancy;
@@ -308,8 +308,7 @@ impl Layout {
         found
     }
 
-    /// Drawn configuration with the signs that the drawing shows; None if a step without redundant constraints does not
-    /// close.
+    /// Drawn configuration with the drawn signs; None if a step without redundant constraints does not close.
     fn signed(&self, spec: &LinkageSpec, drawn: Configuration) -> Option<Configuration> {
         let mut at = drawn;
         let mut state = self.blank_state();

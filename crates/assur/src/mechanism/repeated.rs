@@ -15,9 +15,8 @@ impl Mechanism {
         })
     }
 
-    /// Distance between two poses: the greatest turn or displacement of a body. Small turns are in radians. A
-    /// displacement is relative to the size of the linkage or, if greater, to the distance of the body from the origin.
-    /// Idle wheels do not count.
+    /// Distance between two poses: the greatest turn (radians, if small) or displacement of a body. A displacement is
+    /// relative to the greater of the linkage's size and the body's distance from the origin. Idle wheels do not count.
     pub(crate) fn distance<const N: usize, const M: usize>(&self, a: &Pose<N>, b: &Pose<M>) -> f64 {
         let bodies = self.bodies();
         let bodies = bodies.filter(|body| !self.layout.is_idle_wheel(*body));
@@ -31,8 +30,7 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// Body whose position or orientation differs between two poses, if there is one. A wheel that moves nothing else
-    /// may have turned.
+    /// Body whose position or orientation differs between two poses. A wheel that moves nothing else may have turned.
     pub(crate) fn moved<const N: usize>(
         &self,
         a: &State<N>,

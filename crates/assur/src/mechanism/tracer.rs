@@ -1,5 +1,4 @@
-//! Tracer points: points on a link that are not joints. They change neither the structure nor the assemblies, and keep
-//! their positions on the link when the linkage is redrawn.
+//! Tracer points: points on a link that are not joints, and keep their positions on it when the linkage is redrawn.
 
 use crate::index::{BodyId, LinkId, List, PointId};
 use crate::linkage::TracerSpec;
@@ -10,8 +9,7 @@ use crate::position::{BodyPoint, product};
 use crate::{Point, Vector};
 
 impl Mechanism {
-    /// Position of a tracer on its link, in the coordinates of [`TracerSpec::at`], if the tracer is at `place` in a
-    /// pose.
+    /// Position on its link, as in [`TracerSpec::at`], of a tracer that is at `place` in a pose.
     pub(super) fn on_link_of(&self, tracer: &TracerSpec, pose: &Pose<1>, place: Point) -> Vector {
         let link = self.link(&tracer.link);
         link.map_or(place.coords, |link| self.on_link(pose, link, place))

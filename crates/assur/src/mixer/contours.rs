@@ -1,5 +1,4 @@
-//! The closed vector contours of the mixer's linkage, evaluated relation by relation (Smelyagin and Prikhodko, (1) to
-//! (26)).
+//! The closed vector contours of the mixer's linkage: relations (1) to (26) of Smelyagin and Prikhodko, evaluated.
 
 use std::f64::consts::TAU;
 
@@ -135,8 +134,7 @@ fn closed(item: &'static str, sum: Vector) -> [Relation; 2] {
     Relation::both(item, ["Σx", "Σy"], Vector::zeros(), sum)
 }
 
-/// Relations (7) to (13) of the contour ABCD: both sides of each equation, and the analogues of velocity and
-/// acceleration.
+/// Relations (7) to (13) of the contour ABCD: both sides of each, and the analogues of velocity and acceleration.
 fn derivatives(linkage: &FourBar, pose: &Pose<3>) -> Vec<Relation> {
     let [l1, l2, l3, l4] = linkage.lengths();
     let (s1, c1) = pose.crank.value().sin_cos();

@@ -122,8 +122,7 @@ mod tests {
         }
     }
 
-    /// C can be dragged to either side of BD, at any crank angle, from either assembly, even if the new lengths make a
-    /// parallelogram.
+    /// C can be dragged to either side of BD, from either assembly and at any crank angle, even into a parallelogram.
     #[test]
     fn c_follows_to_either_side() {
         for start in Assembly::ALL {

@@ -14,10 +14,9 @@ const BARS: [(Link, Carrier, [&str; 4]); 3] = [
 ];
 
 impl Mixer {
-    /// The mixer as a specification. The links are `crank`, `coupler`, `rocker`, `wheel4`, which is fixed to the
-    /// rocker, and `wheel5`, …, which are hinged to the frame. The points are the joints A, B, C, D, the centres of
-    /// mass C1, C2, C3 in the middle of their links, and the wheels' centres E5, …. The traced points P1, … are
-    /// tracers.
+    /// The mixer as a specification: links `crank`, `coupler`, `rocker`, `wheel4`, fixed to the rocker, and `wheel5`,
+    /// …, hinged to the frame; points A, B, C, D (joints), C1, C2, C3 (centres of mass in the middle of crank, coupler
+    /// and rocker), E5, … (centres of the wheels); tracers P1, ….
     ///
     /// # Errors
     /// The reason why there is no pose to draw.

@@ -33,8 +33,7 @@ impl Tracer {
     pub const MOST: usize = 6;
 }
 
-/// Checks that traced points have valid coordinates and are on bodies that exist. `wheels` is the number of peripheral
-/// wheels.
+/// Checks that traced points have valid coordinates and are on bodies of a mixer with `wheels` peripheral wheels.
 pub(super) fn check(tracers: &[Tracer], wheels: usize) -> Result<(), Vec<Invalid>> {
     let mut reasons = Vec::new();
     if tracers.len() > Tracer::MOST {
@@ -154,8 +153,7 @@ mod tests {
                 let (origin, angle) = mixer.body(&pose, carrier);
                 let arm = mixer.traced(&pose, &tracer).place() - origin.place();
                 assert!((arm.norm() - tracer.x.hypot(tracer.y)).abs() < 1e-15);
-                // If the body turns about a fixed centre, the velocity is normal to the arm and equals φ′ times the
-                // arm's length.
+                // If the body turns about a fixed centre, the velocity is φ′ times the arm, turned through 90°.
                 if carrier != Carrier::Coupler {
                     let rate = mixer.traced(&pose, &tracer).derivative(1);
                     assert!(rate.dot(&arm).abs() < 1e-14, "{carrier:?}");

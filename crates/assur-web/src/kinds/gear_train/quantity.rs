@@ -40,7 +40,7 @@ pub(crate) struct Column {
 }
 
 impl Column {
-    /// Finds the column with this name in tables.
+    /// Finds the column with this heading in tables.
     pub(crate) fn named(name: &str, loaded: bool) -> Option<Self> {
         Quantity::all(loaded).find_map(|quantity| {
             let mut columns = quantity.columns().into_iter();

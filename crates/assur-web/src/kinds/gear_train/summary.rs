@@ -49,7 +49,7 @@ pub(crate) struct GearTrainSummary<'a> {
     axis_distance: f64,
     /// Velocities of points at the final speeds of the shafts; distances in mm, velocities in mm/s.
     velocities: Option<VelocitySummary>,
-    /// External torques on the shafts without losses, as multiples of the torque on the sun.
+    /// External torques on the shafts, neglecting losses, as multiples of the torque on the sun.
     #[serde(with = "ShaftNumbers")]
     #[cfg_attr(test, ts(as = "ShaftNumbers"))]
     torques: Shafts,
@@ -57,7 +57,7 @@ pub(crate) struct GearTrainSummary<'a> {
     #[serde(with = "ShaftNumbers")]
     #[cfg_attr(test, ts(as = "ShaftNumbers"))]
     powers: Shafts,
-    /// Greatest static torque on each body that the magnets can hold, N·m, with the other shafts held.
+    /// Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held.
     limits: Option<BodyNumbers>,
     /// Natural frequencies of the meshes with sun and ring, Hz.
     swings: Option<[f64; 2]>,
@@ -103,7 +103,7 @@ pub(crate) struct RatioSummary {
     largest: bool,
 }
 
-/// Two ratios, by their names, whose sum is 1.
+/// Names of two ratios, and their sum, which is 1.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct IdentitySummary {

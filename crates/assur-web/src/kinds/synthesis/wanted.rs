@@ -36,8 +36,8 @@ pub(crate) struct WantedSummary {
     theorems: Vec<TheoremSummary>,
     /// The condition omitted by theorem 5.
     pair: Option<LeftOutSummary>,
-    /// Ranges of l₁ for which l₂ is positive, and for which l₃ is; null if condition (13) fails. A null range is empty;
-    /// a null maximum means no limit.
+    /// The range of l₁ in which l₂ is positive, and that in which l₃ is; null if condition (13) fails. A null range is
+    /// empty; a null maximum means no limit.
     ranges: Option<[Option<Range>; 2]>,
     /// Range of l₁ for which all lengths are positive, null if empty; its ends are equal if only one l₁ is possible.
     interval: Option<Range>,
@@ -140,7 +140,7 @@ impl From<Condition> for ConditionSummary {
     }
 }
 
-/// The angles of all links in each position; for the coupler, that of the drawn linkage if the document gives none.
+/// The angles of all links in each position. A coupler angle not in the document is that of the drawn linkage.
 pub(super) fn angles(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Vec<Angles> {
     let positions = task.positions().iter().zip(&document.positions);
     let all = positions.zip(&shown.closures);

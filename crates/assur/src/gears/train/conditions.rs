@@ -20,8 +20,7 @@ pub enum ConditionKind {
     Room,
     /// The sun does not touch the satellites, a_w > (d₁ + d₂)/2 (magnets); (1) of the source paper.
     SunGap,
-    /// The ring does not touch the satellites, a_w < (d₄ − d₂′)/2 (magnets); (2) of the source paper, which prints the
-    /// opposite sign.
+    /// The ring does not touch the satellites, a_w < (d₄ − d₂′)/2 (magnets); (2) of the source paper, sign corrected.
     RingGap,
     /// All satellites can be mounted at equal angles: (z₁ + z₄)/k is whole, or (z₁ + z₄)/(2k) if poles alternate.
     Assembly,
@@ -105,8 +104,7 @@ impl Differential {
 }
 
 impl Layout {
-    /// The conditions for a coupling, met or not. Bevel wheels are always coaxial, and their gaps are set by axial
-    /// displacement.
+    /// The conditions for a coupling, met or not. Axial displacement sets the gaps of bevel wheels, which are coaxial.
     pub fn conditions(&self, coupling: Coupling) -> Vec<Condition> {
         let mut conditions = match (self.train().kind(), coupling) {
             (Kind::Bevel, _) => vec![],

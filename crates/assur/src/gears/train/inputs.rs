@@ -161,8 +161,7 @@ fn right_hand_side(input: &Input) -> f64 {
     }
 }
 
-/// The reason why two inputs do not determine the motion: one is a multiple of another shaft's speed, or both are of
-/// the same shaft.
+/// The reason why two inputs do not determine the motion: a given ratio of two speeds, or two inputs of one shaft.
 fn singular(first: &Input, second: &Input) -> InputError {
     match (first.drive, second.drive) {
         (Drive::Tied { to, factor }, _) => {

@@ -122,8 +122,7 @@ impl Layout {
         }
     }
 
-    /// Gaps of magnets at sun and ring, between pitch circles; negative if the circles overlap. None for bevel wheels,
-    /// whose gaps are set by axial displacement.
+    /// Gaps between pitch circles of magnets at sun and ring; negative if the circles overlap. None for bevel wheels.
     pub fn gaps(&self) -> Option<[f64; 2]> {
         let planar = self.train.kind() != Kind::Bevel;
         let distance = self.axis_distance(Coupling::Magnetic);
@@ -138,8 +137,7 @@ impl Layout {
         self.gaps().map(|gaps| gaps.map(|gap| gap - teeth))
     }
 
-    /// Least and greatest axis distance without contact of pitch circles: (d₁ + d₂)/2 and (d₄ − d₂′)/2, the source
-    /// paper's (1) and (2).
+    /// Least and greatest axis distance without contact of pitch circles: limits in the source paper's (1) and (2).
     pub(super) fn free_distances(&self) -> [f64; 2] {
         let teeth = |member| f64::from(self.train.teeth(member));
         [
@@ -148,8 +146,7 @@ impl Layout {
         ]
     }
 
-    /// Sine of half the angle that a satellite covers, seen from the central axis. Teeth are included for gears in
-    /// contact.
+    /// Sine of half the angle that a satellite, including the teeth of gears in contact, covers at the central axis.
     pub(super) fn half_width(&self, coupling: Coupling) -> f64 {
         let teeth = |member| f64::from(self.train.teeth(member));
         let largest = teeth(Member::Satellite).max(teeth(Member::Step));
@@ -162,8 +159,7 @@ impl Layout {
                 self.module * (0.5 * largest + addendum) / self.axis_distance(coupling)
             }
             Kind::Bevel => {
-                // Tip cones of neighbouring satellites touch if sin(π/k) sin Σ = sin δ_a, with the tip angle δ_a and k
-                // satellites.
+                // The tip cones, of angle δ_a, of neighbours among k satellites touch if sin(π/k) sin Σ = sin δ_a.
                 let sine = self.train.inclination().sin();
                 let cone = (2.0 * largest * sine).atan2(teeth(Member::Sun) + teeth(Member::Ring));
                 let tip = cone + (2.0 * addendum * cone.sin() / largest).atan();

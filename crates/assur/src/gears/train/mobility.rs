@@ -14,8 +14,7 @@ pub struct Counts {
     /// Number P₁ of pairs with one freedom, p₅ in the paper: sun, carrier and ring with the frame, each satellite with
     /// the carrier. In the paper the carrier turns in the ring instead of the frame; the count is the same.
     pub one_freedom: u32,
-    /// Number P₂ of pairs with two freedoms: each satellite with sun and ring. A magnetic coupling is a pair until it
-    /// slips.
+    /// Number P₂ of pairs with two freedoms: satellites with sun and ring. A magnetic coupling counts until it slips.
     pub two_freedoms: u32,
 }
 
@@ -45,8 +44,8 @@ impl Counts {
         3 * i64::from(self.links) - 2 * i64::from(self.one_freedom) - i64::from(self.two_freedoms)
     }
 
-    /// Number of passive constraints. Every satellite after the first repeats the constraint of the first, so the train
-    /// has two freedoms although the count gives fewer.
+    /// Number of passive constraints, one for each satellite after the first: the train has two freedoms, by count
+    /// fewer.
     pub fn passive(&self) -> i64 {
         2 - self.mobility()
     }

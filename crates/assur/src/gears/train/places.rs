@@ -48,8 +48,7 @@ impl Train {
 impl Layout {
     /// Mounting angles of satellites and ring. `plates` is the number of plates per period: 1 for teeth and like poles,
     /// which face gaps, and 2 for alternating poles, where north faces south. The phases of wheels in mesh differ by
-    /// half a period. Satellites that cannot be [mounted](super::Differential::assembly) have this difference only at
-    /// the sun.
+    /// half a period; for satellites that cannot be [mounted](super::Differential::assembly), only at the sun.
     pub fn mounting(&self, plates: u32) -> Mounting {
         let [sun, satellite, step, ring] = self.train().periods(plates);
         let mounted = self.train().ring_mounting_of(plates);
@@ -82,9 +81,8 @@ impl Layout {
         }
     }
 
-    /// Positions of all satellites after the shafts have turned through these angles from the initial position, in which
-    /// the first satellite is to the right of the central axis. None for bevel wheels. The teeth of each satellite meet
-    /// the gaps of the sun.
+    /// Positions of all satellites, their teeth in the gaps of the sun; none for bevel wheels. The shafts have turned
+    /// through these angles since the first satellite was to the right of the central axis.
     pub fn places(&self, coupling: Coupling, angles: &Shafts) -> Option<Vec<Place>> {
         if self.train().kind() == Kind::Bevel {
             return None;

@@ -63,8 +63,7 @@ impl Differential {
         }
     }
 
-    /// The six ratios: 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3). The second and third are (5) and (6) of the
-    /// source paper.
+    /// The six ratios: 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3). The second and third are the paper's (5), (6).
     pub fn ratios(&self) -> [Ratio; 6] {
         use Shaft::{Carrier, Ring, Sun};
         [

@@ -21,9 +21,8 @@ impl Layout {
         }
     }
 
-    /// Trains that can be built with the same number of satellites, the same module and the same axis distance, if
-    /// given. They are sorted by total change, then by the greatest change of a wheel. This train comes first if it can
-    /// be built.
+    /// Trains that can be built with this layout's number of satellites, module and axis distance, sorted by total
+    /// change, then by the greatest change of a wheel. This train comes first if it can be built.
     ///
     /// At most `count` trains, with a total change of at most 60 teeth, 20 with stepped satellites.
     pub fn suggestions(&self, coupling: Coupling, count: usize) -> Vec<Suggestion> {
@@ -65,8 +64,7 @@ impl Train {
     }
 }
 
-/// All changes of z₁, z₂, z₂′, z₄ whose absolute values add up to `total`. For single-wheel satellites z₂′ is not
-/// changed.
+/// All changes of z₁, z₂, z₂′, z₄ whose absolute values add up to `total`; z₂′ changes only in stepped satellites.
 fn changes(kind: Kind, total: i32) -> Vec<[i32; 4]> {
     let mut changes = Vec::new();
     for sun in -total..=total {

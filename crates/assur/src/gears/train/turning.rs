@@ -27,8 +27,7 @@ pub struct Turned {
     pub speeds: [f64; 4],
     /// Accelerations, rad/s².
     pub accelerations: [f64; 4],
-    /// True for bevel wheels: the values of the satellite are then relative to the carrier, about the satellite's own
-    /// axis.
+    /// True for bevel wheels: the satellite's values are relative to the carrier, about the satellite's own axis.
     pub spins: bool,
 }
 

@@ -47,8 +47,7 @@ pub(in crate::mechanism) struct RigidBodies {
 }
 
 impl RigidBodies {
-    /// Joins the bodies by the slides and gear couplings of their specification. Returns the bodies, and the placements
-    /// of the links.
+    /// Joins the bodies by the specified slides and gear couplings. Returns them with the placements of the links.
     ///
     /// # Errors
     /// A slide whose point is not on its link, or whose line has two coincident points.
@@ -277,8 +276,7 @@ impl Bodies {
         Ok(structure::Driver { pair, links })
     }
 
-    /// True if the drawing shows the orientation of a body. A wheel with no point but its hinge looks the same at any
-    /// angle.
+    /// True if the drawing shows a body's orientation. A wheel with no point but its hinge looks the same at any angle.
     pub(in crate::mechanism) fn shows_its_angle(&self, body: BodyId) -> bool {
         let mut slides = self.slides.iter();
         self.of(body).len() > 1 || slides.any(|slide| slide.bodies.contains(&body))

@@ -1,5 +1,4 @@
-//! Doubled links. A doubled link shares two or more points with another body, at the same positions on both, so the two
-//! are one body.
+//! Doubled links, each one body with another because both have two or more shared points at the same positions.
 
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::linkage::spec::{Defect, LinkageSpec, extent};
@@ -137,8 +136,7 @@ impl Resolved<'_> {
 }
 
 impl Doubling {
-    /// Doubling of a base by another body. None unless two shared points are apart, and all shared points have the same
-    /// positions on both bodies.
+    /// Doubling of a base by another body, if two shared points are apart and all are at the same positions on both.
     fn of(bodies: &Bodies, [body, base]: [BodyId; 2]) -> Option<Self> {
         let is_shared = |(point, _): &&(PointId, Vector)| bodies.local(base, *point).is_some();
         bodies.of(body).iter().filter(is_shared).nth(1)?;

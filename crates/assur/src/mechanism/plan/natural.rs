@@ -1,5 +1,4 @@
-//! Natural coordinates of an Assur group: the unknowns, the positions that follow from the unknowns, and the remaining
-//! equations.
+//! Natural coordinates of an Assur group: unknowns, positions that follow from them, and the remaining equations.
 
 mod condition;
 
@@ -115,8 +114,7 @@ struct Plan<'a> {
     drawn_input: Vec<Vector>,
     /// Unit of each unknown.
     units: Vec<f64>,
-    /// Bodies whose turn follows from two points close together, with the position of the first of these points on the
-    /// body.
+    /// Bodies whose turn follows from two points close together, each with the position of the first point on the body.
     close: BTreeMap<BodyId, Vector>,
     /// The size of the group.
     size: f64,
@@ -188,8 +186,7 @@ impl Plan<'_> {
                         best
                     }
                 });
-                // Two points close together do not determine a distant point, so the distant point must become known
-                // first.
+                // Two points close together do not determine a distant point: it must become known first.
                 let longest =
                     longest.filter(|pair| length(pair) >= CLOSE * self.reach(body, first.1));
                 longest.map(Follows::Points)
@@ -197,8 +194,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Maximum distance from a position on a body to the hinges and guides of the body, by which other bodies are
-    /// placed.
+    /// Maximum distance on a body from a position to the hinges and guides by which other bodies are placed.
     fn reach(&self, body: BodyId, from: Vector) -> f64 {
         let bodies = self.bodies;
         let others = move |point| {
@@ -219,8 +215,7 @@ impl Plan<'_> {
         places.fold(0.0, |most, at| most.max((at - from).norm()))
     }
 
-    /// True if a position on a body is far enough from the body's known points to determine the whole body together
-    /// with any of these points.
+    /// True if a position on a body is far enough from every known point for the two to determine the whole body.
     fn is_far(&self, body: BodyId, at: Vector) -> bool {
         let mut known = self.bodies.of(body).iter();
         known.all(|(point, other)| {

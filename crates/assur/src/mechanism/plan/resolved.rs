@@ -201,8 +201,7 @@ impl<'a> Resolved<'a> {
     }
 }
 
-/// Body of a link: its own, or the body of the link to which it is ultimately fixed. None if links are fixed to each
-/// other in a circle.
+/// Body of a link: its own, or that of the link to which it is ultimately fixed. None if links are fixed in a circle.
 fn body(
     link: LinkId,
     bases: &List<LinkId, Option<LinkOrFrame>>,

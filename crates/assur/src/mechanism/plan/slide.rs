@@ -55,8 +55,7 @@ impl Bodies {
         let heading = (to - start).normalize();
         let bodies = [slide.on, slide.link].map(|link| spec.body(link));
         let [on_turn, turn] = bodies.map(|body| self.drawn_turn(body));
-        // If a line of the frame is moved from its drawn position, the link that slides on it keeps its drawn angle
-        // to the line.
+        // If a line of the frame is moved, the link that slides on it keeps its drawn angle to the line.
         let along = match slide.on {
             None => (spec.places[end] - spec.places[from]).normalize(),
             Some(_) => product(heading, on_turn),

@@ -13,8 +13,7 @@ use crate::position::{EpicyclicStep, Member, Orientation};
 pub(in crate::mechanism) struct Singular;
 
 impl Placed<'_> {
-    /// Gear couplings of a group. At least one body of each coupling is in the group; the others are in the group or
-    /// already solved.
+    /// Gear couplings with at least one body in a group; their other bodies are in the group or already solved.
     pub(in crate::mechanism) fn couplings(&self, group: &[BodyId]) -> Vec<&Gear> {
         let inside = |body: &BodyId| group.contains(body);
         let of_it = |gear: &&Gear| {
@@ -65,8 +64,7 @@ impl Placed<'_> {
             .fold(0.0, |sum, term| sum + term)
     }
 
-    /// Step of a group that is a train: its bodies have hinges and meshes but no slides, with one mesh per body. None
-    /// for any other group.
+    /// Step of a group that is a train, with hinges and one mesh per body but no slides. None for any other group.
     ///
     /// # Errors
     /// The numbers of teeth do not determine the angles of the train.

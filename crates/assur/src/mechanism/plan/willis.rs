@@ -4,8 +4,8 @@
 use crate::index::BodyId;
 use crate::mechanism::plan::body::Gear;
 
-/// Coefficients of the angles of bodies in an equation with a constant right side, in ascending order of bodies. The
-/// frame is left out, because its angle is zero.
+/// Coefficients of the bodies' angles, but not the frame's, which is zero, in ascending order of bodies, in an equation
+/// with a constant right side.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::mechanism) struct Equation(Vec<(BodyId, i128)>);
 
@@ -47,8 +47,7 @@ impl Equation {
         Some(())
     }
 
-    /// This equation after a body is eliminated by means of another equation, in the smallest integers; None on
-    /// overflow.
+    /// This equation with a body eliminated by means of another equation, in the smallest integers; None on overflow.
     fn without(&self, body: BodyId, other: &Self) -> Option<Self> {
         let (Some(own), Some(its)) = (self.factor(body), other.factor(body)) else {
             return Some(self.clone());
@@ -113,8 +112,7 @@ impl Solved {
         Some(Adds::Angle)
     }
 
-    /// Bodies for which the equations are solved. The angle of each body is a linear combination of the angles of the
-    /// bodies listed with it.
+    /// The solved bodies, each with the other bodies and ratios that give its angle as a linear combination.
     pub(in crate::mechanism) fn ratios(
         &self,
     ) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {
@@ -128,8 +126,7 @@ impl Solved {
     }
 }
 
-/// Marks the passive gear couplings: their equations follow from those of earlier couplings, as for a second satellite
-/// between the same wheels.
+/// Marks the passive gear couplings, whose equations follow from earlier ones, as those of a second satellite.
 pub(in crate::mechanism) fn mark_passive(gears: &mut [Gear]) {
     let mut solved = Solved::default();
     for gear in gears {

@@ -1,6 +1,5 @@
-//! Constraint equations of a mechanism: the conditions that its links and pairs impose on its points. The engine solves
-//! for other unknowns, group by group. Here the equations have the form used in papers, so that a reader can check a
-//! pose.
+//! Constraint equations of a mechanism: the conditions that its links and pairs impose on its points. They have the
+//! form used in papers, so that a reader can check a pose; the engine solves for other unknowns, group by group.
 
 use std::f64::consts::TAU;
 
@@ -50,8 +49,7 @@ pub enum ConstraintKind {
         /// The link with the line.
         on: LinkOrFrame,
     },
-    /// `z₁(θ₁ − θ₀) + z₂(θ₂ − θ₀) = α`: wheels in mesh at the angles θ₁ and θ₂, seen from their carrier at the angle
-    /// θ₀.
+    /// `z₁(θ₁ − θ₀) + z₂(θ₂ − θ₀) = α`: wheels in mesh, at the angles θ₁ and θ₂, with the carrier at the angle θ₀.
     Mesh {
         /// The wheels.
         links: [LinkOrFrame; 2],
@@ -171,14 +169,13 @@ impl Layout {
 
 impl Mechanism {
     /// Constraint equations: distances that keep each link rigid, two equations for each slide, and one for each pair
-    /// of wheels. If all pairs are hinges, the number of equations is the number of coordinates of moving points less
-    /// the mobility.
+    /// of wheels. With hinges alone, there are as many equations as coordinates of moving points, less the mobility.
     pub fn constraints(&self) -> Vec<Constraint> {
         self.layout.constraints(&self.drawn.orientations)
     }
 
-    /// Both sides, in a pose, of an equation (`order` 0) or of its `order`-th derivative with respect to the input;
-    /// `order` is below `N`. Derivatives of squared distances are halved, as in papers: `x x′ + y y′ = 0`,
+    /// Both sides, in a pose, of an equation (`order` 0) or of its derivative of `order` 1 to `N` − 1 with respect to
+    /// the input. Derivatives of squared distances are halved, as in papers: `x x′ + y y′ = 0`,
     /// `x x″ + y y″ = −(x′² + y′²)`.
     pub fn sides<const N: usize>(
         &self,

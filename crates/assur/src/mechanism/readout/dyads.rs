@@ -64,8 +64,7 @@ impl Mechanism {
         solved.chain(passive.flat_map(|passive| &passive.dyads))
     }
 
-    /// Transmission angle of a dyad in a pose: the acute angle between the lines of its two links, radians; 0 if the
-    /// links are in line.
+    /// Transmission angle of a dyad in a pose: the acute angle between the lines of its two links, radians.
     pub fn transmission_angle<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> f64 {
         let at = |point: PointId| self.place(pose, point).place();
         let inner = at(dyad.inner);

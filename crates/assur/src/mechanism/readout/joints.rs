@@ -25,8 +25,7 @@ pub enum Joint {
         /// Two points of the body with the line, through which the line runs.
         line: [PointId; 2],
     },
-    /// Wheels in mesh: `z₁(ω₁ − ω₀) + z₂(ω₂ − ω₀) = 0`, with the angular velocities ω₁ and ω₂ of the wheels and ω₀ of
-    /// the carrier.
+    /// Wheels in mesh, `z₁(ω₁ − ω₀) + z₂(ω₂ − ω₀) = 0`: angular velocities ω₁ and ω₂ of the wheels, ω₀ of the carrier.
     Mesh {
         /// The wheels.
         bodies: [BodyId; 2],

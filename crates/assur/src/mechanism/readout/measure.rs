@@ -1,5 +1,4 @@
-//! Measurements on a drawing: the distance between two points, the angle at a point between two others, the angle
-//! between two links.
+//! Measurements on a drawing: distance between two points, angle at one of three points, angle between two links.
 
 use crate::Jet;
 use crate::index::{LinkId, PointId};

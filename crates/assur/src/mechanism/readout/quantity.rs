@@ -1,5 +1,4 @@
-//! Quantities of a mechanism: angles of links, coordinates of points, transmission and pressure angles of dyads, and
-//! measurements.
+//! Quantities of a mechanism: angles of links, coordinates of points, force transmission of dyads, measurements.
 
 use std::borrow::Cow;
 
@@ -66,8 +65,7 @@ impl Quantity {
         }
     }
 
-    /// Name of the quantity, or of its derivative of a given order. The kind is preceded by `order` letters d: `C.ddx`
-    /// is the second derivative of `C.x`.
+    /// Name of the quantity, or of its `order`-th derivative with `order` letters d: `C.ddx` for the second of `C.x`.
     pub fn name(self, mechanism: &Mechanism, order: usize) -> String {
         let (of, what) = (self.subject(mechanism), self.kind_name());
         let prefix = "d".repeat(order);
@@ -88,8 +86,7 @@ impl Quantity {
         }
     }
 
-    /// Name of the link or point to which the quantity belongs; for a dyad, name of the inner joint. Several names are
-    /// joined by hyphens.
+    /// Name of the link or point of the quantity, or of a dyad's inner joint; several names are joined by hyphens.
     pub fn subject(self, mechanism: &Mechanism) -> Cow<'_, str> {
         let points = |points: &[PointId]| {
             let names = points.iter().map(|point| mechanism.point_name(*point));
@@ -119,9 +116,8 @@ impl Quantity {
         matches!(self, Self::Distance(_) | Self::Corner(_) | Self::Between(_))
     }
 
-    /// True for an undirected angle: the acute angle between two lines, or the angle at a corner. The angle is folded
-    /// where its sides are in line or, between lines, at right angles. Its rate jumps at a fold, which is not counted
-    /// as an extremum.
+    /// True for an undirected angle: the acute angle between two lines, or the angle at a corner. It is folded where
+    /// its sides are in line or, for lines, at right angles. There its rate jumps, which is not counted as an extremum.
     pub fn is_folded(self) -> bool {
         matches!(
             self,

@@ -15,14 +15,13 @@ pub(in crate::mechanism) enum Condition {
     /// by this distance, the residual is a length.
     Unit(Form, f64),
     Zero(Form),
-    /// Component of the vector `way` along a unit direction. The angle constraint with index `mesh` prescribes it.
+    /// Component of the vector `way` along a unit direction, prescribed by the angle constraint with index `mesh`.
     Along {
         direction: Form,
         way: Form,
         mesh: usize,
     },
-    /// Turns of bodies with the coefficients of their angles, and the index of the angle constraint that gives the
-    /// weighted sum of these angles.
+    /// Turns of bodies with coefficients of their angles, and the index of the angle constraint for the weighted sum.
     AngleConstraint(Vec<(Form, f64)>, usize),
     /// Vector `way` parallel to a direction. `length` is 1 if `way` joins two points, so that the residual is a length,
     /// and 0 if `way` is itself a direction.
