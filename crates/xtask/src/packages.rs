@@ -26,7 +26,7 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     } = workspace;
     let packed = CRATES.map(|name| ["--package", name]);
     let packed = packed.as_flattened();
-    // All that the crates need has been fetched for the tests.
+    // Everything that the crates need has already been fetched for the tests.
     let pack = cmd!(
         shell,
         "cargo package --offline --no-verify --allow-dirty {packed...}"

@@ -175,7 +175,7 @@ fn ended(tally: &Tally) -> Result<ExitCode> {
     Ok(ExitCode::from(u8::from(!passed)))
 }
 
-/// The tests of the wasm side by wasm-pack, which must not fetch anything: everything it needs is set up here.
+/// The tests of the wasm side by wasm-pack, which must not fetch anything: all that wasm-pack needs is set up here.
 pub(crate) fn wasm_tests<'a>(workspace: &'a Workspace, browser: &Browser) -> Result<Cmd<'a>> {
     let Workspace { shell, target, .. } = workspace;
     let [pack, bindgen] = [tools::wasm_pack, tools::wasm_bindgen].map(|tool| tool(workspace));

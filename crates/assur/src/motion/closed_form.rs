@@ -97,7 +97,7 @@ impl Motion {
 }
 
 /// The dead point of a four-bar at an end of an arc. The diagonal from the crank pin to the rocker pivot grows with the
-/// crank angle φ₁ from 0 to π. So coupler and rocker are folded if the arc ends towards 0, stretched if towards π.
+/// crank angle φ₁ from 0 to π. If it is shorter at this end than mid-arc, coupler and rocker are folded.
 pub(super) fn dead_point(
     closed: &DrivenFourBar<'_>,
     [from, to]: [f64; 2],

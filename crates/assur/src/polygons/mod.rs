@@ -64,7 +64,7 @@ pub struct Leg {
     pub ends: [Vector; 2],
     /// True if the vector is known before the point is found; otherwise only its direction is known.
     pub known: bool,
-    /// Direction of the vector, of length 1, in either sense.
+    /// Unit vector along the line of the vector; its sense is arbitrary.
     pub direction: Vector,
 }
 

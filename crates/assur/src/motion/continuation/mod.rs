@@ -161,7 +161,7 @@ impl<'a> Continuation<'a> {
                 target
             };
             let tried = width.min(left);
-            // A long step costs as much as a short one, but reading quantities over a long step costs more.
+            // Work is charged by length: quantities will be read at more samples over a longer step.
             let samples = (tried / cell).ceil() as usize;
             let bodies = self.mechanism.bodies().len();
             let Some(work) = self.work.checked_sub(samples * bodies) else {
