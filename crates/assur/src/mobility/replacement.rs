@@ -52,7 +52,7 @@ pub struct Replacements {
 
 impl Scheme {
     /// At most `most` replacements of pairs after which no constraint in space is redundant and the mobility W is
-    /// unchanged. Every replacement adds one freedom for each redundant constraint, so none contains another.
+    /// unchanged. Every replacement adds one freedom for each redundant constraint, so no replacement contains another.
     ///
     /// # Errors
     /// The data missing for the rank.

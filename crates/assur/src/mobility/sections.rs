@@ -10,7 +10,7 @@ use super::{Cut, CutError, Scheme};
 pub struct Sections {
     /// The cuts, in the order in which they were given.
     pub cuts: Vec<Cut>,
-    /// P_i: number of pairs of the open chain with i freedoms in the scheme's own space, by i.
+    /// P_i for each i: number of pairs of the open chain with i freedoms in the scheme's own space.
     pub left: BTreeMap<u8, usize>,
     /// W_open = Σ i·P_i: freedoms of the open chain in the scheme's own space (mobility paper, (4)).
     pub open: usize,
@@ -223,7 +223,7 @@ impl Open {
         Some(pairs)
     }
 
-    /// Nodes of the first contour found by a search from a link: the shortest one if the link is on it.
+    /// Nodes of the first contour found by a search from a link: a shortest contour if one passes through the link.
     fn contour_at(&self, link: usize) -> Option<Vec<usize>> {
         let mut from = vec![None; self.near.len()];
         let mut queue = VecDeque::from([link]);

@@ -55,7 +55,7 @@ const SAMPLES_PER_TURN: usize = 360;
 pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
-/// are determined once, by following the motion. A clone shares the layout of the mechanism and the knots.
+/// are determined once, by following the motion. A clone shares the knots and the mechanism's layout with the original.
 ///
 /// ```
 /// # use assur::{linkage::LinkageSpec, mechanism::Mechanism, motion::Motion};
@@ -249,7 +249,7 @@ impl Motion {
         &self.change_points
     }
 
-    /// Margin from singular poses, for groups solved by Newton's method: the smallest ratio over the motion of a
+    /// Margin from singular poses, for groups solved by Newton's method: the smallest ratio, over the motion, of a
     /// Jacobian's determinant to its maximum, with the sign of the determinant; 1 if there is no such group.
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();

@@ -65,7 +65,7 @@ pub(crate) struct Arm {
     pub(crate) from: Vector,
     /// Inner joint, in the coordinates of the link.
     pub(crate) to: Vector,
-    /// Points that are the hinges: the solved point, and the inner joint.
+    /// Points at the two hinges: the solved point, then the inner joint.
     pub(crate) joints: [PointId; 2],
     length: f64,
     /// The link's turn relative to the vector between its hinges.

@@ -103,7 +103,7 @@ pub(crate) trait Solvable {
     /// True if the step depends on the pose of a body.
     fn depends_on(&self, body: BodyId) -> bool;
 
-    /// True if the angles of the bodies follow from their turns except for whole turns.
+    /// True if the angles θ of the bodies follow from their turns e^(iθ), except for the number of whole turns.
     fn tracks_turns(&self) -> bool {
         true
     }
