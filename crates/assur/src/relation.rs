@@ -7,7 +7,7 @@ use crate::Vector;
 /// A quantity for which a paper gives a relation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relation {
-    /// The item in the table of the paper, such as `002.(10)`, or an id of its own for a relation that is not in it.
+    /// The item in the table of the paper, such as `002.(10)`, or an id of its own for a relation not in this table.
     pub item: &'static str,
     /// The quantity in the paper's notation, such as `φ₃′`; with the position's number if there are several: `φ₂⁽¹⁾`.
     pub name: Cow<'static, str>,

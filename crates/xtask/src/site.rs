@@ -48,7 +48,7 @@ fn write(workspace: &Workspace, what: &str, more: Option<&Path>) -> Result<()> {
 /// Writes the module that JavaScript imports, and its types, where `build/site.js` and `tsconfig.json` expect them.
 fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
     // Function names would only make the file longer. A trap does not reset the stack of the instance, so the page then
-    // starts a new instance by the reset function.
+    // starts a new instance through the reset function.
     let bindgen = cmd!(
         workspace.shell,
         "{program} {wasm} --out-dir target/engine --target web --encode-into always

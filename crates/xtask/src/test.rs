@@ -21,11 +21,11 @@ use crate::workspace::Workspace;
 /// Time limit of a wasm test file in the browser, seconds; the default is too short for a slow machine.
 const WASM_TIME: &str = "300";
 
-/// Factor on the amount of random input if long tests are run as well.
+/// Factor by which the amount of random input is multiplied if long tests are run as well.
 const ALL_SCALE: &str = "10";
 
-/// The tests of `soak`: a name, the words that select the tests, and the factor on their amount of random input. Each
-/// reader takes about a minute.
+/// The tests of `soak`: a name, the words that select the tests, and the factor by which their random input is
+/// multiplied. Each reader takes about a minute.
 const SOAKED: [(&str, &str, &str); 11] = [
     ("rows of 200,000 drawings", "any_drawing::rows_are", "1100"),
     ("200,000 drawings redrawn", "any_drawing::a_motion", "200"),
@@ -40,7 +40,7 @@ const SOAKED: [(&str, &str, &str); 11] = [
     ("terminal's arguments", "damaged::damaged_arguments", "100"),
 ];
 
-/// Tests of scripts that read damaged input, and the factor on their amount of input. They take about a minute.
+/// Tests of scripts that read damaged input, and the factor for their input. They take about a minute.
 const SOAKED_SCRIPTS: ([&str; 2], &str) =
     (["www/app/damage.test.js", "www/state/codec.test.js"], "100");
 
@@ -175,7 +175,7 @@ fn ended(tally: &Tally) -> Result<ExitCode> {
     Ok(ExitCode::from(u8::from(!passed)))
 }
 
-/// The tests of the wasm side by wasm-pack, which must not fetch anything: everything it needs is set up here.
+/// The tests of the wasm side by wasm-pack, which must not fetch anything: all that wasm-pack needs is set up here.
 pub(crate) fn wasm_tests<'a>(workspace: &'a Workspace, browser: &Browser) -> Result<Cmd<'a>> {
     let Workspace { shell, target, .. } = workspace;
     let [pack, bindgen] = [tools::wasm_pack, tools::wasm_bindgen].map(|tool| tool(workspace));

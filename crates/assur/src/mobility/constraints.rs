@@ -152,8 +152,8 @@ impl Space {
 }
 
 impl Pair {
-    /// Sign of a link in the constraints between the pair's first link and its link number `other` + 1: −1 for the
-    /// first link, 1 for the other link, 0 for any third link.
+    /// Sign of a link in the constraints between the pair's links 0 and `other` + 1: −1 for the former, 1 for the
+    /// latter, 0 for any third link.
     pub(super) fn sign(&self, link: usize, other: usize) -> f64 {
         if self.links.first() == Some(&link) {
             -1.0

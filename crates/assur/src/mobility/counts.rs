@@ -9,7 +9,7 @@ use super::Scheme;
 pub struct Counts {
     /// Number of moving links, n.
     pub links: usize,
-    /// Number P_i of pairs with i freedoms in the scheme's own space, plane or space. A k-link hinge counts as k − 1.
+    /// Number P_i of pairs with i freedoms, in the plane if the scheme is planar. A k-link hinge counts as k − 1 pairs.
     pub pairs: BTreeMap<u8, usize>,
     /// Number of pairs with i freedoms in space, for each i.
     pub spatial_pairs: BTreeMap<u8, usize>,
@@ -40,7 +40,7 @@ impl Scheme {
     }
 }
 
-/// Mobility W: `freedoms` of each link, less the constraints of the pairs.
+/// Mobility W: `freedoms` for each of `links` moving links, less the constraints of the pairs.
 fn mobility(freedoms: isize, links: usize, pairs: &BTreeMap<u8, usize>) -> isize {
     let constraints = pairs
         .iter()
@@ -61,8 +61,8 @@ impl Counts {
     }
 
     /// Number q of redundant constraints in space, for a planar scheme whose pairs have one freedom each, both in the
-    /// plane and in space: q = ΣS + 2(n − P₁), with S = 5 for each of the P₁ − n cut pairs (mobility paper, (6)). This
-    /// is 3 for each independent loop. None for other schemes.
+    /// plane and in space: q = ΣS + 2(n − P₁), with S = 5 for each of the P₁ − n cut pairs (mobility paper, (6)), or 3
+    /// for each independent loop. None for other schemes.
     pub fn redundant_by_plane(&self) -> Option<isize> {
         let one = |pairs: &BTreeMap<u8, usize>| pairs.keys().eq([&1]);
         let applies = self.planar.is_some() && one(&self.pairs) && one(&self.spatial_pairs);

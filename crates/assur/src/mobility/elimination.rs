@@ -286,8 +286,8 @@ impl Eliminated {
             .extend(columns.map(|column| Free { column, before }));
     }
 
-    /// Basis of the null space: in each vector one free unknown is 1, and the others are 0. The vectors of a kept block
-    /// come last.
+    /// Basis of the null space: in each vector one free unknown is 1, and the other free unknowns are 0. The vectors of
+    /// a kept block come last.
     pub(super) fn solutions(&self) -> impl DoubleEndedIterator<Item = Vec<f64>> + '_ {
         self.free.iter().map(|free| {
             let mut values = vec![0.0; self.columns];
@@ -297,7 +297,7 @@ impl Eliminated {
         })
     }
 
-    /// Generic linear combination of the solutions of the wanted free unknowns, with coefficients in no simple ratio.
+    /// Generic combination of the solutions for the `wanted` free unknowns; no coefficients have a simple ratio.
     pub(super) fn mixture(&self, wanted: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut values = vec![0.0; self.columns];
         for column in self.free().filter(|column| wanted(*column)) {

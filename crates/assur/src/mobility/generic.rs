@@ -24,7 +24,7 @@ pub enum Generic {
     /// No other pose was reached: the freedoms in the drawn pose are instantaneous.
     Instantaneous,
     /// Redundant constraints involve surfaces in contact. The curvature of the surfaces, which a scheme does not
-    /// contain, determines if these constraints remain redundant.
+    /// contain, determines whether these constraints remain redundant.
     Contact {
         /// The pairs with these surfaces, in the order of names.
         pairs: Vec<usize>,
@@ -32,8 +32,8 @@ pub enum Generic {
 }
 
 impl Scheme {
-    /// Mobility by rank in a pose nearby. It is reached by a small step along a motion of the drawn pose, after which
-    /// the pairs are closed again.
+    /// Mobility by rank in a pose nearby. This pose is reached by a small step along a motion of the drawn pose, after
+    /// which the pairs are closed again.
     ///
     /// # Errors
     /// The data that the rank needs and the scheme lacks.
@@ -71,7 +71,7 @@ impl Scheme {
         Ok(Generic::Instantaneous)
     }
 
-    /// Linear combination of all motions of the drawn pose: twists of the links with a greatest component of 1.
+    /// Twists of the links in a combination of all motions of the drawn pose, scaled to a greatest component of 1.
     fn way(&self, forms: &[Form], space: Space) -> Vec<Screw> {
         let motions = Constraints::new(self, forms, space)
             .motions(self)
@@ -119,7 +119,7 @@ impl Scheme {
         None
     }
 
-    /// Displaced pairs: each pair between its first link and each of its other links.
+    /// Each pair after the displacement, as pairs of its first link with each of its other links.
     fn halves(&self, drawn: &[Form], placements: &[Placement]) -> Vec<Vec<Displaced>> {
         let pairs = self.pairs().iter().zip(drawn);
         let between = pairs.map(|(pair, form)| {

@@ -6,7 +6,7 @@ use super::{PairKind, Scheme, Sections, Space};
 use crate::relation::Relation;
 
 impl Scheme {
-    /// The paper's relations for the scheme, in the order of the paper: numbers of links, freedoms and constraints.
+    /// The paper's relations between numbers of links, freedoms and constraints for this scheme, in the paper's order.
     /// Relations of an open chain need `sections`. The number q of redundant constraints is based on the mobility W by
     /// rank if places and axes of all pairs are known, otherwise on the counted W.
     pub fn relations(&self, sections: Option<&Sections>) -> Vec<Relation> {

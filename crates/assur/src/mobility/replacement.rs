@@ -2,8 +2,8 @@
 //!
 //! A pair with more freedoms has fewer constraints. No constraint is redundant any more, and the mobility is unchanged,
 //! if two conditions hold. The number of removed constraints equals the number of redundant ones, and no self-stress
-//! remains. Each added freedom gives a linear form on the self-stresses: the power of their wrench on the twist of this
-//! freedom. No self-stress remains if these forms are linearly independent.
+//! remains. Each added freedom gives a linear form on the self-stresses: the power of the pair's wrench on the twist of
+//! this freedom. No self-stress remains if these forms are linearly independent.
 
 use crate::numeric::linear::remainder;
 use crate::numeric::max_abs;
@@ -44,7 +44,7 @@ pub struct Change {
 /// Possible replacements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Replacements {
-    /// Replacements by increasing number of changed pairs, then by name. Empty if no constraint is redundant.
+    /// Replacements, sorted by the number of changed pairs, then by name. Empty if no constraint is redundant.
     pub list: Vec<Replacement>,
     /// True if the list is complete.
     pub complete: bool,
@@ -52,7 +52,7 @@ pub struct Replacements {
 
 impl Scheme {
     /// At most `most` replacements of pairs after which no constraint in space is redundant and the mobility W is
-    /// unchanged. Every replacement adds one freedom for each redundant constraint, so none contains another.
+    /// unchanged. Every replacement adds one freedom for each redundant constraint, so no replacement contains another.
     ///
     /// # Errors
     /// The data missing for the rank.
@@ -120,8 +120,8 @@ impl Scheme {
         spec
     }
 
-    /// Changes that keep the freedoms of a pair and add others. Directions free to choose are in general position; they
-    /// depend on `place`, the index of the pair in the order of names.
+    /// Changes that keep the freedoms of a pair and add others. Directions that may be chosen freely are in general
+    /// position; they depend on `place`, the index of the pair in the order of names.
     fn others(&self, pair: usize, place: usize) -> Vec<Change> {
         let Pair { kind, links, .. } = &self.pairs()[pair];
         let (axis, second) = (self.pairs()[pair].axis, self.pairs()[pair].second);

@@ -43,9 +43,9 @@ pub struct Pair {
     pub links: Vec<usize>,
     /// Position of the pair.
     pub place: Option<Point3>,
-    /// Axis or normal of the pair, of length 1.
+    /// Unit vector along the axis or normal of the pair.
     pub axis: Option<Vector3>,
-    /// Second direction, of length 1 and perpendicular to the axis; only a universal pair or a line contact has one.
+    /// Second direction, a unit vector perpendicular to the axis; only a universal pair or a line contact has one.
     pub second: Option<Vector3>,
 }
 
@@ -190,7 +190,7 @@ impl Scheme {
         Scale::of(&self.pairs)
     }
 
-    /// Place and directions of a pair, in units of `scale`; None if one is missing, or for a [`PairKind::Class`].
+    /// Place and directions of a pair, in units of `scale`; None if any is missing, or for a [`PairKind::Class`].
     pub(super) fn form(&self, pair: usize, scale: &Scale) -> Option<Form> {
         let pair = &self.pairs[pair];
         let kind = match pair.kind {

@@ -133,8 +133,8 @@ pub(super) fn across(axis: &Vector3) -> Vector3 {
     (unit - axis * axis.dot(&unit)).normalize()
 }
 
-/// Orthonormal basis of the span of screws of length about 1 or less. After orthogonalization a remainder up to
-/// [`ZERO`] counts as zero.
+/// Orthonormal basis of the span of given screws, whose lengths are about 1 or less. After orthogonalization a
+/// remainder up to [`ZERO`] counts as zero.
 pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
     /// Minimum length of the remainder of a clearly independent screw.
     const CLEAR: f64 = 0.1;

@@ -5,12 +5,12 @@ use std::collections::{BTreeMap, VecDeque};
 use super::screw::{Screw, basis};
 use super::{Cut, CutError, Scheme};
 
-/// A scheme opened by cuts, with its mobility W. Its own space is the plane if it is planar, and otherwise space.
+/// A scheme opened by cuts, with its mobility W. A planar scheme's own space is the plane; otherwise it is space.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sections {
     /// The cuts, in the order in which they were given.
     pub cuts: Vec<Cut>,
-    /// P_i: number of pairs of the open chain with i freedoms in the scheme's own space, by i.
+    /// P_i for each i: number of pairs of the open chain with i freedoms in the scheme's own space.
     pub left: BTreeMap<u8, usize>,
     /// W_open = Σ i·P_i: freedoms of the open chain in the scheme's own space (mobility paper, (4)).
     pub open: usize,
@@ -223,7 +223,7 @@ impl Open {
         Some(pairs)
     }
 
-    /// Nodes of the first contour found by a search from a link: the shortest one if the link is on it.
+    /// Nodes of the first contour found by a search from a link: a shortest contour if one passes through the link.
     fn contour_at(&self, link: usize) -> Option<Vec<usize>> {
         let mut from = vec![None; self.near.len()];
         let mut queue = VecDeque::from([link]);

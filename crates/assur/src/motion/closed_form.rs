@@ -9,8 +9,8 @@ use crate::sorting::sort_by;
 use crate::{Assembly, Cycle};
 
 impl Motion {
-    /// Motion of a four-bar and its wheels, over the drawn arc if the crank cannot turn fully. The motion of cranks and
-    /// wheels alone repeats after `turns_of_wheels` turns.
+    /// Motion of a four-bar and its wheels, over the arc with the drawn pose if the crank cannot turn fully. The motion
+    /// of cranks and wheels alone repeats after `turns_of_wheels` turns.
     pub(super) fn in_closed_form(mut mechanism: Mechanism, turns_of_wheels: usize) -> Self {
         let arc = mechanism.closed_steps().next();
         let arc = arc.and_then(|closed| closed.arc(mechanism.drawn_input()));
@@ -97,7 +97,7 @@ impl Motion {
 }
 
 /// The dead point of a four-bar at an end of an arc. The diagonal from the crank pin to the rocker pivot grows with the
-/// crank angle φ₁ from 0 to π. So coupler and rocker are folded if the arc ends towards 0, stretched if towards π.
+/// crank angle φ₁ from 0 to π. If it is shorter at this end than mid-arc, coupler and rocker are folded.
 pub(super) fn dead_point(
     closed: &DrivenFourBar<'_>,
     [from, to]: [f64; 2],

@@ -163,7 +163,7 @@ impl System {
         })
     }
 
-    /// Column of the x-coordinate of a point in a pose. Pose 0, the drawing, has the points of the frame for all poses.
+    /// Column of the x-coordinate of a point in a pose. Points of the frame are stored only in pose 0, the drawing.
     fn column(&self, pose: usize, point: usize) -> usize {
         let pose = if self.fixed[point] { 0 } else { pose };
         2 * (pose * self.drawn.len() + point)

@@ -51,11 +51,11 @@ use turn_count::range_between;
 /// Number of samples per turn in the search for extrema. Their spacing is also the unit of continuation steps.
 const SAMPLES_PER_TURN: usize = 360;
 /// Maximum number of turns searched for extrema, and of inputs listed for one crank angle. A plot could not resolve
-/// more turns; wheels that carry nothing may need a million.
+/// more turns; trains whose wheels move no link may need a million.
 pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
-/// are determined once, by following the motion. A clone shares the layout of the mechanism and the knots.
+/// are determined once, by following the motion. A clone shares the knots and the mechanism's layout with the original.
 ///
 /// ```
 /// # use assur::{linkage::LinkageSpec, mechanism::Mechanism, motion::Motion};
@@ -188,8 +188,8 @@ impl Motion {
     }
 
     /// Last input with a pose before `end`, found by doubled offsets from `end` towards `other`, the other end of the
-    /// arc. If this input differs from `end` by more than rounding, the step that fails beyond it is also returned: of
-    /// two dead points close to each other, a different one may come first.
+    /// arc. If this input differs from `end` by more than rounding, the step that fails beyond it is also returned,
+    /// because another dead point may lie just before the one at `end`.
     fn last_pose(&self, [end, other]: [f64; 2]) -> Option<(f64, Option<StepId>)> {
         let scale = end.abs().max(other.abs()).max(self.mechanism.span());
         let sense = (other - end).signum();
@@ -249,7 +249,7 @@ impl Motion {
         &self.change_points
     }
 
-    /// Margin from singular poses, for groups solved by Newton's method: the smallest ratio over the motion of a
+    /// Margin from singular poses, for groups solved by Newton's method: the smallest ratio, over the motion, of a
     /// Jacobian's determinant to its maximum, with the sign of the determinant; 1 if there is no such group.
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();

@@ -1,8 +1,8 @@
 //! Dwells and strokes of a quantity over a motion.
 //!
 //! Between neighbouring extrema a quantity is monotone, so the inputs at which it enters and leaves a band are
-//! bracketed roots of the exact function. As the band moves, the arc on which the quantity stays inside is longest when
-//! an extremum touches an edge or, on a flank, when the rates at entry and exit are equal.
+//! bracketed roots of the exact function. As a band of fixed width is shifted, the arc on which the quantity stays
+//! inside it is longest when an extremum touches an edge or, on a flank, when the rates at entry and exit are equal.
 
 mod flank;
 
@@ -140,7 +140,7 @@ impl<'a> OutputProfile<'a> {
         Some(jet.value() + cycles * self.gain)
     }
 
-    /// Station, an end of a piece, with a given number; the numbers continue over the cycles before and after.
+    /// Station (end of a piece) with a given number; the numbers continue over the cycles before and after.
     fn station(&self, number: isize) -> Option<[f64; 2]> {
         let Some(period) = self.period else {
             return self.stations.get(usize::try_from(number).ok()?).copied();

@@ -52,8 +52,8 @@ impl Motion {
         best.map(|(_, smooth)| smooth)
     }
 
-    /// Smooth root interpolated from the square at a change point and at the distance `reach` on both sides. Returns it
-    /// with the error of its square at half this distance.
+    /// Smooth root interpolated from the square at a change point and at the distance `reach` on both sides. Returns
+    /// the error of the root's square at half this distance, then the root.
     fn interpolated(
         &self,
         step: StepId,

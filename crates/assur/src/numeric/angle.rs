@@ -81,7 +81,7 @@ impl Sub for Angle {
     }
 }
 
-/// Σ nᵢ φᵢ of angles φᵢ with integer factors nᵢ, as whole turns, counted exactly, and a remainder from −π to π.
+/// Σ nᵢ φᵢ of angles φᵢ with integer factors nᵢ, as an exact number of whole turns and a remainder from −π to π.
 pub(crate) fn combination(factors: [i64; 4], angles: &[Angle; 4]) -> (i64, f64) {
     let mut turns: i64 = 0;
     let mut rest = 0.0;

@@ -20,7 +20,7 @@ pub const COINCIDENT: f64 = 1e-9;
 /// Half of the digits, √ε rounded down: the accuracy to which a double root is known.
 pub(crate) const DOUBLE_ROOT: f64 = 1e-8;
 
-/// Half of the digits with a margin of ten: two solutions that are farther apart are different.
+/// Half of the digits, with a factor of ten to spare: two solutions that are farther apart are different.
 pub(crate) const DISTINCT: f64 = 1e-7;
 
 /// A third of the digits, ∛ε rounded down: the step of a difference quotient, and the accuracy of a triple root.

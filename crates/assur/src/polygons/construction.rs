@@ -83,7 +83,7 @@ pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     }
 }
 
-/// Equation for the first other point of a body whose rotation about a hinge is known.
+/// Equation for the first point, other than the hinge, of a body whose rotation about the hinge is known.
 fn driven(mechanism: &Mechanism, body: BodyId, hinge: PointId) -> Option<Equations> {
     let mut points = mechanism
         .points_on(body)

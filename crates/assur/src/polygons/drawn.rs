@@ -100,7 +100,7 @@ impl<const N: usize> Sheet<'_, N> {
         }
     }
 
-    /// Stages of the polygon for a step: its equations, then the images of its bodies without points that are already
+    /// Stages of the polygon for a step: its equations, then the images of its bodies, without the points already
     /// known.
     fn step(&self, step: StepId) -> Vec<Stage> {
         let placing = &self.mechanism.steps()[step];

@@ -84,8 +84,8 @@ impl<const N: usize> Complex<N> {
         self.scaled(self.norm_squared().sqrt().recip())
     }
 
-    /// Vector of constant length, from its value and, in all orders, its scalar product with another vector. If the
-    /// other vector is short, these conditions lose no digits of the derivatives, as closed forms would.
+    /// Vector of constant length, from its value and, in all orders, its scalar product with another vector. Closed
+    /// forms would lose digits of the derivatives if the other vector is short; these conditions lose none.
     pub(super) fn of_constant_length(value: Vector, other: Self, product: Jet<N>) -> Self {
         let along = value.normalize();
         let across = crate::perpendicular(along);

@@ -8,8 +8,8 @@ use super::{Angle, Arm, CLOSE, Cause, Complex, Mounting, Orientation, Sign, Stat
 use crate::index::BodyId;
 use crate::{Assembly, FourBar, Unsolved, Vector};
 
-/// Minimum of the margins P = (l₂ + l₃)² − r² and Q = r² − (l₂ − l₃)², with the diagonal r, relative to (l₂ + l₃)².
-/// Above it the links are far from in line, and roots lose at most two digits.
+/// Minimum of the margins P = (l₂ + l₃)² − r² and Q = r² − (l₂ − l₃)², relative to (l₂ + l₃)²; r is the diagonal. Above
+/// it the links are far from in line, and roots lose at most two digits.
 const MIN_MARGIN: f64 = 1.0 / 64.0;
 
 /// A four-bar whose crank is the driver.
@@ -92,7 +92,7 @@ impl CrankFourBar {
         Ok(())
     }
 
-    /// Finds the angles of links placed as those of any dyad. They are less than half a turn from a known orientation.
+    /// Finds the angles of links placed as those of any dyad. Each is within half a turn of a known orientation.
     ///
     /// If the crank is shorter than the frame, the direction φ₅ of the diagonal is within a quarter turn of AD. So φ₂
     /// and φ₃ are within half a turn of ±π/2.

@@ -28,7 +28,7 @@ impl Group {
         DVector::from_iterator(2 * self.unknowns, own)
     }
 
-    /// Linearizes the equations of the group at values of its unknowns, each in its unit, with solved inputs.
+    /// Linearizes the equations of the group, whose inputs are solved, at values of its unknowns, each in its unit.
     ///
     /// # Errors
     /// A driven coordinate is out of its range.

@@ -126,7 +126,7 @@ impl Enclosure {
     }
 
     /// Upper bound, from the groups, on the length of a certifiable step relative to the last step. The change of a
-    /// Jacobian is at least proportional to the length.
+    /// Jacobian grows at least in proportion to the length.
     pub(crate) fn ease(&self) -> f64 {
         MAX_JACOBIAN_CHANGE / self.jacobian_change
     }
@@ -145,7 +145,7 @@ impl Enclosure {
         }
     }
 
-    /// True if a step of the plan ends within its enclosure.
+    /// True if a group ends the step of the input within its enclosure; always true for other steps of the plan.
     pub(crate) fn holds(
         &self,
         step: StepId,

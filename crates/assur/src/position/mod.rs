@@ -43,7 +43,7 @@ pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Mounting, Sign, Solvable, Step, StepContext};
 
 /// Maximum distance between points that count as close, relative to the lengths that determine their positions. The
-/// direction between close points loses digits. If they are the outer hinges of a dyad, so do its derivatives.
+/// direction between close points loses digits. If they are the outer hinges of a dyad, so do the dyad's derivatives.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
 /// Square of `CLOSE`.
 pub(crate) const CLOSE_SQUARED: f64 = CLOSE * CLOSE;
@@ -65,7 +65,7 @@ pub(crate) struct Arm {
     pub(crate) from: Vector,
     /// Inner joint, in the coordinates of the link.
     pub(crate) to: Vector,
-    /// Points that are the hinges: the solved point, and the inner joint.
+    /// Points at the two hinges: the solved point, then the inner joint.
     pub(crate) joints: [PointId; 2],
     length: f64,
     /// The link's turn relative to the vector between its hinges.

@@ -8,8 +8,8 @@ use crate::index::StepId;
 
 /// Number of Taylor coefficients of the square at each node.
 pub(crate) const KNOWN: usize = 6;
-/// Number of Taylor coefficients of root/u at the change point, with u as in [`SmoothRoot`]: there the first two
-/// coefficients of the square are zero.
+/// Number of Taylor coefficients of root/u at the change point, with u as in [`SmoothRoot`]. The first two coefficients
+/// of the square are zero at this point.
 const KNOWN_AT_CHANGE: usize = KNOWN - 2;
 /// Newton's divided differences, one for each coefficient at the three nodes.
 type Differences = [f64; KNOWN_AT_CHANGE + 2 * KNOWN];

@@ -48,7 +48,7 @@ pub(crate) struct StepContext<'a, const N: usize> {
 /// Corrections to the planned angles in an assembly, due to whole turns of the driving bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mounting {
-    /// Shift of the angle of a wheel in a train; for the coupler of a four-bar, shift of its angle φ₁.
+    /// Shift of the angle of a wheel in a train; for the coupler of a four-bar, shift of the crank angle φ₁.
     pub(crate) shifts: List<BodyId, f64>,
     /// Whole turns of a body since the drawing, in radians, to be subtracted from its angle in angle constraints.
     pub(crate) turns: List<BodyId, f64>,
@@ -103,7 +103,7 @@ pub(crate) trait Solvable {
     /// True if the step depends on the pose of a body.
     fn depends_on(&self, body: BodyId) -> bool;
 
-    /// True if the angles of the bodies follow from their turns except for whole turns.
+    /// True if the angles θ of the bodies follow from their turns e^(iθ), except for the number of whole turns.
     fn tracks_turns(&self) -> bool {
         true
     }
@@ -157,7 +157,7 @@ pub(crate) trait Solvable {
     }
 }
 
-/// Error unless a sum of probes ([`super::Complex::finite_probe`]) shows that all values are finite.
+/// Returns an error unless a sum of probes ([`super::Complex::finite_probe`]) shows that all values are finite.
 pub(super) fn finite(sum: Vector) -> Result<(), Cause> {
     if sum == Vector::zeros() {
         Ok(())

@@ -34,7 +34,7 @@ pub struct Outer {
     pub base: usize,
 }
 
-/// Form of a dyad. The letters are its outer, inner and other outer pair: R revolute, P prismatic.
+/// Form of a dyad. The letters stand for one outer pair, the inner pair, the other outer pair: R revolute, P prismatic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Dyad {
     /// Form 1.

@@ -146,8 +146,8 @@ pub struct Driver {
 /// The decomposition of a linkage.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
-    /// The steps, each joined to earlier ones and sorted by level: one more than the highest level among those earlier
-    /// steps. Within a level drivers come first, then the other steps in the order of their lowest links.
+    /// The steps, sorted by level. The level of a step is one more than the highest level of the earlier steps that it
+    /// is joined to. Within a level drivers come first, then the other steps in the order of their lowest links.
     pub steps: Vec<Step>,
     /// For each link, the index of the step that adds it; None for the ground.
     pub step_of: Vec<Option<usize>>,

@@ -195,7 +195,7 @@ impl Search {
         self.progress
     }
 
-    /// Next value to try, for the variable whose index is then `self.next`; none if all steps have become negligible.
+    /// Next value to try, for the variable to whose index `self.next` is set; none if all steps have become negligible.
     fn candidate(&mut self) -> Option<f64> {
         let live = |k: usize| self.steps[k].abs() > tolerance::DISTINCT * self.variables[k].width();
         let count = self.variables.len();

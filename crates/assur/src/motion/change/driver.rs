@@ -131,8 +131,8 @@ impl Motion {
     }
 }
 
-/// Makes a driver the first. A driver that the linkage already has changes places with the first one, and the rates of
-/// the further drivers are divided by its old rate. Any other driver replaces the first one.
+/// Makes a given driver the first one. A driver that the linkage already has changes places with the first one, and the
+/// rates of the further drivers are divided by its old rate. Any other driver replaces the first one.
 fn drive_first(spec: &mut LinkageSpec, driver: &DriverSpec) {
     let driven = spec.driven(driver);
     let mut all = spec.drivers.iter();

@@ -61,8 +61,8 @@ impl Path {
     }
 }
 
-/// Finds, among neighbours at other inputs, the one with the largest margin of the step whose loop opened. Up to eight
-/// further steps in the same sense are taken while the margin grows.
+/// Moves the input by the one of [`INPUT_STEPS`], in either sense, that leaves the opened loop furthest from opening
+/// (largest margin of its step). Up to eight further moves in the same sense are made while the margin grows.
 fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assembled> {
     let margin = |one: &Assembled| one.margin(open.step);
     let better = |a: &Assembled, b: &Assembled| margin(a).total_cmp(&margin(b));

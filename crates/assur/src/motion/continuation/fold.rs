@@ -1,6 +1,6 @@
 //! Folds of a group: poses in which two of its assemblies meet and the driver must turn back. The poses of a group with
-//! their inputs form a curve that is smooth at a fold. The fold is the simple root of the rate of the input along this
-//! curve, and is as exact as the equations.
+//! their inputs form a curve that is smooth at a fold. A fold is a simple root of the input's rate along this curve,
+//! and so is found as exactly as a solution of the equations.
 //!
 //! The curve is followed by Keller's pseudo-arclength continuation: a step along the tangent, and Newton's method
 //! across it. Two branches may come very close without meeting; a jump from one to the other changes the sign of the

@@ -11,15 +11,15 @@ use crate::{Cycle, Vector, tolerance};
 /// Maximum angle, in radians, through which a body may turn from knot to knot, so that whole turns can be counted.
 pub(super) const MAX_TURN: f64 = 1.0;
 /// Maximum ratio of the lengths of two merged intervals. The interpolation error is greatest near the middle of the
-/// merged interval, so it is tested at a knot near the middle.
+/// merged interval, so the error is tested at a knot near the middle.
 const MAX_INTERVAL_RATIO: f64 = 2.5;
 
 /// Samples in ascending order of input; in descending order while a motion is followed backwards.
 #[derive(Clone, Debug, Default)]
 pub(in crate::motion) struct Knots {
     list: Vec<Knot>,
-    /// Number of knots before each cell, then in total: an index for look-up in constant time. [`Knots::index`] divides
-    /// the range into as many equal cells as there are knots.
+    /// Number of knots before each cell and, last, of all knots: an index for look-up in constant time.
+    /// [`Knots::index`] divides the range into as many equal cells as there are knots.
     counts_before: Vec<usize>,
     /// Cells per unit of input; `first` is the input at which the cells begin.
     cells_per_unit: f64,
@@ -185,8 +185,8 @@ impl Knots {
         let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
             return;
         };
-        // Gain of each angle in whole turns: near a singular pose the two knots differ in the last digits. An idle
-        // wheel may have gained a fraction of a turn; its angle is computed from the wheel that drives it.
+        // Gain of each angle, rounded to whole turns: near a singular pose the two knots differ in the last digits. An
+        // idle wheel may have gained a fraction of a turn; its angle is computed from the wheel that drives it.
         let pairs = last.orientations.iter().zip(first.orientations.iter());
         let gains = pairs.map(|(b, a)| crate::angle::whole_turns(b.angle - a.angle));
         let gains: Vec<f64> = gains.collect();

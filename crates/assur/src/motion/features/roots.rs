@@ -44,8 +44,8 @@ pub(super) fn ordered_roots(
     ordered
 }
 
-/// Roots of the derivative `order` between two neighbouring samples: none, one at a change of sign, or two around an
-/// extremum of the derivative between the samples.
+/// Roots of the derivative of order `order` between two neighbouring samples: none, one at a change of sign, or two
+/// around an extremum of the derivative between the samples.
 fn roots(
     sample: &dyn Fn(f64) -> Option<Sample>,
     order: usize,

@@ -42,7 +42,7 @@ pub(super) fn grids(
         // The range of a driven slide counts as one turn.
         let turn = if cycle.turns() { TAU } else { to - from };
         let cell = turn / SAMPLES_PER_TURN as f64;
-        // An even count makes the middle a sample: it is the start of a full cycle.
+        // An even count puts a sample in the middle, which is the start of a full cycle.
         let count = 2.0 * (0.5 * (to - from) / cell).ceil();
         let mut inputs: Vec<f64> = (0..=count as usize)
             .map(|i| from + (to - from) * (i as f64 / count))

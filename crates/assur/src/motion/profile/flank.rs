@@ -5,8 +5,8 @@ use super::{Dwell, OutputProfile};
 use crate::mechanism::Pose;
 use crate::numeric::roots::root;
 
-/// Number of levels of the band between which a longest arc is bracketed. If two maxima of the length are closer to
-/// each other than the levels, one may be missed.
+/// Number of levels of the band between which a longest arc is bracketed. If two maxima of the arc's length are closer
+/// together than neighbouring levels, one may be missed.
 const LEVELS: usize = 64;
 
 /// A band of given width whose level varies, with the pieces of entry and exit.
@@ -84,7 +84,7 @@ impl OutputProfile<'_> {
 }
 
 impl Flank<'_> {
-    /// Passage through the band whose lower edge, in the sense of the motion, is at a given level.
+    /// Passage through the band whose edge of entry has a given level (its value times `sense`).
     fn passage(&self, level: f64) -> Option<Passage> {
         let Self { profile, sense, .. } = self;
         let from = profile.input_at(self.pieces[0], sense * level)?;

@@ -120,7 +120,7 @@ impl Bilinear {
         [one].into_iter().chain(other)
     }
 
-    /// True if both equations require length 1 of the same form, up to a rotation.
+    /// True if both equations require a form to have length 1, and the two forms differ only by a rotation.
     fn repeats(&self, other: &Self) -> bool {
         let (Self::Unit(one), Self::Unit(other)) = (self, other) else {
             return false;
@@ -214,13 +214,13 @@ impl Bilinear {
                 let ([v, cv], [dv, dcv]) = (of(other), of(other_rate));
                 dcu * v + cu * dv + du * cv + u * dcv - C::from(2.0 * value_rate)
             }
-            // This does not happen: both are parts of one equation.
+            // Never reached: an equation and its rates are of one kind.
             _ => ZERO,
         }
     }
 }
 
-/// Square system: the number of equations is the number of unknowns and conjugates.
+/// Square system: the number of equations is the total number of unknowns and conjugates.
 #[derive(Clone, Debug)]
 pub(super) struct System {
     pub(super) unknowns: usize,
@@ -229,7 +229,7 @@ pub(super) struct System {
     pub(super) rates: Vec<Bilinear>,
     /// Index of each equation among the given equations; None if unknowns were eliminated.
     pub(super) sources: Option<Vec<usize>>,
-    /// Unknowns of the group as forms in the unknowns of the system; `kept` has the indices of the latter in the group.
+    /// Unknowns of the group as forms in the unknowns of the system; `kept` lists the group's indices of the latter.
     own: Vec<Affine>,
     kept: Vec<usize>,
 }
@@ -257,7 +257,7 @@ impl System {
             if size < f64::EPSILON {
                 return None;
             }
-            // If c + a x + Σ = 0 with other terms Σ, then x = −(c + Σ) / a and x′ = −(c′ + a′ x + Σ′) / a.
+            // If c + a x + Σ = 0 (Σ: the other terms), then x = −(c + Σ) / a and x′ = −(c′ + a′ x + Σ′) / a.
             let scale = -zero.by[unknown].inv();
             let scaled = |form: &Affine| {
                 let mut scaled = Affine::constant(ZERO, form.by.len());

@@ -44,8 +44,8 @@ struct Loops {
     constants: Vec<C>,
 }
 
-/// Approximate unknowns and conjugates of all solutions, with one solution of each conjugate pair. From spurious
-/// candidates Newton's method does not converge. None if the group has pairs other than hinges.
+/// Approximate unknowns and conjugates of all solutions, with one solution of each conjugate pair. Newton's method does
+/// not converge from spurious candidates. None if the group has pairs other than hinges.
 pub(super) fn candidates(system: &System, hidden: usize) -> Option<Vec<Vec<C>>> {
     let forms: Option<Vec<&Affine>> = system.equations.iter().map(unit).collect();
     let mut forms = forms?;
@@ -144,7 +144,7 @@ struct Pencil {
     sets: Vec<u32>,
     /// Index of each set in `sets`.
     index_of: Vec<usize>,
-    /// Number of directions besides the hidden one.
+    /// Number of directions other than the hidden one.
     others: u32,
     rho: C,
     constant: DMatrix<f64>,
@@ -311,7 +311,7 @@ fn add([real, imaginary]: &mut [Vec<f64>; 2], at: usize, by: C, sense: f64) {
     imaginary[2 * at + 1] += sense * by.re;
 }
 
-/// Combination of loops without a set of directions: coefficients c₀, of the hidden direction, and of the others.
+/// Combination of the loops that is free of a set of directions: c₀, then the coefficients of all directions.
 fn combination(rows: &[Vec<C>], without: u32, others: u32) -> Vec<C> {
     let columns: Vec<usize> = (0..others)
         .filter(|k| without & (1 << k) != 0)

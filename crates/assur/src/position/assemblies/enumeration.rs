@@ -6,9 +6,9 @@ use super::solutions::{REAL, Solutions, conjugate, distance, distance_to_conjuga
 use super::{ComplexPair, Method, dixon, homotopy};
 use crate::tolerance;
 
-/// Maximum number of random sets of paths. Each set has all paths, so a solution lost by one set is found by the next.
+/// Maximum number of random sets of paths. Each set leads to all solutions, so the next set finds one that a set loses.
 const MAX_PATH_SETS: u64 = 6;
-/// Number of hidden directions that must give the same solutions, if the general number of solutions is unknown.
+/// Number of hidden directions that must give the same solutions, if their number for general dimensions is unknown.
 const AGREEING_DIRECTIONS: usize = 2;
 
 impl System {

@@ -36,7 +36,7 @@ struct Homotopy<'a> {
     factors: Vec<[Vec<C>; 2]>,
     /// A linear form of the positions and one of the conjugates; both are set to 1.
     patches: [Vec<C>; 2],
-    /// Random complex factor of the start system; with it paths avoid singular points.
+    /// Random complex factor of the start system, which keeps the paths away from singular points.
     gamma: C,
 }
 
@@ -171,7 +171,7 @@ impl Homotopy<'_> {
                 }
                 None => step = length / 2.0,
             }
-            // A path may end in a singular point. Newton's method then decides whether there is a solution.
+            // A path may end at a singular point. Newton's method then decides whether there is a solution.
             if step < tolerance::DISTINCT {
                 break;
             }

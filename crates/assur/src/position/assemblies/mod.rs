@@ -33,7 +33,7 @@ pub enum Method {
 pub(crate) struct GroupAssembly {
     /// Unknowns of the group in this assembly.
     pub(crate) unknowns: Vec<Vector>,
-    /// Rotations, as unit vectors, of bodies with a driven angle between them. They determine the turns of the angles.
+    /// Rotations, as unit vectors, of bodies with a driven angle between them, which is known except for whole turns.
     pub(crate) turns: Vec<(BodyId, Vector)>,
 }
 

@@ -13,7 +13,7 @@ use crate::position::{
 pub(crate) struct Rpp {
     pub(crate) side: Side,
     pub(crate) track: Track,
-    /// Direction of the inner slide on j, of length 1; `through` is a point of its line on j.
+    /// Unit vector along the inner slide on j; `through` is a point of its line on j.
     pub(crate) direction: Vector,
     pub(crate) through: Vector,
 }

@@ -22,7 +22,7 @@ pub(crate) struct Side {
     /// Hinge in the coordinates of the link.
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
-    /// Direction of sliding in the coordinates of the link, of length 1.
+    /// Unit vector in the direction of sliding, in the coordinates of the link.
     pub(crate) direction: Vector,
     /// Offset of the line from the hinge, positive to the left.
     pub(crate) offset: f64,

@@ -89,8 +89,8 @@ impl<const N: usize> Triangle<N> {
     }
 }
 
-/// Scales of the rounding errors of P and Q. The base r has an error δ proportional to s = l₂ + l₃. Near r = s it
-/// causes an error s δ in P; near r = |l₂ − l₃|, which may be much shorter, |l₂ − l₃| δ + δ² in Q.
+/// Scales of the rounding errors of P and Q. The base r has an error δ proportional to s = l₂ + l₃. Near r = s this
+/// error changes P by s δ. Near r = |l₂ − l₃|, which may be much shorter, it changes Q by |l₂ − l₃| δ + δ².
 fn scales(sum: f64, difference: f64) -> [f64; 2] {
     [sum, difference.abs() + tolerance::CONVERGED * sum].map(|length| sum * length)
 }

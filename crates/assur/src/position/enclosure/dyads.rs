@@ -15,7 +15,7 @@ impl Enclosure {
     ///
     /// Let X be the vector from B to the joint C, d the vector from B to D, and e₂, e₃ unit vectors along the links.
     /// Then e₂·X″ = −v₂²/l₂ and e₃·X″ = e₃·d″ − v₃²/l₃, with the speeds v₂, v₃ of C relative to B and D. So |X″| is at
-    /// most the sum of the absolute right sides over the sine of the angle between the links.
+    /// most the sum of the absolute values of the right sides, divided by the sine of the angle between the links.
     pub(crate) fn enclose_arms(&mut self, from: &Predictor, arms: &[Arm; 2]) -> bool {
         let [b, d] = arms.each_ref().map(|arm| self.point(from, arm.outer));
         let base = d.minus(&b);

@@ -143,7 +143,7 @@ impl Group {
         }
     }
 
-    /// Computes one order of the unknowns' Taylor coefficients from the lower orders; the equations are linear in it.
+    /// Computes the unknowns' Taylor coefficients of one order, in which the equations are linear, from lower orders.
     pub(super) fn differentiate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         // The first order was solved together with the last correction.
         if order == 1 {

@@ -27,7 +27,7 @@ pub(crate) struct Work<const N: usize> {
     pub(in crate::position) step: Vec<[f64; 2]>,
     /// Right-hand side of the linear system for a higher derivative.
     pub(in crate::position) rhs: Vec<[f64; 1]>,
-    /// Solution of this system.
+    /// Solution of the linear system with right-hand side `rhs`.
     pub(in crate::position) solution: Vec<[f64; 1]>,
     pub(in crate::position) jacobian: Vec<f64>,
     /// Sum of the absolute values of the terms of each form, to which the rounding error of the form is proportional.

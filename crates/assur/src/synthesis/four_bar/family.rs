@@ -23,7 +23,7 @@ use crate::tolerance;
 pub enum TwoPositions {
     /// A one-parameter family of linkages.
     Family(Family),
-    /// Any output and input will do: the positions are mirror images in the frame.
+    /// Any output and input will do: the positions are mirror images in the line of the frame.
     Any,
     /// No linkage: no point of this line has positive lengths.
     None(Line),
@@ -105,7 +105,7 @@ pub enum MemberError {
     Same(f64),
 }
 
-/// A member at which a verdict changes.
+/// A member of a family at which a verdict changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
     /// Parameter of the member.
@@ -121,7 +121,7 @@ pub struct Change {
 pub enum ChangeKind {
     /// The Grashof type changes: all links can lie in one line.
     Grashof,
-    /// Coupler and output are in line at this position (from 0), which has the other assembly beyond this member.
+    /// Coupler and output are in line at this position (from 0), whose assembly changes at this member.
     DeadPoint(usize),
 }
 
@@ -199,7 +199,7 @@ impl Family {
         at.filter_map(|at| self.member(at)).collect()
     }
 
-    /// Interval of the parameter in which z₂ and z₃ are within the ratios of the task; none if it is empty.
+    /// Interval of the parameter in which z₂ and z₃ are within the bounds of the task; none if it is empty.
     pub fn stretch(&self) -> Option<[f64; 2]> {
         let [least, greatest] = self.task.ratios();
         let [from, to] = match self.shape {
@@ -207,7 +207,7 @@ impl Family {
                 // z₂ = a + b tan and z₃ = a cot + b are monotone in the angle.
                 let mut within = between;
                 let cut = |scale: f64, rest: f64, ends: [f64; 2]| {
-                    // Values of t, the tan or cot, for which rest + scale t is between the ratios.
+                    // Values of t, the tan or cot, for which rest + scale t is within the bounds.
                     if scale == 0.0 {
                         let inside = (least..=greatest).contains(&rest);
                         return if inside { ends } else { [1.0, 0.0] };

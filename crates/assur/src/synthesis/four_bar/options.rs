@@ -31,7 +31,7 @@ pub enum NoOptions {
         /// Minimum number of positions.
         least: usize,
     },
-    /// Positions that are mirror images in the frame: any output and input will do.
+    /// Positions that are mirror images in the line of the frame: any output and input will do.
     Any,
     /// No point on the line of the first two positions has positive lengths.
     NoFamily(Line),

@@ -65,8 +65,8 @@ impl Minimum {
 
 impl Task {
     /// True if the output's angles are probably given in the opposite direction, from D to C. Freudenstein's equation
-    /// cos φ₃/z₂ + cos φ₂/z₃ + c = cos(φ₂ − φ₃), solved by least squares for at least four positions, then gives a
-    /// negative z₂. With every φ₂ turned through 180°, z₁, z₂ and z₃ are within the ratios of the task.
+    /// cos φ₃/z₂ + cos φ₂/z₃ + c = cos(φ₂ − φ₃) with a constant c, solved by least squares for at least four positions,
+    /// then gives a negative z₂. With every φ₂ turned through 180°, z₁, z₂ and z₃ lie within the bounds of the task.
     pub fn output_is_turned(&self) -> bool {
         // With three positions the three unknowns fit exactly, whichever direction is meant.
         if self.positions().len() <= 3 {

@@ -1,7 +1,8 @@
 //! The paper's own method, for given angles of all links: the functional (3), the system (5) of its minimum, and the
 //! conditions and theorems on positive lengths, each with the exact result.
 //!
-//! Conditions and theorems are evaluated as printed, lengths as corrected. [`relations`] has both (docs/errata.md).
+//! Conditions and theorems are evaluated as printed, lengths as corrected. [`relations`] gives both versions
+//! (docs/errata.md).
 
 use crate::tolerance;
 mod conditions;

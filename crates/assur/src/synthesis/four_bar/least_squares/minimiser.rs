@@ -100,7 +100,7 @@ impl<const N: usize> Descent<N> {
 
     fn damp(&mut self) {
         self.damping = (8.0 * self.damping).max(tolerance::TRIPLE_ROOT);
-        // With such damping a step is smaller than the rounding error of the point.
+        // With damping this strong a step is smaller than the rounding error of the point.
         self.over = self.damping > 1.0 / tolerance::CONVERGED;
     }
 }

@@ -39,17 +39,17 @@ pub struct Minimum {
 /// A length at a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// z₁ is at the least ratio.
+    /// z₁ is at its lower bound.
     CouplerLeast,
-    /// z₁ is at the greatest ratio.
+    /// z₁ is at its upper bound.
     CouplerGreatest,
-    /// z₂ is at the least ratio.
+    /// z₂ is at its lower bound.
     OutputLeast,
-    /// z₂ is at the greatest ratio.
+    /// z₂ is at its upper bound.
     OutputGreatest,
-    /// z₃ is at the least ratio.
+    /// z₃ is at its lower bound.
     InputLeast,
-    /// z₃ is at the greatest ratio.
+    /// z₃ is at its upper bound.
     InputGreatest,
 }
 

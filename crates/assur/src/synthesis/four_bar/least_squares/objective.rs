@@ -13,7 +13,7 @@ pub(super) type Point<const N: usize> = [f64; N];
 /// ΣJ of a task.
 #[derive(Clone, Debug)]
 pub(super) struct Objective {
-    /// Directions at each position, and its weight; the greatest weight is scaled to 1.
+    /// Directions and weight of each position; the greatest weight is scaled to 1.
     terms: Vec<(Direction, f64)>,
     total: f64,
     ratios: [f64; 2],
@@ -52,7 +52,7 @@ impl Objective {
         [0, 1].map(|k| Complex::from_polar(x[k].exp(), start(k)))
     }
 
-    /// Best z₁: the weighted mean of |r|, clamped to the ratios. True if no clamping was needed.
+    /// Best z₁: the weighted mean of |r|, clamped to the bounds of z₁. The flag is true if no clamping was needed.
     fn coupler(&self, gaps: impl Iterator<Item = f64>) -> (f64, bool) {
         let sum: f64 = gaps.zip(&self.terms).map(|(gap, (_, w))| gap * w).sum();
         let mean = sum / self.total;
@@ -61,7 +61,7 @@ impl Objective {
         (coupler, coupler == mean)
     }
 
-    /// ΣJ without derivatives, relative to the sum of the weights, and z₁.
+    /// ΣJ without derivatives, relative to the sum of the weights, and the best z₁.
     pub(super) fn value<const N: usize>(&self, x: &Point<N>) -> (f64, f64) {
         let [w2, w3] = self.links(x);
         let gap = |(at, _): &(Direction, f64)| (one() - at.output * w2 - at.input * w3).norm();

@@ -3,7 +3,7 @@
 use super::objective::Objective;
 use crate::synthesis::four_bar::Task;
 
-/// ΣJ of a task as a function of z₂ and z₃, with the best z₁ within the ratios.
+/// ΣJ of a task as a function of z₂ and z₃, with the best z₁ within the task's bounds.
 #[derive(Clone, Debug)]
 pub struct Surface {
     objective: Objective,

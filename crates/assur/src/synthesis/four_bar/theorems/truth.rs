@@ -48,8 +48,8 @@ impl Truth {
 }
 
 /// Angle δ₊ − δ₋, radians, between the two of e₁, e₂, e₃ nearest to e₀ on its right and on its left. Positive lengths
-/// close the loop exactly if it is less than π: then e₀ lies strictly inside the cone of e₁, e₂, e₃. None if one of
-/// them points along e₀, all three are on one side, or an angle is not finite.
+/// close the loop exactly if this angle is less than π: then e₀ lies strictly inside the cone of e₁, e₂, e₃. None if
+/// one of them points along e₀, all three are on one side, or an angle is not finite.
 pub fn opening(angles: &Angles) -> Option<f64> {
     if angles.is_along() {
         return None;
