@@ -29,7 +29,7 @@ impl Axis {
     }
 }
 
-/// Plot of one quantity against another over a motion, sampled once for all drawings.
+/// Plot of one quantity against another over a motion, sampled only when the plot is made.
 #[derive(Clone, Debug)]
 pub struct Against {
     pub(super) axes: [Axis; 2],
@@ -231,7 +231,7 @@ impl Field {
     }
 }
 
-/// Returns the line across the plot at a value of an axis.
+/// Returns the line across the plot at a value on an axis.
 fn across(axis: usize, value: f64, [[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> Vec<(f64, f64)> {
     if axis == 0 {
         vec![(value, y0), (value, y1)]

@@ -131,8 +131,8 @@ pub(super) fn told(run: &[At], order: usize, full: bool) -> std::ops::Range<usiz
     ends..run.len() - ends
 }
 
-/// Estimates the second derivative with respect to time by central differences of the first derivative over the
-/// input. The estimate is shown for comparison only; nothing is computed from it.
+/// Estimates the second derivative with respect to time from central differences of the first derivative with respect
+/// to the input. The estimate is shown for comparison only; nothing is computed from it.
 fn differences(
     run: &[At],
     count: usize,
@@ -159,7 +159,7 @@ pub(crate) fn sampling(quantities: usize) -> Sampling {
     }
 }
 
-/// Returns the samples at these inputs, with a run for each stretch without a gap.
+/// Returns the samples at the inputs of each piece, in runs. An input without a sample ends a run.
 pub(crate) fn sampled(
     pieces: Vec<Vec<f64>>,
     sample: &dyn Fn(f64) -> Option<Sample>,

@@ -1,4 +1,4 @@
-//! Given positions of a linkage, drawn below its links.
+//! Given positions of a linkage, drawn behind its links.
 
 use assur::{Point, Vector};
 
