@@ -127,8 +127,8 @@ impl Sketch {
         self.slides.len() - 1
     }
 
-    /// Adds to a body two points that define the line of a slide. The line passes through a place, in a direction in
-    /// radians. The distance of the points is a fraction of the drawing's size.
+    /// Adds to a body two points that define the line of a slide. The line passes through `at` in the direction
+    /// `direction`, radians. The distance between the points is a fraction of the drawing's size.
     pub(crate) fn guide(
         &mut self,
         names: [String; 2],

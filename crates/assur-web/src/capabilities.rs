@@ -18,7 +18,7 @@ use crate::table::SweepTable;
 
 /// An open document with its drawing.
 pub(crate) trait Capabilities {
-    /// Summary of the document; its field `moves` says whether it moves.
+    /// Summary of the document; the field `moves` of the summary says whether the document moves.
     fn summary(&self) -> JsValue;
 
     /// The rigid part of the drawing; by default that of the moving linkage, or empty without one.
@@ -27,8 +27,8 @@ pub(crate) trait Capabilities {
         figure.map(Rigid::from).unwrap_or_default()
     }
 
-    /// The frame and handles of a document that never moves, as in [`crate::Simulator::at`]; empty for one that moves.
-    /// `_opened` is the fraction by which the last cut of a scheme is open.
+    /// The frame and handles of a document that never moves, as in [`crate::Simulator::at`]; empty for a document that
+    /// moves. `_opened` is the fraction by which the last cut of a scheme is open.
     fn still(&self, _opened: f64) -> Here {
         Here::default()
     }
@@ -38,7 +38,7 @@ pub(crate) trait Capabilities {
         self.linkage().map(|moving| moving as &dyn Moves)
     }
 
-    /// The moving linkage, if the document is one.
+    /// The moving linkage, if the document is a moving linkage.
     fn linkage(&self) -> Option<&Moving> {
         None
     }
@@ -203,7 +203,7 @@ pub(crate) trait Edited {
         None
     }
 
-    /// Chooses an assembly by its number at an input. Nothing changes if the document already moves in it.
+    /// Chooses an assembly by its number at an input. Nothing changes if this is already the assembly of the document.
     fn assemble(&self, _number: usize, _input: f64) -> Result<Change, Vec<Problem>> {
         Err(vec![unknown("assembly")])
     }

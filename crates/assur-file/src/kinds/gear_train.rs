@@ -82,10 +82,11 @@ pub struct GearTrainDocument {
     /// Whether the train runs under load; otherwise the wheels do not slip.
     #[serde(default)]
     pub loaded: bool,
-    /// Plotted time span, and duration of a run under load.
+    /// Plotted time span, and duration of a run under load, seconds.
     #[serde(default = "span")]
     pub span_s: f64,
-    /// Load on the shaft that is not driven: knots of time, s, and torque, N·m, positive against rotation without slip.
+    /// Load on the shaft that is not driven: knots [time in s, torque in N·m]. A positive torque opposes the rotation
+    /// that the shaft would have without slip.
     #[serde(default)]
     pub load: Vec<[f64; 2]>,
     /// The magnets of the two meshes.
