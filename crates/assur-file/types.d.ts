@@ -48,7 +48,7 @@ rpm: number,
  */
 start_s: number, 
 /**
- * The other shaft, if the speed of the driven shaft is a multiple of another's.
+ * Another shaft, if the speed of the driven shaft is a multiple of the speed of that shaft.
  */
 to?: ShaftDocument | null, 
 /**
@@ -707,7 +707,7 @@ phi0_deg: number,
  */
 positions: Array<PositionDocument>, 
 /**
- * Whether φ₂ and φ₃ are measured from starting angles that may be chosen.
+ * Whether φ₂ and φ₃ are measured from starting angles that may be chosen freely.
  */
 free: boolean, 
 /**

@@ -92,7 +92,7 @@ pub struct Tag {
 /// Numbers of mixing blades on the wheel on the rocker's shaft, and on each wheel around it.
 const BLADES: [usize; 2] = [3, 4];
 
-/// Angle between the centre line and the direction of a mixer's wheel number, radians.
+/// Angle from the centre line of a mixer's wheel to the direction of the wheel's number, radians.
 const BESIDE_LINE: f64 = 1.9;
 
 /// Colours of wheel 4, and of wheels 5, 6, … around it.

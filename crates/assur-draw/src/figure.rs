@@ -214,8 +214,8 @@ impl Figure {
     }
 
     /// Returns the texts to which labels refer by index: the names of the points, then symbols. A symbol may be
-    /// followed by a tab and the name of a read-out, as in `μ` and `C.transmission`. The value of the read-out, an
-    /// angle, is then written after the symbol (`input` is the input).
+    /// followed by a tab and the name of a read-out, as in `μ` and `C.transmission`; `input` names the input. The value
+    /// of the read-out is then written after the symbol.
     pub fn names(&self) -> &[String] {
         self.names.all()
     }

@@ -145,7 +145,7 @@ pub(crate) trait Moves {
     /// The plots. For an endless motion, they cover the span around an input.
     fn chart(&self, around: f64) -> Cow<'_, Chart>;
 
-    /// The plot of one quantity against another that replaces these plots, if any.
+    /// The plot of one quantity against another that replaces the plots against the input, if any.
     fn against(&self, around: f64) -> Option<Cow<'_, Against>>;
 
     /// The numbers of links, by the links' names. A number denotes the angle of its link.

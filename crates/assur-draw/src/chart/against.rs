@@ -197,7 +197,7 @@ impl Against {
         Some(field)
     }
 
-    /// Returns the ranges of the axes; the scales are equal if both are lengths or derivatives of lengths of one order.
+    /// Returns the ranges of the axes. The scales are equal if both axes are for lengths or derivatives of one order.
     fn fitted(&self, size: [f64; 2]) -> [Range; 2] {
         let [x, y] = &self.axes;
         let alike = x.order == y.order && [x, y].iter().all(|axis| axis.kind == Kind::Length);

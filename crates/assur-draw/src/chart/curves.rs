@@ -124,8 +124,8 @@ pub(crate) fn plots(
     })
 }
 
-/// Returns the range of samples of a run at which a derivative is plotted. At the very ends every derivative, bounded
-/// or not, is mere rounding error; the samples next to the ends still have correct digits and look the same.
+/// Returns the range of samples of a run at which a derivative is plotted. If derivatives may be unbounded, those at
+/// the very ends are mere rounding error. The samples beside the ends have correct digits and look the same.
 pub(super) fn told(run: &[At], order: usize, full: bool) -> std::ops::Range<usize> {
     let ends = usize::from(order > 0 && !full && run.len() > 2);
     ends..run.len() - ends

@@ -169,7 +169,7 @@ pub struct DriveDocument {
     /// Duration of a uniform acceleration from rest to the speed `rpm`, seconds; 0 for an instantaneous start.
     #[serde(default)]
     pub start_s: f64,
-    /// The other shaft, if the speed of the driven shaft is a multiple of another's.
+    /// Another shaft, if the speed of the driven shaft is a multiple of the speed of that shaft.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub to: Option<ShaftDocument>,
     /// Ratio of the driven shaft's speed to that of the shaft `to`.

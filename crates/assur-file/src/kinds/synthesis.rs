@@ -29,7 +29,7 @@ pub struct SynthesisDocument {
     pub phi0_deg: f64,
     /// The positions, in their order.
     pub positions: Vec<PositionDocument>,
-    /// Whether φ₂ and φ₃ are measured from starting angles that may be chosen.
+    /// Whether φ₂ and φ₃ are measured from starting angles that may be chosen freely.
     #[serde(default)]
     pub free: bool,
     /// Lengths l₂, l₃ that choose one of the family of linkages for two positions: the one with this l₂ or, if all

@@ -13,7 +13,7 @@ use crate::{ImportProblem, LeftOut};
 
 /// Name of the parameter that lists the joints.
 const JOINTS: &str = "mech";
-/// Names of the ground, besides those that begin with [`GROUND`].
+/// Names of the ground other than those that begin with [`GROUND`].
 const GROUNDS: [&str; 6] = ["0", "gnd", "grnd", "grond", "gound", "groud"];
 const GROUND: &str = "ground";
 
