@@ -17,7 +17,7 @@ all: Array<AssemblyHere>,
  */
 shown: number | null, 
 /**
- * Number of complex solutions of an Assur group; none unless exactly one group was solved over the complex numbers.
+ * Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers.
  */
 complex: number | null, 
 /**

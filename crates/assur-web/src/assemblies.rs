@@ -21,7 +21,7 @@ pub(crate) struct AssembliesHere {
     pub(crate) all: Vec<AssemblyHere>,
     /// Index of the assembly in which the document moves; none if that assembly has no pose at this input.
     pub(crate) shown: Option<usize>,
-    /// Number of complex solutions of an Assur group; none unless exactly one group was solved over the complex numbers.
+    /// Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers.
     complex: Option<usize>,
     /// Whether all assemblies were found.
     whole: bool,
