@@ -48,7 +48,7 @@ rpm: number,
  */
 start_s: number, 
 /**
- * The other shaft, if the speed of the driven shaft is a multiple of another's.
+ * Another shaft, if the speed of the driven shaft is a multiple of the speed of that shaft.
  */
 to?: ShaftDocument | null, 
 /**
@@ -187,11 +187,12 @@ observer: ObserverDocument,
  */
 loaded: boolean, 
 /**
- * Plotted time span, and duration of a run under load.
+ * Plotted time span, and duration of a run under load, seconds.
  */
 span_s: number, 
 /**
- * Load on the shaft that is not driven: knots of time, s, and torque, N·m, positive against rotation without slip.
+ * Load on the shaft that is not driven: knots [time in s, torque in N·m]. A positive torque opposes the rotation
+ * that the shaft would have without slip.
  */
 load: Array<[number, number]>, 
 /**
@@ -315,7 +316,7 @@ ground?: number | null,
  */
 band?: number | null, 
 /**
- * Number of the assembly that moves, from 1; if absent, the drawn one. Only old URLs and files
+ * Number of the assembly in which the linkage moves, from 1; if absent, the drawn one. Only old URLs and files
  * contain this field: an assembly is now saved as its drawing.
  */
 assembly?: number | null, };
@@ -329,7 +330,7 @@ poles: PolesDocument,
  */
 peak: [number, number], 
 /**
- * Eddy-current damping between one satellite and the sun, and between it and the ring, N·m·s.
+ * Eddy-current damping in one satellite's mesh with the sun, and in its mesh with the ring, N·m·s.
  */
 damping: [number, number], };
 export type MemberDocument = { 
@@ -706,7 +707,7 @@ phi0_deg: number,
  */
 positions: Array<PositionDocument>, 
 /**
- * Whether φ₂ and φ₃ are measured from starting angles that may be chosen.
+ * Whether φ₂ and φ₃ are measured from starting angles that may be chosen freely.
  */
 free: boolean, 
 /**
@@ -715,8 +716,8 @@ free: boolean,
  */
 member?: [number, number] | null, 
 /**
- * Number of the solution, from 1, in ascending order of the closure error ΣJ. If absent, the solution
- * with the least output error among those not at a bound of the search.
+ * Number of the solution, from 1, in ascending order of ΣJ, the weighted sum of the squared closure errors. If
+ * absent, the solution with the least output error among those not at a bound of the search.
  */
 solution?: number | null, 
 /**
@@ -885,7 +886,7 @@ true_time: boolean,
  */
 drawing: boolean, 
 /**
- * Whether difference quotients of φ′ are plotted over φ″.
+ * Whether difference quotients of φ′ are plotted on top of φ″.
  */
 differenced: boolean, 
 /**

@@ -13,7 +13,7 @@ export type AssembliesHere = {
  */
 all: Array<AssemblyHere>, 
 /**
- * Index of the assembly in which the document moves; none if it has no pose at this input.
+ * Index of the assembly in which the document moves; none if that assembly has no pose at this input.
  */
 shown: number | null, 
 /**

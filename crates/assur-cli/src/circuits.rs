@@ -37,7 +37,7 @@ struct Told<'a> {
     found: Circuits,
 }
 
-/// A dead point or crossing of a branch, with the other branch that meets this branch there.
+/// A dead point or crossing of a branch, with the index of the other branch through it, if any.
 struct Joint<'a> {
     input: f64,
     what: &'static str,

@@ -9,7 +9,6 @@ pub(crate) struct Csv {
     pub(crate) decimal_comma: bool,
 }
 
-/// A cell of a table.
 pub(crate) enum Cell {
     Text(String),
     Number(f64),

@@ -27,8 +27,8 @@ use source::Name;
 /// Shows planar mechanisms: tables of their motion, their Assur groups, drawings.
 ///
 /// NAME is a name of the catalogue (see `assur list`) or a file: a state saved by the page, or a linkage alone, both
-/// described in docs/file-format.md. NAME may also be a file of the program Linkage (`.linkage2`) or, in quotes, a
-/// PMKS+ or PMKS link. Standard error lists anything that could not be imported unchanged.
+/// described in docs/file-format.md. NAME may also be a file of the program Linkage (`.linkage2`) or, in quotes, a URL
+/// of PMKS+ or PMKS. Standard error lists anything that could not be imported unchanged.
 ///
 /// Exit status: 0 done, 1 a file could not be read or written, 2 bad input.
 #[derive(Parser)]

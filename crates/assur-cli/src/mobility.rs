@@ -37,7 +37,7 @@ const LINES: [&str; 21] = [
     "replacements",
 ];
 
-/// Writes the report, as text or as JSON. Cuts come from the command line, else the document, else automatically.
+/// Writes the report, as text or as JSON. Cuts are those of the command line, else of the document, else automatic.
 ///
 /// # Errors
 /// A document that is not a scheme; cuts that are unknown, leave a contour closed or disconnect links; output that

@@ -285,9 +285,9 @@ fn unmoved(name: &Name, problems: &[Problem]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Reads a document of any kind from the catalogue, from a link of another program, or from a file.
+/// Reads a document of any kind from the catalogue, from a URL of another program, or from a file.
 fn any(name: &Name) -> Result<Document, Failure> {
-    // Nothing is downloaded: the link itself contains the whole document.
+    // Nothing is downloaded: the URL itself contains the whole document.
     if name.is_link() {
         return imported(name, &name.0);
     }

@@ -89,10 +89,10 @@ pub struct Tag {
     pub direction: f64,
 }
 
-/// Numbers of mixing blades: of the wheel on the rocker's shaft, and of each wheel around it.
+/// Numbers of mixing blades on the wheel on the rocker's shaft, and on each wheel around it.
 const BLADES: [usize; 2] = [3, 4];
 
-/// Angle between the centre line and the direction of a mixer's wheel number, radians.
+/// Angle from the centre line of a mixer's wheel to the direction of the wheel's number, radians.
 const BESIDE_LINE: f64 = 1.9;
 
 /// Colours of wheel 4, and of wheels 5, 6, … around it.
@@ -116,7 +116,7 @@ impl From<&Mixer> for Annotations {
         ];
         let links = links.map(|(link, role)| (link.to_owned(), role));
         let pairs = mixer.gears.pairs();
-        // The number of wheel 4 stands beside the first of the wheels that it drives.
+        // Wheel 4 takes the centre line of the first wheel that it drives.
         let lines = pairs.first().into_iter().chain(pairs);
         let lines: Vec<f64> = lines.map(|pair| pair.centre_line()).collect();
         let wheels = || (0..lines.len()).map(|k| format!("wheel{}", k + 4));

@@ -37,7 +37,7 @@ const MARGIN: Margin = Margin {
 
 /// Greatest range of a motion, as a share of the full axis, for which the axis is shortened to the range.
 const MOST_OF_A_TURN: f64 = 0.8;
-/// Least range of a motion, as a share of the full axis, for which the axis is shortened: some motions last an instant.
+/// Least range of a motion, as a share of the full axis, for which the axis is shortened. A range can be almost zero.
 const LEAST_OF_A_TURN: f64 = 0.001;
 /// Margin at both ends of a shortened axis, as a share of the motion's span.
 const BESIDE: f64 = 0.04;
@@ -90,9 +90,9 @@ pub struct Series {
 pub struct Settings {
     /// The input rate, which defines the derivatives.
     pub input: InputRate,
-    /// Whether the input rate is that of a machine; derivatives are then with respect to time.
+    /// Whether derivatives are with respect to time, at the input rate of a machine, instead of to the input.
     pub physical: bool,
-    /// Whether difference quotients of the first derivative are plotted over the second derivative.
+    /// Whether difference quotients of the first derivative are plotted on top of the second derivative.
     pub differenced: bool,
 }
 
@@ -134,7 +134,7 @@ pub struct Panel {
     pub points: Vec<f64>,
 }
 
-/// A chart ready to be drawn. Its curves are sampled once for all drawings.
+/// A chart ready to be drawn. Its curves are sampled only when the chart is made.
 #[derive(Clone, Debug)]
 pub struct Chart {
     axis: [f64; 2],
@@ -148,7 +148,8 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// Makes the chart of quantities of one kind, in the order of `series`, over a cycle from unbroken runs of samples.
+    /// Makes the chart of quantities of one kind over a cycle. Each of `runs` is a list of samples without a gap, with
+    /// quantities in the order of `series`.
     pub fn new(
         cycle: &Cycle,
         kind: Kind,
@@ -200,7 +201,8 @@ impl Chart {
     }
 
     /// Draws the chart on an area with [`FINE`] units per pixel, and returns its panels with the positions of texts.
-    /// Margins, lines and dots are `scale` times as large as usual. With `only`, the plot of this order fills the area.
+    /// Margins, lines and dots are `scale` times as large as usual. The plot of the derivative of order `only`, if
+    /// given, fills the area.
     ///
     /// # Errors
     /// Errors of the backend. An area too small for a plot is left empty, and no panels are returned.
@@ -218,7 +220,7 @@ impl Chart {
         Ok(panels)
     }
 
-    /// Lays out the panels of an area; none if it is too small.
+    /// Lays out the panels in an area. Returns none if the area is too small.
     fn panels(&self, (width, height): (u32, u32), scale: f64, only: Option<usize>) -> Vec<Panel> {
         let plots = self.plots.iter().enumerate();
         let plots = plots.filter(|(order, _)| only.is_none_or(|only| only == *order));

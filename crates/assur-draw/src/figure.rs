@@ -56,7 +56,7 @@ pub struct View {
 }
 
 impl View {
-    /// Returns the symbol of a loop vector, or its two points if it is not annotated.
+    /// Returns the annotated symbol of a loop vector or, without one, the names of the vector's two points.
     fn symbol(&self, ends: &[String; 2]) -> String {
         let [from, to] = ends;
         let mut noted = self.annotations.loop_vectors.iter();
@@ -214,8 +214,8 @@ impl Figure {
     }
 
     /// Returns the texts to which labels refer by index: the names of the points, then symbols. A symbol may be
-    /// followed by a tab and the name of a read-out, as in `μ` and `C.transmission`. The value of the read-out, an
-    /// angle, is then written after the symbol (`input` is the input).
+    /// followed by a tab and the name of a read-out, as in `μ` and `C.transmission`; `input` names the input. The value
+    /// of the read-out is then written after the symbol.
     pub fn names(&self) -> &[String] {
         self.names.all()
     }
@@ -242,7 +242,7 @@ impl Figure {
         self.frame_beside(pose, &[])
     }
 
-    /// Returns the same as [`Figure::frame`], with other assemblies drawn dashed below the names.
+    /// Returns the same as [`Figure::frame`], with other assemblies drawn dashed behind the names.
     pub fn frame_beside<const N: usize>(&self, pose: &Pose<N>, others: &[Pose<1>]) -> Vec<f32> {
         let posed = self.posed(pose);
         let mut list = List::default();

@@ -42,7 +42,7 @@ impl Teeth {
                 0.5 * (z + mate)
             };
             let base = pitch * PRESSURE_ANGLE.cos();
-            // Beyond this radius the tip would touch the mate inside its base circle, where it has no involute.
+            // Beyond this radius the tip would touch the mate inside the mate's base circle, where involutes end.
             let limit = base.hypot(distance * PRESSURE_ANGLE.sin());
             match (ring, mate_ring) {
                 (false, false) => tip.min(limit),

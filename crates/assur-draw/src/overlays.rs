@@ -36,7 +36,7 @@ impl Scales {
     const LONGEST: f64 = 0.3;
     /// Greatest length of a vector whose tip must be within the drawing, relative to the drawing's size.
     const ROOM: f64 = 0.5;
-    /// Lower bound of the longest derivative, from which the scale follows, relative to the drawing's size.
+    /// Least value assumed for the longest derivative when the scale is computed, relative to the drawing's size.
     const LEAST: f64 = 1e-9;
 
     /// Returns the scales for the paths of points over a motion. The longest tenth of each point's vectors does not
@@ -109,7 +109,7 @@ pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, 
         return;
     }
     let along = along / length;
-    // The circles of the hinges stay free.
+    // The arrow does not touch the circles of the hinges.
     let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
     parts::arrow(list, Role::Ink, start, tip, unit);
     let left = [-1.1 * along.y, 1.1 * along.x];
@@ -125,7 +125,7 @@ pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, 
     let at = |angle: f64, radius: f64| c + Vector::new(angle.cos(), angle.sin()) * radius;
     let mut turn = wrapped(direction(d) - from);
     if turn.abs() > FRAC_PI_2 {
-        // The line of d is extended beyond c.
+        // The line from d is extended beyond c.
         turn = wrapped(turn + PI);
         list.polyline(
             Role::Secondary,
@@ -263,8 +263,8 @@ mod tests {
         }
     }
 
-    /// The name of a vector is on its left. The name of an angle between sides is between them, nearer to the vertex
-    /// than the end of the shorter side.
+    /// The name of a vector is on its left. The name of an angle is between the sides of the angle, nearer to the
+    /// vertex than the end of the shorter side is.
     #[test]
     fn names_of_vectors_and_of_their_angles() {
         let mut list = List::default();

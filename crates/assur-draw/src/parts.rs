@@ -15,7 +15,7 @@ pub(crate) const BAR: f64 = 1.15;
 /// Half the length and half the width of a block, in symbol units.
 pub(crate) const BLOCK: [f64; 2] = [2.6, 1.7];
 
-/// Draws a block that slides along a direction, with an arm to its link's point if the point is not at its middle.
+/// Draws a block that slides along a direction, with an arm from its middle to `point` if they do not coincide.
 pub(crate) fn block(
     list: &mut List,
     role: Role,

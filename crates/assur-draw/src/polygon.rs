@@ -241,8 +241,8 @@ mod tests {
         }
     }
 
-    /// The steps are: pole, crank, two equations. The first leaves a direction, the second gives a point; each adds to
-    /// the drawing.
+    /// The steps are: pole, crank, two equations. The first equation leaves a direction, the second gives a point. Each
+    /// step adds to the drawing.
     #[test]
     fn steps_of_a_four_bar() {
         let motion = four_bar();

@@ -17,7 +17,7 @@ impl Projection {
         Self::from([Vector3::x(), Vector3::y()])
     }
 
-    /// Returns a view along y turned about z through `round`, from the elevation `above` (radians), with z upwards.
+    /// Returns a view with z upwards, along y turned about z through `round`, from the elevation `above`, in radians.
     pub(crate) fn space([round, above]: [f64; 2]) -> Self {
         let ([sin, cos], [high, level]) = ([round.sin(), round.cos()], [above.sin(), above.cos()]);
         let away = Vector3::new(-sin, cos, 0.0);

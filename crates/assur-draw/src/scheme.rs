@@ -178,7 +178,8 @@ impl SchemeFigure {
         self.projection.raised(to, self.places[pair])
     }
 
-    /// Returns the drawing, its last cut open by this share: `n, x, y, θ` of one body, the sheet, and a display list.
+    /// Returns the drawing with its last cut open by the share `opened`: `n, x, y, θ`, where n = 1 body is the sheet,
+    /// then a display list.
     pub fn frame(&self, opened: f64) -> Vec<f32> {
         let moved = self.opened(opened);
         let mut list = List::default();
@@ -199,7 +200,7 @@ impl SchemeFigure {
         Chain::new(&self.scheme, &self.places, &self.view.cuts, self.size).opened(share)
     }
 
-    /// Returns the link with which the symbol of a pair stays: one that was not taken off the pair.
+    /// Returns the link at which the symbol of a pair is drawn: one that no cut takes off the pair.
     fn holder(&self, pair: usize) -> usize {
         let links = &self.scheme.pairs()[pair].links;
         let left = |&&link: &&usize| !self.view.cuts.contains(&Cut { pair, link });

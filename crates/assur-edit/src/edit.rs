@@ -42,7 +42,7 @@ pub enum Edit {
     MakeExact {},
     /// Fixes the first link to the second, which may be the frame; releases it if it is already fixed there.
     Weld { links: [String; 2] },
-    /// Joins two points in one hinge where the second is drawn. The first point is removed.
+    /// Joins two points in one hinge at the position of the second. The first point is removed.
     Join { points: [String; 2] },
     /// Separates the links hinged at a point: each then has a point of its own.
     Part { point: String },

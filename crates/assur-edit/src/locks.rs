@@ -19,8 +19,8 @@ const STEP: f64 = 0.05;
 /// Least length of the sides of a locked angle, relative to the size. The angle between shorter sides would be
 /// lost in rounding.
 const SHORTEST: f64 = 1e-3;
-/// Gradient of half the squared distance from the targets, relative to the size. Below this gradient, distances
-/// differ only by rounding, so gradients are compared.
+/// Limit of the gradient of half the squared distance from the targets, relative to the size. Below it, distances
+/// differ only by rounding, so a step is judged by the decrease of the gradient.
 const FINE: f64 = 1e-5;
 /// Regularisation of the equations of locks: dependent locks need it, and it is too small to affect others.
 const TWICE: f64 = 1e-12;
@@ -142,7 +142,7 @@ impl Drawing {
         let free: Vec<bool> = names.iter().map(|name| !is_fixed(name)).collect();
         let (places, reached) = held.moved(&before, &free, &targets);
         let named = names.into_iter().zip(places).zip(before);
-        // Points at rest keep their exact coordinates; points at their targets get exactly those of the targets.
+        // Points at rest keep their exact coordinates; points at their targets get the exact coordinates of these.
         let named = named.filter_map(|((name, to), from)| {
             let there = wanted.get(name).filter(|_| reached);
             let moved = (to != from).then_some(to + middle.coords);
@@ -372,7 +372,7 @@ impl Held {
     }
 }
 
-/// The solution x of rows·rowsᵀ·x = `sides`, regularised since rows may be dependent.
+/// The solution x of rows·rowsᵀ·x = `sides`, regularised because rows may be dependent.
 fn factors(rows: &DMatrix<f64>, sides: &DVector<f64>) -> Option<DVector<f64>> {
     let count = rows.nrows();
     let square = rows * rows.transpose() + DMatrix::identity(count, count) * TWICE;

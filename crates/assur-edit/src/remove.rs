@@ -141,7 +141,7 @@ impl Drawing {
         self.document.locks.retain(whole);
     }
 
-    /// Joins two points in one hinge, where the second is drawn.
+    /// Joins two points in one hinge at the position of the second.
     pub(crate) fn join(&mut self, points: &[String; 2]) -> Done {
         let [from, to] = points;
         self.at(from)?;

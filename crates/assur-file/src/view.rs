@@ -116,7 +116,7 @@ pub struct View {
     /// Whether the tools for drawing are shown.
     #[serde(default)]
     pub drawing: bool,
-    /// Whether difference quotients of φ′ are plotted over φ″.
+    /// Whether difference quotients of φ′ are plotted on top of φ″.
     #[serde(default)]
     pub differenced: bool,
     /// The open lesson, if any.

@@ -52,6 +52,6 @@ pub enum LeftOut {
     Fastened { name: String },
     /// Scale of the drawing.
     Scale { factor: f64 },
-    /// An unknown part at the end of a PMKS+ link.
+    /// An unknown part at the end of a PMKS+ URL.
     Unknown { part: String },
 }

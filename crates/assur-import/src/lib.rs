@@ -1,5 +1,5 @@
-//! Import of mechanisms from other programs: links (URLs) of PMKS+ in both of its forms, links of its predecessor PMKS,
-//! and Linkage files (`.linkage2`). Parts that could not be imported unchanged are listed ([`LeftOut`]);
+//! Import of mechanisms from other programs: URLs of PMKS+ in both of its forms, URLs of its predecessor PMKS, and
+//! files of the program Linkage (`.linkage2`). Parts that could not be imported unchanged are listed ([`LeftOut`]);
 //! docs/file-format.md lists what is imported.
 //!
 //! An imported linkage may be unable to move: [`LinkageDocument::mechanism`] checks that.
@@ -61,7 +61,7 @@ pub struct Imported {
 /// A text that appears to come from another program.
 #[derive(Clone, Copy)]
 enum Source<'a> {
-    /// The query of a PMKS+ link, which follows the `?`, and the link's host. A PMKS+ file contains only the query.
+    /// The host and the query (the part after `?`) of a PMKS+ URL. A PMKS+ file contains only the query.
     Pmks {
         host: Option<&'a str>,
         query: &'a str,
@@ -74,7 +74,7 @@ fn source(text: &str) -> Option<Source<'_>> {
     if linkage2::begins(text) {
         return Some(Source::Linkage(text));
     }
-    // One of Assur's own files, whose texts may happen to contain part of a link.
+    // One of Assur's own files, whose texts may happen to contain part of a URL.
     if text.starts_with('{') {
         return None;
     }
@@ -88,15 +88,15 @@ fn source(text: &str) -> Option<Source<'_>> {
     pmks::begins(query).then_some(Source::Pmks { host, query })
 }
 
-/// Whether a text appears to be a PMKS+ link or a Linkage file, whole or damaged.
+/// Whether a text appears to be a PMKS+ or PMKS URL or a Linkage file, whole or damaged.
 pub fn recognised(text: &str) -> bool {
     source(text).is_some()
 }
 
-/// Reads a PMKS+ link or a Linkage file.
+/// Reads a PMKS+ or PMKS URL, or a Linkage file.
 ///
 /// # Errors
-/// A text that is neither or is too long; the part that cannot be read.
+/// A text that is none of these or is too long; the part that cannot be read.
 pub fn read(text: &str) -> Result<Imported, ImportProblem> {
     if text.len() > LONGEST {
         return Err(ImportProblem::ImportTooLarge { max: LONGEST });

@@ -1,5 +1,5 @@
-//! Links of PMKS+ (Planar Mechanism Kinematic Simulator, <https://pmksplus.com>). The first form is plain text, the
-//! second is abbreviated; both are read into a [`Plan`](plan::Plan). [`original`] reads links of the predecessor, PMKS.
+//! URLs of PMKS+ (Planar Mechanism Kinematic Simulator, <https://pmksplus.com>). The first form is plain text, the
+//! second is abbreviated; both are read into a [`Plan`](plan::Plan). [`original`] reads URLs of the predecessor, PMKS.
 
 mod original;
 mod plan;
@@ -8,12 +8,12 @@ mod short;
 
 use crate::{ImportProblem, Imported};
 
-/// Whether the query of a link has one of these three forms.
+/// Whether the query of a URL has one of these three forms.
 pub(crate) fn begins(query: &str) -> bool {
     readable::begins(query) || short::begins(query) || original::begins(query)
 }
 
-/// Reads the query of a link: the part after the `?`.
+/// Reads the query of a URL: the part after the `?`.
 ///
 /// # Errors
 /// The part that cannot be read.

@@ -12,15 +12,15 @@ use crate::quoted;
     reason = "parameters are named by the variant's sentence"
 )]
 pub enum ImportProblem {
-    /// A text that is neither a PMKS+ link nor a Linkage file.
+    /// A text that is neither a PMKS+ or PMKS URL nor a Linkage file.
     NotImported,
     /// A text longer than `max` bytes.
     ImportTooLarge { max: usize },
     /// More than `max` parts.
     ImportTooMany { max: usize },
-    /// A link whose check character does not match its length.
+    /// A PMKS+ URL whose check character does not match its length.
     LinkCut,
-    /// A malformed part of a link.
+    /// A malformed part of a URL.
     LinkPart { part: String },
     /// The line of a tag that does not end or is out of place.
     MarkupBroken { line: usize },
@@ -28,14 +28,14 @@ pub enum ImportProblem {
     ImportNumber { part: String, value: String },
     /// A name shared by two parts, which makes references to it ambiguous.
     ImportTwice { part: String },
-    /// A joint between the teeth of wheels, in a link of the first PMKS. Such joints are not read.
+    /// A joint between the teeth of wheels, in a URL of the first PMKS. Such joints are not read.
     ImportGears { part: String },
     /// A mechanism without links.
     NothingImported,
 }
 
 impl ImportProblem {
-    /// A malformed part of a link.
+    /// A malformed part of a URL.
     pub(crate) fn part(part: &str) -> Self {
         let part = quoted(part);
         Self::LinkPart { part }

@@ -19,7 +19,7 @@ use crate::simulator::{bad, one};
 pub(crate) struct AssembliesHere {
     /// Assemblies in ascending order of their angles.
     pub(crate) all: Vec<AssemblyHere>,
-    /// Index of the assembly in which the document moves; none if it has no pose at this input.
+    /// Index of the assembly in which the document moves; none if that assembly has no pose at this input.
     pub(crate) shown: Option<usize>,
     /// Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers.
     complex: Option<usize>,

@@ -18,7 +18,7 @@ use crate::table::SweepTable;
 
 /// An open document with its drawing.
 pub(crate) trait Capabilities {
-    /// Summary of the document; its field `moves` says whether it moves.
+    /// Summary of the document; the field `moves` of the summary says whether the document moves.
     fn summary(&self) -> JsValue;
 
     /// The rigid part of the drawing; by default that of the moving linkage, or empty without one.
@@ -27,8 +27,8 @@ pub(crate) trait Capabilities {
         figure.map(Rigid::from).unwrap_or_default()
     }
 
-    /// The frame and handles of a document that never moves, as in [`crate::Simulator::at`]; empty for one that moves.
-    /// `_opened` is the fraction by which the last cut of a scheme is open.
+    /// The frame and handles of a document that never moves, as in [`crate::Simulator::at`]; empty for a document that
+    /// moves. `_opened` is the fraction by which the last cut of a scheme is open.
     fn still(&self, _opened: f64) -> Here {
         Here::default()
     }
@@ -38,7 +38,7 @@ pub(crate) trait Capabilities {
         self.linkage().map(|moving| moving as &dyn Moves)
     }
 
-    /// The moving linkage, if the document is one.
+    /// The moving linkage, if the document is a moving linkage.
     fn linkage(&self) -> Option<&Moving> {
         None
     }
@@ -145,7 +145,7 @@ pub(crate) trait Moves {
     /// The plots. For an endless motion, they cover the span around an input.
     fn chart(&self, around: f64) -> Cow<'_, Chart>;
 
-    /// The plot of one quantity against another that replaces these plots, if any.
+    /// The plot of one quantity against another that replaces the plots against the input, if any.
     fn against(&self, around: f64) -> Option<Cow<'_, Against>>;
 
     /// The numbers of links, by the links' names. A number denotes the angle of its link.

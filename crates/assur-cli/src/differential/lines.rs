@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde_json::{Map, Value};
 
-/// Keys printed on one line each, in this order.
+/// Keys of the report that are printed on one line each, in this order.
 const LINES: [&str; 14] = [
     "z1",
     "z2",

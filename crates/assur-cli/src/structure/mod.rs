@@ -199,7 +199,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "formula": mechanism.formula(),
         // Wheels whose constraint repeats that of others, such as further satellites.
         "passive": passive.collect::<Vec<_>>(),
-        // Number of assemblies found at the drawn input, this input, and whether no assembly is missing.
+        // Number of assemblies at the drawn input; the drawn input; whether all assemblies were found.
         "assemblies": assemblies.poses.len(),
         "assemblies_at": at(motion.drawn_input()),
         "assemblies_whole": assemblies.whole,
@@ -210,7 +210,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         // Number of turns after which the motion repeats; null if the driver turns back.
         "turns": turns,
         "dead_points": ends(DeadPointKind::is_dead_point),
-        // Inputs up to which the motion was followed, although it goes on.
+        // Inputs at which following the motion stopped, although the motion goes on.
         "followed_to": ends(unfollowed),
         "change_points": change_points.collect::<Vec<_>>(),
     });

@@ -182,7 +182,7 @@ pub(super) fn one(report: &mut Report, task: &Task) {
         output: 1.0,
         input: 1.0,
     };
-    // Length of the coupler that closes the loop if output link and driver are as long as the frame.
+    // Length of the coupler that closes the loop of `equal`. The residual is this length less 1.
     let gap = Solution::new(task, equal).closures[0].residual + 1.0;
     let closed = Proportions {
         coupler: gap,
@@ -193,8 +193,9 @@ pub(super) fn one(report: &mut Report, task: &Task) {
     }
 }
 
-/// Evaluates the conditions and theorems of the paper at each position, as printed and in fact, with the ranges of l₁.
-/// `couplers` are the coupler angles φ₁, radians. If lengths are given, their gap at each position is added.
+/// Evaluates the paper's conditions and theorems at each position: whether each holds as printed, and whether its
+/// conclusion is true. Adds the ranges of l₁ and, if lengths are given, their gap at each position. `couplers` are the
+/// coupler angles φ₁, radians.
 pub(super) fn printed(task: &Task, couplers: &[f64], lengths: Option<Proportions>) -> Value {
     let frame = task.frame();
     let told = task

@@ -29,7 +29,7 @@ impl Axis {
     }
 }
 
-/// Plot of one quantity against another over a motion, sampled once for all drawings.
+/// Plot of one quantity against another over a motion, sampled only when the plot is made.
 #[derive(Clone, Debug)]
 pub struct Against {
     pub(super) axes: [Axis; 2],
@@ -197,7 +197,7 @@ impl Against {
         Some(field)
     }
 
-    /// Returns the ranges of the axes; the scales are equal if both are lengths or derivatives of lengths of one order.
+    /// Returns the ranges of the axes. The scales are equal if both axes are for lengths or derivatives of one order.
     fn fitted(&self, size: [f64; 2]) -> [Range; 2] {
         let [x, y] = &self.axes;
         let alike = x.order == y.order && [x, y].iter().all(|axis| axis.kind == Kind::Length);
@@ -231,7 +231,7 @@ impl Field {
     }
 }
 
-/// Returns the line across the plot at a value of an axis.
+/// Returns the line across the plot at a value on an axis.
 fn across(axis: usize, value: f64, [[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> Vec<(f64, f64)> {
     if axis == 0 {
         vec![(value, y0), (value, y1)]

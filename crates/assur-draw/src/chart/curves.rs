@@ -124,15 +124,15 @@ pub(crate) fn plots(
     })
 }
 
-/// Returns the range of samples of a run at which a derivative is plotted. At the very ends every derivative, bounded
-/// or not, is mere rounding error; the samples next to the ends still have correct digits and look the same.
+/// Returns the range of samples of a run at which a derivative is plotted. If derivatives may be unbounded, those at
+/// the very ends are mere rounding error. The samples beside the ends have correct digits and look the same.
 pub(super) fn told(run: &[At], order: usize, full: bool) -> std::ops::Range<usize> {
     let ends = usize::from(order > 0 && !full && run.len() > 2);
     ends..run.len() - ends
 }
 
-/// Estimates the second derivative with respect to time by central differences of the first derivative over the
-/// input. The estimate is shown for comparison only; nothing is computed from it.
+/// Estimates the second derivative with respect to time from central differences of the first derivative with respect
+/// to the input. The estimate is shown for comparison only; nothing is computed from it.
 fn differences(
     run: &[At],
     count: usize,
@@ -159,7 +159,7 @@ pub(crate) fn sampling(quantities: usize) -> Sampling {
     }
 }
 
-/// Returns the samples at these inputs, with a run for each stretch without a gap.
+/// Returns the samples at the inputs of each piece, in runs. An input without a sample ends a run.
 pub(crate) fn sampled(
     pieces: Vec<Vec<f64>>,
     sample: &dyn Fn(f64) -> Option<Sample>,

@@ -75,7 +75,7 @@ impl Layout {
         layout
     }
 
-    /// Returns a link's corners: two of a bar, three or more of a plate, none of a fixed link that has no own points.
+    /// Returns a link's corners: two of a bar, three or more of a plate, none of a fixed link without own points.
     fn outlined(&self, home: Posed<'_, 1>, link: LinkId) -> Vec<Point> {
         let mechanism = home.mechanism;
         let own = mechanism.points_of(link).iter();

@@ -104,7 +104,7 @@ impl Drawn {
         (place - self.middle).norm() < REACH * self.size
     }
 
-    /// Draws the curves that do not change on the frame or on the link: evolutes and centrodes.
+    /// Draws the curves that are fixed to the frame or to the link: evolutes and centrodes.
     pub(super) fn draw_rigid(&self, list: &mut List, motion: &Motion) {
         for point in &self.traced {
             list.body(layout::number(None));

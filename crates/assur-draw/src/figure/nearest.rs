@@ -8,8 +8,8 @@ use super::{Figure, layout};
 use crate::parts::{self, BAR};
 
 impl Figure {
-    /// Finds the link drawn nearest to a position in a pose, and its distance, to attach a new point. Bars and plates
-    /// take precedence over wheels. For a link fixed to another, returns the other link. None if no link moves.
+    /// Finds the link drawn nearest to a position in a pose, and its distance. At equal distances, bars and plates take
+    /// precedence over wheels. For a link fixed to another, returns the other link. None if no link moves.
     pub fn link_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<(LinkId, f64)> {
         let posed = self.posed(pose);
         let mechanism = posed.mechanism;
@@ -37,7 +37,7 @@ impl Figure {
         Posed { mechanism, pose }
     }
 
-    /// Finds the smallest wheel at a position in a pose. A ring is found by its rim alone.
+    /// Finds the smallest wheel at a position in a pose. A ring is found only on its rim.
     pub fn wheel_at<const N: usize>(&self, pose: &Pose<N>, place: Point) -> Option<LinkId> {
         self.gearing.wheel_at(self.posed(pose), place)
     }

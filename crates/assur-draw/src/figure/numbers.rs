@@ -21,9 +21,9 @@ const BEYOND_ARC: f64 = 0.75;
 const ROOM: f64 = 3.2;
 /// Offset of a number without a circle, in text heights.
 const BESIDE: [f64; 2] = [1.5, -1.5];
-/// Position of a number relative to its support, in symbol units times the size of the support.
+/// Anchor of a number beside a support, relative to the support, in symbol units times the size of the support.
 const AT_SUPPORT: [f64; 2] = [2.3, -2.6];
-/// Offset of a number beside a support from its position, in text heights.
+/// Offset of a number from its anchor beside a support, in text heights.
 const BESIDE_SUPPORT: [f64; 2] = [0.8, 0.0];
 
 /// A number of a link.

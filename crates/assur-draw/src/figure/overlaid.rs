@@ -24,12 +24,12 @@ const SAMPLING: Sampling = Sampling {
     spacing: Spacing::Middles,
     shown: Shown::Spread,
 };
-/// Maximum number of points with vectors up to which the tips of the vectors are named.
+/// Maximum number of points with vectors for which the tips of the vectors are named.
 const MOST_NAMED: usize = 3;
 
 /// Greatest radius of the arc of the input, in symbol units.
 const LARGEST: f64 = 10.0;
-/// Input angle, radians, below which its name is turned away from the middle of the arc.
+/// Input angle, radians, below which the angle's name is turned away from the middle of the arc.
 const SMALL: f64 = 0.8;
 /// Greatest angle through which the name of a small input angle is turned, radians.
 const BELOW: f64 = 0.6;
@@ -241,7 +241,7 @@ impl InputArc {
         list.polyline(Role::Secondary, Look::Thin, &base);
         list.polyline(self.role, Look::Thin, &points);
         parts::head(list, self.role, at(neck), at(1.0));
-        // The name of a small angle is placed beside its legs.
+        // The name of a small angle would cover the legs of the angle, so it is placed outside them.
         let beside = BELOW * (1.0 - turn.abs() / SMALL).max(0.0);
         let middle = along(from + 0.5 * turn - beside.copysign(turn));
         let off = [3.1 * middle.x, 1.1 * middle.y];

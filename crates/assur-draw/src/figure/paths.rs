@@ -23,7 +23,7 @@ const MOST_PLACED: usize = 150_000;
 const OF_A_POSE: usize = 8;
 /// Minimum number of poses per turn.
 const COARSEST_TURN: usize = 60;
-/// Angle from which a link counts as turning fully; the motion may lack a pose at its ends.
+/// Angle from which a link counts as turning fully: less than a turn, because poses may be missing at its ends.
 const ALL_ROUND: f64 = TAU * (1.0 - 3.0 / TURN as f64);
 /// Relative inset of samples from the ends of an arc, where points may coincide and angles be mere rounding error.
 pub(super) const OFF: f64 = 1e-9;

@@ -11,10 +11,10 @@ use super::{Figure, paths};
 use crate::chart::{Against, Axis, Chart, Kind, Sample, Series, Settings, sampled, sampling};
 use crate::list::Role;
 
-/// Transmission angle above which values count for the ranges of axes. Near dead points, where the links of a dyad come
-/// into line, derivatives grow without bound.
+/// Transmission angle above which values determine the ranges of axes. At smaller angles a dead point, where the links
+/// of a dyad are in line, is near, and derivatives grow without bound.
 const CLEAR: f64 = 15.0 * PI / 180.0;
-/// Share of an arc left out of the ranges of axes next to a dead point at which no dyad comes into line.
+/// Share of an arc, beside a dead point at which no dyad is in line, that does not affect the ranges of axes.
 const CLEAR_SHARE: f64 = 0.04;
 
 /// Colours for further coordinates or distances of the same kind, such as `C.x` after `B.x`.
@@ -117,7 +117,7 @@ impl Figure {
         })
     }
 
-    /// Returns the roles of the curves: one per link and per coordinate, others for a coordinate of further points.
+    /// Returns the roles of the curves: each quantity's own role, or a further role for a length if its own is taken.
     pub fn plotted_roles(&self, quantities: &[Quantity]) -> Vec<Role> {
         let mut roles: Vec<Role> = Vec::new();
         for quantity in quantities {

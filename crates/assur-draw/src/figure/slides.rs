@@ -21,10 +21,10 @@ const ARROW: f64 = 4.0;
 const BESIDE: f64 = 3.4;
 /// Distance from the walls of a channel up to which its inside is cleared, in symbol units.
 const WALL: f64 = 0.15;
-/// Interval, in poses, between those examined to find the outer side of a guide.
+/// Interval between the poses examined to find the outer side of a guide, as a number of poses.
 const LOOKED_AT: usize = 16;
-/// Mean offset of a mechanism below a line, relative to the mean distance of its points from the line's start, above
-/// which the mechanism counts as lying below the line.
+/// Limit of the mean offset of a mechanism's points below a line, relative to their mean distance from the line's
+/// start. Above the limit, the mechanism counts as lying below the line.
 const ONE_SIDED: f64 = 0.3;
 
 /// A prismatic pair as it is drawn.

@@ -47,7 +47,7 @@ struct Drawn {
     shaft: bool,
 }
 
-/// A wheel between two others that is not part of a link.
+/// A wheel that belongs to no link, between two wheels of links.
 #[derive(Clone, Debug)]
 struct Idler {
     carrier: LinkOrFrame,

@@ -50,7 +50,7 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Returns the displacements of all links with all cuts fully open, except the last, open by the share `last`.
+    /// Returns the displacements of all links. The last cut is open by the share `last`; all other cuts are fully open.
     pub(super) fn opened(&self, last: f64) -> Vec<Displacement> {
         let pairs = self.scheme.pairs();
         let (reached, order) = self.reach();

@@ -5,7 +5,7 @@ use assur::mobility::{Pair, Point3, Scheme, Vector3};
 
 use crate::parts;
 
-/// Distance of a pair without a given position from the mean of its neighbours, relative to the drawing's size.
+/// Distance of a pair without a given position from the mean of the other pairs of its links, relative to the drawing.
 const ASIDE: f64 = 0.15;
 
 /// Returns the positions of pairs. A pair without a given position is placed beside the other pairs

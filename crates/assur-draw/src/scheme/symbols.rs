@@ -58,7 +58,7 @@ impl<'a> Pen<'a> {
         self.projection.place(self.at + off)
     }
 
-    /// Returns a point on the sheet, given in symbol units along the visible axis and at right angles to it.
+    /// Returns a point on the sheet, given in symbol units along the projected axis and at right angles to it.
     fn flat(&self, along: f64, across: f64) -> Point {
         let axis = self.projection.direction(self.frame[0]);
         let along_it = axis.try_normalize(1e-9).unwrap_or_else(assur::Vector::x);

@@ -254,7 +254,7 @@ impl Planar {
         list.circle(wheel.role, Look::Solid, polar(back - 1.6 * size, at), size);
     }
 
-    /// Draws the letters of the poles on the plate after the marked one and, if poles alternate, on the next.
+    /// Draws the letter of the pole on the plate after the marked one and, if poles alternate, on the plate after that.
     fn letters(&self, list: &mut List, wheel: &Wheel) {
         let Rim::Plates(poles) = wheel.rim else {
             return;

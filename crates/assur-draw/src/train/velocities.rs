@@ -12,8 +12,8 @@ use crate::list::{List, Look, Role};
 /// Greatest length of an arrow, in units of the drawing.
 const LONGEST: f64 = 20.0;
 
-/// Draws the triangle on the x-axis, the line from the main axis through the satellite, up to `reach` from the main
-/// axis. Arrows are scaled to the available room: their lengths show only ratios of velocities.
+/// Draws the triangle up to the distance `reach` from the main axis. The x-axis is the line from the main axis through
+/// the satellite. Arrows are scaled to the available room: their lengths show only ratios of velocities.
 pub(super) fn draw(list: &mut List, velocities: &Velocities, reach: f64, unit: f64) {
     // A margin for the width of arrowheads.
     let reach = reach - 2.0 * unit;

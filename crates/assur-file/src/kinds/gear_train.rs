@@ -82,10 +82,11 @@ pub struct GearTrainDocument {
     /// Whether the train runs under load; otherwise the wheels do not slip.
     #[serde(default)]
     pub loaded: bool,
-    /// Plotted time span, and duration of a run under load.
+    /// Plotted time span, and duration of a run under load, seconds.
     #[serde(default = "span")]
     pub span_s: f64,
-    /// Load on the shaft that is not driven: knots of time, s, and torque, N·m, positive against rotation without slip.
+    /// Load on the shaft that is not driven: knots [time in s, torque in N·m]. A positive torque opposes the rotation
+    /// that the shaft would have without slip.
     #[serde(default)]
     pub load: Vec<[f64; 2]>,
     /// The magnets of the two meshes.
@@ -168,7 +169,7 @@ pub struct DriveDocument {
     /// Duration of a uniform acceleration from rest to the speed `rpm`, seconds; 0 for an instantaneous start.
     #[serde(default)]
     pub start_s: f64,
-    /// The other shaft, if the speed of the driven shaft is a multiple of another's.
+    /// Another shaft, if the speed of the driven shaft is a multiple of the speed of that shaft.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub to: Option<ShaftDocument>,
     /// Ratio of the driven shaft's speed to that of the shaft `to`.

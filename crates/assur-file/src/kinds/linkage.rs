@@ -74,7 +74,7 @@ pub struct LinkageDocument {
     /// in the unit of the lengths.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub band: Option<f64>,
-    /// Number of the assembly that moves, from 1; if absent, the drawn one. Only old URLs and files
+    /// Number of the assembly in which the linkage moves, from 1; if absent, the drawn one. Only old URLs and files
     /// contain this field: an assembly is now saved as its drawing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub assembly: Option<usize>,
@@ -173,8 +173,8 @@ pub enum MeshDocument {
     AsPrinted,
 }
 
-/// A driven pair: a crank with its base, or a slide with its range. Both have the same type, so that the
-/// path of an error ends at the field at fault.
+/// A driven pair: a crank with its base, or a slide with its range. One type serves for both, so that the path of an
+/// error ends at the field at fault.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]

@@ -98,7 +98,7 @@ pub(super) fn written(document: &impl Serialize, patterns: &[Pattern]) -> Vec<Nu
     found.collect()
 }
 
-/// Collects the numbers in a part of a document that match the rest of a pattern, with their paths.
+/// Collects the numbers in `part`, the part at `path`, that match `rest`, the rest of a pattern, with their paths.
 fn collect(part: &Value, path: String, rest: &str, found: &mut Vec<(String, f64)>) {
     if rest.is_empty() {
         found.extend(part.as_f64().map(|value| (path, value)));

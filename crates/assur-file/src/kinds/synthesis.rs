@@ -29,15 +29,15 @@ pub struct SynthesisDocument {
     pub phi0_deg: f64,
     /// The positions, in their order.
     pub positions: Vec<PositionDocument>,
-    /// Whether φ₂ and φ₃ are measured from starting angles that may be chosen.
+    /// Whether φ₂ and φ₃ are measured from starting angles that may be chosen freely.
     #[serde(default)]
     pub free: bool,
     /// Lengths l₂, l₃ that choose one of the family of linkages for two positions: the one with this l₂ or, if all
     /// have the same l₂, with this l₃. Lengths beyond an end of the family choose that end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub member: Option<[f64; 2]>,
-    /// Number of the solution, from 1, in ascending order of the closure error ΣJ. If absent, the solution
-    /// with the least output error among those not at a bound of the search.
+    /// Number of the solution, from 1, in ascending order of ΣJ, the weighted sum of the squared closure errors. If
+    /// absent, the solution with the least output error among those not at a bound of the search.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solution: Option<usize>,
     /// Lengths l₁, l₂, l₃ that are shown instead of a solution.
@@ -111,7 +111,7 @@ impl SynthesisProblem {
     }
 }
 
-/// Distance of the outermost shown members of a family from its ends, relative to the whole family.
+/// Distance of the outermost shown members of a family from its ends, as a share of the family's parameter range.
 const ENDS: f64 = 1e-3;
 
 /// The synthesis that a document describes.
@@ -119,7 +119,7 @@ const ENDS: f64 = 1e-3;
 pub struct Synthesis {
     /// The task.
     pub task: Task,
-    /// The options to choose from.
+    /// The linkages among which the document chooses.
     pub options: Options,
     /// Index of the shown solution, from 0; none if it belongs to a family or has trial lengths.
     pub number: Option<usize>,

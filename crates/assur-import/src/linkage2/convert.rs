@@ -189,7 +189,7 @@ impl Conversion<'_> {
                 .and_then(|[from, to]| Some([self.joint(from)?, self.joint(to)?]));
             let ends = ends.filter(|ends| !ends.contains(&pin));
             let place = |joint: usize| self.sketch.joints[joint].at;
-            // Half of the smallest positive floating-point number rounds to zero.
+            // The ends must be so far apart that half their distance does not round to zero.
             let ends = ends.filter(|[from, to]| distance(place(*from), place(*to)) / 2.0 > 0.0);
             let Some((line, on)) = ends.and_then(|ends| Some((ends, self.shared(ends)?))) else {
                 let point = self.sketch.joints[pin].name.clone();
@@ -357,7 +357,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Lists as left out a driver moved by hand or, in the entry made by `told`, the first driver's speed.
+    /// Lists a driver moved by hand as left out, or else the speed of the first driver, with the entry made by `told`.
     fn driven(&mut self, link: &str, speed: f64, by_hand: bool, told: impl Fn(String) -> LeftOut) {
         let link = link.to_owned();
         if by_hand {

@@ -62,7 +62,7 @@ impl<'a> Tag<'a> {
         ImportProblem::number(&format!("{tag} {id}, {name}"), self.text(name))
     }
 
-    /// Number of tags below the direct inner tags, at any depth.
+    /// Number of tags nested inside the direct inner tags, at any depth.
     pub(super) fn mentions(&self) -> usize {
         let inner = self.tags.iter();
         inner.map(|tag| tag.tags.len() + tag.mentions()).sum()

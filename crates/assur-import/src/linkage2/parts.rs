@@ -9,7 +9,7 @@ use assur::mechanism::FARTHEST;
 /// Bit mask of the layers with moving parts; the other layers hold only drawings.
 const MECHANISM: i64 = 0xFFFF_FFF0;
 
-/// Units of length in a file, per inch.
+/// Number of units of length per inch, as lengths are written in a file.
 const TO_AN_INCH: f64 = 96.0;
 const MM_TO_AN_INCH: f64 = 25.4;
 
@@ -60,7 +60,7 @@ pub(super) struct Ratio {
     pub(super) chain: bool,
 }
 
-/// All parts of a file. Lengths are in the unit of the file.
+/// All parts of a file. Lengths are in inches or millimetres, as `unit` states.
 #[derive(Debug, Default)]
 pub(super) struct Parts {
     pub(super) unit: Option<LengthUnit>,
@@ -145,7 +145,7 @@ fn id(tag: &Tag<'_>, name: &str) -> Result<Option<i64>, ImportProblem> {
     tag.whole(name)
 }
 
-/// Factor that converts the lengths of a file to its unit.
+/// Factor that converts lengths, as written in a file, to inches or millimetres.
 struct Length(f64);
 
 impl Length {

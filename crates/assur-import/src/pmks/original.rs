@@ -1,5 +1,5 @@
-//! Links of the first PMKS (Silverlight, <https://designengrlab.github.io/PMKS>): `?set=s50&mech=ground,input,R,0,0,0,tfft|…`.
-//! A link lists only joints. A joint has the names of its links, a kind (R, P, RP), coordinates, the direction of its
+//! URLs of the first PMKS (Silverlight, <https://designengrlab.github.io/PMKS>): `?set=s50&mech=ground,input,R,0,0,0,tfft|…`.
+//! A URL lists only joints. A joint has the names of its links, a kind (R, P, RP), coordinates, the direction of its
 //! slide in degrees, and four letters. The letters state whether the joint's position, velocity and acceleration are
 //! shown and whether it is driven. The first link of a sliding pair has the slot, the second the block or pin.
 
@@ -13,7 +13,7 @@ use crate::{ImportProblem, LeftOut};
 
 /// Name of the parameter that lists the joints.
 const JOINTS: &str = "mech";
-/// Names of the ground, besides those that begin with [`GROUND`].
+/// Names of the ground other than those that begin with [`GROUND`].
 const GROUNDS: [&str; 6] = ["0", "gnd", "grnd", "grond", "gound", "groud"];
 const GROUND: &str = "ground";
 

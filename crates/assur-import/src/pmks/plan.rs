@@ -1,4 +1,4 @@
-//! Contents of a PMKS+ link (URL) in either form, and the mechanism that they describe.
+//! Contents of a PMKS+ URL in either form, and the mechanism that they describe.
 
 use std::f64::consts::{PI, TAU};
 
@@ -362,7 +362,7 @@ struct Block {
 }
 
 /// Rounds an angle to whole degrees if the difference is within the resolution. The digits in a
-/// link cannot distinguish a guide at 90° from one that is a hundredth of a degree off.
+/// URL cannot distinguish a guide at 90° from one that is a hundredth of a degree off.
 fn whole_degrees(angle: f64) -> f64 {
     let whole = angle.to_degrees().round() * PI / 180.0;
     if (whole - angle).abs() <= 0.5 * ANGLE_STEP + 1e-12 {

@@ -34,7 +34,7 @@ pub(super) fn of(
         let offs = cranks().map(|rate| (near(rate, turns) - rate).abs());
         offs.fold(0.0, f64::max)
     };
-    // The best approximation of the rates; of the numbers of turns that give it, the smallest is taken.
+    // `least` is the error of the best approximation, `round` the smallest number of turns that attains it.
     let least = (1..=MOST_TURNS).map(off).fold(f64::INFINITY, f64::min);
     let round = (1..=MOST_TURNS)
         .find(|turns| off(*turns) <= least + 1e-12)
@@ -91,7 +91,7 @@ mod tests {
         // With speeds of 15.7 and 15 the motion would repeat only after 150 turns.
         assert_eq!(cranks(&[15.0, 15.7]), (vec![None, Some(22.0 / 21.0)], 1));
         assert_eq!(cranks(&[0.0, 0.0]), (vec![None, None], 0));
-        // Nor does a driver far slower than the others: their rates would be infinite.
+        // A driver far slower than the others does not become the first: their rates would be infinite.
         assert_eq!(cranks(&[1e-308, 1e9]), (vec![None, Some(0.0)], 0));
     }
 }

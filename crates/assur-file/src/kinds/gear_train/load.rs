@@ -74,7 +74,7 @@ pub struct MagnetsDocument {
     pub poles: PolesDocument,
     /// Greatest torques that one satellite exerts on sun and ring, N·m.
     pub peak: [f64; 2],
-    /// Eddy-current damping between one satellite and the sun, and between it and the ring, N·m·s.
+    /// Eddy-current damping in one satellite's mesh with the sun, and in its mesh with the ring, N·m·s.
     pub damping: [f64; 2],
 }
 

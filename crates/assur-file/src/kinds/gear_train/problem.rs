@@ -106,7 +106,7 @@ fn of_wheel(member: Member) -> &'static str {
 }
 
 impl GearTrainDocument {
-    /// Converts an error of a drive to a problem.
+    /// Converts an error in a train's drives to a problem.
     pub(super) fn input_problem(&self, error: InputError) -> Problem {
         let problem = match error {
             InputError::Number { shaft, fault } => {
@@ -155,7 +155,7 @@ impl GearTrainDocument {
         }
     }
 
-    /// A field of a shaft's drive; the list of drives if the shaft has none.
+    /// The path of the field `name` of a shaft's drive or, if the shaft has no drive, of the list of drives.
     fn field_of(&self, shaft: Shaft, name: &str) -> Field {
         match self.drive_of(shaft) {
             Some((index, _)) => format!("drives[{index}].{name}").into(),

@@ -17,7 +17,7 @@ const LONGEST_NAME: usize = 40;
 /// Maximum number of characters of a title or source.
 const LONGEST_TEXT: usize = 400;
 
-/// All problems of single fields, with the paths of the fields; if lists are too long, only these problems.
+/// All problems of single fields, with the paths of the fields. If lists are too long, no other problems are given.
 pub(super) fn problems(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let found = counts(document);
     if found.is_empty() {

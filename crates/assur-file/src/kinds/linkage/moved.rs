@@ -24,7 +24,7 @@ impl LinkageDocument {
         Err(problems.into_iter().map(Problem::from).collect())
     }
 
-    /// The mechanism that the document describes, drawn in the assembly that moves.
+    /// The mechanism that the document describes, in the assembly that it gives by number or else in the drawn one.
     ///
     /// # Errors
     /// All problems of single fields or, if there are none, of the mechanism. Each names the field, or the

@@ -80,7 +80,7 @@ impl FunctionDocument {
     fn mapped(&self, unit: fn(f64) -> f64) -> Result<Wanted, Vec<Problem>> {
         let f = self.of.function()?;
         let [from, to] = self.x;
-        // A power may have no value at 0, which may be inside the interval.
+        // A power may have no value at 0, so the point of the interval nearest to 0 is also tested.
         let zero = 0_f64.max(from.min(to)).min(from.max(to));
         let undefined = [from, to, zero].into_iter().find(|x| !f(*x).is_finite());
         if let Some(x) = undefined.filter(|x| x.is_finite()) {
