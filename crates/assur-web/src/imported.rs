@@ -15,14 +15,14 @@ struct Read {
     left_out: Vec<LeftOut>,
 }
 
-/// Whether a text appears to be a PMKS+ link or a Linkage file, whole or damaged.
+/// Whether a text appears to be a PMKS+ or PMKS URL or a Linkage file, whole or damaged.
 #[wasm_bindgen(js_name = isImport)]
 pub fn is_import(text: &str) -> bool {
     assur_import::recognised(text)
 }
 
-/// Reads a PMKS+ link or a Linkage file: `{read: {kind, document}, left_out}`. `left_out` lists codes of features that
-/// could not be imported unchanged. The document may be unable to move.
+/// Reads a PMKS+ or PMKS URL or a Linkage file: `{read: {kind, document}, left_out}`. `left_out` lists
+/// codes of features that could not be imported unchanged. The document may be unable to move.
 ///
 /// # Errors
 /// The part that cannot be read.
